@@ -1,0 +1,356 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_COMPONENTS_HPP
+#define OPENCV_USACV20_COMPONENTS_HPP
+
+#include <limits>
+#include <vector>
+#include "opencv2/core.hpp"
+#include "opencv2/usac/params.hpp"
+#include "opencv2/usac/report.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! @addtogroup usacv20
+//! @{
+
+/** @name Components
+The parts of Algorithm 1 of @cite ivashechkin2021usacv20. Each is a small abstract class; Usac::create makes the
+default set and any of them can be replaced before Usac::run. A virtual call covers a sample, a model or a block of
+points, never a point. Methods that are `const` are called from several threads at once if Params::threads is not 1;
+the others never are.
+@{ */
+
+//! A homography, fundamental or essential matrix, in the coordinates of Correspondences.
+typedef Matx33d Model;
+
+//! Most points a minimal sample can have.
+enum { MAX_SAMPLE_SIZE = 8 };
+//! Most models a minimal solver can return.
+enum { MAX_MODELS = 10 };
+
+/** @brief The correspondences as the components see them: scaled, shuffled, structure of arrays.
+
+H, F: translated and scaled to about unit size (F, E: the same scale in both images, so that errors scale with it).
+E: coordinates of the normalised image plane. The order is pseudo-random and fixed, so that any run of consecutive points
+is a random sample. Arrays have `size` elements.
+*/
+struct Correspondences
+{
+    ProblemType problem;
+    int size;                                   //!< finite correspondences
+    int inputSize;                              //!< rows that the caller gave
+    const float *x1, *y1, *x2, *y2;             //!< for scoring, 64-byte aligned
+    const double *dx1, *dy1, *dx2, *dy2;        //!< for solving and refinement
+    const int* inputIndex;                      //!< row of the caller's arrays
+    const float* scores;                        //!< Params::scores in this order, lower is better; null if none were given
+    double threshold;                           //!< Params::threshold in these coordinates, not squared
+    Matx33d T1, T2;                             //!< from the caller's (E: normalised) coordinates to these
+    float lower[4], upper[4];                   //!< where nearly all of x1, y1, x2, y2 lie
+};
+
+//! What a model is worth: the lower the cost, the better.
+struct Quality
+{
+    Quality() : cost(std::numeric_limits<double>::infinity()), inliers(0) {}
+    Quality(double cost_, int inliers_) : cost(cost_), inliers(inliers_) {}
+    bool betterThan(const Quality& other) const { return cost < other.cost; }
+
+    double cost;  //!< sum over all points, each between 0 and 1
+    int inliers;  //!< points within the threshold
+};
+
+/** @brief Counter-based pseudo-random generator: the k-th number of a stream depends on seed, stream and k alone.
+
+The output function is the finaliser of SplitMix64 @cite steele2014splittable. Each iteration has a stream of its own, so
+the samples do not depend on threads or on what was drawn elsewhere.
+*/
+class Rng
+{
+public:
+    explicit Rng(uint64 seed = 0, uint64 stream = 0) : key(mix(seed + mix(stream))), counter(0) {}
+
+    //! 32 uniformly distributed bits.
+    unsigned next() { return (unsigned)(mix(key + 0x9e3779b97f4a7c15ULL * ++counter) >> 32); }
+    //! Uniform in 0 .. n-1, n > 0.
+    int uniform(int n) { return (int)(((uint64)next() * (unsigned)n) >> 32); }
+    //! Writes `count` distinct numbers of 0 .. n-1 with count <= min(n, MAX_SAMPLE_SIZE).
+    void distinct(int n, int count, int* out)
+    {
+        for (int i = 0; i < count;)
+        {
+            out[i] = uniform(n);
+            int j = 0;
+            while (out[j] != out[i])
+                ++j;
+            i += j == i;
+        }
+    }
+
+private:
+    static uint64 mix(uint64 z)
+    {
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31);
+    }
+    uint64 key, counter;
+};
+
+//! One design of the sequential probability ratio test, and how long it was in use.
+struct SequentialTest
+{
+    double epsilon;  //!< probability that a point is an inlier of a good model
+    double delta;    //!< probability that a point is an inlier of a bad model
+    double A;        //!< decision threshold: a good model is dropped with a probability of at most 1/A
+    int samples;     //!< samples whose models it has tested
+};
+
+//! All that changes during a run.
+struct State
+{
+    State() : iteration(0), subsetSize(0) {}
+
+    Rng rng;                 //!< generator of the current iteration
+    int iteration;           //!< samples drawn so far
+    int subsetSize;          //!< the sampler draws from the `subsetSize` best points now; all points: size
+    std::vector<int> order;  //!< the points, best first, as the Prior says
+    Model best;              //!< the best model so far
+    Quality bestQuality;     //!< and what it is worth
+    std::vector<SequentialTest> tests; //!< those of the verifier so far, the last one is in use
+    Report report;
+};
+
+struct Components;
+
+//! What does not change during a run; handed to the components that need more than their own data.
+struct CV_EXPORTS Context
+{
+    Context(const Correspondences& points_, const Components& components_, const Params& params_)
+        : points(points_), components(components_), params(params_) {}
+
+    /** @brief Quality of a model over all points.
+    @param bound stop as soon as the cost reaches it; the result is then only known not to be better. */
+    Quality rate(const Model& model, double bound = std::numeric_limits<double>::infinity()) const;
+
+    const Correspondences& points;
+    const Components& components;
+    const Params& params;
+};
+
+//! Order of the points, best first (paper, section "Other features").
+class CV_EXPORTS Prior
+{
+public:
+    virtual ~Prior();
+    //! Writes a permutation of 0 .. size-1 to `order`.
+    virtual void sort(const Context& context, std::vector<int>& order) = 0;
+};
+
+//! Sparse neighbourhood graph of the points, O(N) memory, built at first use.
+class CV_EXPORTS Neighbourhood
+{
+public:
+    virtual ~Neighbourhood();
+    //! Number of neighbourhood sizes, from the finest 0 to the coarsest.
+    virtual int layers() const = 0;
+    //! Neighbours of a point in a layer, the point itself among them. @return their number, `members` points to them.
+    virtual int members(const Context& context, int layer, int point, const int*& members) = 0;
+    //! Undirected edges of the graph, each once, at most a constant times N.
+    virtual const std::vector<Vec2i>& edges(const Context& context) = 0;
+};
+
+//! Draws minimal samples (paper, section "Sampling").
+class CV_EXPORTS Sampler
+{
+public:
+    virtual ~Sampler();
+    /** @brief Draws the next sample with `state.rng`.
+    @param sample output, as many distinct point indices as the minimal solver needs.
+    May set `state.subsetSize`. */
+    virtual void sample(const Context& context, State& state, int* sample) = 0;
+};
+
+//! From a minimal sample to models.
+class CV_EXPORTS MinimalSolver
+{
+public:
+    virtual ~MinimalSolver();
+    virtual int sampleSize() const = 0;
+    //! Writes at most #MAX_MODELS models. @return their number; 0 for a degenerate sample.
+    virtual int solve(const Correspondences& points, const int* sample, Model* models) const = 0;
+};
+
+//! From many points to one model.
+class CV_EXPORTS NonMinimalSolver
+{
+public:
+    virtual ~NonMinimalSolver();
+    /** @brief Fits a model to `count` points.
+    @param points the correspondences
+    @param indices which of them
+    @param count number of indices
+    @param weights one per index, or null for ones
+    @param model input: where to start; output: the fit
+    @return false if the points do not determine a model; `model` is then as before. */
+    virtual bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+                     Model& model) const = 0;
+};
+
+//! Error of points under a model.
+class CV_EXPORTS Residual
+{
+public:
+    enum Kind { TRANSFER, SAMPSON, CUSTOM };
+
+    virtual ~Residual();
+    //! Squared errors of the points begin .. end-1. Where the error is not defined the value is NaN or infinite.
+    virtual void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                               float* errors) const = 0;
+    //! The same in double, for `count` points in any coordinates.
+    virtual void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2,
+                               const double* y2, int count, double* errors) const = 0;
+    //! Names the formula, so that a Score can offer a fused kernel for it.
+    virtual Kind kind() const;
+};
+
+//! Computes errors and accumulates the quality of the points begin .. end-1 in one pass.
+typedef void (*FusedKernel)(const Correspondences& points, const float* model, float squaredThreshold, int begin,
+                            int end, Quality& sum);
+
+//! What errors are worth (paper, section "Quality").
+class CV_EXPORTS Score
+{
+public:
+    virtual ~Score();
+    /** @brief Adds a block of points to `sum`; the cost of a point lies between 0 (perfect) and 1 (outlier).
+    NaN is an outlier. `squaredThreshold` is that of the errors' coordinates. */
+    virtual void accumulate(const float* squaredErrors, int count, float squaredThreshold, Quality& sum) const = 0;
+    //! A kernel that does the same without the array of errors, or null.
+    virtual FusedKernel fused(const Residual& residual) const;
+};
+
+//! Drops bad models early (paper, section "Pre-emptive verification").
+class CV_EXPORTS Verifier
+{
+public:
+    virtual ~Verifier();
+    //! How many points to look at before the next decision, after `tested`.
+    virtual int nextBlock(int tested) const = 0;
+    //! False: the model, of whose first `tested` points `inliers` are inliers, is dropped.
+    virtual bool proceed(int inliers, int tested) const = 0;
+    //! A sample has been dealt with; its models had `inliers` among the `tested` points of their first blocks.
+    virtual void sampleTested(State& state, int inliers, int tested) = 0;
+    //! Called before the first sample and between batches of samples: may adapt the test.
+    virtual void adapt(const Context& context, State& state) = 0;
+};
+
+//! Degenerate configurations (paper, section "Degeneracy"). All members of Components::degeneracies are asked in turn.
+class CV_EXPORTS Degeneracy
+{
+public:
+    virtual ~Degeneracy();
+    //! False: no model shall be computed from the sample. Default: true.
+    virtual bool validSample(const Context& context, const int* sample) const;
+    //! False: the model shall not be tested. Default: true.
+    virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
+    /** @brief Looks at a new so-far-the-best model and may replace it by a better one.
+    @return false: the model is degenerate and could not be mended, it is dropped. Default: true. */
+    virtual bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality);
+};
+
+//! Improves each so-far-the-best model (paper, section "Local optimization").
+class CV_EXPORTS LocalOptimizer
+{
+public:
+    virtual ~LocalOptimizer();
+    //! Replaces the model by a better one. @return false if there is none; model and quality are then as before.
+    virtual bool optimize(const Context& context, State& state, Model& model, Quality& quality) = 0;
+};
+
+//! When to stop (paper, section "Termination criterion").
+class CV_EXPORTS Termination
+{
+public:
+    virtual ~Termination();
+    //! Number of samples after which the run can stop, given the best model so far. INT_MAX: not yet known.
+    virtual int iterations(const Context& context, const State& state) const = 0;
+    //! @ref StopReason. Default #STOP_CUSTOM.
+    virtual int reason() const;
+};
+
+//! Last step: a better model from all inliers.
+class CV_EXPORTS Polisher
+{
+public:
+    virtual ~Polisher();
+    //! Replaces the model by a better one if it can.
+    virtual void polish(const Context& context, Model& model) = 0;
+};
+
+//! The parts of one estimator.
+struct Components
+{
+    Ptr<Residual> residual;                    //!< required
+    Ptr<Score> score;                          //!< required
+    Ptr<Prior> prior;                          //!< empty: State::order is 0, 1, 2, ...
+    Ptr<Neighbourhood> neighbourhood;          //!< required by P-NAPSAC and graph cut
+    Ptr<Sampler> sampler;                      //!< required
+    Ptr<MinimalSolver> minimalSolver;          //!< required
+    Ptr<NonMinimalSolver> nonMinimalSolver;    //!< required by graph cut and least squares
+    std::vector<Ptr<Degeneracy> > degeneracies;
+    Ptr<Verifier> verifier;                    //!< empty: none
+    Ptr<LocalOptimizer> localOptimizer;        //!< empty: none
+    std::vector<Ptr<Termination> > terminations;
+    Ptr<Polisher> polisher;                    //!< empty: none
+};
+
+//! @}
+
+/** @brief One estimation: points, parameters and the components that will do the work.
+
+@code
+    Ptr<usacv20::Usac> usac = usacv20::Usac::create(usacv20::HOMOGRAPHY, points1, points2, params);
+    usac->components().sampler = makePtr<MySampler>();
+    Mat mask, H = usac->run(mask);
+@endcode
+*/
+class CV_EXPORTS Usac
+{
+public:
+    virtual ~Usac();
+
+    /** @brief Reads the points and builds the components that `params` names.
+    @param problem what to estimate
+    @param points1 N points of image 1, as in #estimateHomography
+    @param points2 their N counterparts in image 2
+    @param params options
+    @param cameraMatrix1 for #ESSENTIAL: 3x3 camera matrix of image 1
+    @param cameraMatrix2 the same for image 2; empty: as image 1
+    @param distCoeffs1 distortion of camera 1; empty: none
+    @param distCoeffs2 distortion of camera 2; empty: none
+    Raises cv::Exception for wrong arguments. */
+    static Ptr<Usac> create(ProblemType problem, InputArray points1, InputArray points2, const Params& params = Params(),
+                            InputArray cameraMatrix1 = noArray(), InputArray cameraMatrix2 = noArray(),
+                            InputArray distCoeffs1 = noArray(), InputArray distCoeffs2 = noArray());
+
+    //! The components, to be replaced before #run.
+    virtual Components& components() = 0;
+    //! The points as the components see them.
+    virtual const Correspondences& points() const = 0;
+    /** @brief Runs the estimation; to be called once.
+    @param mask output, N x 1, CV_8U
+    @param report output, may be null
+    @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it, empty if there is none. */
+    virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
+};
+
+//! @}
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

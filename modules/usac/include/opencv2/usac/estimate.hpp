@@ -1,0 +1,80 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_ESTIMATE_HPP
+#define OPENCV_USACV20_ESTIMATE_HPP
+
+#include "opencv2/usac/params.hpp"
+#include "opencv2/usac/report.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! @addtogroup usacv20
+//! @{
+
+/** @brief Estimates the homography that maps image 1 to image 2.
+
+@param points1 N points of image 1: Nx2 with 1 channel, or Nx1 or 1xN with 2 channels, of any depth; also vector<Point2f> etc.
+@param points2 their N counterparts in image 2.
+@param params options; `threshold` is the distance in image 2 in pixels.
+@param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the threshold, else 0.
+@param report output, what the run learned.
+@return 3x3, CV_64F, with h33 = 1 (unit Frobenius norm where h33 is 0); empty if there is none, and `report` says why.
+
+Points with NaN or infinite coordinates are never inliers. Raises cv::Exception for lists of different
+lengths, points of a wrong shape and wrong parameters. @cite ivashechkin2021usacv20
+*/
+CV_EXPORTS_W Mat estimateHomography(InputArray points1, InputArray points2, const Params& params,
+                                    OutputArray mask, CV_OUT Report& report);
+//! @overload
+CV_EXPORTS Mat estimateHomography(InputArray points1, InputArray points2, const Params& params = Params(),
+                                  OutputArray mask = noArray());
+
+/** @brief Estimates the fundamental matrix F with x2^T F x1 = 0.
+
+@param points1 N points of image 1, as in #estimateHomography.
+@param points2 their N counterparts in image 2.
+@param params options; `threshold` is the Sampson distance in pixels.
+@param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance under the returned F is at most the threshold, else 0.
+@param report output, what the run learned.
+@return 3x3, CV_64F, rank 2, unit Frobenius norm; empty if there is none, and `report` says why.
+*/
+CV_EXPORTS_W Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
+                                     OutputArray mask, CV_OUT Report& report);
+//! @overload
+CV_EXPORTS Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params = Params(),
+                                   OutputArray mask = noArray());
+
+/** @brief Estimates the essential matrix E with (K2^-1 x2)^T E (K1^-1 x1) = 0.
+
+@param points1 N points of image 1 in pixels, as in #estimateHomography.
+@param points2 their N counterparts in image 2.
+@param cameraMatrix1 3x3 camera matrix of image 1, CV_32F or CV_64F.
+@param cameraMatrix2 3x3 camera matrix of image 2; empty: that of image 1.
+@param distCoeffs1 distortion of camera 1, as in cv::undistortPoints; empty: none.
+@param distCoeffs2 distortion of camera 2; empty: none.
+@param params options; `threshold` is the Sampson distance in pixels: it is divided by the mean of the four focal lengths.
+@param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalised points under the returned E is at most
+threshold / mean focal length, else 0.
+@param report output, what the run learned.
+@return 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there is none, and `report` says why.
+*/
+CV_EXPORTS_W Mat estimateEssential(InputArray points1, InputArray points2,
+                                   InputArray cameraMatrix1, InputArray cameraMatrix2,
+                                   InputArray distCoeffs1, InputArray distCoeffs2,
+                                   const Params& params, OutputArray mask, CV_OUT Report& report);
+//! @overload
+CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
+                                 const Params& params = Params(), OutputArray mask = noArray());
+//! @overload
+CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
+                                 const Params& params, OutputArray mask, Report& report);
+
+//! @}
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

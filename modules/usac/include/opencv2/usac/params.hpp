@@ -1,0 +1,206 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PARAMS_HPP
+#define OPENCV_USACV20_PARAMS_HPP
+
+#include <vector>
+#include "opencv2/core.hpp"
+
+namespace cv {
+
+struct UsacParams;  // of calib3d
+
+//! @addtogroup usacv20
+//! @{
+
+/** @brief Presets of the module, selected in the place of a `method` flag of cv::findHomography,
+cv::findFundamentalMat and cv::findEssentialMat.
+
+The values meet none of OpenCV's own flags. An `int` (from a configuration file, say) becomes one of
+these by usacv20::methodFromInt.
+*/
+enum UsacV20Method
+{
+    USACV20          = 0x4000, //!< the configuration chosen in @cite ivashechkin2021usacv20; usacv20::Params::usacV20()
+    USACV20_FAST     = 0x4001, //!< early stop and a short local optimisation; usacv20::Params::fast()
+    USACV20_ACCURATE = 0x4002, //!< late stop and a long local optimisation; usacv20::Params::accurate()
+    USACV20_PROSAC   = 0x4003  //!< the caller's points are sorted, best first; usacv20::Params::prosac()
+};
+
+namespace usacv20 {
+
+//! The model that is estimated.
+enum ProblemType
+{
+    HOMOGRAPHY  = 0, //!< 3x3 homography from 4 or more correspondences
+    FUNDAMENTAL = 1, //!< 3x3 fundamental matrix from 7 or more correspondences
+    ESSENTIAL   = 2  //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
+};
+
+//! How minimal samples are drawn (paper, section "Sampling").
+enum SamplerType
+{
+    SAMPLER_UNIFORM  = 0, //!< all points are equally likely @cite fischler1981random
+    SAMPLER_PROSAC   = 1, //!< the best points first, then ever more of them @cite chum2005matching
+    SAMPLER_P_NAPSAC = 2  //!< the best point first and its neighbours, ever wider @cite barath2019progressive
+};
+
+//! Where the order of the points ("best first") comes from (paper, section "Other features").
+enum PriorType
+{
+    PRIOR_AUTO        = 0, //!< Params::scores where given, else the local density
+    PRIOR_DENSITY     = 1, //!< local density of the points in the 4-D joint space, densest first
+    PRIOR_INPUT_ORDER = 2, //!< the caller has sorted the points, best first
+    PRIOR_NONE        = 3  //!< a fixed pseudo-random order
+};
+
+//! Which end of Params::scores is the good one.
+enum ScoreOrder
+{
+    SCORES_LOWER_IS_BETTER  = 0, //!< descriptor distances, ratios of distances
+    SCORES_HIGHER_IS_BETTER = 1  //!< similarities, probabilities
+};
+
+//! How a model is rated (paper, section "Quality").
+enum QualityType
+{
+    QUALITY_INLIERS = 0, //!< number of inliers @cite fischler1981random
+    QUALITY_MSAC    = 1  //!< sum of truncated squared errors @cite torr2000mlesac
+};
+
+//! How bad models are dropped early (paper, section "Pre-emptive verification").
+enum VerificationType
+{
+    VERIFICATION_NONE = 0, //!< every model sees all points, or as many as the quality needs
+    VERIFICATION_SPRT = 1  //!< Wald's sequential probability ratio test @cite chum2008optimal
+};
+
+//! What improves each so-far-the-best model (paper, section "Local optimization").
+enum LocalOptimizationType
+{
+    LOCAL_OPTIMIZATION_NONE      = 0, //!< nothing
+    LOCAL_OPTIMIZATION_GRAPH_CUT = 1  //!< spatially coherent inliers by graph cut, inner RANSAC @cite barath2018graph
+};
+
+//! What ends the search, a set of bits; the first that fires wins (paper, section "Termination criterion").
+enum TerminationFlags
+{
+    TERMINATION_STANDARD = 1, //!< no better model with probability `confidence` @cite fischler1981random
+    TERMINATION_SPRT     = 2, //!< the same, with the errors of SPRT accounted for @cite chum2008optimal
+    TERMINATION_P_NAPSAC = 4  //!< no significantly better model @cite barath2019progressive
+};
+
+//! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy").
+enum DegeneracyFlags
+{
+    DEGENERACY_ORIENTATION = 1, //!< H: orientation of the sample; F, E: oriented epipolar constraint @cite chum2004epipolar
+    DEGENERACY_DEGENSAC    = 2  //!< F: samples dominated by a plane, plane and parallax @cite chum2005two
+};
+
+//! What is done to the best model at the end (Algorithm 1, last line).
+enum PolishingType
+{
+    POLISHING_NONE          = 0, //!< nothing
+    POLISHING_LEAST_SQUARES = 1  //!< least squares of the geometric error over all inliers, until they settle
+};
+
+/** @brief All options of the estimator; each has an effect.
+
+A default-constructed object is the configuration of the paper (Params::usacV20). Wrong values raise a
+cv::Exception that names the field when the estimator is created.
+*/
+struct CV_EXPORTS_W_SIMPLE Params
+{
+    CV_WRAP Params();
+
+    //! Inlier threshold in pixels, not squared; > 0. H: distance in image 2. F, E: Sampson distance. Default 1.5.
+    CV_PROP_RW double threshold;
+    //! Probability that the returned model is the best one; in (0, 1). Default 0.99.
+    CV_PROP_RW double confidence;
+    //! Upper bound of the number of minimal samples; >= 1. Default 5000.
+    CV_PROP_RW int maxIterations;
+    //! Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.
+    CV_PROP_RW int seed;
+    //! Number of threads that test hypotheses, 0 for cv::getNumThreads(); the result does not depend on it. Default 1.
+    CV_PROP_RW int threads;
+
+    //! @ref SamplerType. Default #SAMPLER_P_NAPSAC.
+    CV_PROP_RW int sampler;
+    //! @ref PriorType. Default #PRIOR_AUTO.
+    CV_PROP_RW int prior;
+    //! Score of each correspondence, N values or none. Default none.
+    CV_PROP_RW std::vector<float> scores;
+    //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
+    CV_PROP_RW int scoreOrder;
+    //! @ref QualityType. Default #QUALITY_MSAC.
+    CV_PROP_RW int quality;
+    //! @ref VerificationType. Default #VERIFICATION_SPRT.
+    CV_PROP_RW int verification;
+    //! @ref LocalOptimizationType. Default #LOCAL_OPTIMIZATION_GRAPH_CUT.
+    CV_PROP_RW int localOptimization;
+    //! Upper bound of the alternations of labelling and fitting in one local optimisation; 1..1000. Default 5.
+    CV_PROP_RW int localIterations;
+    //! Size of the inner samples of a local optimisation as a multiple of the minimal one; 2..100. Default 7.
+    CV_PROP_RW int localSampleMultiple;
+    //! Inner samples of one alternation of a local optimisation, beside the fit to all its inliers; 0..1000. Default 4.
+    CV_PROP_RW int localSamples;
+    //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
+    CV_PROP_RW double spatialWeight;
+    //! Set of @ref TerminationFlags; 0 runs all `maxIterations`. Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC.
+    CV_PROP_RW int termination;
+    //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.1. Used by #TERMINATION_P_NAPSAC.
+    CV_PROP_RW double relaxation;
+    //! Set of @ref DegeneracyFlags. Default all.
+    CV_PROP_RW int degeneracy;
+    //! @ref PolishingType. Default #POLISHING_LEAST_SQUARES.
+    CV_PROP_RW int polishing;
+
+    //! The configuration chosen in the paper; the same as Params().
+    CV_WRAP static Params usacV20();
+    //! Stops early, optimises little. What #USACV20_FAST uses.
+    CV_WRAP static Params fast();
+    //! Stops late, optimises much. What #USACV20_ACCURATE uses.
+    CV_WRAP static Params accurate();
+    //! PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses.
+    CV_WRAP static Params prosac();
+    //! RANSAC of 1981: uniform samples, inlier count, standard termination, least squares @cite fischler1981random.
+    CV_WRAP static Params ransac();
+    //! The preset behind a flag. @param method one of #UsacV20Method; anything else raises cv::Exception.
+    CV_WRAP static Params fromMethod(int method);
+
+    //! The nearest configuration to one of OpenCV's own USAC; `threshold`, `confidence`, `maxIterations` are taken as they are.
+    static Params fromUsacParams(const cv::UsacParams& params);
+
+    //! Raises a cv::Exception that names the first field with a wrong value. @param count number of correspondences, -1 if unknown.
+    CV_WRAP void check(int count = -1) const;
+
+    //! Writes all fields into an open map of a cv::FileStorage.
+    void write(FileStorage& fs) const;
+    //! Reads the fields that the node has; the others keep their values.
+    void read(const FileNode& node);
+};
+
+//! The name that C++ code uses.
+typedef Params UsacParams;
+
+//! For `fs << "usac" << params`.
+CV_EXPORTS void write(FileStorage& fs, const String& name, const Params& params);
+//! For `fs["usac"] >> params`.
+CV_EXPORTS void read(const FileNode& node, Params& params, const Params& defaults = Params());
+
+/** @brief Turns an integer into a flag of the module.
+@param method value of one of #UsacV20Method; anything else raises cv::Exception.
+*/
+CV_EXPORTS UsacV20Method methodFromInt(int method);
+
+//! True for the values of #UsacV20Method.
+CV_EXPORTS_W bool isUsacV20Method(int method);
+
+//! @}
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,74 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_REPORT_HPP
+#define OPENCV_USACV20_REPORT_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! @addtogroup usacv20
+//! @{
+
+//! Why an estimation ended.
+enum StopReason
+{
+    STOP_NOT_RUN           = 0, //!< nothing has been run
+    STOP_TOO_FEW_POINTS    = 1, //!< fewer finite correspondences than a minimal sample: no model
+    STOP_NO_MODEL          = 2, //!< no sample gave a model that beats chance (degenerate or random data): no model
+    STOP_MAX_ITERATIONS    = 3, //!< Params::maxIterations reached
+    STOP_STANDARD          = 4, //!< #TERMINATION_STANDARD fired
+    STOP_SPRT              = 5, //!< #TERMINATION_SPRT fired
+    STOP_P_NAPSAC          = 6, //!< #TERMINATION_P_NAPSAC fired
+    STOP_CUSTOM            = 7  //!< a Termination of the caller's fired
+};
+
+/** @brief What one estimation learned on its way. Times are of the steady clock and decide nothing. */
+struct CV_EXPORTS_W_SIMPLE Report
+{
+    CV_WRAP Report();
+
+    //! @ref StopReason.
+    CV_PROP_RW int stop;
+    //! Minimal samples drawn.
+    CV_PROP_RW int iterations;
+    //! Samples refused before a model was computed (repeated or collinear points, orientation).
+    CV_PROP_RW int rejectedSamples;
+    //! Models computed from the samples.
+    CV_PROP_RW int models;
+    //! Models refused by a check of the model itself (orientation, singular).
+    CV_PROP_RW int rejectedModels;
+    //! Models dropped by the pre-emptive verification or because they could no longer beat the best.
+    CV_PROP_RW int droppedModels;
+    //! Local optimisations run.
+    CV_PROP_RW int localOptimizations;
+    //! Those that improved their model.
+    CV_PROP_RW int localImprovements;
+    //! True if a so-far-the-best F came from a sample dominated by a plane.
+    CV_PROP_RW bool degenerate;
+    //! Rows of the mask that are 1.
+    CV_PROP_RW int inliers;
+    //! Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of min(error^2 / threshold^2, 1).
+    CV_PROP_RW double cost;
+    //! Milliseconds: reading, scaling and ordering the points.
+    CV_PROP_RW double setupMs;
+    //! Milliseconds: the hypothesise-and-verify loop without the local optimisation.
+    CV_PROP_RW double searchMs;
+    //! Milliseconds: all local optimisations.
+    CV_PROP_RW double localMs;
+    //! Milliseconds: final polishing and the mask.
+    CV_PROP_RW double polishMs;
+
+    //! One sentence for a log.
+    CV_WRAP String describe() const;
+};
+
+//! @}
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,65 @@
+#!/bin/sh
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# Builds the library and its samples against the installed OpenCV, installs them into a temporary prefix, moves that, and
+# builds and runs the consumer project by the CMake package and by pkg-config. Ends with
+# "<N> passed, <M> failed".
+# usage: check.sh [working directory]
+
+here=$(cd "$(dirname "$0")" && pwd)
+project=$(cd "$here/../../../.." && pwd)
+work=${1:-${TMPDIR:-/tmp}/opencv_usac_consumer}
+passed=0
+failed=0
+
+check() # name, command
+{
+    name=$1
+    shift
+    if "$@" > "$work/$name.log" 2>&1; then
+        echo "PASSED $name"
+        passed=$((passed + 1))
+    else
+        cat "$work/$name.log"
+        echo "FAILED $name"
+        failed=$((failed + 1))
+    fi
+}
+
+install_library()
+{
+    cmake -S "$project" -B "$work/build" -DUSAC_WERROR=ON -DCMAKE_INSTALL_LIBDIR=lib $USAC_CMAKE_ARGS &&
+    cmake --build "$work/build" -j "$(nproc)" &&
+    cmake --install "$work/build" --prefix "$work/staging" &&
+    mv "$work/staging" "$work/prefix"
+}
+
+relocatable()
+{
+    ! grep -rIF -e "$project" -e "$work" "$work/prefix"
+}
+
+by_cmake()
+{
+    cmake -S "$here" -B "$work/by_cmake" "-DCMAKE_PREFIX_PATH=$work/prefix" &&
+    cmake --build "$work/by_cmake" &&
+    "$work/by_cmake/usac_consumer"
+}
+
+by_pkg_config()
+{
+    flags=$(PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" pkg-config --cflags --libs opencv_usac) &&
+    c++ -std=c++11 "$here/main.cpp" $flags -o "$work/by_pkg_config" &&
+    LD_LIBRARY_PATH="$work/prefix/lib" "$work/by_pkg_config"
+}
+
+mkdir -p "$work"
+rm -rf "$work/staging" "$work/prefix" "$work/by_cmake" "$work/by_pkg_config"
+check install install_library
+check relocatable relocatable
+check cmake by_cmake
+check pkg-config by_pkg_config
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]

@@ -1,0 +1,128 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""USACv20: robust estimation of homographies, fundamental and essential matrices.
+
+Three levels of use:
+
+1. A flag in the place of cv2.RANSAC: cv2.USACV20, cv2.USACV20_FAST, cv2.USACV20_ACCURATE, cv2.USACV20_PROSAC.
+
+       H, mask = cv2.findHomography(points1, points2, cv2.USACV20, 3.0)
+
+2. All options, match scores among them, in the place of the flag.
+
+       params = cv2.usacv20.UsacParams()
+       params.scores = [match.distance for match in matches]
+       H, mask = cv2.findHomography(points1, points2, params)
+
+3. The same with a report of what the estimator learned.
+
+       H, mask, report = cv2.usacv20.estimateHomography(points1, points2, params)
+
+The model is None, the mask zero and report.stop says why where there is no model.
+
+The loader of cv2 imports this package and adds all else of the extension module's own `usacv20` to it: the enumerations,
+Params, Report, isUsacV20Method, and find* as the extension has them.
+"""
+
+import functools
+import numbers
+
+import cv2
+
+_native = getattr(cv2._native, "usacv20", None)
+if _native is None:  # left over from another build; an ImportError makes the loader go on without this package
+    raise ImportError("cv2 was built without the module usac")
+
+Params = _native.Params
+UsacParams = Params
+
+_FLAGS = frozenset(value for name, value in vars(cv2._native).items() if name.startswith("USACV20"))
+
+
+def estimateHomography(points1, points2, params=None, mask=None):
+    """estimateHomography(points1, points2[, params[, mask]]) -> retval, mask, report
+
+    Estimates the homography that maps image 1 to image 2.
+
+    points1, points2 -- N points of each image: Nx2, Nx1x2 or 1xNx2, any numeric type
+    params -- Params; params.threshold is the distance in image 2 in pixels
+    mask -- Nx1 array of uint8 that receives the mask, if given
+    retval -- 3x3 array of float64, or None if there is none
+    mask -- Nx1 array of uint8, 1 for inliers
+    report -- Report
+    """
+    return _native.estimateHomography(points1, points2, params, mask)
+
+
+def estimateFundamental(points1, points2, params=None, mask=None):
+    """estimateFundamental(points1, points2[, params[, mask]]) -> retval, mask, report
+
+    Estimates the fundamental matrix F with x2^T F x1 = 0. Arguments and results are those of estimateHomography;
+    params.threshold is the Sampson distance in pixels.
+    """
+    return _native.estimateFundamental(points1, points2, params, mask)
+
+
+def estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2=None, distCoeffs1=None, distCoeffs2=None,
+                      params=None, mask=None):
+    """estimateEssential(points1, points2, cameraMatrix[, params[, mask]]) -> retval, mask, report
+    estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2[, distCoeffs1[, distCoeffs2[, params[, mask]]]])
+        -> retval, mask, report
+
+    Estimates the essential matrix E with (K2^-1 x2)^T E (K1^-1 x1) = 0.
+
+    cameraMatrix1, cameraMatrix2 -- 3x3 camera matrices; without the second the first holds for both images
+    distCoeffs1, distCoeffs2 -- distortion as in cv2.undistortPoints; None: none
+
+    The other arguments and the results are those of estimateHomography; params.threshold is the Sampson distance in pixels.
+    """
+    if isinstance(cameraMatrix2, Params):  # the first of the two forms
+        cameraMatrix2, params, distCoeffs1, mask = None, cameraMatrix2, None, distCoeffs1 if mask is None else mask
+    return _native.estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2,
+                                     params, mask)
+
+
+def _isFlag(value):
+    return isinstance(value, numbers.Integral) and value in _FLAGS
+
+
+def _isNumberOrNone(value):
+    return value is None or isinstance(value, numbers.Real)
+
+
+def _essentialMethodPlace(args):
+    if len(args) > 2 and isinstance(args[2], numbers.Real):
+        return 4  # (points1, points2, focal, pp, method, ...)
+    if len(args) > 6 and not _isNumberOrNone(args[4]):
+        return 6  # (points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2, method, ...)
+    return 3      # (points1, points2, cameraMatrix, method, ...)
+
+
+def _divert(name, methodPlace, paramsPlace):
+    """Makes cv2.<name> call usacv20.<name> where the arguments hold a flag or a Params of this module.
+
+    methodPlace -- function that maps the positional arguments to the place where `method` would be among them
+    paramsPlace -- the same for `params`, a number
+    All other calls go to OpenCV's function as they are.
+    """
+    original = getattr(cv2._native, name)
+    ours = getattr(_native, name)
+
+    @functools.wraps(original)
+    def find(*args, **kwargs):
+        method = args[methodPlace(args):][:1] or (kwargs.get("method"),)
+        params = args[paramsPlace:paramsPlace + 1] or (kwargs.get("params"),)
+        if _isFlag(method[0]) or isinstance(params[0], Params):
+            return ours(*args, **kwargs)
+        return original(*args, **kwargs)
+
+    find.__doc__ = "{}\n\nWith `method` one of cv2.USACV20* or `params` a cv2.usacv20.UsacParams:\n\n{}".format(
+        original.__doc__, ours.__doc__)
+    setattr(cv2, name, find)
+
+
+_divert("findHomography", lambda args: 2, 2)
+_divert("findFundamentalMat", lambda args: 2, 2)
+_divert("findEssentialMat", _essentialMethodPlace, 6)

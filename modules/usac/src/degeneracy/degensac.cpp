@@ -1,0 +1,160 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "degeneracy/degeneracy.hpp"
+#include "degeneracy/epipole.hpp"
+#include "residuals/formulas.hpp"
+#include "solvers/solvers.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+Matx33d crossMatrix(const Vec3d& v)
+{
+    return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0);
+}
+
+/** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
+
+If five or more of the seven points lie on a plane, F fits everything on the plane and little else. One of five triples
+of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it maps
+give the degeneracy away. The remedy is plane and parallax: that homography H, refined on its points, and two
+correspondences off the plane determine F = [e]x H, with e where the lines through x2 and H x1 of the two meet. The pairs
+are drawn from the points off the plane; the best F is kept if it beats the original, so that other scenes lose nothing. */
+class Degensac : public Degeneracy
+{
+public:
+    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY)) {}
+
+    bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        Matx33d H;
+        if (!dominantPlane(context.points, sample, model, H))
+            return true;
+        state.report.degenerate = true;
+        split(context.points, H);
+        if (onPlane.size() >= 8 && fitter->fit(context.points, onPlane.data(), (int)onPlane.size(), 0, H))
+            split(context.points, H);
+        planeAndParallax(context, state, H, model, quality);
+        return true;
+    }
+
+private:
+    //! Squared errors above this many thresholds are off a plane that was found from three points.
+    static double limit(const Correspondences& p) { return 9 * p.threshold * p.threshold; }
+
+    //! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F.
+    static bool planeOf(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e, Matx33d& H)
+    {
+        Matx33d M;
+        Vec3d b;
+        for (int k = 0; k < 3; ++k)
+        {
+            const int i = triple[k];
+            const Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1);
+            const Vec3d side = x2.cross(e);
+            const double length = side.dot(side);
+            if (!(length > 0))
+                return false;
+            b[k] = x2.cross(A * x1).dot(side) / length;
+            for (int j = 0; j < 3; ++j)
+                M(k, j) = x1[j];
+        }
+        const double det = determinant(M);
+        if (!(std::abs(det) > 1e-9))
+            return false;
+        const Vec3d v = M.inv() * b;
+        H = A - Matx33d(e[0] * v[0], e[0] * v[1], e[0] * v[2], e[1] * v[0], e[1] * v[1], e[1] * v[2],
+                        e[2] * v[0], e[2] * v[1], e[2] * v[2]);
+        return true;
+    }
+
+    //! True if five or more of the seven points are mapped by the homography of one of the triples.
+    static bool dominantPlane(const Correspondences& p, const int* sample, const Model& F, Matx33d& H)
+    {
+        static const int triples[5][3] = {{0, 1, 2}, {3, 4, 5}, {0, 1, 6}, {3, 4, 6}, {2, 5, 6}};
+        Vec3d e = epipole2(F);
+        const double length = norm(e);
+        if (!(length > 0))
+            return false;
+        e *= 1 / length;
+        const Matx33d A = crossMatrix(e) * F;
+        for (int t = 0; t < 5; ++t)
+        {
+            const int triple[3] = {sample[triples[t][0]], sample[triples[t][1]], sample[triples[t][2]]};
+            if (!planeOf(p, triple, A, e, H))
+                continue;
+            int mapped = 0;
+            for (int k = 0; k < 7; ++k)
+                mapped += error(p, H, sample[k]) <= limit(p);
+            if (mapped >= 5)
+                return true;
+        }
+        return false;
+    }
+
+    static double error(const Correspondences& p, const Matx33d& H, int i)
+    {
+        return TransferError::squared(H.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]);
+    }
+
+    void split(const Correspondences& p, const Matx33d& H)
+    {
+        onPlane.clear();
+        offPlane.clear();
+        for (int i = 0; i < p.size; ++i)
+            (error(p, H, i) <= limit(p) ? onPlane : offPlane).push_back(i);
+    }
+
+    //! The best F = [e]x H over pairs of points off the plane replaces a worse model.
+    void planeAndParallax(const Context& context, State& state, const Matx33d& H, Model& model, Quality& quality)
+    {
+        const Correspondences& p = context.points;
+        const int off = (int)offPlane.size();
+        const double logFailure = std::log(1 - context.params.confidence);
+        int needed = off >= 2 ? MAX_PAIRS : 0;
+        for (int k = 0; k < needed; ++k)
+        {
+            int pair[2];
+            state.rng.distinct(off, 2, pair);
+            Vec3d lines[2];
+            for (int j = 0; j < 2; ++j)
+            {
+                const int i = offPlane[pair[j]];
+                lines[j] = Vec3d(p.dx2[i], p.dy2[i], 1).cross(H * Vec3d(p.dx1[i], p.dy1[i], 1));
+            }
+            const Matx33d F = crossMatrix(lines[0].cross(lines[1])) * H;
+            const double size = norm(F);
+            if (!(size > 1e-300 && size <= DBL_MAX))
+                continue;
+            const Model candidate = F * (1 / size);
+            const Quality candidateQuality = context.rate(candidate, quality.cost);
+            if (!candidateQuality.betterThan(quality))
+                continue;
+            model = candidate;
+            quality = candidateQuality;
+            const double inliersOff = std::max(2, quality.inliers - (int)onPlane.size());
+            needed = std::min<int>(MAX_PAIRS, samplesNeeded(goodSampleProbability(inliersOff, off, 2), logFailure));
+        }
+    }
+
+    enum { MAX_PAIRS = 300 };
+
+    Ptr<NonMinimalSolver> fitter;
+    std::vector<int> onPlane, offPlane;
+};
+
+} // namespace
+
+Ptr<Degeneracy> createDegensac()
+{
+    return makePtr<Degensac>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "local_optimization/labelling.hpp"
+#include "local_optimization/local_optimization.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief Local optimisation of Graph-Cut RANSAC @cite barath2018graph.
+
+Alternates between the spatially coherent inliers of the model (Labelling) and an inner RANSAC over them: models fitted to
+random samples of Params::localSampleMultiple times the minimal size, and to all of them up to a bound. A fit that is
+better replaces the model; the first alternation without one is the last, and their number is bounded. */
+class GraphCutOptimizer : public LocalOptimizer
+{
+public:
+    bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        bool improved = false;
+        for (int i = 0; i < context.params.localIterations; ++i)
+        {
+            labelling.cut(context, model, inliers);
+            if ((int)inliers.size() <= m || !fitInliers(context, state, m, model, quality))
+                break;
+            improved = true;
+        }
+        return improved;
+    }
+
+private:
+    //! More points than this make a fit slower, not better, while the inliers are still changing.
+    enum { MAX_FIT = 1000 };
+
+    bool fitInliers(const Context& context, State& state, int m, Model& model, Quality& quality)
+    {
+        const int count = (int)inliers.size(), small = std::min(m * context.params.localSampleMultiple, count);
+        bool improved = tryFit(context, select(state.rng, std::min<int>(count, MAX_FIT)), model, quality);
+        for (int i = 0; i < context.params.localSamples && small < count; ++i)
+            improved |= tryFit(context, select(state.rng, small), model, quality);
+        return improved;
+    }
+
+    //! Brings `count` random inliers to the front. @return count
+    int select(Rng& rng, int count)
+    {
+        const int size = (int)inliers.size();
+        for (int i = 0; i < count && count < size; ++i)
+            std::swap(inliers[i], inliers[i + rng.uniform(size - i)]);
+        return count;
+    }
+
+    //! Fits to the first `count` inliers.
+    bool tryFit(const Context& context, int count, Model& model, Quality& quality)
+    {
+        Model fitted = model;
+        if (!context.components.nonMinimalSolver->fit(context.points, inliers.data(), count, 0, fitted))
+            return false;
+        const Quality fittedQuality = context.rate(fitted, quality.cost);
+        if (!fittedQuality.betterThan(quality))
+            return false;
+        model = fitted;
+        quality = fittedQuality;
+        return true;
+    }
+
+    Labelling labelling;
+    std::vector<int> inliers;
+};
+
+} // namespace
+
+Ptr<LocalOptimizer> createGraphCutOptimizer()
+{
+    return makePtr<GraphCutOptimizer>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,42 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_LABELLING_HPP
+#define OPENCV_USACV20_LABELLING_HPP
+
+#include "opencv2/imgproc/detail/gcgraph.hpp"
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief Spatially coherent inliers of a model: the labelling of least energy @cite barath2018graph.
+
+With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as inlier and K_p as outlier. An edge (p, q) costs
+lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are outliers, 1 - (K_p + K_q) / 2 if both are inliers. The
+sum over edges is submodular, so a minimal cut is the exact minimum.
+
+Points far from the model (K_p below #NEGLIGIBLE) are outliers in any minimum as long as lambda is not excessive; they
+are not made nodes of the graph, their edges become costs of their neighbours. So the graph has the size of the inlier
+set. O(N) time to set up; the cut is linear in practice. */
+class Labelling
+{
+public:
+    //! Writes the inliers to `inliers`.
+    void cut(const Context& context, const Model& model, std::vector<int>& inliers);
+
+private:
+    void weigh(const Context& context, const Model& model);
+
+    std::vector<float> errors;
+    std::vector<float> K;
+    std::vector<int> node;   //!< of each point, -1: fixed outlier
+    std::vector<int> point;  //!< of each node
+    std::vector<float> unary;  //!< cost of being an inlier minus that of being an outlier, of each node
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,56 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "polishing/polishing.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Least squares over all inliers, again while the new inliers make the model better (Algorithm 1, last line). Only
+a model of lower cost is taken, so the sets cannot alternate for ever. */
+class LeastSquaresPolisher : public Polisher
+{
+public:
+    void polish(const Context& context, Model& model) CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        const Components& parts = context.components;
+        const double limit = p.threshold * p.threshold;
+        std::vector<double> errors(p.size);
+        std::vector<int> inliers;
+        Quality quality = context.rate(model);
+        for (int i = 0; i < MAX_FITS; ++i)
+        {
+            parts.residual->squaredErrors(model, p.dx1, p.dy1, p.dx2, p.dy2, p.size, errors.data());
+            inliers.clear();
+            for (int k = 0; k < p.size; ++k)
+                if (errors[k] <= limit)
+                    inliers.push_back(k);
+            Model fitted = model;
+            if (!parts.nonMinimalSolver->fit(p, inliers.data(), (int)inliers.size(), 0, fitted))
+                return;
+            const Quality fittedQuality = context.rate(fitted, quality.cost);
+            if (!fittedQuality.betterThan(quality))
+                return;
+            model = fitted;
+            quality = fittedQuality;
+        }
+    }
+
+private:
+    enum { MAX_FITS = 5 };
+};
+
+} // namespace
+
+Ptr<Polisher> createLeastSquaresPolisher()
+{
+    return makePtr<LeastSquaresPolisher>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,19 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_POLISHING_HPP
+#define OPENCV_USACV20_POLISHING_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! See LeastSquaresPolisher.
+Ptr<Polisher> createLeastSquaresPolisher();
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,277 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problem_data.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! An Nx2 or 2-channel list of points as Nx1 CV_64FC2, whatever its layout and depth.
+Mat readPoints(InputArray array, const char* name)
+{
+    Mat points = array.getMat();
+    if (points.empty())
+        return Mat(0, 1, CV_64FC2);
+    if (points.dims > 2 || (points.checkVector(2, -1, false) < 0 && points.checkVector(3, -1, false) < 0))
+        CV_Error_(Error::StsBadArg, ("%s: N points are expected as Nx2 with 1 channel or Nx1 or 1xN with 2 channels, "
+                  "not as %dx%d with %d channel(s)", name, points.rows, points.cols, points.channels()));
+    if (points.depth() > CV_64F)
+        CV_Error_(Error::StsUnsupportedFormat, ("%s: depth %d is not supported", name, points.depth()));
+    Mat result;
+    points.convertTo(result, CV_64F);  // continuous from here on
+    if (result.checkVector(2) < 0)
+    {
+        Mat plane;
+        convertPointsFromHomogeneous(result, plane);
+        result = plane;
+    }
+    return result.reshape(2, result.checkVector(2));
+}
+
+Matx33d readCamera(InputArray array, const char* name)
+{
+    Mat camera = array.getMat();
+    if (camera.rows != 3 || camera.cols != 3 || camera.channels() != 1 || camera.dims != 2)
+        CV_Error_(Error::StsBadArg, ("%s: a 3x3 matrix is expected, not %dx%d with %d channel(s)", name, camera.rows,
+                  camera.cols, camera.channels()));
+    Matx33d K;
+    camera.convertTo(Mat(3, 3, CV_64F, K.val), CV_64F);
+    const double focalProduct = K(0, 0) * K(1, 1);
+    if (!checkRange(Mat(3, 3, CV_64F, K.val)) || K(0, 0) == 0 || K(1, 1) == 0 ||
+        !(std::abs(determinant(K)) > 1e-12 * std::abs(focalProduct)))
+        CV_Error_(Error::StsBadArg, ("%s: an invertible matrix with focal lengths is expected, fx = %g, fy = %g, "
+                  "determinant = %g", name, K(0, 0), K(1, 1), determinant(K)));
+    return K;
+}
+
+//! From pixels to the normalised image plane, in place.
+void undistort(const Matx33d& K, InputArray distCoeffs, double* x, double* y, int count)
+{
+    if (distCoeffs.empty() || countNonZero(distCoeffs.getMat().reshape(1)) == 0)
+    {
+        const Matx33d inverse = K.inv();
+        for (int i = 0; i < count; ++i)
+        {
+            const Vec3d p = inverse * Vec3d(x[i], y[i], 1);
+            x[i] = p[0] / p[2];
+            y[i] = p[1] / p[2];
+        }
+        return;
+    }
+    std::vector<Point2d> points(count);
+    for (int i = 0; i < count; ++i)
+        points[i] = Point2d(x[i], y[i]);
+    if (count > 0)
+        undistortPoints(points, points, K, distCoeffs);
+    for (int i = 0; i < count; ++i)
+    {
+        x[i] = points[i].x;
+        y[i] = points[i].y;
+    }
+}
+
+double median(std::vector<double>& values)
+{
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+}
+
+/** Centre and mean deviation of values. Mean values where the data are sane, medians where single points lie
+so far out that they would dominate the means. */
+void robustFrame(const double* values, int count, double& centre, double& deviation)
+{
+    centre = deviation = 0;
+    for (int i = 0; i < count; ++i)
+        centre += values[i] / count;
+    double largest = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        const double d = std::abs(values[i] - centre);
+        deviation += d / count;
+        largest = std::max(largest, d);
+    }
+    if (!(largest <= 20 * deviation))
+    {
+        std::vector<double> copy(values, values + count);
+        centre = median(copy);
+        for (int i = 0; i < count; ++i)
+            copy[i] = std::abs(values[i] - centre);
+        deviation = median(copy);
+    }
+}
+
+bool finite(double value)
+{
+    return std::abs(value) <= DBL_MAX;  // false for NaN
+}
+
+} // namespace
+
+ProblemData::ProblemData(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
+                         InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
+                         InputArray distCoeffs2)
+{
+    CV_Assert(problem == HOMOGRAPHY || problem == FUNDAMENTAL || problem == ESSENTIAL);
+    read(points1, points2);
+    params.check((int)input[0].size());
+    inputThreshold = params.threshold;
+    if (problem == ESSENTIAL)
+        calibrate(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
+    view.problem = problem;
+    view.inputSize = (int)input[0].size();
+    shuffle(params);
+    scale();
+}
+
+void ProblemData::read(InputArray points1, InputArray points2)
+{
+    const Mat p1 = readPoints(points1, "points1"), p2 = readPoints(points2, "points2");
+    if (p1.rows != p2.rows)
+        CV_Error_(Error::StsUnmatchedSizes, ("points1 and points2: lists of the same length are expected, not of %d and %d",
+                  p1.rows, p2.rows));
+    for (int k = 0; k < 4; ++k)
+        input[k].resize(p1.rows);
+    for (int i = 0; i < p1.rows; ++i)
+    {
+        const Vec2d a = p1.at<Vec2d>(i), b = p2.at<Vec2d>(i);
+        input[0][i] = a[0];
+        input[1][i] = a[1];
+        input[2][i] = b[0];
+        input[3][i] = b[1];
+    }
+}
+
+void ProblemData::calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
+                            InputArray distCoeffs2)
+{
+    const Matx33d K1 = readCamera(cameraMatrix1, "cameraMatrix1");
+    const Matx33d K2 = cameraMatrix2.empty() ? K1 : readCamera(cameraMatrix2, "cameraMatrix2");
+    const int count = (int)input[0].size();
+    undistort(K1, distCoeffs1, input[0].data(), input[1].data(), count);
+    undistort(K2, distCoeffs2, input[2].data(), input[3].data(), count);
+    inputThreshold /= (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
+}
+
+/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. */
+void ProblemData::shuffle(const Params& params)
+{
+    const int count = (int)input[0].size();
+    for (int i = 0; i < count; ++i)
+        if (finite(input[0][i]) && finite(input[1][i]) && finite(input[2][i]) && finite(input[3][i]))
+            indices.push_back(i);
+    const int size = (int)indices.size();
+    Rng rng(0x5c3a9d1e, (uint64)size);
+    for (int i = size - 1; i > 0; --i)
+        std::swap(indices[i], indices[rng.uniform(i + 1)]);
+
+    const int padded = alignSize(std::max(size, 1), 16);
+    doubles = Mat::zeros(4, padded, CV_64F);
+    floats = Mat::zeros(4, padded, CV_32F);
+    for (int k = 0; k < 4; ++k)
+        for (int i = 0; i < size; ++i)
+            doubles.ptr<double>(k)[i] = input[k][indices[i]];
+    if (!params.scores.empty())
+    {
+        scores.resize(size);
+        const float sign = params.scoreOrder == SCORES_HIGHER_IS_BETTER ? -1.f : 1.f;
+        for (int i = 0; i < size; ++i)
+        {
+            const float score = sign * params.scores[indices[i]];
+            scores[i] = score == score ? score : FLT_MAX;
+        }
+    }
+    view.size = size;
+    view.inputIndex = indices.data();
+    view.scores = scores.empty() ? 0 : scores.data();
+}
+
+/** Moves H and F to the centre and to unit scale; E keeps the scale that its constraints need. */
+void ProblemData::scale()
+{
+    double s[2] = {1, 1};
+    for (int k = 0; k < 4; ++k)
+        robustFrame(doubles.ptr<double>(k), view.size, centre[k], deviation[k]);
+    if (view.problem != ESSENTIAL)
+    {
+        for (int image = 0; image < 2; ++image)
+        {
+            const double size = (deviation[2 * image] + deviation[2 * image + 1]) / 2;
+            s[image] = size > 1e-300 ? 1 / size : 1;
+        }
+        if (view.problem == FUNDAMENTAL)  // a common scale: Sampson's distance scales with it
+            s[0] = s[1] = std::sqrt(s[0] * s[1]);
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+        const double shift = view.problem == ESSENTIAL ? 0 : centre[k], factor = s[k / 2];
+        double low = DBL_MAX, high = -DBL_MAX, *from = doubles.ptr<double>(k);
+        float* to = floats.ptr<float>(k);
+        for (int i = 0; i < view.size; ++i)
+        {
+            from[i] = (from[i] - shift) * factor;
+            to[i] = (float)from[i];
+            low = std::min(low, from[i]);
+            high = std::max(high, from[i]);
+        }
+        const double middle = (centre[k] - shift) * factor, reach = 5 * deviation[k] * factor;
+        view.lower[k] = (float)std::max(low, middle - reach);
+        view.upper[k] = (float)std::min(high, middle + reach);
+    }
+    view.T1 = view.T2 = Matx33d::eye();
+    if (view.problem != ESSENTIAL)
+    {
+        view.T1 = Matx33d(s[0], 0, -s[0] * centre[0], 0, s[0], -s[0] * centre[1], 0, 0, 1);
+        view.T2 = Matx33d(s[1], 0, -s[1] * centre[2], 0, s[1], -s[1] * centre[3], 0, 0, 1);
+    }
+    view.threshold = inputThreshold * s[1];
+    view.x1 = floats.ptr<float>(0);
+    view.y1 = floats.ptr<float>(1);
+    view.x2 = floats.ptr<float>(2);
+    view.y2 = floats.ptr<float>(3);
+    view.dx1 = doubles.ptr<double>(0);
+    view.dy1 = doubles.ptr<double>(1);
+    view.dx2 = doubles.ptr<double>(2);
+    view.dy2 = doubles.ptr<double>(3);
+}
+
+bool ProblemData::toInput(const Model& model, Matx33d& result) const
+{
+    if (view.problem == HOMOGRAPHY)
+    {
+        // T2^-1 in closed form: an inverse of a similarity
+        const Matx33d& T = view.T2;
+        const double s = 1 / T(0, 0);
+        const Matx33d inverse(s, 0, -s * T(0, 2), 0, s, -s * T(1, 2), 0, 0, 1);
+        result = inverse * model * view.T1;
+    }
+    else
+        result = view.T2.t() * model * view.T1;
+    const double size = norm(result);
+    if (!(size > 0) || !finite(size))
+        return false;
+    result *= 1 / size;
+    // In units of the image, h33 is the weight of the origin relative to the weights elsewhere.
+    if (view.problem == HOMOGRAPHY && std::abs(result(2, 2)) > 1e-12)
+        result *= 1 / result(2, 2);
+    return true;
+}
+
+int ProblemData::mask(const Residual& residual, const Matx33d& model, std::vector<uchar>& mask) const
+{
+    const int count = view.inputSize;
+    std::vector<double> errors(count);
+    residual.squaredErrors(model, input[0].data(), input[1].data(), input[2].data(), input[3].data(), count,
+                           errors.data());
+    mask.assign(count, 0);
+    int inliers = 0;
+    for (int i = 0; i < count; ++i)
+        inliers += mask[i] = std::sqrt(errors[i]) <= inputThreshold;  // false for NaN
+    return inliers;
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,49 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PROBLEM_DATA_HPP
+#define OPENCV_USACV20_PROBLEM_DATA_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** Reads the caller's arrays once and keeps them in two forms: all rows as given (double, for the final mask) and the
+finite ones scaled, shuffled and as structure of arrays (Correspondences). O(N) memory and time. */
+class ProblemData
+{
+public:
+    ProblemData(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
+                InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
+
+    const Correspondences& points() const { return view; }
+
+    //! Model in the caller's (E: normalised) coordinates, normalised as documented; false if it is not finite.
+    bool toInput(const Model& model, Matx33d& result) const;
+    //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.
+    int mask(const Residual& residual, const Matx33d& model, std::vector<uchar>& mask) const;
+
+private:
+    void read(InputArray points1, InputArray points2);
+    void calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
+    void scale();
+    void shuffle(const Params& params);
+
+    Correspondences view;
+    double inputThreshold;                //!< in the coordinates of `input`
+    std::vector<double> input[4];         //!< all rows: x1, y1, x2, y2 (E: on the normalised image plane)
+    double centre[4], deviation[4];       //!< of each of them, robust
+    Mat floats, doubles;                  //!< 4 rows each; cv::Mat aligns them
+    std::vector<int> indices;
+    std::vector<float> scores;
+
+    ProblemData(const ProblemData&);
+    ProblemData& operator=(const ProblemData&);
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

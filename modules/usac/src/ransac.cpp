@@ -1,0 +1,197 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "ransac.hpp"
+#include "scores/scores.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+enum { FIRST_BATCH = 16, LARGEST_BATCH = 256 };
+//! Streams of random numbers beside those of the iterations.
+const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
+
+} // namespace
+
+Ransac::Ransac(const Context& context_, State& state_)
+    : context(context_), parts(context_.components), state(state_),
+      threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
+      required(INT_MAX), requiredReason(STOP_NOT_RUN), localTicks(0)
+{
+}
+
+// Numbers are the lines of Algorithm 1; lines 4 to 14 are in hypothesise(), 15 to 27 in improve().
+void Ransac::run()
+{
+    const int64 start = getTickCount();
+    if (parts.verifier)
+        parts.verifier->adapt(context, state);
+    while (!terminate())                                                                    // 2
+    {
+        drawBatch();                                                                        // 3
+        if (threads > 1)
+            hypothesiseBatch();
+        for (size_t i = 0; i < batch.size() && !terminate(); ++i)
+        {
+            if (threads == 1)
+                hypothesise((int)i);
+            ++state.iteration;
+            account(batch[i]);
+            for (int k = 0; k < batch[i].count; ++k)                                        // 7
+                if (batch[i].qualities[k].betterThan(state.bestQuality))                    // 14
+                    improve(batch[i].sample, batch[i].models[k], batch[i].qualities[k]);
+        }
+        if (parts.verifier)
+        {
+            parts.verifier->adapt(context, state);
+            updateTermination();
+        }
+    }
+    state.report.localMs = localTicks / getTickFrequency() * 1e3;
+    state.report.searchMs = (getTickCount() - start) / getTickFrequency() * 1e3 - state.report.localMs;
+}
+
+bool Ransac::terminate()
+{
+    if (state.iteration >= context.params.maxIterations)
+        state.report.stop = STOP_MAX_ITERATIONS;
+    else if (state.iteration >= required)
+        state.report.stop = requiredReason;
+    else
+        return false;
+    return true;
+}
+
+//! Batches grow, so that easy problems waste little and hard ones keep the threads busy.
+void Ransac::drawBatch()
+{
+    const int left = context.params.maxIterations - state.iteration;
+    const int size = batch.empty() ? FIRST_BATCH : std::min<int>(2 * (int)batch.size(), LARGEST_BATCH);
+    batch.resize(std::min(size, left));
+    const int first = state.iteration;
+    for (size_t i = 0; i < batch.size(); ++i, ++state.iteration)
+    {
+        state.rng = Rng(context.params.seed, state.iteration);
+        parts.sampler->sample(context, state, batch[i].sample);
+    }
+    state.iteration = first;
+}
+
+void Ransac::hypothesiseBatch()
+{
+    parallel_for_(Range(0, (int)batch.size()), [this](const Range& range) {
+        for (int i = range.start; i < range.end; ++i)
+            hypothesise(i);
+    }, threads);
+}
+
+//! Called by several threads at once: writes to its own element of the batch only.
+void Ransac::hypothesise(int index)
+{
+    Hypotheses& h = batch[index];
+    const int position = threads == 1 ? state.iteration : state.iteration + index;
+    h.count = h.computed = h.rejected = h.dropped = h.firstInliers = h.firstTested = 0;
+    h.rejectedSample = false;
+    for (size_t d = 0; d < parts.degeneracies.size(); ++d)                                  // 4
+        h.rejectedSample |= !parts.degeneracies[d]->validSample(context, h.sample);
+    if (h.rejectedSample)
+        return;                                                                             // 5
+    Model models[MAX_MODELS];
+    h.computed = parts.minimalSolver->solve(context.points, h.sample, models);              // 6
+    h.rejectedSample = h.computed == 0;
+    Rng rotation(context.params.seed, ROTATION_STREAM + position);
+    for (int k = 0; k < h.computed; ++k)                                                    // 7
+    {
+        bool valid = true;
+        for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)                     // 8
+            valid = parts.degeneracies[d]->validModel(context, h.sample, models[k]);
+        if (!valid)
+        {
+            ++h.rejected;
+            continue;                                                                       // 9
+        }
+        const int start = rotation.uniform(context.points.size) & ~15;
+        const Rating rating = rate(context, parts.verifier.get(), models[k], state.bestQuality.cost, start); // 10, 12
+        h.firstInliers += rating.firstInliers;
+        h.firstTested += rating.firstTested;
+        if (rating.complete && rating.quality.betterThan(state.bestQuality))                // 13
+        {
+            h.models[h.count] = models[k];
+            h.qualities[h.count++] = rating.quality;
+        }
+        else
+            ++h.dropped;                                                                    // 11
+    }
+}
+
+//! A model that is better than the best one, though maybe degenerate.
+void Ransac::improve(const int* sample, Model model, Quality quality)
+{
+    state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
+    if (!recover(sample, model, quality))                                                   // 14
+        return;                                                                             // 15, 16
+    if (!quality.betterThan(state.bestQuality))                                             // 17, 18
+        return;
+    if (parts.localOptimizer)
+        optimize(sample, model, quality);                                                   // 19 - 24
+    state.best = model;                                                                     // 25
+    state.bestQuality = quality;
+    updateTermination();                                                                    // 26
+}
+
+void Ransac::optimize(const int* sample, Model& model, Quality& quality)
+{
+    const int64 start = getTickCount();
+    Model optimized = model;
+    Quality optimizedQuality = quality;
+    ++state.report.localOptimizations;
+    if (parts.localOptimizer->optimize(context, state, optimized, optimizedQuality) &&      // 19
+        recover(sample, optimized, optimizedQuality) &&                                     // 20, 21
+        optimizedQuality.betterThan(quality))                                               // 22, 23
+    {
+        ++state.report.localImprovements;
+        model = optimized;                                                                  // 24
+        quality = optimizedQuality;
+    }
+    localTicks += (double)(getTickCount() - start);
+}
+
+bool Ransac::recover(const int* sample, Model& model, Quality& quality)
+{
+    for (size_t d = 0; d < parts.degeneracies.size(); ++d)
+        if (!parts.degeneracies[d]->recover(context, state, sample, model, quality))
+            return false;
+    return true;
+}
+
+void Ransac::account(const Hypotheses& h)
+{
+    Report& report = state.report;
+    report.rejectedSamples += h.rejectedSample;
+    report.models += h.computed;
+    report.rejectedModels += h.rejected;
+    report.droppedModels += h.dropped;
+    if (parts.verifier)
+        parts.verifier->sampleTested(state, h.firstInliers, h.firstTested);
+}
+
+void Ransac::updateTermination()
+{
+    required = INT_MAX;
+    for (size_t t = 0; t < parts.terminations.size(); ++t)
+    {
+        const int iterations = parts.terminations[t]->iterations(context, state);
+        if (iterations < required)
+        {
+            required = iterations;
+            requiredReason = parts.terminations[t]->reason();
+        }
+    }
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,28 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+Report::Report()
+    : stop(STOP_NOT_RUN), iterations(0), rejectedSamples(0), models(0), rejectedModels(0), droppedModels(0),
+      localOptimizations(0), localImprovements(0), degenerate(false), inliers(0), cost(0), setupMs(0), searchMs(0),
+      localMs(0), polishMs(0)
+{
+}
+
+String Report::describe() const
+{
+    static const char* const reasons[] = {
+        "nothing was run", "no model: too few finite correspondences", "no model: no sample gave one",
+        "maximum of iterations", "standard criterion", "SPRT criterion", "P-NAPSAC criterion", "custom criterion"};
+    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_CUSTOM ? reasons[stop] : "unknown reason";
+    return format("%d inliers, cost %.4f, %d iterations, %d local optimisations, stopped by: %s%s", inliers, cost,
+                  iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "");
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,50 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_FORMULAS_HPP
+#define OPENCV_USACV20_FORMULAS_HPP
+
+namespace cv {
+namespace usacv20 {
+
+/* The formulas of the geometric errors, each once, for float and double. They stand inside an unnamed namespace because
+this file is compiled several times for different instruction sets, and inline functions with external linkage would be
+merged by the linker. `m` is the model, row by row. Where an error is not defined the result is NaN or infinite. */
+namespace {
+
+/** Transfer error in image 2, squared: |p(H x1) - x2|^2 with p the perspective division @cite hartley2003multiple. */
+struct TransferError
+{
+    template <typename T>
+    static inline T squared(const T* m, T x1, T y1, T x2, T y2)
+    {
+        const T w = T(1) / (m[6] * x1 + m[7] * y1 + m[8]);
+        const T dx = (m[0] * x1 + m[1] * y1 + m[2]) * w - x2;
+        const T dy = (m[3] * x1 + m[4] * y1 + m[5]) * w - y2;
+        return dx * dx + dy * dy;
+    }
+};
+
+/** Sampson distance, squared: (x2^T F x1)^2 / (|(F x1)_{1,2}|^2 + |(F^T x2)_{1,2}|^2) @cite hartley2003multiple. */
+struct SampsonError
+{
+    template <typename T>
+    static inline T squared(const T* m, T x1, T y1, T x2, T y2)
+    {
+        const T a = m[0] * x1 + m[1] * y1 + m[2];
+        const T b = m[3] * x1 + m[4] * y1 + m[5];
+        const T c = m[6] * x1 + m[7] * y1 + m[8];
+        const T d = m[0] * x2 + m[3] * y2 + m[6];
+        const T e = m[1] * x2 + m[4] * y2 + m[7];
+        const T r = x2 * a + y2 * b + c;
+        return r * r / (a * a + b * b + d * d + e * e);
+    }
+};
+
+} // namespace
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

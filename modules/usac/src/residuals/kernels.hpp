@@ -1,0 +1,42 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_KERNELS_HPP
+#define OPENCV_USACV20_KERNELS_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Squared errors of the points begin .. end-1 under a model.
+typedef void (*ErrorKernel)(const Correspondences& points, const float* model, int begin, int end, float* errors);
+
+/** The loops over points, compiled once for each instruction set. All versions return the same bits: the sums run in
+the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind. */
+struct Kernels
+{
+    ErrorKernel errors[2];
+    FusedKernel msac[2];
+    FusedKernel inliers[2];
+};
+
+Kernels baselineKernels();
+#ifdef USACV20_HAVE_AVX2
+Kernels avx2Kernels();
+#endif
+#ifdef USACV20_HAVE_AVX512
+Kernels avx512Kernels();
+#endif
+
+//! The best kernels of this processor, as far as OPENCV_CPU_DISABLE lets them be used.
+const Kernels& kernels();
+
+//! Model in the precision of the kernels, scaled so that no float overflows.
+void toFloat(const Model& model, float* m);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

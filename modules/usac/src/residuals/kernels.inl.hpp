@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* No include guard: each source file that sets an instruction set includes this once. Nothing but the kernels may be
+instantiated here, as inline functions of other headers would be merged with those of the other instruction sets. */
+
+#include "residuals/formulas.hpp"
+#include "residuals/kernels.hpp"
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+//! Partial sums of a block; as many as the widest registers have, whatever the registers of this build.
+enum { LANES = 16 };
+
+template <class Error>
+void errorKernel(const Correspondences& points, const float* model, int begin, int end, float* errors)
+{
+    const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
+    const float *x1 = points.x1 + begin, *y1 = points.y1 + begin, *x2 = points.x2 + begin, *y2 = points.y2 + begin;
+    for (int i = 0; i < end - begin; ++i)
+        errors[i] = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
+}
+
+//! Truncated squared error in units of the threshold @cite torr2000mlesac.
+struct MsacCost
+{
+    static inline float of(float error, float limit, float scale) { return error < limit ? error * scale : 1.f; }
+};
+
+//! One for an outlier.
+struct InlierCost
+{
+    static inline float of(float error, float limit, float) { return error <= limit ? 0.f : 1.f; }
+};
+
+//! Adds `count` points, at most #LANES, to the lanes.
+template <class Error, class Cost>
+inline void addLanes(const float* m, const float* x1, const float* y1, const float* x2, const float* y2, int count,
+                     float limit, float scale, float* cost, int* inliers)
+{
+    for (int k = 0; k < count; ++k)
+    {
+        const float e = Error::squared(m, x1[k], y1[k], x2[k], y2[k]);
+        cost[k] += Cost::of(e, limit, scale);
+        inliers[k] += e <= limit ? 1 : 0;
+    }
+}
+
+template <class Error, class Cost>
+void scoreKernel(const Correspondences& points, const float* model, float limit, int begin, int end, Quality& sum)
+{
+    const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
+    const float *x1 = points.x1, *y1 = points.y1, *x2 = points.x2, *y2 = points.y2;
+    const float scale = 1 / limit;
+    float cost[LANES] = {0};
+    int inliers[LANES] = {0};
+    int i = begin;
+    for (; i + LANES <= end; i += LANES)
+        addLanes<Error, Cost>(m, x1 + i, y1 + i, x2 + i, y2 + i, LANES, limit, scale, cost, inliers);
+    addLanes<Error, Cost>(m, x1 + i, y1 + i, x2 + i, y2 + i, end - i, limit, scale, cost, inliers);
+    for (int width = LANES / 2; width > 0; width /= 2)
+        for (int k = 0; k < width; ++k)
+        {
+            cost[k] += cost[k + width];
+            inliers[k] += inliers[k + width];
+        }
+    sum.cost += cost[0];
+    sum.inliers += inliers[0];
+}
+
+Kernels allKernels()
+{
+    const Kernels all = {{errorKernel<TransferError>, errorKernel<SampsonError>},
+                         {scoreKernel<TransferError, MsacCost>, scoreKernel<SampsonError, MsacCost>},
+                         {scoreKernel<TransferError, InlierCost>, scoreKernel<SampsonError, InlierCost>}};
+    return all;
+}
+
+} // namespace
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,51 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "residuals/formulas.hpp"
+#include "residuals/kernels.hpp"
+#include "residuals/residuals.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** A residual is a formula and a name for its kernels; cost: one pass over the points. */
+template <class Error, Residual::Kind KIND>
+class FormulaResidual : public Residual
+{
+public:
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
+    {
+        float m[9];
+        toFloat(model, m);
+        kernels().errors[KIND](points, m, begin, end, errors);
+    }
+
+    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
+                       int count, double* errors) const CV_OVERRIDE
+    {
+        for (int i = 0; i < count; ++i)
+            errors[i] = Error::squared(model.val, x1[i], y1[i], x2[i], y2[i]);
+    }
+
+    Kind kind() const CV_OVERRIDE { return KIND; }
+};
+
+} // namespace
+
+Ptr<Residual> createTransferResidual()
+{
+    return makePtr<FormulaResidual<TransferError, Residual::TRANSFER> >();
+}
+
+Ptr<Residual> createSampsonResidual()
+{
+    return makePtr<FormulaResidual<SampsonError, Residual::SAMPSON> >();
+}
+
+} // namespace usacv20
+} // namespace cv

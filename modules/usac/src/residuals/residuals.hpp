@@ -1,0 +1,21 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_RESIDUALS_HPP
+#define OPENCV_USACV20_RESIDUALS_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! H: transfer error in image 2, see TransferError.
+Ptr<Residual> createTransferResidual();
+//! F, E: Sampson distance, see SampsonError.
+Ptr<Residual> createSampsonResidual();
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_GROWTH_HPP
+#define OPENCV_USACV20_GROWTH_HPP
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief PROSAC's growing set of the best points @cite chum2005matching.
+
+Of T_N = 200 000 uniform samples of N points, T_n = T_N prod_{i<m} (n - i)/(N - i) would lie within the n best. The set
+grows from n to n + 1 when the ceiling of that many samples has been drawn: T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
+class GrowingSet
+{
+public:
+    GrowingSet(int sampleSize, int pointCount);
+
+    //! Moves on to the next sample.
+    void next();
+    //! Number n of best points that the sample is drawn from.
+    int size() const { return n; }
+    //! True if the sample must contain the n-th point: no earlier sample could.
+    bool newest() const { return drawn <= limit && n < total; }
+
+private:
+    int m, total, n;
+    double expected;  //!< T_n
+    double limit;     //!< T'_n
+    double drawn;     //!< t
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,85 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "samplers/samplers.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief Progressive NAPSAC @cite barath2019progressive.
+
+The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood.
+The neighbourhood of a point grows each time the point is chosen, by the growth function of PROSAC, through the layers
+of the neighbourhood graph, until it is everything: then the sample is PROSAC's. Local and global samples alternate from
+the start, so that a model without local support is found at most twice as late as by PROSAC. */
+class PNapsacSampler : public Sampler
+{
+public:
+    void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        if (!growth)
+        {
+            growth = makePtr<GrowingSet>(m, context.points.size);
+            chosen.assign(context.points.size, 0);
+        }
+        growth->next();
+        const int n = growth->size();
+        state.subsetSize = n;
+        const int centre = state.order[growth->newest() ? n - 1 : state.rng.uniform(n)];
+        sample[0] = centre;
+        if (state.iteration % 2 == 0 || !local(context, state, m, sample))
+            global(state, m, n, sample);
+    }
+
+private:
+    //! Draws the other points from the neighbourhood of sample[0]; false if that is everything.
+    bool local(const Context& context, State& state, int m, int* sample)
+    {
+        Neighbourhood& neighbourhood = *context.components.neighbourhood;
+        const int wanted = m + chosen[sample[0]]++;
+        for (int layer = 0; layer < neighbourhood.layers(); ++layer)
+        {
+            const int* members;
+            const int count = neighbourhood.members(context, layer, sample[0], members);
+            if (count >= wanted && count >= m)
+            {
+                draw(state.rng, members, count, m, sample);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void global(State& state, int m, int n, int* sample) { draw(state.rng, state.order.data(), n, m, sample); }
+
+    //! Draws m - 1 distinct points other than sample[0] from `members`, of which there are at least m.
+    static void draw(Rng& rng, const int* members, int count, int m, int* sample)
+    {
+        for (int k = 1; k < m;)
+        {
+            sample[k] = members[rng.uniform(count)];
+            int j = 0;
+            while (sample[j] != sample[k])
+                ++j;
+            k += j == k;
+        }
+    }
+
+    Ptr<GrowingSet> growth;
+    std::vector<int> chosen;  //!< how often each point was the centre of a local sample
+};
+
+} // namespace
+
+Ptr<Sampler> createPNapsacSampler()
+{
+    return makePtr<PNapsacSampler>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,49 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "samplers/samplers.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Samples of the n best points with slowly growing n, each new point in all samples until the next one arrives; uniform
+once n is everything @cite chum2005matching. */
+class ProsacSampler : public Sampler
+{
+public:
+    void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        if (!growth)
+            growth = makePtr<GrowingSet>(m, context.points.size);
+        growth->next();
+        const int n = growth->size();
+        state.subsetSize = n;
+        if (growth->newest())
+        {
+            state.rng.distinct(n - 1, m - 1, sample);
+            sample[m - 1] = n - 1;
+        }
+        else
+            state.rng.distinct(n, m, sample);
+        for (int k = 0; k < m; ++k)
+            sample[k] = state.order[sample[k]];
+    }
+
+private:
+    Ptr<GrowingSet> growth;
+};
+
+} // namespace
+
+Ptr<Sampler> createProsacSampler()
+{
+    return makePtr<ProsacSampler>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,65 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "residuals/kernels.hpp"
+#include "scores/scores.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+class InlierScore : public Score
+{
+public:
+    void accumulate(const float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            const bool inlier = squaredErrors[i] <= squaredThreshold;
+            sum.inliers += inlier;
+            sum.cost += !inlier;
+        }
+    }
+
+    FusedKernel fused(const Residual& residual) const CV_OVERRIDE
+    {
+        return residual.kind() == Residual::CUSTOM ? 0 : kernels().inliers[residual.kind()];
+    }
+};
+
+class MsacScore : public Score
+{
+public:
+    void accumulate(const float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    {
+        const float scale = 1 / squaredThreshold;
+        for (int i = 0; i < count; ++i)
+        {
+            sum.inliers += squaredErrors[i] <= squaredThreshold;
+            sum.cost += squaredErrors[i] < squaredThreshold ? squaredErrors[i] * scale : 1.f;
+        }
+    }
+
+    FusedKernel fused(const Residual& residual) const CV_OVERRIDE
+    {
+        return residual.kind() == Residual::CUSTOM ? 0 : kernels().msac[residual.kind()];
+    }
+};
+
+} // namespace
+
+Ptr<Score> createInlierScore()
+{
+    return makePtr<InlierScore>();
+}
+
+Ptr<Score> createMsacScore()
+{
+    return makePtr<MsacScore>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,35 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_SCORES_HPP
+#define OPENCV_USACV20_SCORES_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Number of inliers @cite fischler1981random; the cost of a point is 0 or 1.
+Ptr<Score> createInlierScore();
+//! MSAC @cite torr2000mlesac; the cost of a point is min(error^2 / threshold^2, 1).
+Ptr<Score> createMsacScore();
+
+//! What rating one model found out.
+struct Rating
+{
+    Quality quality;      //!< of all points if `complete`
+    bool complete;        //!< false: dropped by the verifier, or no better than the bound
+    int firstInliers;     //!< inliers among
+    int firstTested;      //!< the points of the first block
+};
+
+/** Rates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points. After each block the
+verifier may drop the model, and it is dropped when its cost reaches the bound. The blocks start at point `start`
+and wrap around, so that no point is always the first to be asked. */
+Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

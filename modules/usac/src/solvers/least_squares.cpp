@@ -1,0 +1,94 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "solvers/manifold.hpp"
+#include "solvers/normal_equations.hpp"
+#include "solvers/solvers.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief Least squares of the geometric error by Levenberg and Marquardt's method @cite more1978levenberg.
+
+Minimises the sum of (weighted) squared transfer errors (H) or Sampson distances (F, E) over the manifold of the model,
+from the given one. Starting from a model, not from nothing, it needs no linear estimate and is not confused by planar
+scenes, on which the eight-point method fails. About 40 (H) or 100 (F, E) operations a point and iteration. */
+class LeastSquaresSolver : public NonMinimalSolver
+{
+public:
+    explicit LeastSquaresSolver(ProblemType problem_) : problem(problem_) {}
+
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model) const CV_OVERRIDE
+    {
+        Manifold here(problem, model);
+        if (residuals(count) < here.dimension())
+            return false;
+        NormalEquations sums, trialSums;
+        sums.accumulate(problem, points, indices, count, weights, here.model());
+        if (!(sums.cost <= DBL_MAX))
+            return false;
+        double damping = 1e-4;
+        for (int iteration = 0; iteration < MAX_ITERATIONS && sums.cost > 0; ++iteration)
+        {
+            Manifold::Step step;
+            if (!solve(here, sums, damping, step))
+                return false;
+            const Manifold trial = here.moved(step);
+            trialSums.accumulate(problem, points, indices, count, weights, trial.model());
+            const bool better = trialSums.cost < sums.cost;  // false for NaN
+            const double gain = sums.cost - trialSums.cost;
+            if (better)
+            {
+                here = trial;
+                sums = trialSums;
+                damping = std::max(damping * 0.1, 1e-12);
+            }
+            else
+                damping *= 10;
+            if ((better && gain < 1e-6 * sums.cost) || damping > 1e6)
+                break;
+        }
+        model = here.model();
+        return true;
+    }
+
+private:
+    enum { MAX_ITERATIONS = 10 };
+
+    int residuals(int count) const { return problem == HOMOGRAPHY ? 2 * count : count; }
+
+    //! Step of the damped normal equations on the tangent space; false if they are singular or not finite.
+    static bool solve(const Manifold& here, const NormalEquations& sums, double damping, Manifold::Step& step)
+    {
+        typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 8, 8> Small;
+        const Manifold::Basis basis = here.tangent();
+        Small A = basis.transpose() * sums.JtJ * basis;
+        const double mean = A.trace() / A.rows();
+        for (int i = 0; i < A.rows(); ++i)
+            A(i, i) += damping * A(i, i) + 1e-12 * mean;
+        const Eigen::LDLT<Small> ldlt(A);
+        if (ldlt.info() != Eigen::Success)
+            return false;
+        step = ldlt.solve(-(basis.transpose() * sums.Jtr));
+        return step.allFinite();
+    }
+
+    ProblemType problem;
+};
+
+} // namespace
+
+Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType problem)
+{
+    return makePtr<LeastSquaresSolver>(problem);
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_NORMAL_EQUATIONS_HPP
+#define OPENCV_USACV20_NORMAL_EQUATIONS_HPP
+
+#include <Eigen/Core>
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** Gauss-Newton sums of the geometric error in the nine entries of the model: JtJ (lower triangle), Jtr and the cost
+r^T r. A manifold projects them onto its tangent space afterwards, so that the work of a point is the same for all. */
+struct NormalEquations
+{
+    Eigen::Matrix<double, 9, 9, Eigen::RowMajor> JtJ;
+    Eigen::Matrix<double, 9, 1> Jtr;
+    double cost;
+
+    //! Sums over `count` points; `weights` may be null.
+    void accumulate(ProblemType problem, const Correspondences& points, const int* indices, int count,
+                    const double* weights, const Model& model);
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,27 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_POLYNOMIAL_HPP
+#define OPENCV_USACV20_POLYNOMIAL_HPP
+
+namespace cv {
+namespace usacv20 {
+
+//! Highest degree that #realRoots takes.
+enum { MAX_DEGREE = 10 };
+
+/** @brief Real roots of a polynomial, in no particular order, each once.
+
+Sturm's theorem isolates the roots in [-1, 1], those outside are the inverses of the roots of the reversed polynomial;
+Newton's method inside a bracket refines them to double precision.
+@param coefficients degree + 1 of them, the constant first
+@param degree at most #MAX_DEGREE
+@param roots output, at most `degree`
+@return number of roots; 0 for a constant and for coefficients that are not finite. @cite press2007numerical */
+int realRoots(const double* coefficients, int degree, double* roots);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,28 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TERMINATION_HPP
+#define OPENCV_USACV20_TERMINATION_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! See StandardTermination.
+Ptr<Termination> createStandardTermination();
+//! See SprtTermination.
+Ptr<Termination> createSprtTermination();
+//! See PNapsacTermination.
+Ptr<Termination> createPNapsacTermination();
+
+//! Probability that a sample of m of n points has inliers only, if there are `inliers` of them: no point is drawn twice.
+double goodSampleProbability(double inliers, int n, int m);
+//! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX where it is no int.
+int samplesNeeded(double p, double logFailure);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

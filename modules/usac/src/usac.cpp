@@ -1,0 +1,105 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "factory.hpp"
+#include "problem_data.hpp"
+#include "ransac.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+double milliseconds(int64 since)
+{
+    return (getTickCount() - since) / getTickFrequency() * 1e3;
+}
+
+class UsacImpl : public Usac
+{
+public:
+    UsacImpl(ProblemType problem, InputArray points1, InputArray points2, const Params& params_,
+             InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
+        : created(getTickCount()), params(params_),
+          data(problem, points1, points2, params_, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2),
+          parts(createComponents(problem, params_, data.points().scores != 0))
+    {
+    }
+
+    Components& components() CV_OVERRIDE { return parts; }
+    const Correspondences& points() const CV_OVERRIDE { return data.points(); }
+
+    Mat run(OutputArray mask, Report* report) CV_OVERRIDE
+    {
+        CV_Assert(parts.residual && parts.score && parts.sampler && parts.minimalSolver);
+        const Context context(data.points(), parts, params);
+        State state;
+        if (data.points().size >= parts.minimalSolver->sampleSize())
+            search(context, state);
+        else
+            state.report.stop = STOP_TOO_FEW_POINTS;
+        return finish(context, state, mask, report);
+    }
+
+private:
+    void search(const Context& context, State& state)
+    {
+        state.order.resize(context.points.size);
+        for (size_t i = 0; i < state.order.size(); ++i)
+            state.order[i] = (int)i;
+        if (parts.prior)
+            parts.prior->sort(context, state.order);
+        state.report.setupMs = milliseconds(created);
+        Ransac(context, state).run();
+        state.report.iterations = state.iteration;
+    }
+
+    //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
+    Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
+    {
+        const int64 start = getTickCount();
+        Report& learned = state.report;
+        std::vector<uchar> inliers(context.points.inputSize, 0);
+        Mat result;
+        if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
+        {
+            if (parts.polisher)
+                parts.polisher->polish(context, state.best);
+            Matx33d model;
+            if (data.toInput(state.best, model))
+            {
+                learned.inliers = data.mask(*parts.residual, model, inliers);
+                learned.cost = context.rate(state.best).cost / context.points.size;
+                if (learned.inliers > 0)
+                    result = Mat(model, true);
+            }
+        }
+        if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS)
+            learned.stop = STOP_NO_MODEL;
+        if (mask.needed())
+            Mat(inliers, false).reshape(1, context.points.inputSize).copyTo(mask);
+        learned.polishMs = milliseconds(start);
+        if (report)
+            *report = learned;
+        return result;
+    }
+
+    const int64 created;
+    const Params params;
+    ProblemData data;
+    Components parts;
+};
+
+} // namespace
+
+Ptr<Usac> Usac::create(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
+                       InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
+                       InputArray distCoeffs2)
+{
+    return makePtr<UsacImpl>(problem, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,90 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "verification/verification.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief Wald's sequential probability ratio test on blocks of points @cite matas2005randomized @cite chum2008optimal.
+
+A point is an inlier of a good model with probability epsilon, of a bad one with delta. The likelihood ratio of bad to good
+after t points, k of them inliers, is (delta / epsilon)^k ((1 - delta) / (1 - epsilon))^(t - k); a model is dropped when
+it exceeds A. The A that minimises the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected
+log-ratio of a point under a bad model, t_M the time to compute a model in units of that to test a point, and m_S the number
+of models of a sample. Both probabilities are learned: epsilon is the inlier ratio of the best model, delta the mean
+inlier ratio of the first blocks of all models, which are seen whatever happens later. The test changes only between
+batches of samples, so that it does not depend on threads. */
+class SprtVerifier : public Verifier
+{
+public:
+    explicit SprtVerifier(ProblemType problem)
+        // measured: microseconds of the solver over those of a point in the kernel; models left after the checks
+        : modelTime(problem == HOMOGRAPHY ? 250. : problem == FUNDAMENTAL ? 700. : 4000.),
+          modelsPerSample(problem == HOMOGRAPHY ? 1. : problem == FUNDAMENTAL ? 1.2 : 2.), inliersSeen(0), pointsSeen(0)
+    {
+        current = SequentialTest();
+    }
+
+    int nextBlock(int tested) const CV_OVERRIDE { return tested < 64 ? 16 : tested < 256 ? 64 : 256; }
+
+    bool proceed(int inliers, int tested) const CV_OVERRIDE
+    {
+        return inliers * inlierStep + (tested - inliers) * outlierStep <= logA;
+    }
+
+    void sampleTested(State& state, int inliers, int tested) CV_OVERRIDE
+    {
+        ++state.tests.back().samples;
+        inliersSeen += inliers;
+        pointsSeen += tested;
+    }
+
+    void adapt(const Context& context, State& state) CV_OVERRIDE
+    {
+        const double ratio = context.points.size > 0 ? (double)state.bestQuality.inliers / context.points.size : 0;
+        const double epsilon = std::min(std::max(ratio, 0.05), 0.99);
+        // the prior weighs as much as 100 points
+        const double delta = std::min((100 * 0.01 + inliersSeen) / (100. + pointsSeen), 0.8 * epsilon);
+        if (!state.tests.empty() && epsilon <= current.epsilon && std::abs(delta - current.delta) <= 0.05 * current.delta)
+            return;
+        design(epsilon, delta);
+        state.tests.push_back(current);
+    }
+
+private:
+    void design(double epsilon, double delta)
+    {
+        inlierStep = std::log(delta / epsilon);
+        outlierStep = std::log((1 - delta) / (1 - epsilon));
+        const double C = (1 - delta) * outlierStep + delta * inlierStep;
+        const double K = 1 + modelTime * C / modelsPerSample;
+        double A = K;
+        for (int i = 0; i < 10; ++i)
+            A = K + std::log(A);
+        logA = std::log(A);
+        current.epsilon = epsilon;
+        current.delta = delta;
+        current.A = A;
+        current.samples = 0;
+    }
+
+    const double modelTime, modelsPerSample;
+    SequentialTest current;
+    double inlierStep, outlierStep, logA;
+    double inliersSeen, pointsSeen;
+};
+
+} // namespace
+
+Ptr<Verifier> createSprtVerifier(ProblemType problem)
+{
+    return makePtr<SprtVerifier>(problem);
+}
+
+} // namespace usacv20
+} // namespace cv

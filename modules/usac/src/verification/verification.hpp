@@ -1,0 +1,19 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_VERIFICATION_HPP
+#define OPENCV_USACV20_VERIFICATION_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Wald's sequential probability ratio test, see SprtVerifier.
+Ptr<Verifier> createSprtVerifier(ProblemType problem);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

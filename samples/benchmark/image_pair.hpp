@@ -1,0 +1,48 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_IMAGE_PAIR_HPP
+#define OPENCV_USACV20_BENCHMARK_IMAGE_PAIR_HPP
+
+#include <string>
+#include <vector>
+#include "opencv2/core.hpp"
+#include "opencv2/usac/params.hpp"
+
+namespace benchmark {
+
+using cv::usacv20::ProblemType;
+
+//! The letter of a problem in names and tables: H, F or E.
+char letterOf(ProblemType problem);
+
+//! The problem of a letter. @return false for any other letter.
+bool problemOf(char letter, ProblemType& problem);
+
+/** Tentative correspondences of two images and the truth about them. */
+struct ImagePair
+{
+    std::string name;
+    std::vector<cv::Point2f> points1, points2;
+    std::vector<float> scores;                  //!< one a correspondence, lower is better
+
+    cv::Size2d size1, size2;
+    bool hasHomography, hasCameras, hasPose;    //!< which of the matrices below are known
+    cv::Matx33d H;                              //!< image 1 -> image 2
+    cv::Matx33d K1, K2;
+    cv::Matx33d R;                              //!< x2 ~ R x1 + t
+    cv::Vec3d t;
+    std::vector<cv::Point2d> truth1, truth2;    //!< correspondences that are known to be right
+    bool truthIsHomography;                     //!< errors are measured against H, not against truth2
+
+    ImagePair() : hasHomography(false), hasCameras(false), hasPose(false), truthIsHomography(false) {}
+};
+
+/** Reads `<path>.corr` and `<path>.json`.
+Whatever `problem` needs and the files lack raises std::runtime_error with file and line. */
+ImagePair readImagePair(const std::string& path, ProblemType problem);
+
+} // namespace benchmark
+
+#endif

@@ -1,0 +1,100 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// The experiment of the USACv20 paper: robust estimators side by side on lists of image pairs, accuracy and time.
+//
+//     usac_benchmark --data=<folder> --methods=USACV20,cv:USAC_DEFAULT,cv:RANSAC --csv=tables.csv --runs=runs.csv > tables.md
+//
+// The format of the data is described in doc/benchmark.md.
+
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include "options.hpp"
+#include "pair_list.hpp"
+#include "progress.hpp"
+#include "runner.hpp"
+#include "tables.hpp"
+
+using namespace benchmark;
+
+namespace {
+
+//! Keeps OpenCV from printing each exception that a method throws; the runner tells of them.
+int keepQuiet(int, const char*, const char*, const char*, int, void*)
+{
+    return 0;
+}
+
+std::vector<PairList> readLists(const Options& options)
+{
+    std::vector<PairList> lists;
+    for (size_t i = 0; i < options.lists.size(); ++i)
+        lists.push_back(readPairList(options.lists[i], options.problem));
+    return lists;
+}
+
+std::vector<cv::Ptr<Method> > createMethods(const Options& options)
+{
+    std::vector<cv::Ptr<Method> > methods;
+    for (size_t i = 0; i < options.methods.size(); ++i)
+        methods.push_back(createMethod(options.methods[i]));
+    return methods;
+}
+
+//! Opened before the run, so that a wrong path is found early.
+void open(std::ofstream& out, const std::string& file)
+{
+    if (file.empty())
+        return;
+    out.open(file.c_str());
+    if (!out)
+        throw std::runtime_error(file + ": cannot be written");
+}
+
+//! @return the exit code: 0, or 2 if some pairs could not be read.
+int run(const Options& options)
+{
+    const std::vector<PairList> lists = readLists(options);
+    const std::vector<cv::Ptr<Method> > methods = createMethods(options);
+    std::ofstream csv, runsCsv;
+    open(csv, options.csv);
+    open(runsCsv, options.runsCsv);
+    cv::setNumThreads(options.threads);
+
+    int pairs = 0;
+    for (size_t i = 0; i < lists.size(); ++i)
+        pairs += (int)lists[i].entries.size();
+    Progress progress(pairs);
+    Runner runner(methods, options, progress);
+    std::vector<ListResult> results;
+    for (size_t i = 0; i < lists.size(); ++i)
+        results.push_back(runner.run(lists[i]));
+    progress.clear();
+
+    const Tables tables(options, results);
+    tables.markdown(std::cout);
+    if (csv.is_open())
+        tables.csv(csv);
+    if (runsCsv.is_open())
+        tables.runsCsv(runsCsv);
+    return runner.unreadable() ? 2 : 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        cv::redirectError(keepQuiet);
+        Options options;
+        return options.parse(argc, argv) ? run(options) : 0;
+    }
+    catch (const std::exception& error)
+    {
+        std::cerr << error.what() << std::endl;
+        return 1;
+    }
+}

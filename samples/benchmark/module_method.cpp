@@ -1,0 +1,101 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "module_method.hpp"
+
+#include <stdexcept>
+#include "opencv2/usac.hpp"
+#include "params_fields.hpp"
+
+namespace benchmark {
+
+using cv::usacv20::Params;
+
+namespace {
+
+struct Flag
+{
+    const char* name;
+    cv::UsacV20Method value;
+};
+
+const Flag FLAGS[] = {
+    { "USACV20", cv::USACV20 },
+    { "USACV20_FAST", cv::USACV20_FAST },
+    { "USACV20_ACCURATE", cv::USACV20_ACCURATE },
+    { "USACV20_PROSAC", cv::USACV20_PROSAC },
+};
+
+struct Preset
+{
+    const char* name;
+    Params (*make)();
+};
+
+const Preset PRESETS[] = {
+    { "preset:usacV20", &Params::usacV20 },
+    { "preset:fast", &Params::fast },
+    { "preset:accurate", &Params::accurate },
+    { "preset:prosac", &Params::prosac },
+    { "preset:ransac", &Params::ransac },
+};
+
+Params paramsOf(const std::string& name)
+{
+    for (const Flag& flag : FLAGS)
+        if (name == flag.name)
+            return Params::fromMethod(flag.value);
+    for (const Preset& preset : PRESETS)
+        if (name == preset.name)
+            return preset.make();
+    throw std::runtime_error(name + ": no such method; there are " + knownMethods());
+}
+
+} // namespace
+
+ModuleMethod::ModuleMethod(const std::string& name, const std::string& preset, const std::string& fields_, bool scores)
+    : Method(name), base(paramsOf(preset)), fields(fields_), useScores(scores), problem(cv::usacv20::HOMOGRAPHY)
+{
+    if (useScores)
+        base.prior = cv::usacv20::PRIOR_AUTO;
+    setFields(base, fields);  // a wrong name is reported before anything runs
+}
+
+void ModuleMethod::prepare(const ImagePair& pair, const Settings& settings)
+{
+    problem = settings.problem;
+    params = base;
+    params.threshold = settings.threshold;
+    params.confidence = settings.confidence;
+    params.maxIterations = settings.maxIterations;
+    params.seed = settings.seed;
+    if (useScores)
+        params.scores = pair.scores;
+    setFields(params, fields);  // what was asked for by name wins
+}
+
+void ModuleMethod::run(const ImagePair& pair, Estimate& estimate)
+{
+    cv::usacv20::Report report;
+    if (problem == cv::usacv20::HOMOGRAPHY)
+        estimate.model = cv::usacv20::estimateHomography(pair.points1, pair.points2, params, estimate.mask, report);
+    else if (problem == cv::usacv20::FUNDAMENTAL)
+        estimate.model = cv::usacv20::estimateFundamental(pair.points1, pair.points2, params, estimate.mask, report);
+    else
+        estimate.model = cv::usacv20::estimateEssential(pair.points1, pair.points2, pair.K1, pair.K2, cv::noArray(),
+                                                        cv::noArray(), params, estimate.mask, report);
+    estimate.iterations = report.iterations;
+}
+
+std::string ModuleMethod::names()
+{
+    std::string result;
+    for (const Flag& flag : FLAGS)
+        result += (result.empty() ? "" : ", ") + std::string(flag.name);
+    for (const Preset& preset : PRESETS)
+        result += ", " + std::string(preset.name);
+    return result;
+}
+
+} // namespace benchmark

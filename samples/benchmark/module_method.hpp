@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_MODULE_METHOD_HPP
+#define OPENCV_USACV20_BENCHMARK_MODULE_METHOD_HPP
+
+#include "method.hpp"
+
+namespace benchmark {
+
+/** A flag or a preset of this module.
+
+A flag is run through its cv::usacv20::Params, because the function with the flag takes no seed and returns no report;
+the estimate is the same. With scores and a preset that relies on the order of the points, the scores give the order. */
+class ModuleMethod : public Method
+{
+public:
+    //! @param preset name of a flag, or of a preset behind "preset:". @param fields "name=value,...".
+    ModuleMethod(const std::string& name, const std::string& preset, const std::string& fields, bool scores);
+
+    bool solves(ProblemType) const { return true; }
+    void prepare(const ImagePair& pair, const Settings& settings);
+    void run(const ImagePair& pair, Estimate& estimate);
+
+    static std::string names();
+
+private:
+    cv::usacv20::Params base, params;
+    std::string fields;
+    bool useScores;
+    ProblemType problem;
+};
+
+} // namespace benchmark
+
+#endif

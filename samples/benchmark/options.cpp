@@ -1,0 +1,161 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "options.hpp"
+
+#include <stdexcept>
+#include "opencv2/core/utility.hpp"
+#include "pair_list.hpp"
+
+namespace benchmark {
+
+namespace {
+
+const char KEYS[] =
+    "{help h usage ? | | print this }"
+    "{list           | | list of pairs, <dataset>.<H,F or E>.list; may be repeated }"
+    "{data           | | folder of data: all lists in its folder 'lists' }"
+    "{problem        | | H, F or E: problem of the lists whose name does not tell, or the only one to take from --data }"
+    "{methods        |USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
+    "| names with commas; may be repeated; see below }"
+    "{baseline       | | method that times and errors are compared with (default: the first cv: method, else the first) }"
+    "{threshold      | | inlier threshold in pixels (default: H 2, F and E 1) }"
+    "{maxIters       | | most iterations (default: H 10000, F and E 1000) }"
+    "{confidence     |0.99| confidence }"
+    "{repeats        |5| runs of each method on each pair }"
+    "{seed           |1| seed of the first repeat, the next ones count up }"
+    "{threads        |1| cv::setNumThreads }"
+    "{csv            | | file for the tables }"
+    "{runs           | | file for all single runs }";
+
+//! cv::CommandLineParser keeps the last of repeated options and ignores unknown ones; both are looked after here.
+class Arguments
+{
+public:
+    Arguments(int argc, char** argv, const cv::CommandLineParser& parser)
+    {
+        for (int i = 1; i < argc; ++i)
+        {
+            const std::string argument = argv[i];
+            const size_t begin = argument.find_first_not_of('-'), equals = argument.find('=');
+            if (begin == 0 || begin == std::string::npos)
+                throw std::runtime_error("'" + argument + "': expected --option=value (see --help)");
+            const std::string name = argument.substr(begin, equals - begin);
+            try
+            {
+                parser.has(name);
+            }
+            catch (const cv::Exception&)
+            {
+                throw std::runtime_error("'" + argument + "': unknown option (see --help)");
+            }
+            const bool flag = name == "help" || name == "h" || name == "usage" || name == "?";
+            if (equals == std::string::npos && !flag)
+                throw std::runtime_error("'" + argument + "': expected --" + name + "=value");
+            names.push_back(name);
+            values.push_back(equals == std::string::npos ? std::string() : argument.substr(equals + 1));
+        }
+    }
+
+    //! All values of an option, each of which may hold several names.
+    std::vector<std::string> all(const std::string& name) const
+    {
+        std::vector<std::string> result;
+        for (size_t i = 0; i < names.size(); ++i)
+        {
+            if (names[i] != name)
+                continue;
+            const std::vector<std::string> more = splitNames(values[i]);
+            result.insert(result.end(), more.begin(), more.end());
+        }
+        return result;
+    }
+
+private:
+    std::vector<std::string> names, values;
+};
+
+std::string defaultBaseline(const std::vector<std::string>& methods)
+{
+    for (size_t i = 0; i < methods.size(); ++i)
+        if (methods[i].compare(0, 3, "cv:") == 0)
+            return methods[i];
+    return methods.empty() ? std::string() : methods[0];
+}
+
+void require(bool condition, const std::string& what)
+{
+    if (!condition)
+        throw std::runtime_error(what);
+}
+
+} // namespace
+
+Settings Options::settings(ProblemType of) const
+{
+    const bool homography = of == cv::usacv20::HOMOGRAPHY;
+    Settings result;
+    result.problem = of;
+    result.threshold = threshold > 0 ? threshold : homography ? 2 : 1;
+    result.confidence = confidence;
+    result.maxIterations = maxIterations > 0 ? maxIterations : homography ? 10000 : 1000;
+    result.seed = seed;
+    return result;
+}
+
+bool Options::parse(int argc, char** argv)
+{
+    cv::CommandLineParser parser(argc, argv, KEYS);
+    const Arguments arguments(argc, argv, parser);
+    parser.about("Runs robust estimators on lists of image pairs and reports accuracy and time.\n"
+                 "Methods: " + knownMethods() + ".\n"
+                 "+scores behind a name hands over the scores; {field=value,...} sets fields of cv::usacv20::Params.");
+    if (parser.has("help") || argc == 1)
+    {
+        parser.printMessage();
+        return false;
+    }
+
+    const std::string letter = parser.get<cv::String>("problem");
+    ProblemType ignored;
+    require(letter.empty() || (letter.size() == 1 && problemOf(letter[0], ignored)), "--problem: expected H, F or E");
+    problem = letter.empty() ? '\0' : letter[0];
+
+    lists = arguments.all("list");
+    if (parser.has("data"))
+    {
+        const std::vector<std::string> more = findLists(parser.get<cv::String>("data"), problem);
+        lists.insert(lists.end(), more.begin(), more.end());
+    }
+    require(!lists.empty(), "no lists: give --list=... or --data=... (see --help)");
+    methods = arguments.all("methods");
+    if (methods.empty())
+        methods = splitNames(parser.get<cv::String>("methods"));
+    baseline = parser.has("baseline") ? std::string(parser.get<cv::String>("baseline")) : defaultBaseline(methods);
+    csv = parser.get<cv::String>("csv");
+    runsCsv = parser.get<cv::String>("runs");
+
+    threshold = parser.has("threshold") ? parser.get<double>("threshold") : 0;
+    maxIterations = parser.has("maxIters") ? parser.get<int>("maxIters") : 0;
+    confidence = parser.get<double>("confidence");
+    repeats = parser.get<int>("repeats");
+    seed = parser.get<int>("seed");
+    threads = parser.get<int>("threads");
+    if (!parser.check())
+    {
+        parser.printErrors();
+        throw std::runtime_error("wrong command line");
+    }
+    require(threshold > 0 || !parser.has("threshold"), "--threshold: expected a number above 0");
+    require(maxIterations > 0 || !parser.has("maxIters"), "--maxIters: expected a number above 0");
+    require(confidence > 0 && confidence < 1, "--confidence: expected a number between 0 and 1");
+    require(repeats > 0, "--repeats: expected a number above 0");
+    bool known = false;
+    for (size_t i = 0; i < methods.size(); ++i)
+        known = known || methods[i] == baseline;
+    require(known, "--baseline: '" + baseline + "' is not one of the methods");
+    return true;
+}
+
+} // namespace benchmark

@@ -1,0 +1,41 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_PAIR_LIST_HPP
+#define OPENCV_USACV20_BENCHMARK_PAIR_LIST_HPP
+
+#include <string>
+#include <vector>
+#include "image_pair.hpp"
+
+namespace benchmark {
+
+/** A list file names one pair a line, without extension. Empty lines and those that start with # are skipped.
+
+Paths are relative to the folder of the list, or to its parent if that folder is called `lists`. The name of the file tells
+the problem: `<dataset>.H.list`, `<dataset>.F.list`, `<dataset>.E.list`. */
+struct PairList
+{
+    struct Entry
+    {
+        std::string path;  //!< of the pair, without extension
+        int line;          //!< in the list file
+    };
+
+    std::string file;
+    std::string name;      //!< of the data set
+    ProblemType problem;
+    std::vector<Entry> entries;
+};
+
+/** Reads a list. @param letter problem, or '\0' to take it from the name of the file.
+Raises std::runtime_error if the file cannot be read or does not tell its problem. */
+PairList readPairList(const std::string& file, char letter);
+
+//! The files `<folder>/lists/*.H.list`, `*.F.list` and `*.E.list`, those of H first. @param letter only those, '\0' for all.
+std::vector<std::string> findLists(const std::string& folder, char letter);
+
+} // namespace benchmark
+
+#endif

@@ -1,0 +1,19 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_PARAMS_FIELDS_HPP
+#define OPENCV_USACV20_BENCHMARK_PARAMS_FIELDS_HPP
+
+#include <string>
+#include "opencv2/usac/params.hpp"
+
+namespace benchmark {
+
+/** Sets numeric fields by name: "sampler=1,localIterations=3".
+An unknown name or a value that is no number raises std::runtime_error. */
+void setFields(cv::usacv20::Params& params, const std::string& assignments);
+
+} // namespace benchmark
+
+#endif

@@ -1,0 +1,31 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_PROGRESS_HPP
+#define OPENCV_USACV20_BENCHMARK_PROGRESS_HPP
+
+#include <string>
+
+namespace benchmark {
+
+/** A bar on the standard error if that is a terminal, else nothing. */
+class Progress
+{
+public:
+    explicit Progress(int total);
+    ~Progress() { clear(); }
+
+    //! One more of `total` is done. @param what what is being worked on.
+    void step(const std::string& what);
+    //! Removes the bar, so that a message can take its line.
+    void clear();
+
+private:
+    int total, done;
+    bool active, drawn;
+};
+
+} // namespace benchmark
+
+#endif

@@ -1,0 +1,104 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "runner.hpp"
+
+#include <iostream>
+#include "measures.hpp"
+#include "stopwatch.hpp"
+
+namespace benchmark {
+
+Runner::Runner(const std::vector<cv::Ptr<Method> >& methods_, const Options& options_, Progress& progress_)
+    : methods(methods_), options(options_), progress(progress_), unreadablePairs(0)
+{
+}
+
+ListResult Runner::run(const PairList& list)
+{
+    const Settings settings = options.settings(list.problem);
+    ListResult result;
+    result.name = list.name;
+    result.problem = list.problem;
+    result.runs.resize(methods.size());
+    for (size_t i = 0; i < list.entries.size(); ++i)
+    {
+        ImagePair pair;
+        progress.step(list.name + "." + letterOf(list.problem));
+        if (!read(list, list.entries[i], pair))
+            continue;
+
+        const bool first = result.pairs.empty();
+        const ListResult::PairInfo info = { pair.name, (int)pair.points1.size() };
+        result.pairs.push_back(info);
+        for (int repeat = first ? -1 : 0; repeat < options.repeats; ++repeat)  // -1 warms up
+            for (size_t m = 0; m < methods.size(); ++m)
+            {
+                if (!methods[m]->solves(list.problem))
+                    continue;
+                Run run = measure(*methods[m], pair, settings, repeat);
+                run.pair = (int)result.pairs.size() - 1;
+                if (repeat >= 0)
+                    result.runs[m].push_back(run);
+            }
+    }
+    return result;
+}
+
+bool Runner::read(const PairList& list, const PairList::Entry& entry, ImagePair& pair)
+{
+    try
+    {
+        pair = readImagePair(entry.path, list.problem);
+        return true;
+    }
+    catch (const std::exception& error)
+    {
+        progress.clear();
+        std::cerr << list.file << ":" << entry.line << ": pair left out: " << error.what() << std::endl;
+        ++unreadablePairs;
+        return false;
+    }
+}
+
+Run Runner::measure(Method& method, const ImagePair& pair, Settings settings, int repeat)
+{
+    Run run = Run();
+    Estimate estimate;
+    settings.seed += repeat;
+    method.prepare(pair, settings);
+    const Stopwatch watch;
+    try
+    {
+        method.run(pair, estimate);
+        run.cpuMs = watch.cpuMs();
+        run.wallMs = watch.wallMs();
+    }
+    catch (const std::exception& error)
+    {
+        run.cpuMs = watch.cpuMs();
+        run.wallMs = watch.wallMs();
+        estimate = Estimate();
+        complain(method, settings.problem, pair, error.what());
+    }
+    run.repeat = repeat;
+    run.error = modelError(pair, settings.problem, estimate.model);
+    run.failed = !(run.error <= failureLimit(pair, settings.problem));
+    const bool posed = pair.hasPose && settings.problem != cv::usacv20::HOMOGRAPHY;
+    run.poseError = posed ? poseError(pair, settings.problem, estimate) : -1;
+    run.iterations = estimate.iterations;
+    run.inliers = estimate.mask.empty() ? 0 : cv::countNonZero(estimate.mask);
+    return run;
+}
+
+void Runner::complain(const Method& method, ProblemType problem, const ImagePair& pair, const std::string& what)
+{
+    if (!complaints.insert(method.name() + letterOf(problem)).second)
+        return;
+    progress.clear();
+    std::cerr << method.name() << " threw on " << pair.name << " (" << letterOf(problem)
+              << "), which counts as a failure; not repeated for other pairs: " << what << std::endl;
+}
+
+} // namespace benchmark
