@@ -41,22 +41,28 @@ void Labelling::weigh(const Context& context, const Model& model)
     }
 }
 
+void Labelling::unaryInliers(std::vector<int>& inliers) const
+{
+    for (size_t v = 0; v < point.size(); ++v)
+        if (unary[v] < 0)
+            inliers.push_back(point[v]);
+}
+
 void Labelling::cut(const Context& context, const Model& model, std::vector<int>& inliers)
 {
     weigh(context, model);
     inliers.clear();
     const float lambda = (float)context.params.spatialWeight;
-    if (lambda == 0)
-    {
-        for (size_t v = 0; v < point.size(); ++v)
-            if (unary[v] < 0)
-                inliers.push_back(point[v]);
-        return;
-    }
     /* With x = 1 for an inlier and a = (K_p + K_q) / 2, the cost of an edge is
        a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the last term being one arc of the graph. */
-    const std::vector<Vec2i>& edges = context.components.neighbourhood->edges(context);
     const int nodes = (int)point.size();
+    if (lambda == 0)
+    {
+        unaryInliers(inliers);
+        return;
+    }
+    const std::vector<Vec2i>& edges = context.components.neighbourhood->edges(context);
+    bool linked = false;
     detail::GCGraph<float> graph((unsigned)nodes, (unsigned)edges.size());
     for (int v = 0; v < nodes; ++v)
         graph.addVtx();
@@ -69,14 +75,19 @@ void Labelling::cut(const Context& context, const Model& model, std::vector<int>
             unary[node[p]] += lambda * (1 - a);
             unary[node[q]] -= lambda * a;
             graph.addEdges(node[q], node[p], lambda, 0);
+            linked = true;
         }
         else if (node[p] >= 0 || node[q] >= 0)
             unary[std::max(node[p], node[q])] += lambda * (1 - a);
     }
     for (int v = 0; v < nodes; ++v)  // the source side are the inliers
         graph.addTermWeights(v, std::max(-unary[v], 0.f), std::max(unary[v], 0.f));
-    if (nodes > 0)
-        graph.maxFlow();
+    if (!linked)  // which GCGraph does not accept
+    {
+        unaryInliers(inliers);
+        return;
+    }
+    graph.maxFlow();
     for (int v = 0; v < nodes; ++v)
         if (graph.inSourceSegment(v))
             inliers.push_back(point[v]);

@@ -28,6 +28,8 @@ public:
 
 private:
     void weigh(const Context& context, const Model& model);
+    //! The labelling without edges.
+    void unaryInliers(std::vector<int>& inliers) const;
 
     std::vector<float> errors;
     std::vector<float> K;

@@ -5,6 +5,8 @@
 #ifndef OPENCV_USACV20_COMPONENTS_HPP
 #define OPENCV_USACV20_COMPONENTS_HPP
 
+#ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
+
 #include <limits>
 #include <vector>
 #include "opencv2/core.hpp"
@@ -352,5 +354,7 @@ public:
 
 } // namespace usacv20
 } // namespace cv
+
+#endif
 
 #endif

@@ -195,7 +195,8 @@ CV_EXPORTS void read(const FileNode& node, Params& params, const Params& default
 */
 CV_EXPORTS UsacV20Method methodFromInt(int method);
 
-//! True for the values of #UsacV20Method.
+/** @brief True for the values of #UsacV20Method.
+@param method any integer */
 CV_EXPORTS_W bool isUsacV20Method(int method);
 
 //! @}
