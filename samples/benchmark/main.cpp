@@ -92,6 +92,11 @@ int main(int argc, char** argv)
         Options options;
         return options.parse(argc, argv) ? run(options) : 0;
     }
+    catch (const cv::Exception& error)
+    {
+        std::cerr << error.err << std::endl;
+        return 1;
+    }
     catch (const std::exception& error)
     {
         std::cerr << error.what() << std::endl;

@@ -13,7 +13,7 @@ namespace benchmark {
 
 namespace {
 
-const double INFINITE = std::numeric_limits<double>::infinity();
+const double NO_MODEL = std::numeric_limits<double>::infinity();
 
 //! The model in double. A function that returns several stacked models is held to the first.
 bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix)
@@ -112,14 +112,14 @@ double modelError(const ImagePair& pair, ProblemType problem, const cv::Mat& mod
 {
     cv::Matx33d M;
     if (!toMatrix(model, M))
-        return INFINITE;
+        return NO_MODEL;
     if (problem == cv::usacv20::ESSENTIAL)
         M = pair.K2.inv().t() * M * pair.K1.inv();
     double sum = 0;
     for (size_t i = 0; i < pair.truth1.size(); ++i)
         sum += problem == cv::usacv20::HOMOGRAPHY ? squaredTransferError(pair, M, i) : squaredSampsonDistance(pair, M, i);
     const double error = std::sqrt(sum / pair.truth1.size());
-    return std::isfinite(error) ? error : INFINITE;
+    return std::isfinite(error) ? error : NO_MODEL;
 }
 
 double failureLimit(const ImagePair& pair, ProblemType problem)

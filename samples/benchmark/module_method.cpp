@@ -59,7 +59,8 @@ ModuleMethod::ModuleMethod(const std::string& name, const std::string& preset, c
 {
     if (useScores)
         base.prior = cv::usacv20::PRIOR_AUTO;
-    setFields(base, fields);  // a wrong name is reported before anything runs
+    setFields(base, fields);  // wrong names and values are told before anything runs
+    base.check();
 }
 
 void ModuleMethod::prepare(const ImagePair& pair, const Settings& settings)

@@ -5,7 +5,7 @@
 #include "options.hpp"
 
 #include <stdexcept>
-#include "opencv2/core/utility.hpp"
+#include "arguments.hpp"
 #include "pair_list.hpp"
 
 namespace benchmark {
@@ -28,53 +28,6 @@ const char KEYS[] =
     "{threads        |1| cv::setNumThreads }"
     "{csv            | | file for the tables }"
     "{runs           | | file for all single runs }";
-
-//! cv::CommandLineParser keeps the last of repeated options and ignores unknown ones; both are looked after here.
-class Arguments
-{
-public:
-    Arguments(int argc, char** argv, const cv::CommandLineParser& parser)
-    {
-        for (int i = 1; i < argc; ++i)
-        {
-            const std::string argument = argv[i];
-            const size_t begin = argument.find_first_not_of('-'), equals = argument.find('=');
-            if (begin == 0 || begin == std::string::npos)
-                throw std::runtime_error("'" + argument + "': expected --option=value (see --help)");
-            const std::string name = argument.substr(begin, equals - begin);
-            try
-            {
-                parser.has(name);
-            }
-            catch (const cv::Exception&)
-            {
-                throw std::runtime_error("'" + argument + "': unknown option (see --help)");
-            }
-            const bool flag = name == "help" || name == "h" || name == "usage" || name == "?";
-            if (equals == std::string::npos && !flag)
-                throw std::runtime_error("'" + argument + "': expected --" + name + "=value");
-            names.push_back(name);
-            values.push_back(equals == std::string::npos ? std::string() : argument.substr(equals + 1));
-        }
-    }
-
-    //! All values of an option, each of which may hold several names.
-    std::vector<std::string> all(const std::string& name) const
-    {
-        std::vector<std::string> result;
-        for (size_t i = 0; i < names.size(); ++i)
-        {
-            if (names[i] != name)
-                continue;
-            const std::vector<std::string> more = splitNames(values[i]);
-            result.insert(result.end(), more.begin(), more.end());
-        }
-        return result;
-    }
-
-private:
-    std::vector<std::string> names, values;
-};
 
 std::string defaultBaseline(const std::vector<std::string>& methods)
 {

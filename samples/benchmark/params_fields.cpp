@@ -39,6 +39,7 @@ const IntField INT_FIELDS[] = {
     { "localOptimization", &Params::localOptimization },
     { "localIterations", &Params::localIterations },
     { "localSampleMultiple", &Params::localSampleMultiple },
+    { "localSamples", &Params::localSamples },
     { "termination", &Params::termination },
     { "degeneracy", &Params::degeneracy },
     { "polishing", &Params::polishing },

@@ -14,6 +14,14 @@ namespace {
 
 const double NOT_KNOWN = std::numeric_limits<double>::quiet_NaN();
 
+//! All figures that averages are plain means of.
+double Summary::* const MEANS[] = {
+    &Summary::failures, &Summary::medianCpu, &Summary::meanCpu, &Summary::medianWall,
+    &Summary::auc5, &Summary::auc10, &Summary::auc20, &Summary::medianIterations
+};
+
+double Summary::* const RATIOS[] = { &Summary::errorRatio, &Summary::medianCpuRatio, &Summary::meanCpuRatio };
+
 double median(std::vector<double> values)
 {
     if (values.empty())
@@ -31,6 +39,16 @@ double mean(const std::vector<double>& values)
     return values.empty() ? NOT_KNOWN : sum / values.size();
 }
 
+//! One figure of one method over all lists where it is known.
+std::vector<double> collect(const std::vector<std::vector<Summary> >& lists, size_t method, double Summary::*figure)
+{
+    std::vector<double> values;
+    for (size_t i = 0; i < lists.size(); ++i)
+        if (!std::isnan(lists[i][method].*figure))
+            values.push_back(lists[i][method].*figure);
+    return values;
+}
+
 //! For each pair the median of one figure over its repeats. The runs of a pair follow one another.
 std::vector<double> medianPerPair(const std::vector<Run>& runs, double Run::*figure)
 {
@@ -46,45 +64,22 @@ std::vector<double> medianPerPair(const std::vector<Run>& runs, double Run::*fig
     return result;
 }
 
-//! Geometric mean of the ratios that are finite and positive.
-class RatioMean
+//! Area under the cumulative distribution of the pose error up to `threshold` degrees, in percent.
+double areaUnderCurve(const std::vector<Run>& runs, double threshold)
 {
-public:
-    RatioMean() : sum(0), count(0) {}
-
-    void add(double value, double reference)
-    {
-        const double ratio = std::log(value / reference);
-        if (!std::isfinite(ratio))
-            return;
-        sum += ratio;
-        ++count;
-    }
-
-    double value() const { return count ? std::exp(sum / count) : NOT_KNOWN; }
-
-private:
-    double sum;
-    int count;
-};
-
-//! True if every method that ran has a finite median error.
-bool allSucceed(const std::vector<Summary>& summaries)
-{
-    for (size_t i = 0; i < summaries.size(); ++i)
-        if (summaries[i].ran && !std::isfinite(summaries[i].medianError))
-            return false;
-    return true;
+    std::vector<double> parts;
+    for (size_t i = 0; i < runs.size(); ++i)
+        if (runs[i].poseError >= 0)
+            parts.push_back(std::max(0., 1 - runs[i].poseError / threshold));
+    return 100 * mean(parts);
 }
 
-} // namespace
-
-Summary summarise(const ListResult& result, int method)
+Summary summariseRuns(const std::vector<Run>& runs)
 {
-    const std::vector<Run>& runs = result.runs[method];
-    Summary summary = Summary();
-    summary.ran = !runs.empty();
-    std::vector<double> errors, iterations, aucs[POSE_THRESHOLDS];
+    Summary summary;
+    if (runs.empty())
+        return summary;
+    std::vector<double> errors, iterations;
     int failures = 0;
     for (size_t i = 0; i < runs.size(); ++i)
     {
@@ -92,60 +87,89 @@ Summary summarise(const ListResult& result, int method)
         errors.push_back(runs[i].failed ? std::numeric_limits<double>::infinity() : runs[i].error);
         if (runs[i].iterations >= 0)
             iterations.push_back(runs[i].iterations);
-        for (int k = 0; k < POSE_THRESHOLDS && runs[i].poseError >= 0; ++k)
-            aucs[k].push_back(std::max(0., 1 - runs[i].poseError / POSE_THRESHOLD[k]));
     }
     const std::vector<double> cpu = medianPerPair(runs, &Run::cpuMs);
+    summary.lists = summary.errorLists = 1;
     summary.medianError = median(errors);
-    summary.failures = runs.empty() ? NOT_KNOWN : 100. * failures / runs.size();
+    summary.failures = 100. * failures / runs.size();
     summary.medianCpu = median(cpu);
     summary.meanCpu = mean(cpu);
     summary.medianWall = median(medianPerPair(runs, &Run::wallMs));
-    summary.hasPose = !aucs[0].empty();
-    for (int k = 0; k < POSE_THRESHOLDS; ++k)
-        summary.auc[k] = 100 * mean(aucs[k]);
-    summary.medianIterations = iterations.empty() ? -1 : median(iterations);
+    summary.auc5 = areaUnderCurve(runs, 5);
+    summary.auc10 = areaUnderCurve(runs, 10);
+    summary.auc20 = areaUnderCurve(runs, 20);
+    summary.medianIterations = median(iterations);
     return summary;
 }
 
-Average average(const std::vector<std::vector<Summary> >& summaries, int method, int baseline)
+//! NaN where one of both is infinite.
+double ratio(double value, double reference)
 {
-    std::vector<double> errors, failures, medianCpu, meanCpu, medianWall, aucs[POSE_THRESHOLDS];
-    RatioMean errorRatio, medianCpuRatio, meanCpuRatio;
+    return std::isfinite(value) && std::isfinite(reference) && reference > 0 ? value / reference : NOT_KNOWN;
+}
+
+//! True if every method that ran has a finite median error.
+bool allSucceed(const std::vector<Summary>& summaries)
+{
     for (size_t i = 0; i < summaries.size(); ++i)
+        if (summaries[i].lists && !std::isfinite(summaries[i].medianError))
+            return false;
+    return true;
+}
+
+double geometricMean(std::vector<double> values)
+{
+    for (size_t i = 0; i < values.size(); ++i)
+        values[i] = std::log(std::max(values[i], std::numeric_limits<double>::min()));
+    return std::exp(mean(values));
+}
+
+} // namespace
+
+Summary::Summary() : lists(0), errorLists(0), medianError(NOT_KNOWN)
+{
+    for (double Summary::*figure : MEANS)
+        this->*figure = NOT_KNOWN;
+    for (double Summary::*figure : RATIOS)
+        this->*figure = NOT_KNOWN;
+}
+
+std::vector<Summary> summarise(const ListResult& result, int baseline)
+{
+    std::vector<Summary> summaries;
+    for (size_t m = 0; m < result.runs.size(); ++m)
+        summaries.push_back(summariseRuns(result.runs[m]));
+    const Summary reference = summaries[baseline];
+    for (size_t m = 0; m < summaries.size(); ++m)
     {
-        const Summary& own = summaries[i][method];
-        const Summary& reference = summaries[i][baseline];
-        if (!own.ran)
-            continue;
-        if (allSucceed(summaries[i]))
-            errors.push_back(own.medianError);
-        failures.push_back(own.failures);
-        medianCpu.push_back(own.medianCpu);
-        meanCpu.push_back(own.meanCpu);
-        medianWall.push_back(own.medianWall);
-        for (int k = 0; k < POSE_THRESHOLDS && own.hasPose; ++k)
-            aucs[k].push_back(own.auc[k]);
-        if (!reference.ran)
-            continue;
-        errorRatio.add(own.medianError, reference.medianError);
-        medianCpuRatio.add(own.medianCpu, reference.medianCpu);
-        meanCpuRatio.add(own.meanCpu, reference.meanCpu);
+        Summary& own = summaries[m];
+        own.errorRatio = ratio(own.medianError, reference.medianError);
+        own.medianCpuRatio = ratio(own.medianCpu, reference.medianCpu);
+        own.meanCpuRatio = ratio(own.meanCpu, reference.meanCpu);
     }
-    Average result = Average();
-    result.lists = (int)failures.size();
-    result.error = mean(errors);
-    result.errorLists = (int)errors.size();
-    result.failures = mean(failures);
-    result.medianCpu = mean(medianCpu);
-    result.meanCpu = mean(meanCpu);
-    result.medianWall = mean(medianWall);
-    result.hasPose = !aucs[0].empty();
-    for (int k = 0; k < POSE_THRESHOLDS; ++k)
-        result.auc[k] = mean(aucs[k]);
-    result.errorRatio = errorRatio.value();
-    result.medianCpuRatio = medianCpuRatio.value();
-    result.meanCpuRatio = meanCpuRatio.value();
+    return summaries;
+}
+
+std::vector<Summary> average(const std::vector<std::vector<Summary> >& lists)
+{
+    std::vector<std::vector<Summary> > solved;
+    for (size_t i = 0; i < lists.size(); ++i)
+        if (allSucceed(lists[i]))
+            solved.push_back(lists[i]);
+
+    std::vector<Summary> result(lists.empty() ? 0 : lists[0].size());
+    for (size_t m = 0; m < result.size(); ++m)
+    {
+        for (size_t i = 0; i < lists.size(); ++i)
+            result[m].lists += lists[i][m].lists;
+        const std::vector<double> errors = collect(solved, m, &Summary::medianError);
+        result[m].errorLists = (int)errors.size();
+        result[m].medianError = mean(errors);
+        for (double Summary::*figure : MEANS)
+            result[m].*figure = mean(collect(lists, m, figure));
+        for (double Summary::*figure : RATIOS)
+            result[m].*figure = geometricMean(collect(lists, m, figure));
+    }
     return result;
 }
 

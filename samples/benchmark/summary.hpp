@@ -5,50 +5,38 @@
 #ifndef OPENCV_USACV20_BENCHMARK_SUMMARY_HPP
 #define OPENCV_USACV20_BENCHMARK_SUMMARY_HPP
 
-#include <string>
 #include <vector>
 #include "runner.hpp"
 
 namespace benchmark {
 
-enum { POSE_THRESHOLDS = 3 };
-//! Degrees.
-const double POSE_THRESHOLD[POSE_THRESHOLDS] = { 5, 10, 20 };
+/** What a table says about one method on one list, or on average over lists. A figure that is not known is NaN.
 
-/** What a table says about one method on one list.
-
-The time of a pair is the median over its repeats; `medianCpu`, `meanCpu` and `medianWall` are over pairs.
-All else is over pairs and repeats alike. A failure has an infinite error. */
+The time of a pair is the median over its repeats; the times below are over pairs. All else is over pairs and repeats alike. */
 struct Summary
 {
-    bool ran;              //!< false: the method does not solve the problem, or no pair could be read
-    double medianError;    //!< pixels
-    double failures;       //!< percent
+    Summary();
+
+    int lists;                //!< how many it is about; 0: the method does not solve the problem, or no pair could be read
+    int errorLists;           //!< how many `medianError` is about
+    double medianError;       //!< pixels; a failure has an infinite error
+    double failures;          //!< percent
     double medianCpu, meanCpu, medianWall;  //!< ms
-    bool hasPose;
-    /** Mean of max(0, 1 - error / threshold), in percent: the area under the cumulative distribution of the
-    pose error from 0 to the threshold, without interpolation between its steps. */
-    double auc[POSE_THRESHOLDS];
-    double medianIterations;  //!< negative where the method does not tell
+    /** Mean of max(0, 1 - pose error / threshold) for 5, 10 and 20 degrees, in percent: the area under the cumulative
+    distribution of the pose error from 0 to the threshold, without interpolation between its steps. */
+    double auc5, auc10, auc20;
+    double medianIterations;
+    double errorRatio, medianCpuRatio, meanCpuRatio;  //!< to the baseline
 };
 
-Summary summarise(const ListResult& result, int method);
+//! Summaries of all methods on one list. @param baseline index of a method.
+std::vector<Summary> summarise(const ListResult& result, int baseline);
 
-/** Means over lists, as the paper's Table 2. */
-struct Average
-{
-    int lists;                //!< that the method ran on
-    double error;             //!< of the medians, over the lists where no method failed on more than half; NaN without any
-    int errorLists;           //!< number of those
-    double failures, medianCpu, meanCpu, medianWall;
-    bool hasPose;
-    double auc[POSE_THRESHOLDS];  //!< over the lists with poses
-    //! Geometric means of the ratios to the baseline; NaN without any list where both are known.
-    double errorRatio, medianCpuRatio, meanCpuRatio;
-};
+/** Means over lists for all methods, as the paper's Table 2.
 
-//! @param summaries of each list, of each method. @param method, baseline indices into them.
-Average average(const std::vector<std::vector<Summary> >& summaries, int method, int baseline);
+The error is that of the lists where no method failed on half of the runs or more. Ratios: geometric means.
+@param lists of each list the summaries of all methods. */
+std::vector<Summary> average(const std::vector<std::vector<Summary> >& lists);
 
 } // namespace benchmark
 

@@ -7,16 +7,38 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 namespace benchmark {
 
 namespace {
 
-//! A number for a table: "-" where it is not known.
-std::string cell(double value, const char* format = "%.3f")
+struct Column
+{
+    const char *title, *csvName, *format;
+    double Summary::*figure;
+};
+
+const Column COLUMNS[] = {
+    { "median error", "median_error", "%.3f", &Summary::medianError },
+    { "failures", "failures_percent", "%.1f", &Summary::failures },
+    { "CPU median", "median_cpu_ms", "%.3f", &Summary::medianCpu },
+    { "CPU mean", "mean_cpu_ms", "%.3f", &Summary::meanCpu },
+    { "wall median", "median_wall_ms", "%.3f", &Summary::medianWall },
+    { "AUC@5", "auc5", "%.1f", &Summary::auc5 },
+    { "AUC@10", "auc10", "%.1f", &Summary::auc10 },
+    { "AUC@20", "auc20", "%.1f", &Summary::auc20 },
+    { "iterations", "median_iterations", "%.0f", &Summary::medianIterations },
+    { "error ratio", "error_ratio", "%.3f", &Summary::errorRatio },
+    { "CPU median ratio", "median_cpu_ratio", "%.3f", &Summary::medianCpuRatio },
+    { "CPU mean ratio", "mean_cpu_ratio", "%.3f", &Summary::meanCpuRatio },
+};
+
+//! A number as text, `unknown` if it is NaN.
+std::string print(double value, const char* format, const char* unknown)
 {
     if (std::isnan(value))
-        return "-";
+        return unknown;
     if (std::isinf(value))
         return "inf";
     char text[64];
@@ -24,10 +46,10 @@ std::string cell(double value, const char* format = "%.3f")
     return text;
 }
 
-//! A number for a CSV file: empty where it is not known.
+//! A number for a CSV file, empty if it is NaN.
 std::string field(double value)
 {
-    return std::isnan(value) ? std::string() : cell(value, "%.6g");
+    return print(value, "%.6g", "");
 }
 
 //! Names hold commas.
@@ -36,21 +58,13 @@ std::string quoted(const std::string& text)
     return '"' + text + '"';
 }
 
-//! NaN where one of both is infinite.
-double ratio(double value, double reference)
+//! True if a figure is known for any method.
+bool isKnown(const std::vector<Summary>& rows, double Summary::*figure)
 {
-    const double result = value / reference;
-    return std::isfinite(result) && std::isfinite(reference) ? result : std::nan("");
-}
-
-void header(std::ostream& out, const std::vector<std::string>& columns)
-{
-    for (size_t i = 0; i < columns.size(); ++i)
-        out << "| " << columns[i] << " ";
-    out << "|\n";
-    for (size_t i = 0; i < columns.size(); ++i)
-        out << (i == 0 ? "|---" : "|---:");
-    out << "|\n";
+    for (size_t m = 0; m < rows.size(); ++m)
+        if (!std::isnan(rows[m].*figure))
+            return true;
+    return false;
 }
 
 } // namespace
@@ -61,133 +75,110 @@ Tables::Tables(const Options& options_, const std::vector<ListResult>& results_)
     const std::vector<std::string>& methods = options.methods;
     baseline = (int)(std::find(methods.begin(), methods.end(), options.baseline) - methods.begin());
     for (size_t i = 0; i < results.size(); ++i)
+        addList(results[i]);
+    addAverages("");
+    for (int problem = cv::usacv20::HOMOGRAPHY; problem <= cv::usacv20::ESSENTIAL; ++problem)
+        addAverages(std::string(1, letterOf((ProblemType)problem)));
+}
+
+void Tables::addList(const ListResult& result)
+{
+    const Settings settings = options.settings(result.problem);
+    Table table;
+    table.name = result.name;
+    table.problem = letterOf(result.problem);
+    table.pairs = (int)result.pairs.size();
+    table.rows = summarise(result, baseline);
+    std::ostringstream title;
+    title << table.name << " (" << table.problem << ", " << table.pairs << " pairs, threshold " << settings.threshold << ", "
+          << settings.maxIterations << " iterations, confidence " << settings.confidence << ")";
+    table.title = title.str();
+    tables.push_back(table);
+}
+
+void Tables::addAverages(const std::string& problem)
+{
+    Table table;
+    table.name = problem.empty() ? "average" : "average." + problem;
+    table.problem = problem;
+    table.title = problem.empty() ? "Averages over all lists" : "Averages over the lists of " + problem;
+    table.pairs = 0;
+    std::vector<std::vector<Summary> > chosen;
+    for (size_t i = 0; i < results.size(); ++i)
     {
-        summaries.push_back(std::vector<Summary>());
-        for (size_t m = 0; m < methods.size(); ++m)
-            summaries.back().push_back(summarise(results[i], (int)m));
+        if (!problem.empty() && tables[i].problem != problem)
+            continue;
+        chosen.push_back(tables[i].rows);
+        table.pairs += tables[i].pairs;
     }
+    table.rows = average(chosen);
+    const bool sameAsAll = !problem.empty() && chosen.size() == results.size();
+    if (!chosen.empty() && !sameAsAll)
+        tables.push_back(table);
 }
 
 void Tables::markdown(std::ostream& out) const
 {
     out << "# USAC benchmark\n\nOpenCV " << cv::getVersionString() << "; " << options.repeats << " repeats, seed "
-        << options.seed << ", threads " << options.threads << ".\n"
-        << "Median error in pixels with failures as infinite; failures in percent of the runs; times in ms of the call alone "
-           "(the median over the repeats of a pair, then over pairs); CPU: process time of all threads; AUC of the pose error "
-           "in percent; iterations: median. Ratios compare with " << options.baseline << ", below 1 is better.\n";
-    for (size_t i = 0; i < results.size(); ++i)
-        markdownList(out, i);
-
-    markdownAverages(out, "Averages over all lists", summaries);
-    for (int problem = cv::usacv20::HOMOGRAPHY; problem <= cv::usacv20::ESSENTIAL; ++problem)
-        markdownAverages(out, std::string("Averages over the lists of ") + letterOf((ProblemType)problem),
-                         ofProblem((ProblemType)problem));
+        << options.seed << ", threads " << options.threads << ".\n\n"
+           "Error: median in pixels, a failure counts as infinite. Failures: percent of the runs. Times: ms of the call alone, of each "
+           "pair the median over its repeats; CPU: of the process, all threads together. AUC: of the pose error, percent. Iterations: "
+           "median. Ratios: to " << options.baseline << ", below 1 is better.\n\n"
+           "Averages: means over lists, of the error over those lists only where no method failed on half of the runs or more "
+           "(their number is in brackets); of the ratios geometric means.\n";
+    for (size_t i = 0; i < tables.size(); ++i)
+        markdownTable(out, tables[i]);
 }
 
-void Tables::markdownList(std::ostream& out, size_t list) const
+void Tables::markdownTable(std::ostream& out, const Table& table) const
 {
-    const ListResult& result = results[list];
-    const Settings settings = options.settings(result.problem);
-    bool posed = false;
-    for (size_t m = 0; m < summaries[list].size(); ++m)
-        posed = posed || summaries[list][m].hasPose;
-
-    out << "\n## " << result.name << " (" << letterOf(result.problem) << ", " << result.pairs.size() << " pairs, threshold "
-        << settings.threshold << ", " << settings.maxIterations << " iterations, confidence " << settings.confidence << ")\n\n";
-    std::vector<std::string> columns = { "method", "median error", "failures", "CPU median", "CPU mean", "wall median" };
-    if (posed)
-        columns.insert(columns.end(), { "AUC@5", "AUC@10", "AUC@20" });
-    columns.insert(columns.end(), { "iterations", "error ratio", "CPU median ratio", "CPU mean ratio" });
-    header(out, columns);
-
-    const Summary& reference = summaries[list][baseline];
-    for (size_t m = 0; m < summaries[list].size(); ++m)
+    const bool averages = table.name.compare(0, 7, "average") == 0;
+    std::string head = "| method |", rule = "|---|";
+    if (averages)
     {
-        const Summary& s = summaries[list][m];
-        if (!s.ran)
-            continue;
-        out << "| " << options.methods[m] << " | " << cell(s.medianError) << " | " << cell(s.failures, "%.1f") << " | "
-            << cell(s.medianCpu) << " | " << cell(s.meanCpu) << " | " << cell(s.medianWall) << " | ";
-        for (int k = 0; k < POSE_THRESHOLDS && posed; ++k)
-            out << cell(s.auc[k], "%.1f") << " | ";
-        out << cell(s.medianIterations < 0 ? std::nan("") : s.medianIterations, "%.0f") << " | ";
-        if (reference.ran)
-            out << cell(ratio(s.medianError, reference.medianError)) << " | "
-                << cell(ratio(s.medianCpu, reference.medianCpu)) << " | "
-                << cell(ratio(s.meanCpu, reference.meanCpu)) << " |\n";
-        else
-            out << "- | - | - |\n";
+        head += " lists |";
+        rule += "---:|";
     }
-}
+    for (const Column& column : COLUMNS)
+        if (isKnown(table.rows, column.figure))
+        {
+            head += std::string(" ") + column.title + " |";
+            rule += "---:|";
+        }
+    out << "\n## " << table.title << "\n\n" << head << "\n" << rule << "\n";
 
-void Tables::markdownAverages(std::ostream& out, const std::string& title, const Summaries& chosen) const
-{
-    if (chosen.empty())
-        return;
-    out << "\n## " << title << "\n\nError: mean of the medians over the lists where no method failed on half of the runs "
-                               "or more. Ratios: geometric means.\n\n";
-    header(out, { "method", "lists", "error", "(lists)", "failures", "CPU median", "CPU mean", "wall median", "AUC@5", "AUC@10",
-                  "AUC@20", "error ratio", "CPU median ratio", "CPU mean ratio" });
-    for (size_t m = 0; m < options.methods.size(); ++m)
+    for (size_t m = 0; m < table.rows.size(); ++m)
     {
-        const Average a = average(chosen, (int)m, baseline);
-        if (!a.lists)
+        const Summary& row = table.rows[m];
+        if (!row.lists)
             continue;
-        out << "| " << options.methods[m] << " | " << a.lists << " | " << cell(a.error) << " | " << a.errorLists << " | "
-            << cell(a.failures, "%.1f") << " | " << cell(a.medianCpu) << " | " << cell(a.meanCpu) << " | "
-            << cell(a.medianWall) << " | ";
-        for (int k = 0; k < POSE_THRESHOLDS; ++k)
-            out << cell(a.auc[k], "%.1f") << " | ";
-        out << cell(a.errorRatio) << " | " << cell(a.medianCpuRatio) << " | " << cell(a.meanCpuRatio) << " |\n";
+        out << "| " << options.methods[m] << " |";
+        if (averages)
+            out << " " << row.lists << " (" << row.errorLists << ") |";
+        for (const Column& column : COLUMNS)
+            if (isKnown(table.rows, column.figure))
+                out << " " << print(row.*column.figure, column.format, "-") << " |";
+        out << "\n";
     }
 }
 
 void Tables::csv(std::ostream& out) const
 {
-    out << "list,problem,pairs,method,median_error,failures_percent,median_cpu_ms,mean_cpu_ms,median_wall_ms,"
-           "auc5,auc10,auc20,median_iterations,error_ratio,median_cpu_ratio,mean_cpu_ratio\n";
-    for (size_t i = 0; i < results.size(); ++i)
-        for (size_t m = 0; m < options.methods.size(); ++m)
+    out << "list,problem,pairs,method";
+    for (const Column& column : COLUMNS)
+        out << ',' << column.csvName;
+    out << '\n';
+    for (size_t i = 0; i < tables.size(); ++i)
+        for (size_t m = 0; m < tables[i].rows.size(); ++m)
         {
-            const Summary& s = summaries[i][m];
-            const Summary& reference = summaries[i][baseline];
-            if (!s.ran)
+            if (!tables[i].rows[m].lists)
                 continue;
-            out << quoted(results[i].name) << ',' << letterOf(results[i].problem) << ',' << results[i].pairs.size() << ','
-                << quoted(options.methods[m]) << ',' << field(s.medianError) << ',' << field(s.failures) << ','
-                << field(s.medianCpu) << ',' << field(s.meanCpu) << ',' << field(s.medianWall) << ',';
-            for (int k = 0; k < POSE_THRESHOLDS; ++k)
-                out << field(s.auc[k]) << ',';
-            out << field(s.medianIterations < 0 ? std::nan("") : s.medianIterations) << ',';
-            if (reference.ran)
-                out << field(ratio(s.medianError, reference.medianError)) << ','
-                    << field(ratio(s.medianCpu, reference.medianCpu)) << ',' << field(ratio(s.meanCpu, reference.meanCpu));
-            else
-                out << ",,";
+            out << quoted(tables[i].name) << ',' << tables[i].problem << ',' << tables[i].pairs << ','
+                << quoted(options.methods[m]);
+            for (const Column& column : COLUMNS)
+                out << ',' << field(tables[i].rows[m].*column.figure);
             out << '\n';
         }
-    csvAverages(out, "average", "", summaries);
-    for (int problem = cv::usacv20::HOMOGRAPHY; problem <= cv::usacv20::ESSENTIAL; ++problem)
-    {
-        const std::string letter(1, letterOf((ProblemType)problem));
-        csvAverages(out, "average." + letter, letter, ofProblem((ProblemType)problem));
-    }
-}
-
-void Tables::csvAverages(std::ostream& out, const std::string& name, const std::string& letter,
-                         const Summaries& chosen) const
-{
-    for (size_t m = 0; m < options.methods.size() && !chosen.empty(); ++m)
-    {
-        const Average a = average(chosen, (int)m, baseline);
-        if (!a.lists)
-            continue;
-        out << name << ',' << letter << ",," << quoted(options.methods[m]) << ',' << field(a.error) << ','
-            << field(a.failures) << ',' << field(a.medianCpu) << ',' << field(a.meanCpu) << ',' << field(a.medianWall) << ',';
-        for (int k = 0; k < POSE_THRESHOLDS; ++k)
-            out << field(a.auc[k]) << ',';
-        out << ',' << field(a.errorRatio) << ',' << field(a.medianCpuRatio) << ',' << field(a.meanCpuRatio) << '\n';
-    }
 }
 
 void Tables::runsCsv(std::ostream& out) const
@@ -205,15 +196,6 @@ void Tables::runsCsv(std::ostream& out) const
                     << field(run.cpuMs) << ',' << field(run.wallMs) << ','
                     << (run.iterations < 0 ? std::string() : field(run.iterations)) << ',' << run.inliers << '\n';
             }
-}
-
-Tables::Summaries Tables::ofProblem(ProblemType problem) const
-{
-    Summaries chosen;
-    for (size_t i = 0; i < results.size(); ++i)
-        if (results[i].problem == problem)
-            chosen.push_back(summaries[i]);
-    return chosen;
 }
 
 } // namespace benchmark

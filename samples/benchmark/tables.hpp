@@ -12,31 +12,36 @@
 
 namespace benchmark {
 
-/** Writes the results as Markdown and CSV. */
+/** Writes the results: one table a list, then the averages over all lists and, where they differ in it, over
+those of each problem. */
 class Tables
 {
 public:
     Tables(const Options& options, const std::vector<ListResult>& results);
 
-    //! One table a list, then the averages over all lists and over those of each problem.
     void markdown(std::ostream& out) const;
-    //! The same figures, one row a list and method; the lists `average.H` etc. hold the averages.
+    //! The same figures, one row a list and method; the lists `average`, `average.H` etc. hold the averages.
     void csv(std::ostream& out) const;
     //! One row a call.
     void runsCsv(std::ostream& out) const;
 
 private:
-    typedef std::vector<std::vector<Summary> > Summaries;
+    struct Table
+    {
+        std::string name, problem;   //!< problem: its letter, empty for all
+        std::string title;
+        int pairs;
+        std::vector<Summary> rows;   //!< one a method
+    };
 
-    void markdownList(std::ostream& out, size_t list) const;
-    void markdownAverages(std::ostream& out, const std::string& title, const Summaries& chosen) const;
-    void csvAverages(std::ostream& out, const std::string& name, const std::string& letter, const Summaries& chosen) const;
-    Summaries ofProblem(ProblemType problem) const;
+    void addList(const ListResult& result);
+    void addAverages(const std::string& problem);
+    void markdownTable(std::ostream& out, const Table& table) const;
 
     const Options& options;
     const std::vector<ListResult>& results;
-    Summaries summaries;  //!< of each list, of each method
-    int baseline;         //!< index of a method
+    int baseline;                    //!< index of a method
+    std::vector<Table> tables;
 };
 
 } // namespace benchmark

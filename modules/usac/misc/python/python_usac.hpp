@@ -44,11 +44,11 @@ CV_EXPORTS_W inline Mat findHomography(InputArray srcPoints, InputArray dstPoint
 @param method one of #UsacV20Method
 @param ransacReprojThreshold inlier threshold in pixels
 @param confidence probability that the result is the best model
-@param maxIters upper bound of the number of samples
+@param maxIters upper bound of the number of samples; its default makes a None in this place, meant for `mask`, harmless
 @param mask output, Nx1, 1 for inliers
 */
 CV_EXPORTS_W inline Mat findFundamentalMat(InputArray points1, InputArray points2, int method,
-                                           double ransacReprojThreshold, double confidence, int maxIters,
+                                           double ransacReprojThreshold, double confidence, int maxIters = 1000,
                                            OutputArray mask = noArray())
 {
     return cv::findFundamentalMat(points1, points2, methodFromInt(method), ransacReprojThreshold, confidence, maxIters,

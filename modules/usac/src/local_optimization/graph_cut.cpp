@@ -39,7 +39,8 @@ private:
 
     bool fitInliers(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
-        const int count = (int)inliers.size(), small = std::min(m * context.params.localSampleMultiple, count);
+        const int count = (int)inliers.size();
+        const int small = std::max(m + 1, std::min(m * context.params.localSampleMultiple, count / 2));
         bool improved = tryFit(context, select(state.rng, std::min<int>(count, MAX_FIT)), model, quality);
         for (int i = 0; i < context.params.localSamples && small < count; ++i)
             improved |= tryFit(context, select(state.rng, small), model, quality);

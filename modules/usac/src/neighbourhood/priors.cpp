@@ -47,21 +47,58 @@ public:
     }
 };
 
-/** Local density of the points in the joint space, densest first: right matches come in groups, wrong ones do not (paper,
-section "Other features"). The density is the mean over the layers of the neighbourhood of points per volume; with cells
-of half the width in each layer, a point of a cell counts 16 times as much as one of the next coarser layer. */
+/** @brief Local density of the points in the joint space, relative to their density in the images (paper, section "Other
+features").
+
+Right matches come in groups: of the points that share a point's cell in image 1 or image 2, most also share its cell in
+the other image. Points are ordered by this fraction, s / (s + n + #PRIOR_OTHERS) with s points in both cells and on average n
+more in one of them. The absolute density alone would put the one most crowded place of the images first, right or wrong.
+Counts and a bucket sort; points of equal rank keep their pseudo-random order. O(N). */
 class DensityPrior : public Prior
 {
 public:
     void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
     {
-        Neighbourhood& neighbourhood = *context.components.neighbourhood;
-        std::vector<float> sparsity(order.size());
-        const int* members;
-        for (size_t i = 0; i < order.size(); ++i)
-            for (int layer = neighbourhood.layers() - 1; layer >= 0; --layer)
-                sparsity[i] = sparsity[i] / 16 - (neighbourhood.members(context, layer, (int)i, members) - 1);
-        sortBy(sparsity.data(), order);
+        const Correspondences& p = context.points;
+        std::vector<ushort> cells1(p.size), cells2(p.size);
+        assignCells(p.x1, p.y1, p, 0, cells1);
+        assignCells(p.x2, p.y2, p, 2, cells2);
+        std::vector<int> in1(CELLS, 0), in2(CELLS, 0), both(CELLS * CELLS, 0);
+        for (int i = 0; i < p.size; ++i)
+        {
+            ++in1[cells1[i]];
+            ++in2[cells2[i]];
+            ++both[cells1[i] * CELLS + cells2[i]];
+        }
+        std::vector<uchar> bucket(p.size);
+        int start[BUCKETS + 1] = {0};
+        for (int i = 0; i < p.size; ++i)
+        {
+            const int support = both[cells1[i] * CELLS + cells2[i]] - 1;
+            const double others = 0.5 * (in1[cells1[i]] + in2[cells2[i]]) - 1 - support;
+            bucket[i] = (uchar)((BUCKETS - 1) * (1 - support / (support + others + PRIOR_OTHERS)));
+            ++start[bucket[i] + 1];
+        }
+        for (int b = 0; b < BUCKETS; ++b)
+            start[b + 1] += start[b];
+        for (int i = 0; i < p.size; ++i)
+            order[start[bucket[i]]++] = i;
+    }
+
+private:
+    enum { DIVISIONS = 8, CELLS = DIVISIONS * DIVISIONS, BUCKETS = 64, PRIOR_OTHERS = 3 };
+
+    static int division(float value, float low, float high)
+    {
+        const float cell = high > low ? (value - low) * DIVISIONS / (high - low) : 0;
+        return cell > 0 ? (int)std::min(cell, DIVISIONS - 1.f) : 0;
+    }
+
+    static void assignCells(const float* x, const float* y, const Correspondences& p, int axis, std::vector<ushort>& cells)
+    {
+        for (int i = 0; i < p.size; ++i)
+            cells[i] = (ushort)(division(x[i], p.lower[axis], p.upper[axis]) * DIVISIONS +
+                                division(y[i], p.lower[axis + 1], p.upper[axis + 1]));
     }
 };
 

@@ -17,15 +17,16 @@ after t points, k of them inliers, is (delta / epsilon)^k ((1 - delta) / (1 - ep
 it exceeds A. The A that minimises the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected
 log-ratio of a point under a bad model, t_M the time to compute a model in units of that to test a point, and m_S the number
 of models of a sample. Both probabilities are learned: epsilon is the inlier ratio of the best model, delta the mean
-inlier ratio of the first blocks of all models, which are seen whatever happens later. The test changes only between
-batches of samples, so that it does not depend on threads. */
+inlier ratio of the first blocks of all models, which are seen whatever happens later. Before there is
+a best model nothing is dropped. The test changes only between batches of samples, so that it does not depend on threads. */
 class SprtVerifier : public Verifier
 {
 public:
     explicit SprtVerifier(ProblemType problem)
         // measured: microseconds of the solver over those of a point in the kernel; models left after the checks
         : modelTime(problem == HOMOGRAPHY ? 250. : problem == FUNDAMENTAL ? 700. : 4000.),
-          modelsPerSample(problem == HOMOGRAPHY ? 1. : problem == FUNDAMENTAL ? 1.2 : 2.), inliersSeen(0), pointsSeen(0)
+          modelsPerSample(problem == HOMOGRAPHY ? 1. : problem == FUNDAMENTAL ? 1.2 : 2.), inlierStep(0), outlierStep(0),
+          logA(0), inliersSeen(0), pointsSeen(0)
     {
         current = SequentialTest();
     }
@@ -39,15 +40,17 @@ public:
 
     void sampleTested(State& state, int inliers, int tested) CV_OVERRIDE
     {
-        ++state.tests.back().samples;
+        if (!state.tests.empty())
+            ++state.tests.back().samples;
         inliersSeen += inliers;
         pointsSeen += tested;
     }
 
     void adapt(const Context& context, State& state) CV_OVERRIDE
     {
-        const double ratio = context.points.size > 0 ? (double)state.bestQuality.inliers / context.points.size : 0;
-        const double epsilon = std::min(std::max(ratio, 0.05), 0.99);
+        if (state.bestQuality.inliers == 0)
+            return;  // nothing is known yet: no model is dropped
+        const double epsilon = std::min((double)state.bestQuality.inliers / context.points.size, 0.99);
         // the prior weighs as much as 100 points
         const double delta = std::min((100 * 0.01 + inliersSeen) / (100. + pointsSeen), 0.8 * epsilon);
         if (!state.tests.empty() && epsilon <= current.epsilon && std::abs(delta - current.delta) <= 0.05 * current.delta)

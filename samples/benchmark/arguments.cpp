@@ -1,0 +1,65 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "arguments.hpp"
+
+#include <stdexcept>
+#include "method.hpp"
+
+namespace benchmark {
+
+namespace {
+
+bool isDeclared(const cv::CommandLineParser& parser, const std::string& name)
+{
+    try
+    {
+        parser.has(name);
+        return true;
+    }
+    catch (const cv::Exception&)
+    {
+        return false;
+    }
+}
+
+bool isHelp(const std::string& name)
+{
+    return name == "help" || name == "h" || name == "usage" || name == "?";
+}
+
+} // namespace
+
+Arguments::Arguments(int argc, char** argv, const cv::CommandLineParser& parser)
+{
+    for (int i = 1; i < argc; ++i)
+    {
+        const std::string argument = argv[i];
+        const size_t begin = argument.find_first_not_of('-'), equals = argument.find('=');
+        if (begin == 0 || begin == std::string::npos)
+            throw std::runtime_error("'" + argument + "': expected --option=value (see --help)");
+        const std::string name = argument.substr(begin, equals - begin);
+        if (!isDeclared(parser, name))
+            throw std::runtime_error("'" + argument + "': unknown option (see --help)");
+        if (equals == std::string::npos && !isHelp(name))
+            throw std::runtime_error("'" + argument + "': expected --" + name + "=value");
+        names.push_back(name);
+        values.push_back(equals == std::string::npos ? std::string() : argument.substr(equals + 1));
+    }
+}
+
+std::vector<std::string> Arguments::all(const std::string& name) const
+{
+    std::vector<std::string> result;
+    for (size_t i = 0; i < names.size(); ++i)
+    {
+        if (names[i] != name)
+            continue;
+        const std::vector<std::string> more = splitNames(values[i]);
+        result.insert(result.end(), more.begin(), more.end());
+    }
+    return result;
+}
+
+} // namespace benchmark

@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_ARGUMENTS_HPP
+#define OPENCV_USACV20_BENCHMARK_ARGUMENTS_HPP
+
+#include <string>
+#include <vector>
+#include "opencv2/core/utility.hpp"
+
+namespace benchmark {
+
+/** What cv::CommandLineParser does not do: it keeps only one of repeated options and ignores unknown ones. */
+class Arguments
+{
+public:
+    //! Raises std::runtime_error for anything that is no option of `parser`.
+    Arguments(int argc, char** argv, const cv::CommandLineParser& parser);
+
+    //! All values of an option, each of which may hold several names between commas.
+    std::vector<std::string> all(const std::string& name) const;
+
+private:
+    std::vector<std::string> names, values;
+};
+
+} // namespace benchmark
+
+#endif
