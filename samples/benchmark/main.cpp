@@ -4,7 +4,7 @@
 
 // The experiment of the USACv20 paper: robust estimators side by side on lists of image pairs, accuracy and time.
 //
-//     usac_benchmark --data=<folder> --methods=USACV20,cv:USAC_DEFAULT,cv:RANSAC --csv=tables.csv --runs=runs.csv > tables.md
+//     usac_benchmark --data=<folder> --methods=USACV20,cv:USAC_DEFAULT --csv=tables.csv --runs=runs.csv > tables.md
 //
 // The format of the data is described in doc/benchmark.md.
 

@@ -49,7 +49,7 @@ PairList readPairList(const std::string& file, char letter)
     list.file = file;
     list.name = splitName(file, letterOfName);
     if (!problemOf(letter ? letter : letterOfName, list.problem))
-        throw std::runtime_error(file + ": the name tells no problem (.H.list, .F.list, .E.list) and --problem is not given");
+        throw std::runtime_error(file + ": the name tells no problem (.H.list, .F.list, .E.list), --problem is not given");
 
     std::ifstream in(file.c_str());
     if (!in)

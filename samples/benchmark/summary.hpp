@@ -12,7 +12,8 @@ namespace benchmark {
 
 /** What a table says about one method on one list, or on average over lists. A figure that is not known is NaN.
 
-The time of a pair is the median over its repeats; the times below are over pairs. All else is over pairs and repeats alike. */
+The time of a pair is the median over its repeats; the times below are over pairs. All else is over pairs and repeats
+alike. */
 struct Summary
 {
     Summary();

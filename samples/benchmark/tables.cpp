@@ -121,11 +121,11 @@ void Tables::markdown(std::ostream& out) const
 {
     out << "# USAC benchmark\n\nOpenCV " << cv::getVersionString() << "; " << options.repeats << " repeats, seed "
         << options.seed << ", threads " << options.threads << ".\n\n"
-           "Error: median in pixels, a failure counts as infinite. Failures: percent of the runs. Times: ms of the call alone, of each "
-           "pair the median over its repeats; CPU: of the process, all threads together. AUC: of the pose error, percent. Iterations: "
-           "median. Ratios: to " << options.baseline << ", below 1 is better.\n\n"
-           "Averages: means over lists, of the error over those lists only where no method failed on half of the runs or more "
-           "(their number is in brackets); of the ratios geometric means.\n";
+           "Error: median in pixels, a failure counts as infinite. Failures: percent of the runs. Times: ms of the call alone, "
+           "of each pair the median over its repeats; CPU: of the process, all threads together. AUC: of the pose error, "
+           "percent. Iterations: median. Ratios: to " << options.baseline << ", below 1 is better.\n\n"
+           "Averages: means over lists, of the error over those lists only where no method failed on half of the runs or "
+           "more (their number is in brackets); of the ratios geometric means.\n";
     for (size_t i = 0; i < tables.size(); ++i)
         markdownTable(out, tables[i]);
 }

@@ -12,8 +12,7 @@
 
 namespace benchmark {
 
-/** Writes the results: one table a list, then the averages over all lists and, where they differ in it, over
-those of each problem. */
+/** Writes the results: one table a list, then the averages over all lists and over those of each problem. */
 class Tables
 {
 public:

@@ -10,7 +10,7 @@ namespace usacv20 {
 Params::Params()
     : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
       prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), quality(QUALITY_MSAC), verification(VERIFICATION_SPRT),
-      localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(7), localSamples(4),
+      localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(8),
       spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC), relaxation(0.1),
       degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC), polishing(POLISHING_LEAST_SQUARES)
 {

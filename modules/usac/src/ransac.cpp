@@ -137,25 +137,32 @@ void Ransac::improve(const int* sample, Model model, Quality quality)
     if (!quality.betterThan(state.bestQuality))                                             // 17, 18
         return;
     if (parts.localOptimizer)
-        optimize(sample, model, quality);                                                   // 19 - 24
+        optimize(model, quality);                                                           // 19 - 24
     state.best = model;                                                                     // 25
     state.bestQuality = quality;
     updateTermination();                                                                    // 26
 }
 
-void Ransac::optimize(const int* sample, Model& model, Quality& quality)
+//! Lines 19 to 24; a second time if the optimised model was degenerate and a better one took its place.
+void Ransac::optimize(Model& model, Quality& quality)
 {
     const int64 start = getTickCount();
-    Model optimized = model;
-    Quality optimizedQuality = quality;
-    ++state.report.localOptimizations;
-    if (parts.localOptimizer->optimize(context, state, optimized, optimizedQuality) &&      // 19
-        recover(sample, optimized, optimizedQuality) &&                                     // 20, 21
-        optimizedQuality.betterThan(quality))                                               // 22, 23
+    for (bool again = true; again;)
     {
+        again = false;
+        Model optimized = model;
+        Quality optimizedQuality = quality;
+        ++state.report.localOptimizations;
+        if (!parts.localOptimizer->optimize(context, state, optimized, optimizedQuality))   // 19
+            break;
+        const Quality before = optimizedQuality;
+        if (!recover(0, optimized, optimizedQuality) ||                                     // 20, 21
+            !optimizedQuality.betterThan(quality))                                          // 22, 23
+            break;
         ++state.report.localImprovements;
         model = optimized;                                                                  // 24
         quality = optimizedQuality;
+        again = optimizedQuality.betterThan(before);
     }
     localTicks += (double)(getTickCount() - start);
 }

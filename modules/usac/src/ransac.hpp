@@ -41,7 +41,7 @@ private:
     void hypothesise(int index);
     void hypothesiseBatch();
     void improve(const int* sample, Model model, Quality quality);
-    void optimize(const int* sample, Model& model, Quality& quality);
+    void optimize(Model& model, Quality& quality);
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();

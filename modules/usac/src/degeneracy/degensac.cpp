@@ -23,7 +23,8 @@ Matx33d crossMatrix(const Vec3d& v)
 
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else. One of five triples
 of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it maps
-give the degeneracy away. The remedy is plane and parallax: that homography H, refined on its points, and two
+give the degeneracy away. A locally optimised model has no sample; there it is a plane with more than half of its inliers. The
+remedy is plane and parallax: that homography H, refined on its points, and two
 correspondences off the plane determine F = [e]x H, with e where the lines through x2 and H x1 of the two meet. The pairs
 are drawn from the points off the plane; the best F is kept if it beats the original, so that other scenes lose nothing. */
 class Degensac : public Degeneracy
@@ -34,7 +35,7 @@ public:
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {
         Matx33d H;
-        if (!dominantPlane(context.points, sample, model, H))
+        if (sample ? !planeOfSample(context.points, sample, model, H) : !planeOfInliers(context, state, model, H))
             return true;
         state.report.degenerate = true;
         split(context.points, H);
@@ -45,7 +46,10 @@ public:
     }
 
 private:
-    //! Squared errors above this many thresholds are off a plane that was found from three points.
+    //! Most points off the plane that are drawn from, in pairs; most triples and points of the test of the inliers.
+    enum { MAX_PAIRS = 300, MAX_TRIPLES = 20, MAX_TESTED = 200 };
+
+    //! Squared errors above this are off a plane that was found from three points: three thresholds.
     static double limit(const Correspondences& p) { return 9 * p.threshold * p.threshold; }
 
     //! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F.
@@ -74,28 +78,76 @@ private:
         return true;
     }
 
-    //! True if five or more of the seven points are mapped by the homography of one of the triples.
-    static bool dominantPlane(const Correspondences& p, const int* sample, const Model& F, Matx33d& H)
+    //! A = [e]x F with the unit epipole e of image 2; false if F has none.
+    static bool epipolar(const Model& F, Vec3d& e, Matx33d& A)
     {
-        static const int triples[5][3] = {{0, 1, 2}, {3, 4, 5}, {0, 1, 6}, {3, 4, 6}, {2, 5, 6}};
-        Vec3d e = epipole2(F);
+        e = epipole2(F);
         const double length = norm(e);
         if (!(length > 0))
             return false;
         e *= 1 / length;
-        const Matx33d A = crossMatrix(e) * F;
+        A = crossMatrix(e) * F;
+        return true;
+    }
+
+    static int mapped(const Correspondences& p, const Matx33d& H, const int* indices, int count)
+    {
+        int result = 0;
+        for (int k = 0; k < count; ++k)
+            result += error(p, H, indices[k]) <= limit(p);
+        return result;
+    }
+
+    //! True if five or more of the seven points are mapped by the homography of one of the triples.
+    static bool planeOfSample(const Correspondences& p, const int* sample, const Model& F, Matx33d& H)
+    {
+        static const int triples[5][3] = {{0, 1, 2}, {3, 4, 5}, {0, 1, 6}, {3, 4, 6}, {2, 5, 6}};
+        Vec3d e;
+        Matx33d A;
+        if (!epipolar(F, e, A))
+            return false;
         for (int t = 0; t < 5; ++t)
         {
             const int triple[3] = {sample[triples[t][0]], sample[triples[t][1]], sample[triples[t][2]]};
-            if (!planeOf(p, triple, A, e, H))
-                continue;
-            int mapped = 0;
-            for (int k = 0; k < 7; ++k)
-                mapped += error(p, H, sample[k]) <= limit(p);
-            if (mapped >= 5)
+            if (planeOf(p, triple, A, e, H) && mapped(p, H, sample, 7) >= 5)
                 return true;
         }
         return false;
+    }
+
+    //! True if more than half of (a part of) the inliers are mapped by the homography of three random ones.
+    bool planeOfInliers(const Context& context, State& state, const Model& F, Matx33d& H)
+    {
+        const Correspondences& p = context.points;
+        Vec3d e;
+        Matx33d A;
+        inliers.clear();
+        for (int i = 0; i < p.size && (int)inliers.size() < MAX_TESTED; ++i)
+            if (SampsonError::squared(F.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]) <= p.threshold * p.threshold)
+                inliers.push_back(i);
+        const int count = (int)inliers.size();
+        if (count < 8 || !epipolar(F, e, A))
+            return false;
+        int most = count / 2;
+        bool found = false;
+        for (int t = 0; t < MAX_TRIPLES; ++t)
+        {
+            int triple[3];
+            state.rng.distinct(count, 3, triple);
+            for (int k = 0; k < 3; ++k)
+                triple[k] = inliers[triple[k]];
+            Matx33d candidate;
+            if (!planeOf(p, triple, A, e, candidate))
+                continue;
+            const int support = mapped(p, candidate, inliers.data(), count);
+            if (support > most)
+            {
+                most = support;
+                H = candidate;
+                found = true;
+            }
+        }
+        return found;
     }
 
     static double error(const Correspondences& p, const Matx33d& H, int i)
@@ -143,10 +195,8 @@ private:
         }
     }
 
-    enum { MAX_PAIRS = 300 };
-
     Ptr<NonMinimalSolver> fitter;
-    std::vector<int> onPlane, offPlane;
+    std::vector<int> inliers, onPlane, offPlane;
 };
 
 } // namespace

@@ -14,8 +14,10 @@ namespace {
 /** @brief Local optimisation of Graph-Cut RANSAC @cite barath2018graph.
 
 Alternates between the spatially coherent inliers of the model (Labelling) and an inner RANSAC over them: models fitted to
-random samples of Params::localSampleMultiple times the minimal size, and to all of them up to a bound. A fit that is
-better replaces the model; the first alternation without one is the last, and their number is bounded. */
+random samples of Params::localSampleMultiple times the minimal size, and to all of them up to a bound. Before, as in
+LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of the threshold that shrinks to 1: from
+a minimal sample the threshold alone leads to the nearest local optimum, whose inliers confirm it. A fit that is better
+replaces the model; the first alternation without one is the last, and their number is bounded. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
@@ -25,8 +27,11 @@ public:
         bool improved = false;
         for (int i = 0; i < context.params.localIterations; ++i)
         {
+            bool better = shrink(context, state, m, model, quality);
             labelling.cut(context, model, inliers);
-            if ((int)inliers.size() <= m || !fitInliers(context, state, m, model, quality))
+            if ((int)inliers.size() > m)
+                better |= fitInliers(context, state, m, model, quality);
+            if (!better)
                 break;
             improved = true;
         }
@@ -36,6 +41,29 @@ public:
 private:
     //! More points than this make a fit slower, not better, while the inliers are still changing.
     enum { MAX_FIT = 1000 };
+
+    //! Fits to the points within 3, 2 and 1 thresholds, each from the last fit.
+    bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
+    {
+        Model fitted = model;
+        bool improved = false;
+        for (int multiple = 3; multiple >= 1; --multiple)
+        {
+            labelling.within(context, fitted, multiple, inliers);
+            if ((int)inliers.size() <= m)
+                break;
+            const int count = select(state.rng, std::min<int>((int)inliers.size(), MAX_FIT));
+            if (!context.components.nonMinimalSolver->fit(context.points, inliers.data(), count, 0, fitted))
+                break;
+            const Quality fittedQuality = context.rate(fitted, quality.cost);
+            if (!fittedQuality.betterThan(quality))
+                continue;
+            model = fitted;
+            quality = fittedQuality;
+            improved = true;
+        }
+        return improved;
+    }
 
     bool fitInliers(const Context& context, State& state, int m, Model& model, Quality& quality)
     {

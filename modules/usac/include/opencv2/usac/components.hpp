@@ -260,6 +260,8 @@ public:
     //! False: the model shall not be tested. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
     /** @brief Looks at a new so-far-the-best model and may replace it by a better one.
+    @param sample the sample that the model was computed from; null after the local optimisation
+    @param context, state, model, quality what does not change, what does, the model and its quality
     @return false: the model is degenerate and could not be mended, it is dropped. Default: true. */
     virtual bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality);
 };

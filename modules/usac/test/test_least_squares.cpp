@@ -1,0 +1,347 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "solvers/manifold.hpp"
+#include "solvers/normal_equations.hpp"
+#include "solvers/solvers.hpp"
+
+#include <Eigen/SVD>
+
+namespace opencv_test { namespace {
+
+typedef Eigen::Matrix<double, 9, 1> Vector9;
+
+Vector9 vectorOf(const Model& model)
+{
+    return Eigen::Map<const Vector9>(model.val);
+}
+
+std::vector<int> allOf(const Correspondences& points)
+{
+    std::vector<int> indices(points.size);
+    for (int i = 0; i < points.size; ++i)
+        indices[i] = i;
+    return indices;
+}
+
+std::vector<double> randomWeights(int count, RNG& rng)
+{
+    std::vector<double> weights(count);
+    for (int i = 0; i < count; ++i)
+        weights[i] = rng.uniform(0., 2.);
+    return weights;
+}
+
+//! Square roots of the weights times the residuals, written down independently of the solver.
+Eigen::VectorXd residuals(const Correspondences& p, const std::vector<int>& indices, const double* weights, const Model& M)
+{
+    const bool transfer = p.problem == HOMOGRAPHY;
+    Eigen::VectorXd r((transfer ? 2 : 1) * indices.size());
+    for (size_t k = 0; k < indices.size(); ++k)
+    {
+        const int i = indices[k];
+        const Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1), y = M * x1, z = M.t() * x2;
+        const double w = std::sqrt(weights ? weights[k] : 1);
+        if (transfer)
+        {
+            r[2 * k] = w * (y[0] / y[2] - x2[0]);
+            r[2 * k + 1] = w * (y[1] / y[2] - x2[1]);
+        }
+        else
+            r[k] = w * x2.dot(y) / std::sqrt(y[0] * y[0] + y[1] * y[1] + z[0] * z[0] + z[1] * z[1]);
+    }
+    return r;
+}
+
+double costOf(const Correspondences& p, const std::vector<int>& indices, const double* weights, const Model& M)
+{
+    return residuals(p, indices, weights, M).squaredNorm();
+}
+
+//! A model near the truth.
+Model perturbed(const Model& truth, double size, RNG& rng)
+{
+    Model result = truth;
+    for (int i = 0; i < 9; ++i)
+        result.val[i] += rng.gaussian(size);
+    return result * (1 / norm(result));
+}
+
+Scene sceneOf(ProblemType problem, double noise, uint64 seed = 1)
+{
+    SceneOptions options;
+    options.seed = seed;
+    options.outliers = 0;
+    options.inliers = 60;
+    options.noise = noise;
+    return makeScene(problem, options);
+}
+
+typedef testing::TestWithParam<int> Usac_LeastSquares;
+
+TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Scene scene = sceneOf(problem, 3);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Correspondences& points = usac->points();
+    const std::vector<int> indices = allOf(points);
+    RNG rng(1);
+    const std::vector<double> weights = randomWeights(points.size, rng);
+    for (int repeat = 0; repeat < 10; ++repeat)
+    {
+        const double* w = repeat % 2 ? weights.data() : 0;
+        const Model model = perturbed(toInternal(points, scene.model), 0.01, rng);
+        const Eigen::VectorXd r = residuals(points, indices, w, model);
+        Eigen::MatrixXd J(r.size(), 9);
+        for (int i = 0; i < 9; ++i)
+        {
+            const double step = 1e-6;
+            Model plus = model, minus = model;
+            plus.val[i] += step;
+            minus.val[i] -= step;
+            J.col(i) = (residuals(points, indices, w, plus) - residuals(points, indices, w, minus)) / (2 * step);
+        }
+        NormalEquations sums;
+        sums.accumulate(problem, points, indices.data(), points.size, w, model);
+        EXPECT_NEAR(r.squaredNorm(), sums.cost, 1e-10 * r.squaredNorm());
+        const Vector9 Jtr = J.transpose() * r;
+        const Eigen::Matrix<double, 9, 9> JtJ = J.transpose() * J;
+        EXPECT_LE((Jtr - sums.Jtr).norm(), 1e-6 * J.norm() * r.norm());
+        EXPECT_LE((JtJ - sums.JtJ).norm(), 1e-6 * JtJ.norm());
+        EXPECT_GT(Jtr.norm(), 1e-3 * J.norm() * r.norm());  // not a minimum, where any gradient would be small enough
+    }
+}
+
+TEST_P(Usac_LeastSquares, normalEquationsOfSomePoints)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Scene scene = sceneOf(problem, 3);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Correspondences& points = usac->points();
+    const Model model = toInternal(points, scene.model);
+    const int some[] = {7, 3, 50, 12, 3};
+    const std::vector<int> indices(some, some + 5);
+    NormalEquations sums;
+    sums.accumulate(problem, points, some, 5, 0, model);
+    const double expected = costOf(points, indices, 0, model);
+    EXPECT_NEAR(expected, sums.cost, 1e-10 * expected);
+}
+
+void expectOnManifold(ProblemType problem, const Model& model)
+{
+    EXPECT_NEAR(1, norm(model), 1e-12);
+    if (problem == HOMOGRAPHY)
+        return;
+    Vec3d w;
+    SVD::compute(model, w);
+    EXPECT_NEAR(0, w[2], 1e-12);
+    if (problem == ESSENTIAL)
+        EXPECT_NEAR(w[0], w[1], 1e-12);
+}
+
+TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    RNG rng(2);
+    for (int repeat = 0; repeat < 50; ++repeat)
+    {
+        Model start;
+        for (int i = 0; i < 9; ++i)
+            start.val[i] = rng.gaussian(1);
+        const Manifold here(problem, start);
+        expectOnManifold(problem, here.model());
+        EXPECT_NEAR(0, modelDistance(here.model(), Manifold(problem, here.model()).model()), 1e-12);
+        const Manifold::Basis tangent = here.tangent();
+        ASSERT_EQ(here.dimension(), tangent.cols());
+        Eigen::JacobiSVD<Eigen::MatrixXd> svd((Eigen::MatrixXd(tangent)));
+        EXPECT_GT(svd.singularValues()[here.dimension() - 1], 1e-3);  // independent directions
+        for (int k = 0; k < here.dimension(); ++k)
+        {
+            Manifold::Step step = Manifold::Step::Zero(here.dimension());
+            step[k] = 1e-5;
+            const Vector9 plus = vectorOf(here.moved(step).model()), minus = vectorOf(here.moved(-step).model());
+            EXPECT_LE(((plus - minus) / 2e-5 - tangent.col(k)).norm(), 1e-8) << "parameter " << k;
+        }
+        Manifold::Step large(here.dimension());
+        for (int k = 0; k < here.dimension(); ++k)
+            large[k] = rng.gaussian(0.3);
+        expectOnManifold(problem, here.moved(large).model());
+    }
+}
+
+//! The closest point: a step along the manifold leads away from the model.
+TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    RNG rng(3);
+    for (int repeat = 0; repeat < 50; ++repeat)
+    {
+        Model start;
+        for (int i = 0; i < 9; ++i)
+            start.val[i] = rng.gaussian(1);
+        const Manifold here(problem, start);
+        const Vector9 direction = vectorOf(start).normalized();
+        const double cosine = direction.dot(vectorOf(here.model()));
+        for (int k = 0; k < 20; ++k)
+        {
+            Manifold::Step step(here.dimension());
+            for (int i = 0; i < here.dimension(); ++i)
+                step[i] = rng.gaussian(0.05);
+            EXPECT_LE(direction.dot(vectorOf(here.moved(step).model())), cosine + 1e-12);
+        }
+    }
+}
+
+//! Largest correlation of the residuals with a direction of the manifold; 0 at a minimum.
+double slope(const Correspondences& points, const std::vector<int>& indices, const double* weights, const Model& model)
+{
+    NormalEquations sums;
+    sums.accumulate(points.problem, points, indices.data(), (int)indices.size(), weights, model);
+    const Manifold::Basis basis = Manifold(points.problem, model).tangent();
+    double largest = 0;
+    for (int k = 0; k < basis.cols(); ++k)
+    {
+        const double length = std::sqrt(basis.col(k).dot(sums.JtJ * basis.col(k)) * sums.cost);
+        largest = std::max(largest, std::abs(basis.col(k).dot(sums.Jtr)) / length);
+    }
+    return largest;
+}
+
+TEST_P(Usac_LeastSquares, reachesTheMinimum)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    RNG rng(4);
+    int steep = 0;
+    for (int repeat = 0; repeat < 60; ++repeat)
+    {
+        const Scene scene = sceneOf(problem, 1, repeat);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        const Correspondences& points = usac->points();
+        const std::vector<int> indices = allOf(points);
+        const std::vector<double> weights = randomWeights(points.size, rng);
+        const double* w = repeat % 2 ? weights.data() : 0;
+        const Model truth = Manifold(problem, toInternal(points, scene.model)).model();
+        const Model start = Manifold(problem, perturbed(truth, 1e-3, rng)).model();
+        Model model = start;
+        ASSERT_TRUE(solver->fit(points, indices.data(), points.size, w, model));
+        expectOnManifold(problem, model);
+        const double cost = costOf(points, indices, w, model);
+        EXPECT_LT(cost, costOf(points, indices, w, start));
+        EXPECT_LE(cost, costOf(points, indices, w, truth) * (1 + 1e-6));
+        steep += slope(points, indices, w, model) > 1e-2;
+        Model again = model;
+        ASSERT_TRUE(solver->fit(points, indices.data(), points.size, w, again));
+        EXPECT_NEAR(cost, costOf(points, indices, w, again), 1e-4 * cost);
+    }
+    EXPECT_LE(steep, 1);
+}
+
+TEST_P(Usac_LeastSquares, exactWithoutNoise)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    RNG rng(5);
+    for (int repeat = 0; repeat < 20; ++repeat)
+    {
+        const Scene scene = sceneOf(problem, 0, repeat);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        const Correspondences& points = usac->points();
+        const std::vector<int> indices = allOf(points);
+        const Model truth = toInternal(points, scene.model);
+        Model model = perturbed(truth, 1e-4, rng);
+        ASSERT_TRUE(solver->fit(points, indices.data(), points.size, 0, model));
+        EXPECT_LE(modelDistance(model, truth), 1e-6) << "scene " << repeat;
+    }
+}
+
+//! However bad the start.
+TEST_P(Usac_LeastSquares, neverRaisesTheCost)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const Scene scene = sceneOf(problem, 5);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Correspondences& points = usac->points();
+    const std::vector<int> indices = allOf(points);
+    RNG rng(6);
+    int fitted = 0;
+    for (int repeat = 0; repeat < 300; ++repeat)
+    {
+        Model start;
+        for (int i = 0; i < 9; ++i)
+            start.val[i] = rng.gaussian(1);
+        start = Manifold(problem, start).model();
+        const int count = rng.uniform(4, points.size + 1);
+        const std::vector<int> some(indices.begin(), indices.begin() + count);
+        const std::vector<double> weights = randomWeights(count, rng);
+        Model model = start;
+        const bool done = solver->fit(points, some.data(), count, weights.data(), model);
+        fitted += done;
+        if (done)
+            EXPECT_LE(costOf(points, some, weights.data(), model),
+                      costOf(points, some, weights.data(), start) * (1 + 1e-9));
+        else
+            EXPECT_EQ(0, norm(model - start));
+        EXPECT_TRUE(checkRange(Mat(model)));
+    }
+    EXPECT_GT(fitted, 200);
+}
+
+TEST_P(Usac_LeastSquares, zeroWeightsAreLikeAbsentPoints)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const Scene scene = sceneOf(problem, 1);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Correspondences& points = usac->points();
+    const std::vector<int> indices = allOf(points);
+    std::vector<double> weights(points.size, 0.);
+    std::fill(weights.begin(), weights.begin() + 40, 1.);
+    Model weighted = toInternal(points, scene.model), absent = weighted, all = weighted;
+    ASSERT_TRUE(solver->fit(points, indices.data(), points.size, weights.data(), weighted));
+    ASSERT_TRUE(solver->fit(points, indices.data(), 40, 0, absent));
+    ASSERT_TRUE(solver->fit(points, indices.data(), points.size, 0, all));
+    EXPECT_LE(modelDistance(weighted, absent), 1e-9);
+    EXPECT_GT(modelDistance(all, absent), 1e-7);
+}
+
+TEST_P(Usac_LeastSquares, tooFewPoints)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const Scene scene = sceneOf(problem, 1);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const std::vector<int> indices = allOf(usac->points());
+    const Model truth = toInternal(usac->points(), scene.model);
+    const int enough = usac->components().minimalSolver->sampleSize();
+    for (int count = 0; count < enough; ++count)
+    {
+        Model model = truth;
+        EXPECT_FALSE(solver->fit(usac->points(), indices.data(), count, 0, model)) << count;
+        EXPECT_EQ(0, norm(model - truth));
+    }
+}
+
+TEST_P(Usac_LeastSquares, equalPoints)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const OwnPoints points(problem, std::vector<Point2d>(20, Point2d(0.1, 0.2)),
+                           std::vector<Point2d>(20, Point2d(0.3, -0.1)));
+    const std::vector<int> indices = allOf(points.view());
+    const Model start = toInternal(points.view(),
+                                   Matx33d(0.3, -0.1, 0.4, 0.2, 0.5, -0.2, 0.1, 0.3, 0.9));
+    const Model first = Manifold(problem, start).model();
+    Model model = first;
+    solver->fit(points.view(), indices.data(), 20, 0, model);
+    EXPECT_TRUE(checkRange(Mat(model)));
+    EXPECT_LE(costOf(points.view(), indices, 0, model), costOf(points.view(), indices, 0, first) * (1 + 1e-9));
+}
+
+INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares, testing::Values(0, 1, 2));
+
+}} // namespace

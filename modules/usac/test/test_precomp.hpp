@@ -1,0 +1,17 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_PRECOMP_HPP
+#define OPENCV_USACV20_TEST_PRECOMP_HPP
+
+#include "opencv2/ts.hpp"
+#include "opencv2/calib3d.hpp"
+#include "opencv2/usac.hpp"
+#include "scenes.hpp"
+
+namespace opencv_test {
+using namespace cv::usacv20;
+}
+
+#endif
