@@ -42,7 +42,7 @@ void Ransac::run()
             ++state.iteration;
             account(batch[i]);
             for (int k = 0; k < batch[i].count; ++k)                                        // 7
-                if (batch[i].qualities[k].betterThan(state.bestQuality))                    // 14
+                if (batch[i].qualities[k].betterThan(state.sampleQuality))                  // 13
                     improve(batch[i].sample, batch[i].models[k], batch[i].qualities[k]);
         }
         if (parts.verifier)
@@ -115,10 +115,10 @@ void Ransac::hypothesise(int index)
             continue;                                                                       // 9
         }
         const int start = rotation.uniform(context.points.size) & ~15;
-        const Rating rating = rate(context, parts.verifier.get(), models[k], state.bestQuality.cost, start); // 10, 12
+        const Rating rating = rate(context, parts.verifier.get(), models[k], state.sampleQuality.cost, start); // 10, 12
         h.firstInliers += rating.firstInliers;
         h.firstTested += rating.firstTested;
-        if (rating.complete && rating.quality.betterThan(state.bestQuality))                // 13
+        if (rating.complete && rating.quality.betterThan(state.sampleQuality))              // 13
         {
             h.models[h.count] = models[k];
             h.qualities[h.count++] = rating.quality;
@@ -128,16 +128,18 @@ void Ransac::hypothesise(int index)
     }
 }
 
-//! A model that is better than the best one, though maybe degenerate.
+/* A model that is better than the models of all samples before. Here the paper compares with the optimised best model;
+but a good model from a noisy sample is often worse than a bad one after its optimisation, and would never be optimised. */
 void Ransac::improve(const int* sample, Model model, Quality quality)
 {
+    state.sampleQuality = quality;
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
     if (!recover(sample, model, quality))                                                   // 14
         return;                                                                             // 15, 16
-    if (!quality.betterThan(state.bestQuality))                                             // 17, 18
-        return;
     if (parts.localOptimizer)
         optimize(model, quality);                                                           // 19 - 24
+    if (!quality.betterThan(state.bestQuality))                                             // 18
+        return;
     state.best = model;                                                                     // 25
     state.bestQuality = quality;
     updateTermination();                                                                    // 26
@@ -156,7 +158,8 @@ void Ransac::optimize(Model& model, Quality& quality)
         if (!parts.localOptimizer->optimize(context, state, optimized, optimizedQuality))   // 19
             break;
         const Quality before = optimizedQuality;
-        if (!recover(0, optimized, optimizedQuality) ||                                     // 20, 21
+        if (!optimizedQuality.betterThan(state.bestQuality) ||
+            !recover(0, optimized, optimizedQuality) ||                                     // 20, 21
             !optimizedQuality.betterThan(quality))                                          // 22, 23
             break;
         ++state.report.localImprovements;

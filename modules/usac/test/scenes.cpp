@@ -20,8 +20,8 @@ Vec3d randomDirection(RNG& rng)
     Vec3d v;
     do
         v = Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
-    while (norm(v) > 1 || norm(v) < 0.1);
-    return v * (1 / norm(v));
+    while (cv::norm(v) > 1 || cv::norm(v) < 0.1);
+    return v * (1 / cv::norm(v));
 }
 
 bool inside(const Point2d& p)
@@ -41,20 +41,20 @@ Vec3d makeGeometry(Scene& scene, RNG& rng, double angle)
     Rodrigues(randomDirection(rng) * (angle * CV_PI / 180), scene.R);
     Vec3d centre = randomDirection(rng);
     centre[2] *= 0.3;  // mostly sideways
-    centre *= 1 / norm(centre);
+    centre *= 1 / cv::norm(centre);
     // the camera turns to what both are to see, at distance 6
     const Vec3d seen = scene.R * (Vec3d(0, 0, 6) - centre);
     Vec3d axis = seen.cross(Vec3d(0, 0, 1));
-    const double turn = std::atan2(norm(axis), seen[2]);
+    const double turn = std::atan2(cv::norm(axis), seen[2]);
     Matx33d towards = Matx33d::eye();
-    if (norm(axis) > 1e-12)
-        Rodrigues(axis * (turn / norm(axis)), towards);
+    if (cv::norm(axis) > 1e-12)
+        Rodrigues(axis * (turn / cv::norm(axis)), towards);
     scene.R = towards * scene.R;
     scene.t = -(scene.R * centre);
     const Matx33d Kinv = scene.K.inv();
     const Matx33d E = crossMatrix(scene.t) * scene.R;
     scene.F = Kinv.t() * E * Kinv;
-    scene.F *= 1 / norm(scene.F);
+    scene.F *= 1 / cv::norm(scene.F);
     const Vec3d normal = Vec3d(rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4), 1) * (1. / 6);
     if (scene.problem == HOMOGRAPHY)
     {
@@ -65,7 +65,7 @@ Vec3d makeGeometry(Scene& scene, RNG& rng, double angle)
         scene.model *= 1 / scene.model(2, 2);
     }
     else
-        scene.model = scene.problem == FUNDAMENTAL ? scene.F : E * (1 / norm(E));
+        scene.model = scene.problem == FUNDAMENTAL ? scene.F : E * (1 / cv::norm(E));
     return normal;
 }
 
@@ -142,7 +142,7 @@ double pixelError(const Scene& scene, const Matx33d& model, const Point2d& p1, c
     if (scene.problem == HOMOGRAPHY)
     {
         const Vec3d y = model * x1;
-        return norm(Point2d(y[0] / y[2], y[1] / y[2]) - p2);
+        return cv::norm(Point2d(y[0] / y[2], y[1] / y[2]) - p2);
     }
     const Matx33d Kinv = scene.K.inv();
     const Matx33d F = scene.problem == FUNDAMENTAL ? model : Kinv.t() * model * Kinv;
@@ -185,16 +185,16 @@ Matx33d toInternal(const Correspondences& points, const Matx33d& model)
 {
     const Matx33d M = points.problem == HOMOGRAPHY ? points.T2 * model * points.T1.inv()
                                                    : points.T2.inv().t() * model * points.T1.inv();
-    return M * (1 / norm(M));
+    return M * (1 / cv::norm(M));
 }
 
 double modelDistance(const Matx33d& a, const Matx33d& b)
 {
-    return std::min(norm(a - b), norm(a + b));
+    return std::min(cv::norm(a - b), cv::norm(a + b));
 }
 
 OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                     double threshold)
+                     double inlierThreshold)
 {
     const int size = (int)points1.size();
     floats = Mat::zeros(4, (int)alignSize(std::max(size, 1), 16), CV_32F);
@@ -222,7 +222,7 @@ OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1, c
     points.dy2 = doubles[3].data();
     points.inputIndex = index.data();
     points.scores = 0;
-    points.threshold = threshold;
+    points.threshold = inlierThreshold;
     points.T1 = points.T2 = Matx33d::eye();
     for (int k = 0; k < 4; ++k)
     {

@@ -71,7 +71,7 @@ class OwnPoints
 {
 public:
     OwnPoints(cv::usacv20::ProblemType problem, const std::vector<cv::Point2d>& points1,
-              const std::vector<cv::Point2d>& points2, double threshold = 1);
+              const std::vector<cv::Point2d>& points2, double inlierThreshold = 1);
 
     const cv::usacv20::Correspondences& view() const { return points; }
 

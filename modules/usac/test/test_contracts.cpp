@@ -4,6 +4,9 @@
 
 #include "test_contracts.hpp"
 
+#include <functional>
+#include <thread>
+
 namespace opencv_test {
 
 const char* nameOf(ProblemType problem)
@@ -48,18 +51,22 @@ void checkNormalisation(ProblemType problem, const Matx33d& M)
         ASSERT_TRUE(isFinite(M.val[k]));
     if (problem == HOMOGRAPHY)
     {
-        EXPECT_TRUE(M(2, 2) == 1 || std::abs(norm(M) - 1) < 1e-12) << "h33 = " << M(2, 2) << ", norm " << norm(M);
+        EXPECT_TRUE(M(2, 2) == 1 || std::abs(cv::norm(M) - 1) < 1e-12) << "h33 = " << M(2, 2) << ", norm " << cv::norm(M);
         EXPECT_NE(0, determinant(M));
         return;
     }
     Mat w;
     SVD::compute(Mat(M), w, SVD::NO_UV);
-    EXPECT_NEAR(1, norm(M), 1e-12);
+    EXPECT_NEAR(1, cv::norm(M), 1e-12);
     EXPECT_LE(w.at<double>(2), 1e-10) << "rank";
     if (problem == ESSENTIAL)
+    {
         EXPECT_NEAR(w.at<double>(0), w.at<double>(1), 1e-10) << "singular values";
+    }
     else
+    {
         EXPECT_GT(w.at<double>(1), 0) << "rank";
+    }
 }
 
 //! Written anew, with other operations than the module's.
@@ -80,10 +87,10 @@ Point2d normalised(const Matx33d& K, const Point2d& p)
 
 //! mask == (error <= threshold); only where rounding decides both are right.
 void checkMask(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-               double threshold, const Matx33d& M, const Mat& mask, const Matx33d& K)
+               double pixels, const Matx33d& M, const Mat& mask, const Matx33d& K)
 {
     const bool essential = problem == ESSENTIAL;
-    const double limit = essential ? threshold / (0.5 * (std::abs(K(0, 0)) + std::abs(K(1, 1)))) : threshold;
+    const double limit = essential ? pixels / (0.5 * (std::abs(K(0, 0)) + std::abs(K(1, 1)))) : pixels;
     int wrong = 0, row = -1;
     for (int i = 0; i < mask.rows; ++i)
     {
@@ -103,7 +110,7 @@ void checkMask(ProblemType problem, const std::vector<Point2d>& points1, const s
 } // namespace
 
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                 double threshold, const Mat& model, const Mat& mask, const Report& report, const Matx33d& K)
+                 double pixels, const Mat& model, const Mat& mask, const Report& report, const Matx33d& K)
 {
     const int count = (int)points1.size();
     ASSERT_EQ(count, mask.rows);
@@ -126,12 +133,12 @@ void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const
     ASSERT_EQ(CV_64FC1, model.type());
     const Matx33d M(model.ptr<double>());
     checkNormalisation(problem, M);
-    checkMask(problem, points1, points2, threshold, M, mask, K);
+    checkMask(problem, points1, points2, pixels, M, mask, K);
 }
 
-void checkResult(const Scene& scene, double threshold, const Mat& model, const Mat& mask, const Report& report)
+void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report)
 {
-    checkResult(scene.problem, scene.points1, scene.points2, threshold, model, mask, report, scene.K);
+    checkResult(scene.problem, scene.points1, scene.points2, pixels, model, mask, report, scene.K);
 }
 
 namespace {

@@ -21,10 +21,10 @@ Matx33d sceneCamera();
 Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
                    OutputArray mask, Report& report, InputArray K = sceneCamera());
 
-//! What is promised of any result; the second form is for points that need not be doubles, with their camera matrix.
-void checkResult(const Scene& scene, double threshold, const Mat& model, const Mat& mask, const Report& report);
+//! What is promised of any result with a threshold in pixels; the second form is for points that need not be doubles, with their camera matrix.
+void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                 double threshold, const Mat& model, const Mat& mask, const Report& report,
+                 double pixels, const Mat& model, const Mat& mask, const Report& report,
                  const Matx33d& K = sceneCamera());
 
 //! Same type, same size, same bits.

@@ -66,7 +66,7 @@ Model perturbed(const Model& truth, double size, RNG& rng)
     Model result = truth;
     for (int i = 0; i < 9; ++i)
         result.val[i] += rng.gaussian(size);
-    return result * (1 / norm(result));
+    return result * (1 / cv::norm(result));
 }
 
 Scene sceneOf(ProblemType problem, double noise, uint64 seed = 1)
@@ -132,14 +132,16 @@ TEST_P(Usac_LeastSquares, normalEquationsOfSomePoints)
 
 void expectOnManifold(ProblemType problem, const Model& model)
 {
-    EXPECT_NEAR(1, norm(model), 1e-12);
+    EXPECT_NEAR(1, cv::norm(model), 1e-12);
     if (problem == HOMOGRAPHY)
         return;
     Vec3d w;
     SVD::compute(model, w);
     EXPECT_NEAR(0, w[2], 1e-12);
     if (problem == ESSENTIAL)
+    {
         EXPECT_NEAR(w[0], w[1], 1e-12);
+    }
 }
 
 TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
@@ -282,10 +284,14 @@ TEST_P(Usac_LeastSquares, neverRaisesTheCost)
         const bool done = solver->fit(points, some.data(), count, weights.data(), model);
         fitted += done;
         if (done)
+        {
             EXPECT_LE(costOf(points, some, weights.data(), model),
                       costOf(points, some, weights.data(), start) * (1 + 1e-9));
+        }
         else
-            EXPECT_EQ(0, norm(model - start));
+        {
+            EXPECT_EQ(0, cv::norm(model - start));
+        }
         EXPECT_TRUE(checkRange(Mat(model)));
     }
     EXPECT_GT(fitted, 200);
@@ -322,7 +328,7 @@ TEST_P(Usac_LeastSquares, tooFewPoints)
     {
         Model model = truth;
         EXPECT_FALSE(solver->fit(usac->points(), indices.data(), count, 0, model)) << count;
-        EXPECT_EQ(0, norm(model - truth));
+        EXPECT_EQ(0, cv::norm(model - truth));
     }
 }
 
@@ -333,8 +339,7 @@ TEST_P(Usac_LeastSquares, equalPoints)
     const OwnPoints points(problem, std::vector<Point2d>(20, Point2d(0.1, 0.2)),
                            std::vector<Point2d>(20, Point2d(0.3, -0.1)));
     const std::vector<int> indices = allOf(points.view());
-    const Model start = toInternal(points.view(),
-                                   Matx33d(0.3, -0.1, 0.4, 0.2, 0.5, -0.2, 0.1, 0.3, 0.9));
+    const Model start = toInternal(points.view(), Matx33d(0.3, -0.1, 0.4, 0.2, 0.5, -0.2, 0.1, 0.3, 0.9));
     const Model first = Manifold(problem, start).model();
     Model model = first;
     solver->fit(points.view(), indices.data(), 20, 0, model);

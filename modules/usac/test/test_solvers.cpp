@@ -23,7 +23,7 @@ std::vector<Model> solve(const MinimalSolver& solver, const Correspondences& poi
     EXPECT_GE(count, 0);
     EXPECT_LE(count, (int)MAX_MODELS);
     for (int i = 0; i < count; ++i)
-        EXPECT_NEAR(1, norm(models[i]), 1e-9);  // also for NaN
+        EXPECT_NEAR(1, cv::norm(models[i]), 1e-9);  // also for NaN
     return std::vector<Model>(models, models + count);
 }
 
@@ -41,10 +41,10 @@ double constraintError(const Correspondences& p, const int* sample, int count, c
     {
         const int i = sample[k];
         Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1);
-        x1 *= 1 / norm(x1);
-        x2 *= 1 / norm(x2);
+        x1 *= 1 / cv::norm(x1);
+        x2 *= 1 / cv::norm(x2);
         const Vec3d y = model * x1;
-        largest = std::max(largest, p.problem == HOMOGRAPHY ? norm(x2.cross(y)) : std::abs(x2.dot(y)));
+        largest = std::max(largest, p.problem == HOMOGRAPHY ? cv::norm(x2.cross(y)) : std::abs(x2.dot(y)));
     }
     return largest;
 }
@@ -57,7 +57,7 @@ double manifoldError(ProblemType problem, const Model& M)
     if (problem == FUNDAMENTAL)
         return std::abs(determinant(M));
     const Matx33d EEt = M * M.t();
-    return std::max(std::abs(determinant(M)), norm(EEt * M * 2. - M * (EEt(0, 0) + EEt(1, 1) + EEt(2, 2))));
+    return std::max(std::abs(determinant(M)), cv::norm(EEt * M * 2. - M * (EEt(0, 0) + EEt(1, 1) + EEt(2, 2))));
 }
 
 struct Exactness
@@ -198,7 +198,7 @@ std::vector<Matx33d> essentialByCalib3d(const std::vector<Point2d>& points1, con
     for (int i = 0; i + 3 <= all.rows; i += 3)
     {
         const Matx33d E((const double*)Mat(all.rowRange(i, i + 3)).clone().data);
-        result.push_back(E * (1 / norm(E)));
+        result.push_back(E * (1 / cv::norm(E)));
     }
     return result;
 }

@@ -16,18 +16,19 @@ namespace {
 Alternates between the spatially coherent inliers of the model (Labelling) and an inner RANSAC over them: models fitted to
 random samples of Params::localSampleMultiple times the minimal size, and to all of them up to a bound. Before, as in
 LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of the threshold that shrinks to 1: from
-a minimal sample the threshold alone leads to the nearest local optimum, whose inliers confirm it. A fit that is better
-replaces the model; the first alternation without one is the last, and their number is bounded. */
+a minimal sample the threshold alone leads to the nearest local optimum, whose inliers confirm it. If that does
+not make the model better than the best one so far, it ends there. A fit that is better replaces the model; the first
+alternation without one is the last, and their number is bounded. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
     bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
-        bool improved = false;
-        for (int i = 0; i < context.params.localIterations; ++i)
+        bool improved = shrink(context, state, m, model, quality);
+        for (int i = 0; i < context.params.localIterations && quality.betterThan(state.bestQuality); ++i)
         {
-            bool better = shrink(context, state, m, model, quality);
+            bool better = i > 0 && shrink(context, state, m, model, quality);
             labelling.cut(context, model, inliers);
             if ((int)inliers.size() > m)
                 better |= fitInliers(context, state, m, model, quality);
@@ -40,7 +41,7 @@ public:
 
 private:
     //! More points than this make a fit slower, not better, while the inliers are still changing.
-    enum { MAX_FIT = 1000 };
+    enum { MAX_FIT = 1000, MAX_SHRINK = 256 };
 
     //! Fits to the points within 3, 2 and 1 thresholds, each from the last fit.
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
@@ -52,7 +53,7 @@ private:
             labelling.within(context, fitted, multiple, inliers);
             if ((int)inliers.size() <= m)
                 break;
-            const int count = select(state.rng, std::min<int>((int)inliers.size(), MAX_FIT));
+            const int count = select(state.rng, std::min<int>((int)inliers.size(), MAX_SHRINK));
             if (!context.components.nonMinimalSolver->fit(context.points, inliers.data(), count, 0, fitted))
                 break;
             const Quality fittedQuality = context.rate(fitted, quality.cost);

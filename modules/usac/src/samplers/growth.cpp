@@ -11,8 +11,10 @@ namespace usacv20 {
 GrowingSet::GrowingSet(int sampleSize, int pointCount)
     : m(sampleSize), total(pointCount), n(sampleSize), expected(200000), limit(1), drawn(0)
 {
+    double share = 1;  // of the samples that lie within the m best points
     for (int i = 0; i < m; ++i)
-        expected *= (double)(m - i) / (total - i);
+        share *= (double)(m - i) / (total - i);
+    expected = std::min(expected * share, 1.);
 }
 
 void GrowingSet::next()

@@ -32,7 +32,7 @@ public:
         state.subsetSize = n;
         const int centre = state.order[growth->newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = centre;
-        if (state.iteration % 2 == 0 || !local(context, state, m, sample))
+        if (state.iteration % 4 != 3 || !local(context, state, m, sample))
             global(state, m, n, sample);
     }
 
@@ -41,7 +41,7 @@ private:
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighbourhood& neighbourhood = *context.components.neighbourhood;
-        const int wanted = m + chosen[sample[0]]++;
+        const int wanted = 2 * m << std::min(chosen[sample[0]]++, 16);
         for (int layer = 0; layer < neighbourhood.layers(); ++layer)
         {
             const int* members;

@@ -52,7 +52,7 @@ public:
             }
             else
                 damping *= 10;
-            if ((better && gain < 1e-6 * sums.cost) || damping > 1e6)
+            if ((better && gain < 1e-4 * sums.cost) || damping > 1e6)
                 break;
         }
         model = here.model();

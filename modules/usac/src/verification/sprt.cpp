@@ -16,7 +16,7 @@ A point is an inlier of a good model with probability epsilon, of a bad one with
 after t points, k of them inliers, is (delta / epsilon)^k ((1 - delta) / (1 - epsilon))^(t - k); a model is dropped when
 it exceeds A. The A that minimises the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected
 log-ratio of a point under a bad model, t_M the time to compute a model in units of that to test a point, and m_S the number
-of models of a sample. Both probabilities are learned: epsilon is the inlier ratio of the best model, delta the mean
+of models of a sample. Both probabilities are learned: epsilon is the inlier ratio of the best model of a sample, delta the mean
 inlier ratio of the first blocks of all models, which are seen whatever happens later. Before there is
 a best model nothing is dropped. The test changes only between batches of samples, so that it does not depend on threads. */
 class SprtVerifier : public Verifier
@@ -48,9 +48,9 @@ public:
 
     void adapt(const Context& context, State& state) CV_OVERRIDE
     {
-        if (state.bestQuality.inliers == 0)
+        if (state.sampleQuality.inliers == 0)
             return;  // nothing is known yet: no model is dropped
-        const double epsilon = std::min((double)state.bestQuality.inliers / context.points.size, 0.99);
+        const double epsilon = std::min((double)state.sampleQuality.inliers / context.points.size, 0.99);
         // the prior weighs as much as 100 points
         const double delta = std::min((100 * 0.01 + inliersSeen) / (100. + pointsSeen), 0.8 * epsilon);
         if (!state.tests.empty() && epsilon <= current.epsilon && std::abs(delta - current.delta) <= 0.05 * current.delta)

@@ -122,6 +122,7 @@ struct State
     std::vector<int> order;  //!< the points, best first, as the Prior says
     Model best;              //!< the best model so far
     Quality bestQuality;     //!< and what it is worth
+    Quality sampleQuality;   //!< the best of a model as it came from its sample, before any optimisation
     std::vector<SequentialTest> tests; //!< those of the verifier so far, the last one is in use
     Report report;
 };

@@ -1,0 +1,241 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+
+// A caller's mistakes raise a cv::Exception that names the argument.
+
+namespace opencv_test { namespace {
+
+typedef UsacProblem UsacArguments;
+INSTANTIATE_TEST_CASE_P(/**/, UsacArguments, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+
+const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+const double INFINITE = std::numeric_limits<double>::infinity();
+
+//! One call with something wrong in it, through the estimate or the find function of the problem.
+struct WrongCall
+{
+    WrongCall(ProblemType problem_, const Mat& points1_, const Mat& points2_)
+        : problem(problem_), points1(points1_), points2(points2_), K(sceneCamera()), viaFlag(false) {}
+
+    void operator()() const
+    {
+        Mat mask;
+        Report report;
+        if (!viaFlag)
+            estimatePoints(problem, points1, points2, params, mask, report, K);
+        else if (problem == HOMOGRAPHY)
+            findHomography(points1, points2, USACV20, params.threshold, mask, params.maxIterations, params.confidence);
+        else if (problem == FUNDAMENTAL)
+            findFundamentalMat(points1, points2, USACV20, params.threshold, params.confidence, params.maxIterations, mask);
+        else
+            findEssentialMat(points1, points2, K, USACV20, params.confidence, params.threshold, params.maxIterations, mask);
+    }
+
+    //! Both ways raise an exception with the words.
+    void expect(const std::string& words)
+    {
+        for (int i = 0; i < 2; ++i)
+        {
+            SCOPED_TRACE(i ? "by a flag" : "by parameters");
+            viaFlag = i == 1;
+            expectException(*this, words);
+        }
+    }
+
+    ProblemType problem;
+    Mat points1, points2, K;
+    Params params;
+    bool viaFlag;
+};
+
+class Arguments
+{
+public:
+    explicit Arguments(ProblemType problem_) : scene(makeScene(problem_)), points1(scene.points1), points2(scene.points2) {}
+
+    WrongCall call() const { return call(points1, points2); }
+    WrongCall call(const Mat& a, const Mat& b) const { return WrongCall(scene.problem, a, b); }
+
+    const Scene scene;
+    const Mat points1, points2;
+};
+
+TEST_P(UsacArguments, the_call_as_such_is_right)
+{
+    WrongCall call = Arguments(problem()).call();
+    EXPECT_NO_THROW(call());
+    call.viaFlag = true;
+    EXPECT_NO_THROW(call());
+}
+
+TEST_P(UsacArguments, lists_of_different_lengths)
+{
+    const Arguments right(problem());
+    right.call(right.points1.rowRange(0, 299), right.points2).expect("points1 and points2");
+    right.call(right.points1, right.points2.rowRange(1, 300)).expect("299");
+    right.call(right.points1, Mat()).expect("300");
+    right.call(Mat(), right.points2).expect("points2");
+}
+
+TEST_P(UsacArguments, points_of_a_wrong_shape)
+{
+    const Arguments right(problem());
+    const Mat wrong[] = {Mat::zeros(300, 1, CV_64F), Mat::zeros(300, 4, CV_64F), Mat::zeros(2, 300, CV_64F),
+                         Mat::zeros(300, 2, CV_64FC2), Mat::zeros(300, 1, CV_32FC4), Mat::zeros(20, 15, CV_32FC2)};
+    for (int i = 0; i < 6; ++i)
+    {
+        SCOPED_TRACE(cv::format("shape %d", i));
+        right.call(wrong[i], right.points2).expect("points1");
+        right.call(right.points1, wrong[i]).expect("points2");
+    }
+    const int sizes[] = {300, 1, 2};
+    const Mat three(3, sizes, CV_64F, Scalar(0));
+    expectException(right.call(right.points1, three), "points2");
+}
+
+TEST_P(UsacArguments, points_of_a_wrong_depth)
+{
+    const Arguments right(problem());
+    right.call(Mat(300, 2, CV_16F), right.points2).expect("points1");
+    right.call(right.points1, Mat(300, 2, CV_16F)).expect("points2");
+}
+
+TEST_P(UsacArguments, lists_of_lists)
+{
+    const Scene scene = makeScene(problem());
+    const std::vector<std::vector<Point2d> > lists(2, scene.points1);
+    Mat mask;
+    Report report;
+    EXPECT_THROW(estimatePoints(problem(), lists, scene.points2, Params(), mask, report), cv::Exception);
+    EXPECT_THROW(estimatePoints(problem(), scene.points1, lists, Params(), mask, report), cv::Exception);
+}
+
+TEST_P(UsacArguments, threshold)
+{
+    const double wrong[] = {0, -1, NOT_A_NUMBER, INFINITE, -INFINITE};
+    for (int i = 0; i < 5; ++i)
+    {
+        WrongCall call = Arguments(problem()).call();
+        call.params.threshold = wrong[i];
+        call.expect("threshold");
+    }
+    WrongCall call = Arguments(problem()).call();
+    call.params.threshold = -2.5;
+    call.expect("-2.5");
+}
+
+TEST_P(UsacArguments, confidence)
+{
+    const double wrong[] = {0, 1, -0.5, 1.5, NOT_A_NUMBER};
+    for (int i = 0; i < 5; ++i)
+    {
+        WrongCall call = Arguments(problem()).call();
+        call.params.confidence = wrong[i];
+        call.expect("confidence");
+    }
+    WrongCall call = Arguments(problem()).call();
+    call.params.confidence = 1.5;
+    call.expect("1.5");
+}
+
+TEST_P(UsacArguments, extreme_but_right_parameters)
+{
+    const Scene scene = makeScene(problem());
+    const double thresholds[] = {1e-9, 1e9}, confidences[] = {1e-300, 1 - 1.2e-16};
+    for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 2; ++k)
+        {
+            Params params;
+            params.threshold = thresholds[i];
+            params.confidence = confidences[k];
+            params.maxIterations = 300;
+            Mat mask;
+            Report report;
+            const Mat model = estimate(scene, params, mask, &report);
+            checkResult(scene, params.threshold, model, mask, report);
+            EXPECT_LE(report.iterations, 300);
+        }
+}
+
+TEST_P(UsacArguments, max_iterations)
+{
+    const int wrong[] = {0, -1, INT_MIN};
+    for (int i = 0; i < 3; ++i)
+    {
+        WrongCall call = Arguments(problem()).call();
+        call.params.maxIterations = wrong[i];
+        call.expect("maxIterations");
+    }
+    WrongCall call = Arguments(problem()).call();
+    call.params.maxIterations = 1;
+    EXPECT_NO_THROW(call());
+    call.params.maxIterations = INT_MAX;
+    EXPECT_NO_THROW(call());
+}
+
+TEST_P(UsacArguments, scores_of_a_wrong_length)
+{
+    WrongCall call = Arguments(problem()).call();
+    call.params.scores.assign(299, 1.f);
+    expectException(call, "scores");
+}
+
+TEST(Usac_Arguments, camera_matrices)
+{
+    const Arguments right(ESSENTIAL);
+    Mat wrong[9];
+    for (int i = 0; i < 6; ++i)
+        wrong[i] = Mat(right.scene.K).clone();
+    wrong[0].setTo(0);
+    wrong[1].at<double>(0, 0) = 0;
+    wrong[2].at<double>(1, 1) = 0;
+    wrong[3].at<double>(0, 2) = NOT_A_NUMBER;
+    wrong[4].at<double>(2, 2) = 0;
+    wrong[5].at<double>(0, 0) = INFINITE;
+    wrong[6] = Mat::eye(2, 3, CV_64F);
+    wrong[7] = Mat::eye(3, 3, CV_64FC2);
+    wrong[8] = Mat::eye(4, 4, CV_32F);
+    for (int i = 0; i < 9; ++i)
+    {
+        SCOPED_TRACE(cv::format("camera %d", i));
+        WrongCall call = right.call();
+        call.K = wrong[i];
+        call.expect("cameraMatrix1");
+        Mat mask;
+        Report report;
+        const std::vector<Point2d> &points1 = right.scene.points1, &points2 = right.scene.points2;
+        const Matx33d K = right.scene.K;
+        const Mat& bad = wrong[i];
+        expectException([&]() { estimateEssential(points1, points2, K, bad, noArray(), noArray(), Params(), mask, report); },
+                        "cameraMatrix2");
+        expectException([&]() { findEssentialMat(points1, points2, K, noArray(), bad, noArray(), USACV20); },
+                        "cameraMatrix2");
+    }
+    WrongCall call = right.call();
+    call.K = Mat();
+    call.expect("cameraMatrix1");
+    expectException([&]() { findEssentialMat(right.points1, right.points2, 0., Point2d(320, 240), USACV20); },
+                    "cameraMatrix1");
+}
+
+TEST(Usac_Arguments, distortion)
+{
+    const Scene scene = makeScene(ESSENTIAL);
+    Mat mask;
+    Report report;
+    const Mat wrong[] = {Mat::ones(3, 1, CV_64F), Mat::ones(1, 6, CV_64F), Mat::ones(15, 1, CV_64F), Mat::ones(2, 4, CV_64F)};
+    for (int i = 0; i < 4; ++i)
+    {
+        SCOPED_TRACE(cv::format("coefficients %d", i));
+        const Mat& bad = wrong[i];
+        expectException([&]() { estimateEssential(scene.points1, scene.points2, scene.K, noArray(), bad, noArray(),
+                                                  Params(), mask, report); }, "distCoeffs");
+        expectException([&]() { estimateEssential(scene.points1, scene.points2, scene.K, noArray(), noArray(), bad,
+                                                  Params(), mask, report); }, "distCoeffs");
+    }
+}
+
+}} // namespace

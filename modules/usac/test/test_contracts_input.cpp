@@ -1,0 +1,317 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+
+// Any layout and depth of points, masks and camera matrices gives the identical answer.
+
+namespace opencv_test { namespace {
+
+typedef UsacProblem UsacInput;
+INSTANTIATE_TEST_CASE_P(/**/, UsacInput, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+
+//! The answer that every other form of the same points has to repeat to the bit.
+struct Expected
+{
+    Expected(ProblemType problem_, const Mat& points1, const Mat& points2, const Matx33d& K_ = sceneCamera())
+        : problem(problem_), K(K_)
+    {
+        Report report;
+        model = estimatePoints(problem, points1, points2, Params(), mask, report, K);
+        EXPECT_FALSE(model.empty());
+        EXPECT_GT(countNonZero(mask), 50);
+    }
+
+    void compare(const char* what, InputArray points1, InputArray points2) const
+    {
+        SCOPED_TRACE(what);
+        Mat otherMask;
+        Report report;
+        const Mat other = estimatePoints(problem, points1, points2, Params(), otherMask, report, K);
+        EXPECT_TRUE(sameBits(model, other)) << model << other;
+        EXPECT_TRUE(sameBits(mask, otherMask));
+    }
+
+    const ProblemType problem;
+    const Matx33d K;
+    Mat model, mask;
+};
+
+//! A scene whose coordinates are integers 0 .. 127, so that every depth holds them; Nx2, CV_64F. K is scaled with them.
+void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
+{
+    const double scale = 0.19;
+    const Scene scene = makeScene(problem);
+    Mat(scene.points1).reshape(1).convertTo(points1, CV_32S, scale);
+    Mat(scene.points2).reshape(1).convertTo(points2, CV_32S, scale);
+    points1 = cv::min(cv::max(points1, 0), 127);
+    points2 = cv::min(cv::max(points2, 0), 127);
+    points1.convertTo(points1, CV_64F);
+    points2.convertTo(points2, CV_64F);
+    K = scene.K * scale;
+    K(2, 2) = 1;
+}
+
+TEST_P(UsacInput, every_depth)
+{
+    Mat points1, points2;
+    Matx33d K;
+    makeIntegers(problem(), points1, points2, K);
+    const Expected expected(problem(), points1, points2, K);
+    for (int depth = CV_8U; depth <= CV_64F; ++depth)
+    {
+        Mat a, b;
+        points1.convertTo(a, depth);
+        points2.convertTo(b, depth);
+        expected.compare(cv::format("Nx2, depth %d", depth).c_str(), a, b);
+        expected.compare(cv::format("two channels, depth %d", depth).c_str(), a.reshape(2), b.reshape(2));
+        expected.compare(cv::format("mixed with double, depth %d", depth).c_str(), a, points2);
+    }
+}
+
+TEST_P(UsacInput, every_vector)
+{
+    Mat points1, points2;
+    Matx33d K;
+    makeIntegers(problem(), points1, points2, K);
+    const Expected expected(problem(), points1, points2, K);
+    const int count = points1.rows;
+    std::vector<Point> i1(count), i2(count);
+    std::vector<Point2f> f1(count), f2(count);
+    std::vector<Point2d> d1(count), d2(count);
+    std::vector<Vec2f> v1(count), v2(count);
+    for (int i = 0; i < count; ++i)
+    {
+        d1[i] = Point2d(points1.at<double>(i, 0), points1.at<double>(i, 1));
+        d2[i] = Point2d(points2.at<double>(i, 0), points2.at<double>(i, 1));
+        i1[i] = d1[i];
+        i2[i] = d2[i];
+        f1[i] = d1[i];
+        f2[i] = d2[i];
+        v1[i] = Vec2f(f1[i].x, f1[i].y);
+        v2[i] = Vec2f(f2[i].x, f2[i].y);
+    }
+    expected.compare("vector<Point>", i1, i2);
+    expected.compare("vector<Point2f>", f1, f2);
+    expected.compare("vector<Point2d>", d1, d2);
+    expected.compare("vector<Vec2f>", v1, v2);
+    expected.compare("Mat_<Point2f>", Mat_<Point2f>(f1), Mat_<Point2f>(f2));
+    expected.compare("vector and Mat", i1, points2);
+}
+
+TEST_P(UsacInput, every_layout)
+{
+    const Scene scene = makeScene(problem());
+    const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
+    const Expected expected(problem(), points1, points2);
+    const int count = points1.rows;
+    expected.compare("Nx1, 2 channels", points1.reshape(2), points2.reshape(2));
+    expected.compare("1xN, 2 channels", points1.reshape(2, 1), points2.reshape(2, 1));
+    expected.compare("Nx1 and 1xN", points1.reshape(2), points2.reshape(2, 1));
+
+    Mat wide1(count + 3, 7, CV_64F, Scalar(1e3)), wide2(count + 1, 3, CV_64F, Scalar(-7));
+    Mat roi1 = wide1(Rect(2, 1, 2, count)), roi2 = wide2(Rect(1, 0, 2, count));
+    points1.copyTo(roi1);
+    points2.copyTo(roi2);
+    ASSERT_FALSE(roi1.isContinuous() || roi2.isContinuous());
+    expected.compare("columns of a wider matrix", roi1, roi2);
+
+    Mat columns1(count, 3, CV_64FC2, Scalar(5, 5)), columns2(count, 2, CV_64FC2, Scalar(6, 6));
+    points1.reshape(2).copyTo(columns1.col(1));
+    points2.reshape(2).copyTo(columns2.col(1));
+    expected.compare("a column of points", columns1.col(1), columns2.col(1));
+
+    Mat rows(3, count, CV_64FC2, Scalar(7, 7));
+    points1.reshape(2, 1).copyTo(rows.row(0));
+    points2.reshape(2, 1).copyTo(rows.row(2));
+    expected.compare("rows of a matrix", rows.row(0), rows.row(2));
+
+    const Mat joint1 = points1.t(), joint2 = points2.t();
+    expected.compare("expression", joint1.t(), joint2.t());
+    expected.compare("UMat", points1.getUMat(ACCESS_READ), points2.getUMat(ACCESS_READ));
+}
+
+TEST_P(UsacInput, homogeneous_points)
+{
+    const Scene scene = makeScene(problem());
+    const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
+    const Expected expected(problem(), points1, points2);
+    std::vector<Point3d> ones1, ones2, powers1, powers2;
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const Point2d p = scene.points1[i], q = scene.points2[i];
+        const double w = 1 << (i % 4);  // a power of two: dividing by it is exact
+        ones1.push_back(Point3d(p.x, p.y, 1));
+        ones2.push_back(Point3d(q.x, q.y, 1));
+        powers1.push_back(Point3d(w * p.x, w * p.y, w));
+        powers2.push_back(Point3d(-w * q.x, -w * q.y, -w));
+    }
+    expected.compare("vector<Point3d>, w = 1", ones1, ones2);
+    expected.compare("Nx3, w = 1", Mat(ones1).reshape(1), Mat(ones2).reshape(1));
+    expected.compare("vector<Point3d>", powers1, powers2);
+    expected.compare("1xN, 3 channels", Mat(powers1).reshape(3, 1), Mat(powers2).reshape(3, 1));
+    expected.compare("with plain points", powers1, points2);
+}
+
+TEST_P(UsacInput, every_mask)
+{
+    const Scene scene = makeScene(problem());
+    const int count = scene.size();
+    Report report;
+    Mat expected;
+    const Mat model = estimatePoints(problem(), scene.points1, scene.points2, Params(), expected, report);
+    ASSERT_EQ(count, expected.rows);
+    ASSERT_EQ(1, expected.cols);
+    const Mat values = expected.clone();
+
+    std::vector<uchar> bytes;
+    std::vector<char> chars(3, 'x');
+    UMat umat;
+    Mat wrongSize(7, 9, CV_32FC3, Scalar::all(4)), full(count, 1, CV_8U, Scalar(255)), row(1, count, CV_8U, Scalar(9));
+    Mat_<uchar> typed;
+    estimatePoints(problem(), scene.points1, scene.points2, Params(), bytes, report);
+    EXPECT_TRUE(sameBits(values, Mat(bytes)));
+    estimatePoints(problem(), scene.points1, scene.points2, Params(), chars, report);
+    ASSERT_EQ((size_t)count, chars.size());
+    EXPECT_EQ(0, std::memcmp(values.data, chars.data(), count));
+    estimatePoints(problem(), scene.points1, scene.points2, Params(), umat, report);
+    EXPECT_TRUE(sameBits(values, umat.getMat(ACCESS_READ)));
+    estimatePoints(problem(), scene.points1, scene.points2, Params(), wrongSize, report);
+    EXPECT_TRUE(sameBits(values, wrongSize));
+    estimatePoints(problem(), scene.points1, scene.points2, Params(), full, report);
+    EXPECT_TRUE(sameBits(values, full));
+    estimatePoints(problem(), scene.points1, scene.points2, Params(), row, report);
+    EXPECT_TRUE(sameBits(values, row));
+    estimatePoints(problem(), scene.points1, scene.points2, Params(), typed, report);
+    EXPECT_TRUE(sameBits(values, typed));
+    const Mat none = estimatePoints(problem(), scene.points1, scene.points2, Params(), noArray(), report);
+    EXPECT_TRUE(sameBits(model, none));
+    EXPECT_EQ(countNonZero(values), report.inliers);
+}
+
+TEST_P(UsacInput, prefilled_mask_is_cleared_when_there_is_no_model)
+{
+    const std::vector<Point2d> few(3, Point2d(1, 2)), same(50, Point2d(10, 20));
+    Mat mask(3, 1, CV_8U, Scalar(1)), wrong(80, 2, CV_32S, Scalar(1));
+    Report report;
+    EXPECT_TRUE(estimatePoints(problem(), few, few, Params(), mask, report).empty());
+    EXPECT_EQ(Size(1, 3), mask.size());
+    EXPECT_EQ(0, countNonZero(mask));
+    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
+    EXPECT_TRUE(estimatePoints(problem(), same, same, Params(), wrong, report).empty());
+    EXPECT_EQ(Size(1, 50), wrong.size());
+    EXPECT_EQ((int)CV_8UC1, wrong.type());
+    EXPECT_EQ(0, countNonZero(wrong));
+    EXPECT_EQ((int)STOP_NO_MODEL, report.stop);
+}
+
+TEST(Usac_Input, every_camera_matrix)
+{
+    const Scene scene = makeScene(ESSENTIAL);
+    const Mat K = Mat(scene.K).clone();
+    Mat mask, other;
+    Report report;
+    const Mat E = estimateEssential(scene.points1, scene.points2, K, Params(), mask, report);
+    ASSERT_FALSE(E.empty());
+    Mat single, wide(5, 6, CV_64F, Scalar(3)), singleWide(4, 7, CV_32F, Scalar(2)), integers;
+    K.convertTo(single, CV_32F);  // 600, 320, 240: exact
+    K.convertTo(integers, CV_32S);
+    K.copyTo(wide(Rect(2, 1, 3, 3)));
+    single.copyTo(singleWide(Rect(3, 0, 3, 3)));
+    const Mat forms[] = {single, wide(Rect(2, 1, 3, 3)), singleWide(Rect(3, 0, 3, 3)), integers, K.t().t()};
+    for (int i = 0; i < 5; ++i)
+    {
+        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, forms[i], Params(), other))) << i;
+        EXPECT_TRUE(sameBits(mask, other)) << i;
+        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K, forms[i], noArray(), noArray(),
+                                                  Params(), other, report))) << i;
+    }
+    EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, scene.K, Params(), other)));
+    EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K.getUMat(ACCESS_READ), Params(), other)));
+    EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K, noArray(), noArray(), noArray(),
+                                              Params(), other, report)));
+}
+
+TEST(Usac_Input, camera_matrix_with_skew)
+{
+    const Scene scene = makeScene(ESSENTIAL);
+    Matx33d skewed = scene.K;
+    skewed(0, 1) = 40;
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < scene.size(); ++i)  // the same rays through the other camera
+    {
+        const Matx33d change = skewed * scene.K.inv();
+        const Vec3d a = change * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
+        const Vec3d b = change * Vec3d(scene.points2[i].x, scene.points2[i].y, 1);
+        points1.push_back(Point2d(a[0], a[1]));
+        points2.push_back(Point2d(b[0], b[1]));
+    }
+    Mat mask;
+    Report report;
+    const Mat E = estimateEssential(points1, points2, skewed, Params(), mask, report);
+    EXPECT_LT(modelError(scene, E), 0.6);
+    checkResult(ESSENTIAL, points1, points2, Params().threshold, E, mask, report, skewed);
+}
+
+TEST(Usac_Input, every_length_of_distortion)
+{
+    const Scene scene = makeScene(ESSENTIAL);
+    Mat mask;
+    Report report;
+    const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, Params(), mask, report);
+    const int lengths[] = {4, 5, 8, 12, 14};
+    for (int i = 0; i < 5; ++i)
+    {
+        SCOPED_TRACE(cv::format("%d coefficients", lengths[i]));
+        const Mat zero = Mat::zeros(lengths[i], 1, CV_64F);
+        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, scene.K, noArray(), zero, zero.t(),
+                                                  Params(), mask, report)));
+        Mat weak = zero.clone(), single;
+        weak.at<double>(0) = 1e-4;
+        weak.convertTo(single, CV_32F);
+        const Mat other = estimateEssential(scene.points1, scene.points2, scene.K, noArray(), weak, single.t(),
+                                            Params(), mask, report);
+        EXPECT_LT(modelError(scene, other), 0.6);
+        EXPECT_FALSE(sameBits(E, other)) << "the distortion has no effect";
+    }
+}
+
+TEST_P(UsacInput, hundred_thousand_points)
+{
+    SceneOptions options;
+    options.inliers = 60000;
+    options.outliers = 40000;
+    const Scene scene = makeScene(problem(), options);
+    Mat mask;
+    Report report;
+    Ptr<Usac> usac = createUsac(scene, Params());
+    const Context context(usac->points(), usac->components(), Params());
+    EXPECT_LE(usac->components().neighbourhood->edges(context).size(), (size_t)16 * scene.size());
+    const Mat model = usac->run(mask, &report);
+    EXPECT_LT(modelError(scene, model), 0.2);
+    checkResult(scene, Params().threshold, model, mask, report);
+}
+
+TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
+{
+    // 60 000 matches inside one pixel and a few far away: each is a neighbour of each
+    SceneOptions options;
+    options.inliers = 500;
+    Scene scene = makeScene(problem(), options);
+    RNG rng(4);
+    for (int i = 0; i < 60000; ++i)
+    {
+        scene.points1.push_back(Point2d(100 + rng.uniform(0., 1.), 100 + rng.uniform(0., 1.)));
+        scene.points2.push_back(Point2d(500 + rng.uniform(0., 1.), 300 + rng.uniform(0., 1.)));
+    }
+    Mat mask;
+    Report report;
+    Ptr<Usac> usac = createUsac(scene, Params());
+    const Context context(usac->points(), usac->components(), Params());
+    EXPECT_LE(usac->components().neighbourhood->edges(context).size(), (size_t)16 * scene.size());
+    const Mat model = usac->run(mask, &report);
+    checkResult(problem(), scene.points1, scene.points2, Params().threshold, model, mask, report);
+}
+
+}} // namespace

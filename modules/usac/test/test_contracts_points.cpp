@@ -1,0 +1,295 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+
+// Hostile points are no error: no exception, no hang, and whatever comes back is what is promised.
+
+namespace opencv_test { namespace {
+
+typedef UsacProblem UsacPoints;
+INSTANTIATE_TEST_CASE_P(/**/, UsacPoints, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+
+const int SAMPLE_SIZES[] = {4, 7, 5};
+
+//! Every preset on the points: no exception, and whatever comes back is what is promised. @return the last model
+Mat tryPoints(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
+              double pixels = 1.5)
+{
+    const Params presets[] = {Params::fast(), Params::accurate(), Params::prosac(), Params::ransac(), Params::usacV20()};
+    Mat model;
+    for (int i = 0; i < 5; ++i)
+    {
+        SCOPED_TRACE(cv::format("%s, preset %d", nameOf(problem), i));
+        Params params = presets[i];
+        params.threshold = pixels;
+        params.maxIterations = 1000;
+        Mat mask;
+        Report report;
+        model = estimatePoints(problem, points1, points2, params, mask, report);
+        checkResult(problem, points1, points2, pixels, model, mask, report);
+    }
+    return model;
+}
+
+TEST_P(UsacPoints, few)
+{
+    const int m = SAMPLE_SIZES[problem()];
+    for (uint64 seed = 1; seed <= 5; ++seed)
+        for (int n = 0; n <= m + 2; ++n)
+        {
+            SCOPED_TRACE(cv::format("%d points, seed %d", n, (int)seed));
+            SceneOptions options;
+            options.inliers = 20;
+            options.outliers = 0;
+            options.noise = 0;
+            options.seed = seed;
+            Scene scene = makeScene(problem(), options);
+            scene.points1.resize(n);
+            scene.points2.resize(n);
+            EXPECT_EQ(n < m, tryPoints(problem(), scene.points1, scene.points2).empty());
+            Report report;
+            Mat mask;
+            estimatePoints(problem(), scene.points1, scene.points2, Params(), mask, report);
+            EXPECT_EQ(n < m, report.stop == STOP_TOO_FEW_POINTS);
+            if (n >= m)
+            {
+                EXPECT_EQ(n, report.inliers) << "exact points, all of one model";
+            }
+        }
+}
+
+TEST_P(UsacPoints, empty_arrays)
+{
+    Report report;
+    Mat mask;
+    EXPECT_TRUE(estimatePoints(problem(), Mat(), Mat(), Params(), mask, report).empty());
+    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
+    EXPECT_TRUE(mask.empty());
+    const std::vector<Point2f> none;
+    EXPECT_TRUE(estimatePoints(problem(), none, none, Params(), mask, report).empty());
+    EXPECT_TRUE(estimatePoints(problem(), noArray(), noArray(), Params(), mask, report).empty());
+}
+
+TEST_P(UsacPoints, all_equal)
+{
+    const int sizes[] = {5, 7, 8, 100};
+    for (int i = 0; i < 4; ++i)
+    {
+        const std::vector<Point2d> points1(sizes[i], Point2d(17, 23)), points2(sizes[i], Point2d(-3, 400));
+        EXPECT_TRUE(tryPoints(problem(), points1, points2).empty());
+    }
+}
+
+TEST_P(UsacPoints, collinear)
+{
+    std::vector<Point2d> points1, points2, noisy1, noisy2, axis1, axis2;
+    RNG rng(1);
+    for (int i = 0; i < 100; ++i)
+    {
+        const double s = rng.uniform(0., 400.), t = rng.uniform(0., 400.);
+        points1.push_back(Point2d(s, 2 * s + 1));
+        points2.push_back(Point2d(t, 30 - t));
+        noisy1.push_back(points1[i] + Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
+        noisy2.push_back(points2[i] + Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
+        axis1.push_back(Point2d(s, 100));
+        axis2.push_back(Point2d(s + 10, 100));
+    }
+    tryPoints(problem(), points1, points2);
+    tryPoints(problem(), noisy1, noisy2);
+    tryPoints(problem(), axis1, axis2);
+    if (problem() == HOMOGRAPHY)
+    {
+        EXPECT_TRUE(tryPoints(problem(), axis1, axis2).empty()) << "a line does not determine a homography";
+    }
+}
+
+TEST_P(UsacPoints, two_distinct)
+{
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 60; ++i)
+    {
+        points1.push_back(i % 2 ? Point2d(10, 20) : Point2d(300, 70));
+        points2.push_back(i % 2 ? Point2d(40, 10) : Point2d(200, 90));
+    }
+    EXPECT_TRUE(tryPoints(problem(), points1, points2).empty());
+}
+
+TEST_P(UsacPoints, seven_with_duplicates)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        SceneOptions options;
+        options.inliers = 7;
+        options.outliers = 0;
+        options.duplicates = 1 + (int)seed % 5;
+        options.seed = seed;
+        const Scene scene = makeScene(problem(), options);
+        tryPoints(problem(), scene.points1, scene.points2);
+    }
+}
+
+TEST_P(UsacPoints, one_match_repeated)
+{
+    Scene scene = makeScene(problem());
+    const Point2d p = scene.points1[0], q(scene.points2[0].x + 200, 20);
+    scene.points1.insert(scene.points1.end(), 100, p);
+    scene.points2.insert(scene.points2.end(), 100, q);
+    const Mat model = tryPoints(problem(), scene.points1, scene.points2);
+    ASSERT_FALSE(model.empty());
+    Scene original = makeScene(problem());
+    EXPECT_LT(modelError(original, model), 0.8);
+}
+
+TEST_P(UsacPoints, many_matches_of_one_target)
+{
+    Scene scene = makeScene(problem());
+    RNG rng(7);
+    for (int i = 0; i < 150; ++i)
+    {
+        scene.points1.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+        scene.points2.push_back(Point2d(320, 100));
+    }
+    const Mat model = tryPoints(problem(), scene.points1, scene.points2);
+    ASSERT_FALSE(model.empty());
+    EXPECT_LT(modelError(makeScene(problem()), model), 0.8);
+}
+
+TEST_P(UsacPoints, static_camera)
+{
+    const Scene scene = makeScene(problem());
+    std::vector<Point2d> moved = scene.points1;
+    RNG rng(3);
+    for (size_t i = 0; i < moved.size(); ++i)
+        moved[i] += Point2d(rng.gaussian(1e-3), rng.gaussian(1e-3));
+    const Mat exact = tryPoints(problem(), scene.points1, scene.points1);
+    const Mat nearly = tryPoints(problem(), scene.points1, moved);
+    if (problem() == HOMOGRAPHY)
+    {
+        EXPECT_LT(cvtest::norm(exact, Mat::eye(3, 3, CV_64F), NORM_INF), 1e-9);
+        EXPECT_LT(cvtest::norm(nearly, Mat::eye(3, 3, CV_64F), NORM_INF), 1e-2);
+    }
+}
+
+TEST_P(UsacPoints, one_plane_and_pure_rotation)
+{
+    for (uint64 seed = 1; seed <= 5; ++seed)
+    {
+        SceneOptions options;
+        options.planeFraction = 1;
+        options.seed = seed;
+        options.noise = seed % 2 ? 0 : 0.3;
+        const Scene plane = makeScene(problem(), options);
+        tryPoints(problem(), plane.points1, plane.points2);
+        Scene turned = makeScene(problem(), options);
+        for (int i = 0; i < turned.size(); ++i)
+        {
+            const Vec3d x(turned.points1[i].x, turned.points1[i].y, 1);
+            const Vec3d y = turned.K * turned.R * turned.K.inv() * x;
+            turned.points2[i] = Point2d(y[0] / y[2], y[1] / y[2]);
+        }
+        tryPoints(problem(), turned.points1, turned.points2);
+    }
+}
+
+TEST_P(UsacPoints, only_outliers)
+{
+    RNG rng(11);
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 200; ++i)
+    {
+        points1.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+        points2.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+    }
+    tryPoints(problem(), points1, points2, 1);
+    tryPoints(problem(), points1, points2, 1e-9);
+    tryPoints(problem(), points1, points2, 1e9);
+}
+
+TEST_P(UsacPoints, not_finite_rows_are_never_inliers)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const Scene clean = makeScene(problem());
+    Scene scene = clean;
+    const double bad[] = {nan, inf, -inf};
+    for (int i = 0; i < 24; ++i)
+    {
+        const int row = (i * 12) % scene.size();
+        Point2d p(100, 100), q(100, 100);
+        double* values[] = {&p.x, &p.y, &q.x, &q.y};
+        *values[i % 4] = bad[i % 3];
+        scene.points1.insert(scene.points1.begin() + row, p);
+        scene.points2.insert(scene.points2.begin() + row, q);
+    }
+    const Mat model = tryPoints(problem(), scene.points1, scene.points2);
+    EXPECT_LT(modelError(clean, model), 0.8);
+    Mat mask;
+    Report report;
+    estimatePoints(problem(), scene.points1, scene.points2, Params(), mask, report);
+    for (int i = 0; i < mask.rows; ++i)
+    {
+        const Point2d p = scene.points1[i], q = scene.points2[i];
+        const double sum = p.x + p.y + q.x + q.y;
+        if (!(std::abs(sum) < 1e300))
+        {
+            EXPECT_EQ(0, mask.at<uchar>(i)) << "row " << i;
+        }
+    }
+    const std::vector<Point2d> all(20, Point2d(nan, 1));
+    EXPECT_TRUE(tryPoints(problem(), all, all).empty());
+}
+
+TEST_P(UsacPoints, extreme_coordinates)
+{
+    const double values[] = {1e30, -1e30, 1e300, -1e18, 1e-310, 5e-324};
+    const Scene clean = makeScene(problem());
+    Scene scene = clean;
+    for (int i = 0; i < 6; ++i)
+    {
+        scene.points1.push_back(Point2d(values[i], 100));
+        scene.points2.push_back(Point2d(100, 100));
+        scene.points1.push_back(Point2d(50, 60));
+        scene.points2.push_back(Point2d(70, values[i]));
+    }
+    const Mat model = tryPoints(problem(), scene.points1, scene.points2);
+    EXPECT_LT(modelError(clean, model), 0.8);
+}
+
+TEST_P(UsacPoints, offset_and_scale_keep_the_inliers)
+{
+    const Scene scene = makeScene(problem());
+    const double offsets[] = {0, -1000, 1e5}, scales[] = {1e-3, 1, 1e3};
+    for (int o = 0; o < 3; ++o)
+        for (int s = 0; s < 3; ++s)
+        {
+            if (problem() == ESSENTIAL && o > 0)
+                continue;  // the camera matrix moves with the points: nothing new
+            SCOPED_TRACE(cv::format("offset %g, scale %g", offsets[o], scales[s]));
+            Scene moved = scene;
+            for (int i = 0; i < scene.size(); ++i)
+            {
+                moved.points1[i] = (scene.points1[i] + Point2d(offsets[o], offsets[o])) * scales[s];
+                moved.points2[i] = (scene.points2[i] + Point2d(offsets[o], offsets[o])) * scales[s];
+            }
+            Matx33d K = scene.K * scales[s];
+            K(2, 2) = 1;
+            Params params;
+            params.threshold *= scales[s];
+            Mat mask;
+            Report report;
+            const Mat model = estimatePoints(problem(), moved.points1, moved.points2, params, mask, report, K);
+            ASSERT_FALSE(model.empty());
+            int wrong = 0, found = 0;
+            for (int i = 0; i < scene.size(); ++i)
+            {
+                found += scene.truth[i] && mask.at<uchar>(i);
+                wrong += !scene.truth[i] && mask.at<uchar>(i);
+            }
+            EXPECT_GT(found, 180);
+            EXPECT_LT(wrong, problem() == HOMOGRAPHY ? 2 : 15);
+            EXPECT_LT(report.cost, 0.6);
+        }
+}
+
+}} // namespace

@@ -1,0 +1,277 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "degeneracy/degeneracy.hpp"
+
+namespace opencv_test { namespace {
+
+struct Outcome
+{
+    Outcome() : successes(0), degenerate(0) {}
+    int successes, degenerate;
+    std::vector<double> errors;
+};
+
+//! Estimates F in scenes that differ in their seeds only. Success: the points off the plane fit as well.
+Outcome estimateScenes(const SceneOptions& common, int scenes, const Params& params)
+{
+    Outcome outcome;
+    for (int i = 0; i < scenes; ++i)
+    {
+        SceneOptions options = common;
+        options.seed = 100 + i;
+        const Scene scene = makeScene(FUNDAMENTAL, options);
+        Report report;
+        const Mat F = estimate(scene, params, noArray(), &report);
+        const double error = modelError(scene, F, OFF_PLANE);
+        outcome.errors.push_back(error);
+        outcome.successes += error < 2;
+        outcome.degenerate += report.degenerate;
+    }
+    std::sort(outcome.errors.begin(), outcome.errors.end());
+    return outcome;
+}
+
+Params paramsWith(int degeneracy)
+{
+    Params params;
+    params.degeneracy = degeneracy;
+    params.maxIterations = 1000;
+    params.threshold = 1.5;
+    return params;
+}
+
+const int WITHOUT = DEGENERACY_ORIENTATION, WITH = DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC;
+
+TEST(Usac_Degensac, dominantPlanes)
+{
+    const double fractions[] = {0.6, 0.7, 0.8, 0.9, 0.95};
+    const int SCENES = 40;
+    int with = 0, without = 0;
+    for (int k = 0; k < 5; ++k)
+    {
+        SceneOptions options;
+        options.planeFraction = fractions[k];
+        options.inliers = 300;
+        options.outliers = 100;
+        const Outcome a = estimateScenes(options, SCENES, paramsWith(WITH));
+        const Outcome b = estimateScenes(options, SCENES, paramsWith(WITHOUT));
+        EXPECT_GE(a.successes, b.successes - 2) << "fraction on the plane " << fractions[k];
+        EXPECT_GE(a.successes, SCENES * 8 / 10) << "fraction on the plane " << fractions[k];
+        EXPECT_GT(a.degenerate, SCENES / 2) << "fraction on the plane " << fractions[k];
+        EXPECT_EQ(0, b.degenerate);
+        with += a.successes;
+        without += b.successes;
+    }
+    EXPECT_GE(with, without + 5 * SCENES / 10) << "of " << 5 * SCENES;
+}
+
+//! Where plane and parallax alone must find the model.
+TEST(Usac_Degensac, withoutLocalOptimization)
+{
+    SceneOptions options;
+    options.planeFraction = 0.85;
+    options.outliers = 60;
+    Params with = paramsWith(WITH), without = paramsWith(WITHOUT);
+    with.localOptimization = without.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    const Outcome a = estimateScenes(options, 60, with), b = estimateScenes(options, 60, without);
+    EXPECT_GE(a.successes, b.successes + 6);
+}
+
+TEST(Usac_Degensac, generalScenesAreNotWorse)
+{
+    const int SCENES = 80;
+    for (int k = 0; k < 2; ++k)
+    {
+        SceneOptions options;
+        options.inliers = k ? 300 : 100;
+        options.outliers = k ? 100 : 100;
+        const Outcome a = estimateScenes(options, SCENES, paramsWith(WITH));
+        const Outcome b = estimateScenes(options, SCENES, paramsWith(WITHOUT));
+        EXPECT_GE(a.successes, b.successes - 2);
+        EXPECT_LE(a.errors[SCENES / 2], 1.1 * b.errors[SCENES / 2]);
+        EXPECT_LE(a.errors[SCENES * 9 / 10], 1.2 * b.errors[SCENES * 9 / 10]);
+    }
+}
+
+//! recover() on its own: it may replace a model only by a better one.
+TEST(Usac_Degensac, neverRaisesTheCost)
+{
+    int replaced = 0, detected = 0, tried = 0;
+    for (uint64 seed = 1; seed <= 8; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.planeFraction = seed % 2 ? 0.8 : 0;
+        const Scene scene = makeScene(FUNDAMENTAL, options);
+        const Params params;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const Ptr<Degeneracy> degensac = createDegensac();
+        std::vector<int> good;  // samples of inliers only
+        for (int i = 0; i < scene.size(); ++i)
+            if (scene.truth[usac->points().inputIndex[i]])
+                good.push_back(i);
+        for (int i = 0; i < 60; ++i)
+        {
+            int sample[MAX_SAMPLE_SIZE];
+            Model models[MAX_MODELS];
+            Rng(seed, i).distinct((int)good.size(), 7, sample);
+            for (int k = 0; k < 7; ++k)
+                sample[k] = good[sample[k]];
+            const int count = usac->components().minimalSolver->solve(usac->points(), sample, models);
+            for (int k = 0; k < count; ++k, ++tried)
+            {
+                State state;
+                state.rng = Rng(1, i);
+                const Quality before = context.rate(models[k]);
+                Model model = models[k];
+                Quality quality = before;
+                ASSERT_TRUE(degensac->recover(context, state, sample, model, quality));
+                const Quality after = context.rate(model);
+                EXPECT_EQ(after.cost, quality.cost);
+                EXPECT_EQ(after.inliers, quality.inliers);
+                EXPECT_LE(after.cost, before.cost);
+                const bool changed = cv::norm(model - models[k]) > 0;
+                EXPECT_EQ(changed, after.cost < before.cost);
+                replaced += changed;
+                detected += state.report.degenerate;
+                if (changed)
+                {
+                    EXPECT_NEAR(0, determinant(model), 1e-9);
+                }
+            }
+        }
+    }
+    EXPECT_GT(replaced, 20);
+    EXPECT_GE(detected, replaced);
+    EXPECT_LT(detected, tried);
+}
+
+//! Exact samples with a known number of points on the plane: found from five on.
+TEST(Usac_Degensac, detectsFiveOfSeven)
+{
+    SceneOptions options;
+    options.planeFraction = 0.5;
+    options.noise = 0;
+    options.outliers = 0;
+    int found[8] = {0}, tried[8] = {0};
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        options.seed = seed;
+        const Scene scene = makeScene(FUNDAMENTAL, options);
+        Params params;
+        params.threshold = 0.1;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const Ptr<Degeneracy> degensac = createDegensac();
+        const Model truth = toInternal(usac->points(), scene.model);
+        std::vector<int> on, off;
+        for (int i = 0; i < scene.size(); ++i)
+            (scene.onPlane[usac->points().inputIndex[i]] ? on : off).push_back(i);
+        for (int planar = 2; planar <= 7; ++planar)
+            for (int i = 0; i < 20; ++i, ++tried[planar])
+            {
+                int first[MAX_SAMPLE_SIZE], second[MAX_SAMPLE_SIZE], sample[MAX_SAMPLE_SIZE];
+                Rng rng(seed, i), places(seed, 1000 + i);
+                rng.distinct((int)on.size(), planar, first);
+                rng.distinct((int)off.size(), 7 - planar, second);
+                for (int k = 0; k < 7; ++k)
+                    sample[k] = k < planar ? on[first[k]] : off[second[k - planar]];
+                for (int k = 6; k > 0; --k)
+                    std::swap(sample[k], sample[places.uniform(k + 1)]);
+                State state;
+                Model model = truth;
+                Quality quality = context.rate(model);
+                degensac->recover(context, state, sample, model, quality);
+                found[planar] += state.report.degenerate;
+            }
+    }
+    for (int planar = 5; planar <= 7; ++planar)
+        EXPECT_GE(found[planar], tried[planar] * 95 / 100) << planar << " on the plane";
+    for (int planar = 2; planar <= 4; ++planar)
+        EXPECT_LE(found[planar], tried[planar] * 10 / 100) << planar << " on the plane";
+}
+
+TEST(Usac_Orientation, trueModelsAreKept)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        SceneOptions options;
+        options.noise = 0;
+        options.outliers = 0;
+        const Scene scene = makeScene((ProblemType)problem, options);
+        const Params params;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const Model truth = toInternal(usac->points(), scene.model);
+        const Ptr<Degeneracy> check = problem == 0 ? createHomographyOrientation() : createOrientedEpipolar();
+        for (int i = 0; i < 500; ++i)
+        {
+            int sample[MAX_SAMPLE_SIZE];
+            Rng(1, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
+            EXPECT_TRUE(check->validSample(context, sample));
+            EXPECT_TRUE(check->validModel(context, sample, truth));
+            EXPECT_TRUE(check->validModel(context, sample, truth * -3.)) << "the sign of a model means nothing";
+        }
+    }
+}
+
+//! Most models of samples with outliers violate the constraint, and no good model does.
+TEST(Usac_Orientation, wrongModelsAreRefused)
+{
+    for (int problem = 1; problem < 3; ++problem)
+    {
+        SceneOptions options;
+        options.inliers = 10;
+        options.outliers = 400;
+        const Scene scene = makeScene((ProblemType)problem, options);
+        const Params params;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const Ptr<Degeneracy> check = createOrientedEpipolar();
+        int total = 0, refused = 0;
+        for (int i = 0; i < 500; ++i)
+        {
+            int sample[MAX_SAMPLE_SIZE];
+            Model models[MAX_MODELS];
+            Rng(2, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
+            const int count = usac->components().minimalSolver->solve(usac->points(), sample, models);
+            for (int k = 0; k < count; ++k, ++total)
+                refused += !check->validModel(context, sample, models[k]);
+        }
+        EXPECT_GT(refused, total / 2);
+        EXPECT_LT(refused, total);
+    }
+}
+
+TEST(Usac_Orientation, homographySamples)
+{
+    std::vector<Point2d> square, mirrored, crossed;
+    const double corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < 4; ++i)
+    {
+        square.push_back(Point2d(corners[i][0], corners[i][1]));
+        mirrored.push_back(Point2d(-corners[i][0], corners[i][1]));
+        crossed.push_back(square[i]);
+    }
+    std::swap(crossed[0], crossed[1]);
+    const Ptr<Degeneracy> check = createHomographyOrientation();
+    const Params params;
+    const Components none;
+    const int sample[] = {0, 1, 2, 3};
+    const OwnPoints same(HOMOGRAPHY, square, square), mirror(HOMOGRAPHY, square, mirrored),
+                    cross(HOMOGRAPHY, square, crossed);
+    EXPECT_TRUE(check->validSample(Context(same.view(), none, params), sample));
+    EXPECT_TRUE(check->validSample(Context(mirror.view(), none, params), sample)) << "a mirror is a homography";
+    EXPECT_FALSE(check->validSample(Context(cross.view(), none, params), sample));
+    const Context context(same.view(), none, params);
+    EXPECT_TRUE(check->validModel(context, sample, Model::eye()));
+    EXPECT_FALSE(check->validModel(context, sample, Model(1, 0, 0, 1, 0, 0, 0, 0, 1)));
+    EXPECT_FALSE(check->validModel(context, sample, Model::zeros()));
+    EXPECT_FALSE(check->validModel(context, sample, Model(1, 2, 3, 4, 5, 6, 7, 8, 9)));
+}
+
+}} // namespace

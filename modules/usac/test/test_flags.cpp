@@ -1,0 +1,304 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+
+// The flags, and every overload of findHomography, findFundamentalMat and findEssentialMat.
+
+namespace opencv_test { namespace {
+
+typedef UsacProblem UsacFlags;
+INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+
+const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC};
+const int FLAG_COUNT = 4;
+
+//! The preset that a flag is documented to stand for.
+Params presetOf(UsacV20Method flag)
+{
+    return flag == USACV20 ? Params::usacV20() : flag == USACV20_FAST ? Params::fast()
+         : flag == USACV20_ACCURATE ? Params::accurate() : Params::prosac();
+}
+
+Params paramsOf(UsacV20Method flag, double pixels, double confidence, int maxIterations)
+{
+    Params params = presetOf(flag);
+    params.threshold = pixels;
+    params.confidence = confidence;
+    params.maxIterations = maxIterations;
+    return params;
+}
+
+//! Few inliers, so that each argument matters.
+Scene hardScene(ProblemType problem)
+{
+    SceneOptions options;
+    options.inliers = 70;
+    options.outliers = 230;
+    options.seed = 5;
+    return makeScene(problem, options);
+}
+
+//! What a call has to give.
+struct Wanted
+{
+    Wanted(const Scene& scene, const Params& params)
+    {
+        model = estimate(scene, params, mask);
+        EXPECT_FALSE(model.empty());
+    }
+
+    void same(const char* call, const Mat& otherModel) const { EXPECT_TRUE(sameBits(model, otherModel)) << call; }
+    void same(const char* call, const Mat& otherModel, const Mat& otherMask) const
+    {
+        same(call, otherModel);
+        EXPECT_TRUE(sameBits(mask, otherMask)) << call << ": mask";
+    }
+
+    Mat model, mask;
+};
+
+TEST(Usac_Flags, values_are_none_of_OpenCV)
+{
+    for (int i = 0; i < FLAG_COUNT; ++i)
+    {
+        EXPECT_EQ(0x4000 + i, (int)FLAGS[i]);
+        EXPECT_GT((int)FLAGS[i], 63);
+        EXPECT_NE(8, FLAGS[i] & ~3);
+        EXPECT_TRUE(isUsacV20Method(FLAGS[i]));
+        EXPECT_EQ(FLAGS[i], methodFromInt((int)FLAGS[i]));
+    }
+}
+
+TEST(Usac_Flags, other_ints_are_refused)
+{
+    const int others[] = {0, 1, -1, LMEDS, RANSAC, RHO, USAC_DEFAULT, USAC_PARALLEL, USAC_FAST, USAC_ACCURATE, USAC_PROSAC,
+                          USAC_MAGSAC, 0x3fff, 0x40ff, INT_MAX, INT_MIN};
+    for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); ++i)
+    {
+        EXPECT_FALSE(isUsacV20Method(others[i]));
+        expectException([&]() { methodFromInt(others[i]); }, cv::format("%d", others[i]));
+        expectException([&]() { methodFromInt(others[i]); }, "method");
+        expectException([&]() { Params::fromMethod(others[i]); }, "method");
+    }
+}
+
+TEST_P(UsacFlags, each_is_its_preset)
+{
+    const Scene scene = hardScene(problem());
+    for (int i = 0; i < FLAG_COUNT; ++i)
+    {
+        const UsacV20Method flag = FLAGS[i];
+        const Wanted wanted(scene, paramsOf(flag, 2, 0.98, 700));
+        Mat mask, model;
+        if (problem() == HOMOGRAPHY)
+            model = findHomography(scene.points1, scene.points2, flag, 2, mask, 700, 0.98);
+        else if (problem() == FUNDAMENTAL)
+            model = findFundamentalMat(scene.points1, scene.points2, flag, 2, 0.98, 700, mask);
+        else
+            model = findEssentialMat(scene.points1, scene.points2, scene.K, flag, 0.98, 2, 700, mask);
+        wanted.same(cv::format("flag %d", i).c_str(), model, mask);
+    }
+}
+
+//! Without this, the tests of the overloads could not see a lost argument.
+TEST_P(UsacFlags, arguments_matter_in_the_scene_of_these_tests)
+{
+    const Scene scene = hardScene(problem());
+    const Wanted wanted(scene, paramsOf(USACV20_ACCURATE, 2, 0.98, 700));
+    const Params others[] = {paramsOf(USACV20_ACCURATE, 1, 0.98, 700), paramsOf(USACV20_ACCURATE, 2, 1e-6, 700),
+                             paramsOf(USACV20_ACCURATE, 2, 0.98, 3), paramsOf(USACV20_FAST, 2, 0.98, 700)};
+    for (int i = 0; i < 4; ++i)
+        EXPECT_FALSE(sameBits(wanted.model, estimate(scene, others[i]))) << i;
+}
+
+TEST(Usac_Flags, every_overload_of_findHomography)
+{
+    const Scene s = hardScene(HOMOGRAPHY);
+    const UsacV20Method flag = USACV20_ACCURATE;
+    Mat mask;
+    // defaults: 3 px, 2000 iterations, 0.995
+    Wanted(s, paramsOf(flag, 3, 0.995, 2000)).same("flag", findHomography(s.points1, s.points2, flag));
+    Wanted(s, paramsOf(flag, 2, 0.995, 2000)).same("threshold", findHomography(s.points1, s.points2, flag, 2));
+    const Mat a = findHomography(s.points1, s.points2, flag, 2, mask);
+    Wanted(s, paramsOf(flag, 2, 0.995, 2000)).same("mask", a, mask);
+    const Mat b = findHomography(s.points1, s.points2, flag, 2, mask, 300);
+    Wanted(s, paramsOf(flag, 2, 0.995, 300)).same("maxIters", b, mask);
+    const Mat c = findHomography(s.points1, s.points2, flag, 2, mask, 300, 0.9);
+    Wanted(s, paramsOf(flag, 2, 0.9, 300)).same("confidence", c, mask);
+    const Mat d = findHomography(s.points1, s.points2, mask, flag);
+    Wanted(s, paramsOf(flag, 3, 0.995, 2000)).same("mask third", d, mask);
+    const Mat e = findHomography(s.points1, s.points2, mask, flag, 2);
+    Wanted(s, paramsOf(flag, 2, 0.995, 2000)).same("mask third, threshold", e, mask);
+    const Params params = paramsOf(USACV20_FAST, 1.25, 0.9, 300);
+    const Mat f = findHomography(s.points1, s.points2, mask, params);
+    Wanted(s, params).same("params", f, mask);
+    Wanted(s, params).same("params, no mask", findHomography(s.points1, s.points2, noArray(), params));
+}
+
+TEST(Usac_Flags, every_overload_of_findFundamentalMat)
+{
+    const Scene s = hardScene(FUNDAMENTAL);
+    const UsacV20Method flag = USACV20_ACCURATE;
+    Mat mask;
+    // defaults: 3 px, 0.99; OpenCV's 1000 iterations
+    Wanted(s, paramsOf(flag, 3, 0.99, 1000)).same("flag", findFundamentalMat(s.points1, s.points2, flag));
+    Wanted(s, paramsOf(flag, 2, 0.99, 1000)).same("threshold", findFundamentalMat(s.points1, s.points2, flag, 2));
+    Wanted(s, paramsOf(flag, 2, 0.9, 1000)).same("confidence", findFundamentalMat(s.points1, s.points2, flag, 2, 0.9));
+    const Mat a = findFundamentalMat(s.points1, s.points2, flag, 2, 0.9, mask);
+    Wanted(s, paramsOf(flag, 2, 0.9, 1000)).same("mask", a, mask);
+    Wanted(s, paramsOf(flag, 2, 0.9, 300)).same("maxIters", findFundamentalMat(s.points1, s.points2, flag, 2, 0.9, 300));
+    const Mat b = findFundamentalMat(s.points1, s.points2, flag, 2, 0.9, 300, mask);
+    Wanted(s, paramsOf(flag, 2, 0.9, 300)).same("maxIters, mask", b, mask);
+    const Mat c = findFundamentalMat(s.points1, s.points2, mask, flag);
+    Wanted(s, paramsOf(flag, 3, 0.99, 1000)).same("mask third", c, mask);
+    const Mat d = findFundamentalMat(s.points1, s.points2, mask, flag, 2);
+    Wanted(s, paramsOf(flag, 2, 0.99, 1000)).same("mask third, threshold", d, mask);
+    const Mat e = findFundamentalMat(s.points1, s.points2, mask, flag, 2, 0.9);
+    Wanted(s, paramsOf(flag, 2, 0.9, 1000)).same("mask third, confidence", e, mask);
+    const Params params = paramsOf(USACV20_FAST, 1.25, 0.9, 300);
+    const Mat f = findFundamentalMat(s.points1, s.points2, mask, params);
+    Wanted(s, params).same("params", f, mask);
+}
+
+TEST(Usac_Flags, every_overload_of_findEssentialMat)
+{
+    const Scene s = hardScene(ESSENTIAL);
+    const UsacV20Method flag = USACV20_ACCURATE;
+    const Point2d pp(s.K(0, 2), s.K(1, 2));
+    const double focal = s.K(0, 0);
+    Mat mask;
+    // defaults: 0.999, 1 px, 1000 iterations
+    const Wanted plain(s, paramsOf(flag, 1, 0.999, 1000)), prob(s, paramsOf(flag, 1, 0.9, 1000)),
+        coarse(s, paramsOf(flag, 2, 0.9, 1000)), iterations(s, paramsOf(flag, 2, 0.9, 300));
+    plain.same("flag", findEssentialMat(s.points1, s.points2, s.K, flag));
+    prob.same("prob", findEssentialMat(s.points1, s.points2, s.K, flag, 0.9));
+    coarse.same("threshold", findEssentialMat(s.points1, s.points2, s.K, flag, 0.9, 2));
+    iterations.same("maxIters", findEssentialMat(s.points1, s.points2, s.K, flag, 0.9, 2, 300));
+    const Mat a = findEssentialMat(s.points1, s.points2, s.K, flag, 0.9, 2, 300, mask);
+    iterations.same("maxIters, mask", a, mask);
+    const Mat b = findEssentialMat(s.points1, s.points2, s.K, flag, 0.9, 2, mask);
+    coarse.same("mask", b, mask);
+    plain.same("focal", findEssentialMat(s.points1, s.points2, focal, pp, flag));
+    iterations.same("focal, maxIters", findEssentialMat(s.points1, s.points2, focal, pp, flag, 0.9, 2, 300));
+    const Mat c = findEssentialMat(s.points1, s.points2, focal, pp, flag, 0.9, 2, 300, mask);
+    iterations.same("focal, maxIters, mask", c, mask);
+    const Mat d = findEssentialMat(s.points1, s.points2, focal, pp, flag, 0.9, 2, mask);
+    coarse.same("focal, mask", d, mask);
+    plain.same("two cameras", findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), flag));
+    const Mat e = findEssentialMat(s.points1, s.points2, s.K, Mat::zeros(5, 1, CV_64F), s.K, noArray(), flag, 0.9, 2, mask);
+    coarse.same("two cameras, mask", e, mask);
+    const Params params = paramsOf(USACV20_FAST, 1.25, 0.9, 300);
+    const Mat f = findEssentialMat(s.points1, s.points2, s.K, s.K, noArray(), noArray(), mask, params);
+    Wanted(s, params).same("params", f, mask);
+}
+
+//! calib3d takes K1, dist1, K2, dist2 with a flag and K1, K2, dist1, dist2 with parameters: so do we.
+TEST(Usac_Flags, order_of_two_cameras)
+{
+    const Scene s = makeScene(ESSENTIAL);
+    const Matx33d K2(650, 0, 300, 0, 640, 250, 0, 0, 1);
+    const Vec<double, 5> d1(-0.1, 0.02, 0, 0, 0), d2(0.05, -0.01, 0, 0, 0);
+    const Params params = paramsOf(USACV20, 2, 0.999, 1000);
+    Report report;
+    Mat mask, other;
+    const Mat E = estimateEssential(s.points1, s.points2, s.K, K2, d1, d2, params, mask, report);
+    ASSERT_FALSE(E.empty());
+    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, d1, K2, d2, USACV20, 0.999, 2, other)));
+    EXPECT_TRUE(sameBits(mask, other));
+    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, K2, d1, d2, other, params)));
+    EXPECT_TRUE(sameBits(mask, other));
+    EXPECT_FALSE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, d2, K2, d1, USACV20, 0.999, 2, other)));
+}
+
+//! OpenCV's functions by their own types: what a call with an int reached before this module.
+typedef Mat (*OldHomography)(InputArray, InputArray, int, double, OutputArray, const int, const double);
+typedef Mat (*OldFundamental)(InputArray, InputArray, int, double, double, int, OutputArray);
+typedef Mat (*OldEssential)(InputArray, InputArray, InputArray, int, double, double, int, OutputArray);
+const OldHomography oldHomography = &cv::findHomography;
+const OldFundamental oldFundamental = &cv::findFundamentalMat;
+const OldEssential oldEssential = &cv::findEssentialMat;
+
+TEST(Usac_Flags, old_homography_calls_reach_calib3d)
+{
+    const Scene s = makeScene(HOMOGRAPHY);
+    Mat mask, old;
+    const int methods[] = {0, LMEDS, RANSAC, RHO, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_PROSAC,
+                           USAC_MAGSAC};  // USAC_PARALLEL differs from call to call
+    for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
+    {
+        SCOPED_TRACE(cv::format("method %d", methods[i]));
+        const Mat H = oldHomography(s.points1, s.points2, methods[i], 2, old, 2000, 0.995);
+        EXPECT_TRUE(sameBits(H, findHomography(s.points1, s.points2, methods[i], 2, mask)));
+        EXPECT_TRUE(sameBits(old, mask));
+        EXPECT_TRUE(sameBits(H, findHomography(s.points1, s.points2, mask, methods[i], 2)));
+        EXPECT_FALSE(sameBits(H, findHomography(s.points1, s.points2, USACV20, 2)));
+    }
+    const Mat H = oldHomography(s.points1, s.points2, 0, 3, noArray(), 2000, 0.995);
+    EXPECT_TRUE(sameBits(H, findHomography(s.points1, s.points2)));
+    EXPECT_TRUE(sameBits(H, findHomography(s.points1, s.points2, mask)));
+    EXPECT_TRUE(sameBits(oldHomography(s.points1, s.points2, RANSAC, 3, noArray(), 2000, 0.995),
+                         findHomography(s.points1, s.points2, RANSAC)));  // the enumerator itself
+    cv::UsacParams params;
+    params.threshold = 2;
+    const Mat withParams = findHomography(s.points1, s.points2, mask, params);
+    EXPECT_TRUE(sameBits(withParams, findHomography(s.points1, s.points2, mask, params)));
+    EXPECT_FALSE(sameBits(withParams, findHomography(s.points1, s.points2, mask, Params::fromUsacParams(params))));
+}
+
+TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
+{
+    const Scene s = makeScene(FUNDAMENTAL);
+    Mat mask, old;
+    const int methods[] = {FM_8POINT, FM_RANSAC, FM_LMEDS, USAC_DEFAULT, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE,
+                           USAC_PROSAC, USAC_MAGSAC};
+    for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
+    {
+        SCOPED_TRACE(cv::format("method %d", methods[i]));
+        const Mat F = oldFundamental(s.points1, s.points2, methods[i], 2, 0.99, 1000, old);
+        EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, 1000, mask)));
+        EXPECT_TRUE(sameBits(old, mask));
+        EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, mask)));
+        EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, mask, methods[i], 2, 0.99)));
+        EXPECT_FALSE(sameBits(F, findFundamentalMat(s.points1, s.points2, USACV20, 2)));
+    }
+    const Mat F = oldFundamental(s.points1, s.points2, FM_RANSAC, 3, 0.99, 1000, noArray());
+    EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2)));
+    EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, mask)));
+    EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, FM_RANSAC)));
+    cv::UsacParams params;
+    const Mat withParams = findFundamentalMat(s.points1, s.points2, mask, params);
+    EXPECT_FALSE(sameBits(withParams, findFundamentalMat(s.points1, s.points2, mask, Params::fromUsacParams(params))));
+}
+
+TEST(Usac_Flags, old_essential_calls_reach_calib3d)
+{
+    const Scene s = makeScene(ESSENTIAL);
+    const Point2d pp(s.K(0, 2), s.K(1, 2));
+    const double focal = s.K(0, 0);
+    Mat mask, old;
+    const int methods[] = {LMEDS, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE};
+    for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
+    {
+        SCOPED_TRACE(cv::format("method %d", methods[i]));
+        const Mat E = oldEssential(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, old);
+        EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, mask)));
+        EXPECT_TRUE(sameBits(old, mask));
+        EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
+        EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, 1000, mask)));
+        EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, mask)));
+        EXPECT_FALSE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, USACV20, 0.99, 2)));
+    }
+    const Mat E = oldEssential(s.points1, s.points2, s.K, RANSAC, 0.999, 1, 1000, noArray());
+    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K)));
+    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, RANSAC)));
+    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, focal, pp)));
+    std::vector<Point2d> plane1, plane2;
+    undistortPoints(s.points1, plane1, s.K, noArray());
+    undistortPoints(s.points2, plane2, s.K, noArray());
+    EXPECT_EQ(Size(3, 3), findEssentialMat(plane1, plane2).size());
+    EXPECT_FALSE(findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray()).empty());
+}
+
+}} // namespace

@@ -1,0 +1,324 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "local_optimization/labelling.hpp"
+#include "local_optimization/local_optimization.hpp"
+
+namespace opencv_test { namespace {
+
+//! Errors as given, whatever the model.
+class GivenResidual : public Residual
+{
+public:
+    void squaredErrors(const Correspondences&, const Model&, int begin, int end, float* errors) const CV_OVERRIDE
+    {
+        std::copy(given.begin() + begin, given.begin() + end, errors);
+    }
+    void squaredErrors(const Model&, const double*, const double*, const double*, const double*, int count,
+                       double* errors) const CV_OVERRIDE
+    {
+        std::copy(given.begin(), given.begin() + count, errors);
+    }
+
+    std::vector<float> given;
+};
+
+//! Edges as given.
+class GivenEdges : public Neighbourhood
+{
+public:
+    int layers() const CV_OVERRIDE { return 0; }
+    int members(const Context&, int, int, const int*&) CV_OVERRIDE { return 0; }
+    const std::vector<Vec2i>& edges(const Context&) CV_OVERRIDE { return given; }
+
+    std::vector<Vec2i> given;
+};
+
+//! K of a point: 1 on the model, 0 far away.
+double closeness(double squaredError, double inlierThreshold)
+{
+    return squaredError == squaredError ? std::exp(-squaredError / (2 * inlierThreshold * inlierThreshold)) : 0;
+}
+
+//! The energy as the header of Labelling writes it down.
+double energyOf(const std::vector<double>& K, const std::vector<Vec2i>& edges, double lambda, const std::vector<uchar>& inlier)
+{
+    double energy = 0;
+    for (size_t i = 0; i < K.size(); ++i)
+        energy += inlier[i] ? 1 - K[i] : K[i];
+    for (size_t e = 0; e < edges.size(); ++e)
+    {
+        const int p = edges[e][0], q = edges[e][1];
+        const double mean = (K[p] + K[q]) / 2;
+        energy += lambda * (inlier[p] != inlier[q] ? 1 : inlier[p] ? 1 - mean : mean);
+    }
+    return energy;
+}
+
+std::vector<uchar> labelsOf(const std::vector<int>& inliers, size_t size)
+{
+    std::vector<uchar> labels(size, 0);
+    for (size_t i = 0; i < inliers.size(); ++i)
+    {
+        EXPECT_FALSE(labels[inliers[i]]) << "an inlier is repeated";
+        labels[inliers[i]] = 1;
+    }
+    return labels;
+}
+
+//! A small labelling problem.
+struct Graph
+{
+    Graph(int size_, double lambda, double inlierThreshold)
+        : size(size_), points(HOMOGRAPHY, std::vector<Point2d>(size_), std::vector<Point2d>(size_), inlierThreshold),
+          residual(makePtr<GivenResidual>()), neighbourhood(makePtr<GivenEdges>()), context(points.view(), parts, params)
+    {
+        params.spatialWeight = lambda;
+        parts.residual = residual;
+        parts.neighbourhood = neighbourhood;
+        residual->given.assign(size, 0.f);
+    }
+
+    //! All pairs with this probability, no point with more than `degree` edges.
+    void addEdges(double probability, int degree, RNG& rng)
+    {
+        std::vector<int> edgesOf(size, 0);
+        for (int i = 0; i < size; ++i)
+            for (int j = 0; j < i; ++j)
+                if (rng.uniform(0., 1.) < probability && edgesOf[i] < degree && edgesOf[j] < degree)
+                {
+                    neighbourhood->given.push_back(rng.uniform(0, 2) ? Vec2i(i, j) : Vec2i(j, i));
+                    ++edgesOf[i];
+                    ++edgesOf[j];
+                }
+    }
+
+    std::vector<double> closenesses() const
+    {
+        std::vector<double> K(size);
+        for (int i = 0; i < size; ++i)
+            K[i] = closeness(residual->given[i], points.view().threshold);
+        return K;
+    }
+
+    std::vector<uchar> cut()
+    {
+        Labelling labelling;
+        std::vector<int> inliers(3, 1);  // what was there is forgotten
+        labelling.cut(context, Model::eye(), inliers);
+        return labelsOf(inliers, size);
+    }
+
+    double leastEnergy() const
+    {
+        const std::vector<double> K = closenesses();
+        double least = DBL_MAX;
+        std::vector<uchar> labels(size);
+        for (int code = 0; code < 1 << size; ++code)
+        {
+            for (int i = 0; i < size; ++i)
+                labels[i] = (code >> i) & 1;
+            least = std::min(least, energyOf(K, neighbourhood->given, params.spatialWeight, labels));
+        }
+        return least;
+    }
+
+    const int size;
+    OwnPoints points;
+    Params params;
+    Components parts;
+    Ptr<GivenResidual> residual;
+    Ptr<GivenEdges> neighbourhood;
+    const Context context;
+};
+
+//! Errors between 0 and `reach` thresholds, so that K covers what it can.
+void drawErrors(Graph& graph, double reach, RNG& rng)
+{
+    for (int i = 0; i < graph.size; ++i)
+    {
+        const double error = rng.uniform(0., reach) * graph.points.view().threshold;
+        graph.residual->given[i] = (float)(error * error);
+    }
+}
+
+TEST(Usac_GraphCut, exactMinimum)
+{
+    RNG rng(1);
+    const double lambdas[] = {0, 0.05, 0.14, 0.3, 0.8, 2};
+    int different = 0, inliers = 0, total = 0;
+    for (int repeat = 0; repeat < 240; ++repeat)
+    {
+        Graph graph(rng.uniform(2, 11), lambdas[repeat % 6], 0.02);
+        drawErrors(graph, 2.5, rng);
+        graph.addEdges(rng.uniform(0.1, 0.9), 6, rng);
+        const std::vector<uchar> labels = graph.cut();
+        const std::vector<double> K = graph.closenesses();
+        EXPECT_NEAR(graph.leastEnergy(), energyOf(K, graph.neighbourhood->given, graph.params.spatialWeight, labels), 1e-4);
+        for (int i = 0; i < graph.size; ++i, ++total)
+        {
+            different += (labels[i] != 0) != (K[i] > 0.5);
+            inliers += labels[i];
+        }
+    }
+    EXPECT_GT(different, 20) << "the edges decide nothing";
+    EXPECT_GT(inliers, total / 5);
+    EXPECT_LT(inliers, total * 4 / 5);
+}
+
+//! Also with points far from the model and errors that are not defined, at the default weight.
+TEST(Usac_GraphCut, exactMinimumWithOutliers)
+{
+    RNG rng(2);
+    for (int repeat = 0; repeat < 200; ++repeat)
+    {
+        Graph graph(rng.uniform(3, 12), Params().spatialWeight, 2);
+        drawErrors(graph, repeat % 2 ? 5 : 20, rng);
+        graph.residual->given[1] = std::numeric_limits<float>::quiet_NaN();
+        graph.residual->given[2] = std::numeric_limits<float>::infinity();
+        graph.addEdges(0.6, 6, rng);
+        const std::vector<uchar> labels = graph.cut();
+        EXPECT_FALSE(labels[1] || labels[2]);
+        EXPECT_NEAR(graph.leastEnergy(), energyOf(graph.closenesses(), graph.neighbourhood->given,
+                                                  graph.params.spatialWeight, labels), 1e-4);
+    }
+}
+
+TEST(Usac_GraphCut, withoutEdgesOrWeight)
+{
+    RNG rng(3);
+    for (int repeat = 0; repeat < 100; ++repeat)
+    {
+        Graph graph(20, repeat % 2 ? 0 : 0.5, 1);
+        drawErrors(graph, 3, rng);
+        if (repeat % 2)
+            graph.addEdges(0.5, 6, rng);
+        const std::vector<uchar> labels = graph.cut();
+        const std::vector<double> K = graph.closenesses();
+        for (int i = 0; i < graph.size; ++i)
+            if (std::abs(K[i] - 0.5) > 1e-5)
+            {
+                EXPECT_EQ(K[i] > 0.5, labels[i] != 0);
+            }
+    }
+    Graph far(20, 0.14, 1);  // no node at all
+    far.residual->given.assign(20, 1e6f);
+    far.addEdges(0.5, 6, rng);
+    EXPECT_EQ(std::vector<uchar>(20, 0), far.cut());
+}
+
+//! In the graph of a whole scene no better labelling is one or a few flips away, and the plain inliers are none.
+TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
+{
+    SceneOptions options;
+    options.noise = 1;
+    RNG rng(4);
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        const Scene scene = makeScene((ProblemType)problem, options);
+        Params params;
+        params.spatialWeight = 0.3;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const std::vector<Vec2i>& edges = usac->components().neighbourhood->edges(context);
+        ASSERT_GT(edges.size(), 50u);
+        const Model truth = toInternal(usac->points(), scene.model);
+        Labelling labelling;
+        std::vector<int> inliers;
+        labelling.cut(context, truth, inliers);
+        EXPECT_GT(inliers.size(), 100u);
+        std::vector<uchar> labels = labelsOf(inliers, scene.size()), plain(scene.size());
+        std::vector<float> errors(scene.size());
+        usac->components().residual->squaredErrors(usac->points(), truth, 0, scene.size(), errors.data());
+        std::vector<double> K(scene.size());
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            K[i] = closeness(errors[i], usac->points().threshold);
+            plain[i] = errors[i] <= usac->points().threshold * usac->points().threshold;
+        }
+        const double least = energyOf(K, edges, 0.3, labels);
+        EXPECT_LE(least, energyOf(K, edges, 0.3, plain));
+        for (int i = 0; i < 3000; ++i)
+        {
+            std::vector<uchar> flipped = labels;
+            for (int k = rng.uniform(1, 4); k > 0; --k)
+                flipped[rng.uniform(0, scene.size())] ^= 1;
+            ASSERT_GE(energyOf(K, edges, 0.3, flipped), least - 1e-4);
+        }
+    }
+}
+
+typedef testing::TestWithParam<int> Usac_LocalOptimization;
+
+TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    int improved = 0, tried = 0;
+    for (int quality = 0; quality < 2; ++quality)
+        for (uint64 seed = 1; seed <= 4; ++seed)
+        {
+            SceneOptions options;
+            options.seed = seed;
+            const Scene scene = makeScene(problem, options);
+            Params params;
+            params.quality = quality;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            const Context context(usac->points(), usac->components(), params);
+            const Ptr<LocalOptimizer> optimizer = createGraphCutOptimizer();
+            State state;
+            for (int i = 0; i < 100; ++i)
+            {
+                int sample[MAX_SAMPLE_SIZE];
+                Model models[MAX_MODELS];
+                Rng(seed, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
+                const int count = usac->components().minimalSolver->solve(usac->points(), sample, models);
+                for (int k = 0; k < count; ++k, ++tried)
+                {
+                    const Quality before = context.rate(models[k]);
+                    Model model = models[k];
+                    Quality after = before;
+                    const bool better = optimizer->optimize(context, state, model, after);
+                    improved += better;
+                    EXPECT_EQ(better, after.betterThan(before));
+                    EXPECT_EQ(better, cv::norm(model - models[k]) > 0);
+                    const Quality again = context.rate(model);
+                    EXPECT_EQ(again.cost, after.cost);
+                    EXPECT_EQ(again.inliers, after.inliers);
+                }
+            }
+        }
+    EXPECT_GT(improved, tried / 10);
+}
+
+//! From a rough model to one that is as good as the truth.
+TEST_P(Usac_LocalOptimization, improvesRoughModels)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    int good = 0;
+    const int SCENES = 30;
+    for (uint64 seed = 1; seed <= SCENES; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        const Scene scene = makeScene(problem, options);
+        const Params params;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const Quality truth = context.rate(toInternal(usac->points(), scene.model));
+        RNG rng(seed);
+        Model model = toInternal(usac->points(), scene.model);
+        for (int i = 0; i < 9; ++i)
+            model.val[i] += rng.gaussian(problem == HOMOGRAPHY ? 2e-3 : 5e-4);
+        State state;
+        Quality quality = context.rate(model);
+        createGraphCutOptimizer()->optimize(context, state, model, quality);
+        good += quality.cost < truth.cost * 1.02;
+    }
+    EXPECT_GE(good, SCENES * 8 / 10);
+}
+
+INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization, testing::Values(0, 1, 2));
+
+}} // namespace

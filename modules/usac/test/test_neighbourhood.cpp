@@ -1,0 +1,303 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "neighbourhood/neighbourhood.hpp"
+
+#include <set>
+
+namespace opencv_test { namespace {
+
+//! Points around 0, with duplicates and a few far out.
+void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
+{
+    points1.clear();
+    points2.clear();
+    for (int i = 0; i < count; ++i)
+    {
+        const double reach = i % 50 == 7 ? 30 : 1;
+        points1.push_back(Point2d(rng.uniform(-reach, reach), rng.uniform(-reach, reach)));
+        points2.push_back(points1.back() * 0.8 + Point2d(rng.gaussian(0.2), rng.gaussian(0.2)));
+        if (i > 0 && i % 5 == 0)
+        {
+            const int other = rng.uniform(0, i);
+            points1[i] = points1[other];
+            points2[i] = points2[other];
+        }
+    }
+}
+
+//! Any context for a neighbourhood or a prior, which look at the points only.
+struct Surroundings
+{
+    explicit Surroundings(const Correspondences& points) : context(points, components, params) {}
+
+    Params params;
+    Components components;
+    Context context;
+};
+
+//! Cell of a point along each axis of a layer with `divisions` cells.
+Vec4i cellOf(const Correspondences& p, int point, int divisions)
+{
+    const float* coordinates[4] = {p.x1, p.y1, p.x2, p.y2};
+    Vec4i cell;
+    for (int k = 0; k < 4; ++k)
+    {
+        const float range = p.upper[k] - p.lower[k];
+        const float x = range > 0 ? (coordinates[k][point] - p.lower[k]) * (16 / range) : 0;
+        cell[k] = std::min(15, std::max(0, cvFloor(x))) / (16 / divisions);
+    }
+    return cell;
+}
+
+std::set<int> membersOf(Neighbourhood& grid, const Context& context, int layer, int point)
+{
+    const int* members = 0;
+    const int count = grid.members(context, layer, point, members);
+    const std::set<int> result(members, members + count);
+    EXPECT_EQ(count, (int)result.size()) << "a member is repeated";
+    return result;
+}
+
+void compareWithBruteForce(const Correspondences& points)
+{
+    const Surroundings around(points);
+    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    ASSERT_EQ(4, grid->layers());
+    for (int layer = 0; layer < 4; ++layer)
+        for (int i = 0; i < points.size; ++i)
+        {
+            std::set<int> expected;
+            for (int j = 0; j < points.size; ++j)
+                if (cellOf(points, i, 16 >> layer) == cellOf(points, j, 16 >> layer))
+                    expected.insert(j);
+            ASSERT_EQ(expected, membersOf(*grid, around.context, layer, i)) << "layer " << layer << " point " << i;
+        }
+}
+
+TEST(Usac_Neighbourhood, gridAgainstBruteForce)
+{
+    RNG rng(1);
+    for (int count = 1; count <= 700; count = count * 3 + 1)
+    {
+        std::vector<Point2d> points1, points2;
+        clumsyPoints(count, rng, points1, points2);
+        const OwnPoints points(HOMOGRAPHY, points1, points2);
+        compareWithBruteForce(points.view());
+    }
+    const Scene scene = makeScene(FUNDAMENTAL);
+    compareWithBruteForce(createUsac(scene, Params())->points());
+    compareWithBruteForce(createUsac(makeScene(ESSENTIAL), Params())->points());
+}
+
+//! Points outside the range where nearly all lie belong to the outermost cells.
+TEST(Usac_Neighbourhood, gridOfANarrowRange)
+{
+    RNG rng(2);
+    std::vector<Point2d> points1, points2;
+    clumsyPoints(400, rng, points1, points2);
+    const OwnPoints own(HOMOGRAPHY, points1, points2);
+    Correspondences points = own.view();
+    for (int k = 0; k < 4; ++k)
+    {
+        points.lower[k] = -0.6f;
+        points.upper[k] = 0.7f;
+    }
+    compareWithBruteForce(points);
+}
+
+TEST(Usac_Neighbourhood, layersAreNested)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Surroundings around(usac->points());
+    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    int grown = 0;
+    for (int i = 0; i < usac->points().size; ++i)
+    {
+        std::set<int> finer;
+        for (int layer = 0; layer < grid->layers(); ++layer)
+        {
+            const std::set<int> members = membersOf(*grid, around.context, layer, i);
+            EXPECT_EQ(1u, members.count(i));
+            EXPECT_TRUE(std::includes(members.begin(), members.end(), finer.begin(), finer.end()));
+            grown += members.size() > finer.size();
+            finer = members;
+        }
+    }
+    EXPECT_GT(grown, 2 * usac->points().size);
+}
+
+TEST(Usac_Neighbourhood, equalPointsAreAllNeighbours)
+{
+    const OwnPoints points(HOMOGRAPHY, std::vector<Point2d>(37, Point2d(-3, 4)), std::vector<Point2d>(37, Point2d(0, 0)));
+    const Surroundings around(points.view());
+    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    for (int layer = 0; layer < grid->layers(); ++layer)
+        EXPECT_EQ(37u, membersOf(*grid, around.context, layer, layer).size());
+    EXPECT_LE(grid->edges(around.context).size(), 4u * 37);
+    EXPECT_GE(grid->edges(around.context).size(), 36u);  // enough to link all of them
+}
+
+void checkEdges(const Correspondences& points, size_t least)
+{
+    const Surroundings around(points);
+    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    const std::vector<Vec2i> edges = grid->edges(around.context);
+    std::set<std::pair<int, int> > seen;
+    for (size_t e = 0; e < edges.size(); ++e)
+    {
+        const int i = edges[e][0], j = edges[e][1];
+        ASSERT_TRUE(i >= 0 && j >= 0 && i < points.size && j < points.size);
+        EXPECT_NE(i, j);
+        EXPECT_TRUE(seen.insert(std::make_pair(std::min(i, j), std::max(i, j))).second) << i << " - " << j << " twice";
+        EXPECT_EQ(1u, membersOf(*grid, around.context, 1, i).count(j)) << "not in one cell of 8 x 8 x 8 x 8";
+    }
+    EXPECT_LE(edges.size(), 4 * (size_t)points.size);
+    EXPECT_GE(edges.size(), least);
+    EXPECT_EQ(edges, grid->edges(around.context));
+}
+
+TEST(Usac_Neighbourhood, edges)
+{
+    RNG rng(3);
+    for (int count = 1; count <= 2000; count = count * 4 + 1)
+    {
+        std::vector<Point2d> points1, points2;
+        clumsyPoints(count, rng, points1, points2);
+        checkEdges(OwnPoints(HOMOGRAPHY, points1, points2).view(), count > 100 ? count / 2 : 0);
+    }
+}
+
+//! Points with at least one neighbour in their cell have at least one edge.
+TEST(Usac_Neighbourhood, noPointIsForgotten)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Surroundings around(usac->points());
+    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    std::vector<int> degree(usac->points().size, 0);
+    const std::vector<Vec2i>& edges = grid->edges(around.context);
+    for (size_t e = 0; e < edges.size(); ++e)
+    {
+        ++degree[edges[e][0]];
+        ++degree[edges[e][1]];
+    }
+    int alone = 0;
+    for (int i = 0; i < usac->points().size; ++i)
+    {
+        const bool isolated = membersOf(*grid, around.context, 1, i).size() == 1;
+        EXPECT_EQ(isolated, degree[i] == 0);
+        alone += isolated;
+    }
+    EXPECT_LT(alone, usac->points().size);
+}
+
+std::vector<int> sortBy(const Ptr<Prior>& prior, const Correspondences& points)
+{
+    const Surroundings around(points);
+    std::vector<int> order(points.size);
+    for (int i = 0; i < points.size; ++i)
+        order[i] = i;
+    prior->sort(around.context, order);
+    EXPECT_EQ(points.size, (int)order.size());
+    std::vector<uchar> seen(points.size, 0);
+    for (size_t i = 0; i < order.size(); ++i)
+    {
+        const bool inside = order[i] >= 0 && order[i] < points.size;
+        EXPECT_TRUE(inside && !seen[order[i]]) << "no permutation";
+        if (inside)
+            seen[order[i]] = 1;
+    }
+    return order;
+}
+
+TEST(Usac_Priors, densityPutsClusteredMatchesFirst)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (uint64 seed = 1; seed <= 10; ++seed)
+        {
+            SceneOptions options;
+            options.inliers = 400;
+            options.outliers = 600;
+            options.seed = seed;
+            const Scene scene = makeScene((ProblemType)problem, options);
+            const Ptr<Usac> usac = createUsac(scene, Params());
+            const std::vector<int> order = sortBy(createDensityPrior(), usac->points());
+            int first = 0, last = 0;
+            for (int i = 0; i < 100; ++i)
+            {
+                first += scene.truth[usac->points().inputIndex[order[i]]];
+                last += scene.truth[usac->points().inputIndex[order[999 - i]]];
+            }
+            EXPECT_GT(first, 60) << "problem " << problem << " seed " << seed;  // 40 by chance
+            EXPECT_LT(last, 40) << "problem " << problem << " seed " << seed;
+        }
+}
+
+TEST(Usac_Priors, densityOfClumsyPoints)
+{
+    RNG rng(4);
+    for (int count = 1; count <= 3000; count = count * 5 + 1)
+    {
+        std::vector<Point2d> points1, points2;
+        clumsyPoints(count, rng, points1, points2);
+        sortBy(createDensityPrior(), OwnPoints(HOMOGRAPHY, points1, points2).view());
+    }
+    const std::vector<Point2d> equal(70000, Point2d(1, 2));  // more of them in one cell than 16 bits hold
+    sortBy(createDensityPrior(), OwnPoints(HOMOGRAPHY, equal, equal).view());
+}
+
+TEST(Usac_Priors, scores)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    RNG rng(5);
+    for (int direction = 0; direction < 2; ++direction)
+    {
+        Params params;
+        params.scoreOrder = direction == 0 ? SCORES_LOWER_IS_BETTER : SCORES_HIGHER_IS_BETTER;
+        int unknown = 0;
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            const bool isUnknown = i % 9 == 4;
+            unknown += isUnknown;
+            const float score = (float)(i % 10 == 3 ? 0.5 : rng.gaussian(10));
+            params.scores.push_back(isUnknown ? std::numeric_limits<float>::quiet_NaN() : score);
+        }
+        const Ptr<Usac> usac = createUsac(scene, params);
+        ASSERT_TRUE(usac->points().scores != 0);
+        const std::vector<int> order = sortBy(createScorePrior(), usac->points());
+        float previous = 0;
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            const float score = params.scores[usac->points().inputIndex[order[i]]];
+            ASSERT_EQ(i >= scene.size() - unknown, cvIsNaN(score) != 0) << "scores that are NaN come last";
+            if (i > 0 && i < scene.size() - unknown)
+            {
+                EXPECT_TRUE(direction == 0 ? previous <= score : previous >= score);
+            }
+            previous = score;
+        }
+    }
+}
+
+TEST(Usac_Priors, inputOrder)
+{
+    Scene scene = makeScene(HOMOGRAPHY);
+    scene.points1[3].x = std::numeric_limits<double>::quiet_NaN();
+    scene.points2[17].y = std::numeric_limits<double>::infinity();
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const std::vector<int> order = sortBy(createInputOrderPrior(), usac->points());
+    ASSERT_EQ(scene.size() - 2, (int)order.size());
+    int row = 0;
+    for (size_t i = 0; i < order.size(); ++i, ++row)
+    {
+        while (row == 3 || row == 17)
+            ++row;
+        ASSERT_EQ(row, usac->points().inputIndex[order[i]]);
+    }
+}
+
+}} // namespace

@@ -1,0 +1,287 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+
+// Each field of Params changed alone has an effect: verification, local optimisation, termination, degeneracy, polishing.
+
+namespace opencv_test { namespace {
+
+typedef UsacProblem UsacComponents;
+INSTANTIATE_TEST_CASE_P(/**/, UsacComponents, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+
+const int SAMPLE_SIZES[] = {4, 7, 5};
+
+Scene sceneOf(ProblemType problem, int inliers, int outliers)
+{
+    SceneOptions options;
+    options.inliers = inliers;
+    options.outliers = outliers;
+    options.seed = 3;
+    return makeScene(problem, options);
+}
+
+Report reportOf(const Scene& scene, const Params& params)
+{
+    Report report;
+    estimate(scene, params, noArray(), &report);
+    return report;
+}
+
+//! Counts the points whose errors are asked for.
+class CountingResidual : public Residual
+{
+public:
+    explicit CountingResidual(const Ptr<Residual>& residual_) : points(0), residual(residual_) {}
+
+    void squaredErrors(const Correspondences& p, const Model& model, int begin, int end, float* errors) const CV_OVERRIDE
+    {
+        points += end - begin;
+        residual->squaredErrors(p, model, begin, end, errors);
+    }
+
+    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
+                       int count, double* errors) const CV_OVERRIDE
+    {
+        residual->squaredErrors(model, x1, y1, x2, y2, count, errors);
+    }
+
+    mutable int64 points;
+
+private:
+    Ptr<Residual> residual;
+};
+
+//! Points looked at by a run without local optimisation.
+int64 pointsTested(const Scene& scene, int verification)
+{
+    Params params;
+    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    params.quality = QUALITY_INLIERS;
+    params.verification = verification;
+    params.termination = 0;
+    params.maxIterations = 500;
+    Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<CountingResidual> counter = makePtr<CountingResidual>(usac->components().residual);
+    usac->components().residual = counter;
+    EXPECT_FALSE(usac->run().empty());
+    return counter->points;
+}
+
+TEST_P(UsacComponents, verification)
+{
+    const Scene scene = sceneOf(problem(), 1000, 1000);
+    const int64 all = pointsTested(scene, VERIFICATION_NONE), sprt = pointsTested(scene, VERIFICATION_SPRT);
+    EXPECT_GT(sprt, 0);
+    EXPECT_LT(2 * sprt, all);
+}
+
+//! Remembers the sizes of the sets that models were fitted to.
+class FitRecorder : public NonMinimalSolver
+{
+public:
+    explicit FitRecorder(const Ptr<NonMinimalSolver>& solver_) : solver(solver_) {}
+
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model) const CV_OVERRIDE
+    {
+        sizes.push_back(count);
+        return solver->fit(points, indices, count, weights, model);
+    }
+
+    mutable std::vector<int> sizes;
+
+private:
+    Ptr<NonMinimalSolver> solver;
+};
+
+//! Sizes of the fits of a local optimisation; the polishing, which fits too, is left out.
+std::vector<int> localFits(const Scene& scene, Params params, Report* report = 0)
+{
+    params.polishing = POLISHING_NONE;
+    params.degeneracy = 0;
+    params.sampler = SAMPLER_UNIFORM;
+    params.termination = 0;
+    params.maxIterations = 300;
+    Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<FitRecorder> recorder = makePtr<FitRecorder>(usac->components().nonMinimalSolver);
+    usac->components().nonMinimalSolver = recorder;
+    usac->run(noArray(), report);
+    return recorder->sizes;
+}
+
+TEST_P(UsacComponents, localOptimization)
+{
+    const Scene scene = sceneOf(problem(), 200, 200);
+    Params params;
+    Report with, without;
+    EXPECT_FALSE(localFits(scene, params, &with).empty());
+    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    EXPECT_TRUE(localFits(scene, params, &without).empty());
+    EXPECT_GT(with.localOptimizations, 0);
+    EXPECT_GT(with.localImprovements, 0);
+    EXPECT_EQ(0, without.localOptimizations);
+    EXPECT_LT(with.cost, without.cost);
+}
+
+TEST_P(UsacComponents, localIterations)
+{
+    const Scene scene = sceneOf(problem(), 200, 200);
+    Params params;
+    params.localSamples = 2;
+    params.localIterations = 1;
+    const size_t one = localFits(scene, params).size();
+    params.localIterations = 10;
+    EXPECT_GT(localFits(scene, params).size(), one);
+}
+
+TEST_P(UsacComponents, localSamples)
+{
+    const Scene scene = sceneOf(problem(), 200, 200);
+    Params params;
+    params.localIterations = 1;
+    params.localSamples = 0;
+    Report report;
+    const size_t none = localFits(scene, params, &report).size();
+    EXPECT_LE(none, (size_t)report.localOptimizations) << "one fit of all inliers each";
+    params.localSamples = 10;
+    const size_t ten = localFits(scene, params, &report).size();
+    EXPECT_GT(ten, 5 * none);
+}
+
+TEST_P(UsacComponents, localSampleMultiple)
+{
+    const Scene scene = sceneOf(problem(), 400, 100);
+    const int multiples[] = {2, 7, 15};
+    for (int i = 0; i < 3; ++i)
+    {
+        Params params;
+        params.localSampleMultiple = multiples[i];
+        params.localSamples = 4;
+        const std::vector<int> sizes = localFits(scene, params);
+        const int wanted = multiples[i] * SAMPLE_SIZES[problem()];
+        EXPECT_GE(std::count(sizes.begin(), sizes.end(), wanted), 4) << "samples of " << wanted;
+        for (int k = 0; k < 3; ++k)
+            if (k != i)
+            {
+                EXPECT_EQ(0, std::count(sizes.begin(), sizes.end(), multiples[k] * SAMPLE_SIZES[problem()]));
+            }
+    }
+}
+
+TEST_P(UsacComponents, spatialWeight)
+{
+    const Scene scene = sceneOf(problem(), 400, 100);
+    Params params;
+    std::vector<int> before;
+    const double weights[] = {0, 0.14, 5};
+    for (int i = 0; i < 3; ++i)
+    {
+        params.spatialWeight = weights[i];
+        const std::vector<int> sizes = localFits(scene, params);
+        ASSERT_FALSE(sizes.empty());
+        EXPECT_NE(before, sizes) << "the inliers that a model is fitted to";
+        before = sizes;
+    }
+}
+
+TEST_P(UsacComponents, termination)
+{
+    const Scene scene = sceneOf(problem(), 150, 150);
+    Params params;
+    params.termination = TERMINATION_STANDARD;
+    EXPECT_EQ((int)STOP_STANDARD, reportOf(scene, params).stop);
+    params.termination = TERMINATION_SPRT;
+    EXPECT_EQ((int)STOP_SPRT, reportOf(scene, params).stop);
+    params.termination = TERMINATION_P_NAPSAC;
+    EXPECT_EQ((int)STOP_P_NAPSAC, reportOf(scene, params).stop);
+    params.termination = 0;
+    params.maxIterations = 500;
+    const Report all = reportOf(scene, params);
+    EXPECT_EQ((int)STOP_MAX_ITERATIONS, all.stop);
+    EXPECT_EQ(500, all.iterations);
+    params.termination = 7;
+    const Report first = reportOf(scene, params);
+    EXPECT_EQ((int)STOP_P_NAPSAC, first.stop) << "the first that fires";
+    EXPECT_LT(first.iterations, 500);
+}
+
+TEST_P(UsacComponents, relaxation)
+{
+    const Scene scene = sceneOf(problem(), 100, 200);
+    int before = INT_MAX;
+    const double relaxations[] = {0, 0.2, 0.6};
+    for (int i = 0; i < 3; ++i)
+    {
+        Params params;
+        params.termination = TERMINATION_P_NAPSAC;
+        params.sampler = SAMPLER_UNIFORM;
+        params.maxIterations = 1000000;
+        params.relaxation = relaxations[i];
+        const int iterations = reportOf(scene, params).iterations;
+        EXPECT_LT(iterations, before);
+        before = iterations;
+    }
+}
+
+TEST_P(UsacComponents, degeneracy_orientation)
+{
+    const Scene scene = sceneOf(problem(), 100, 200);
+    Params params;
+    params.termination = 0;
+    params.maxIterations = 300;
+    params.degeneracy = DEGENERACY_ORIENTATION;
+    const Report with = reportOf(scene, params);
+    params.degeneracy = 0;
+    const Report without = reportOf(scene, params);
+    EXPECT_EQ(0, without.rejectedModels);
+    if (problem() == HOMOGRAPHY)
+    {
+        EXPECT_GT(with.rejectedSamples, without.rejectedSamples + 50);
+    }
+    else
+    {
+        EXPECT_GT(with.rejectedModels, 50);
+    }
+}
+
+TEST(Usac_Components, degeneracy_degensac)
+{
+    double with = 0, without = 0;
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        SceneOptions options;
+        options.planeFraction = 0.9;
+        options.seed = seed;
+        const Scene scene = makeScene(FUNDAMENTAL, options);
+        Params params;
+        Report report;
+        with += std::min(10., modelError(scene, estimate(scene, params, noArray(), &report), OFF_PLANE));
+        EXPECT_TRUE(report.degenerate);
+        params.degeneracy = DEGENERACY_ORIENTATION;
+        without += std::min(10., modelError(scene, estimate(scene, params, noArray(), &report), OFF_PLANE));
+        EXPECT_FALSE(report.degenerate);
+    }
+    EXPECT_LT(with, without);
+}
+
+TEST_P(UsacComponents, polishing)
+{
+    Params params;
+    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    double with = 0, without = 0;
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        const Scene scene = makeScene(problem(), options);
+        params.polishing = POLISHING_LEAST_SQUARES;
+        with += modelError(scene, estimate(scene, params));
+        params.polishing = POLISHING_NONE;
+        without += modelError(scene, estimate(scene, params));
+    }
+    EXPECT_LT(with, 0.8 * without);
+}
+
+}} // namespace

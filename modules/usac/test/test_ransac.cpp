@@ -1,0 +1,339 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+namespace opencv_test { namespace {
+
+//! What an estimation returns.
+struct Answer
+{
+    Mat model, mask;
+    Report report;
+};
+
+Answer answer(const Scene& scene, const Params& params)
+{
+    Answer result;
+    result.model = estimate(scene, params, result.mask, &result.report);
+    return result;
+}
+
+void expectSameBits(const Answer& a, const Answer& b)
+{
+    ASSERT_EQ(a.model.size(), b.model.size());
+    if (!a.model.empty())
+    {
+        EXPECT_EQ(0, memcmp(a.model.data, b.model.data, 9 * sizeof(double)));
+    }
+    EXPECT_EQ(0, cvtest::norm(a.mask, b.mask, NORM_INF));
+    EXPECT_EQ(a.report.stop, b.report.stop);
+    EXPECT_EQ(a.report.iterations, b.report.iterations);
+    EXPECT_EQ(a.report.inliers, b.report.inliers);
+    EXPECT_EQ(a.report.cost, b.report.cost);
+    EXPECT_EQ(a.report.rejectedSamples, b.report.rejectedSamples);
+    EXPECT_EQ(a.report.localOptimizations, b.report.localOptimizations);
+    EXPECT_EQ(a.report.localImprovements, b.report.localImprovements);
+    EXPECT_EQ(a.report.degenerate, b.report.degenerate);
+}
+
+Scene sceneOf(ProblemType problem, double inlierRatio, uint64 seed, int size = 400)
+{
+    SceneOptions options;
+    options.inliers = cvRound(inlierRatio * size);
+    options.outliers = size - options.inliers;
+    options.seed = seed;
+    return makeScene(problem, options);
+}
+
+std::vector<Params> variants()
+{
+    std::vector<Params> result;
+    result.push_back(Params());
+    result.push_back(Params::fast());
+    result.push_back(Params::accurate());
+    result.push_back(Params::ransac());
+    Params params;
+    params.termination = 0;
+    params.maxIterations = 700;
+    result.push_back(params);
+    params.sampler = SAMPLER_PROSAC;
+    params.verification = VERIFICATION_NONE;
+    result.push_back(params);
+    return result;
+}
+
+typedef testing::TestWithParam<int> Usac_Ransac;
+
+TEST_P(Usac_Ransac, sameBitsWithAnyNumberOfThreads)
+{
+    const std::vector<Params> all = variants();
+    for (size_t v = 0; v < all.size(); ++v)
+        for (uint64 seed = 1; seed <= 4; ++seed)
+        {
+            const Scene scene = sceneOf((ProblemType)GetParam(), 0.25 + 0.15 * seed, seed);
+            Params params = all[v];
+            params.seed = (int)seed;
+            params.maxIterations = std::min(params.maxIterations, 1000);
+            const Answer one = answer(scene, params);
+            const int threads[] = {2, 8, 0};
+            for (int k = 0; k < 3; ++k)
+            {
+                SCOPED_TRACE(cv::format("variant %d seed %d threads %d", (int)v, (int)seed, threads[k]));
+                params.threads = threads[k];
+                expectSameBits(one, answer(scene, params));
+            }
+        }
+}
+
+//! The generator of the caller has no influence, and the seed has one.
+TEST_P(Usac_Ransac, repeatable)
+{
+    const Scene scene = sceneOf((ProblemType)GetParam(), 0.4, 7);
+    Params params;
+    const Answer first = answer(scene, params);
+    theRNG().next();
+    estimate(sceneOf(HOMOGRAPHY, 0.5, 3), params);
+    expectSameBits(first, answer(scene, params));
+    params.termination = 0;
+    params.maxIterations = 20;
+    params.polishing = POLISHING_NONE;
+    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    const Answer a = answer(scene, params);
+    int different = 0;
+    for (int seed = 1; seed <= 5; ++seed)
+    {
+        params.seed = seed;
+        const Answer b = answer(scene, params);
+        different += b.model.size() != a.model.size() || cvtest::norm(a.mask, b.mask, NORM_INF) > 0;
+    }
+    EXPECT_GT(different, 0);
+}
+
+TEST_P(Usac_Ransac, reportIsConsistent)
+{
+    const std::vector<Params> all = variants();
+    for (size_t v = 0; v < all.size(); ++v)
+        for (uint64 seed = 1; seed <= 5; ++seed)
+        {
+            SCOPED_TRACE(cv::format("variant %d seed %d", (int)v, (int)seed));
+            const Scene scene = sceneOf((ProblemType)GetParam(), 0.5, seed);
+            Params params = all[v];
+            params.maxIterations = std::min(params.maxIterations, 1000);
+            const Answer found = answer(scene, params);
+            const Report& r = found.report;
+            EXPECT_GE(r.iterations, 1);
+            EXPECT_LE(r.iterations, params.maxIterations);
+            EXPECT_LE(r.rejectedSamples, r.iterations);
+            EXPECT_LE(r.models, (r.iterations - r.rejectedSamples) * (int)MAX_MODELS);
+            EXPECT_GE(r.models, r.iterations - r.rejectedSamples);
+            EXPECT_LE(r.rejectedModels + r.droppedModels, r.models);
+            EXPECT_LE(r.localImprovements, r.localOptimizations);
+            EXPECT_LE(r.localOptimizations, r.models - r.rejectedModels - r.droppedModels);
+            EXPECT_EQ(params.localOptimization == LOCAL_OPTIMIZATION_NONE, r.localOptimizations == 0);
+            EXPECT_EQ(countNonZero(found.mask), r.inliers);
+            EXPECT_TRUE(r.cost >= 0 && r.cost <= 1);
+            EXPECT_TRUE(r.setupMs >= 0 && r.searchMs >= 0 && r.localMs >= 0 && r.polishMs >= 0);
+            EXPECT_FALSE(r.describe().empty());
+        }
+}
+
+TEST_P(Usac_Ransac, maskBelongsToTheModel)
+{
+    for (uint64 seed = 1; seed <= 20; ++seed)
+    {
+        const Scene scene = sceneOf((ProblemType)GetParam(), 0.5, seed);
+        Params params;
+        params.threshold = 0.5 + 0.1 * seed;
+        const Answer found = answer(scene, params);
+        ASSERT_FALSE(found.model.empty());
+        const Matx33d model(found.model.ptr<double>());
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            const double error = pixelError(scene, model, scene.points1[i], scene.points2[i]);
+            if (std::abs(error - params.threshold) > 1e-7)
+            {
+                ASSERT_EQ(error < params.threshold, found.mask.at<uchar>(i) != 0) << "row " << i << " error " << error;
+            }
+        }
+    }
+}
+
+TEST_P(Usac_Ransac, recoversTheModel)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const double ratios[] = {0.3, 0.5, 0.7, 0.9};
+    const int SCENES = 15;
+    for (int k = 0; k < 4; ++k)
+    {
+        int recovered = 0;
+        double inliersFound = 0, inliers = 0;
+        for (uint64 seed = 1; seed <= SCENES; ++seed)
+        {
+            const Scene scene = sceneOf(problem, ratios[k], seed);
+            Params params;
+            params.confidence = 0.999;
+            params.maxIterations = 30000;
+            const Answer found = answer(scene, params);
+            const double error = modelError(scene, found.model);
+            recovered += error < 1;
+            for (int i = 0; error < 1 && i < scene.size(); ++i)
+            {
+                inliers += scene.truth[i];
+                inliersFound += scene.truth[i] && found.mask.at<uchar>(i);
+            }
+        }
+        EXPECT_GE(recovered, SCENES * 9 / 10) << "inlier ratio " << ratios[k];
+        EXPECT_GT(inliersFound, 0.9 * inliers) << "inlier ratio " << ratios[k];
+    }
+}
+
+//! Without noise nothing but rounding is left.
+TEST_P(Usac_Ransac, exactWithoutNoise)
+{
+    for (uint64 seed = 1; seed <= 15; ++seed)
+    {
+        SceneOptions options;
+        options.noise = 0;
+        options.seed = seed;
+        const Scene scene = makeScene((ProblemType)GetParam(), options);
+        EXPECT_LT(modelError(scene, answer(scene, Params()).model), 1e-3) << "seed " << seed;
+    }
+}
+
+TEST_P(Usac_Ransac, duplicates)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        SceneOptions options;
+        options.duplicates = 150;
+        options.seed = seed;
+        const Scene scene = makeScene((ProblemType)GetParam(), options);
+        EXPECT_LT(modelError(scene, answer(scene, Params()).model), 2) << "seed " << seed;
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(All, Usac_Ransac, testing::Values(0, 1, 2));
+
+Params stopBy(int termination)
+{
+    Params params;
+    params.termination = termination;
+    params.maxIterations = 50000;
+    return params;
+}
+
+TEST(Usac_Ransac_Stop, reasons)
+{
+    const Scene scene = sceneOf(HOMOGRAPHY, 0.6, 1);
+    EXPECT_EQ((int)STOP_STANDARD, answer(scene, stopBy(TERMINATION_STANDARD)).report.stop);
+    EXPECT_EQ((int)STOP_SPRT, answer(scene, stopBy(TERMINATION_SPRT)).report.stop);
+    EXPECT_EQ((int)STOP_P_NAPSAC, answer(scene, stopBy(TERMINATION_P_NAPSAC)).report.stop);
+    Params params = stopBy(0);
+    params.maxIterations = 321;
+    const Report report = answer(scene, params).report;
+    EXPECT_EQ((int)STOP_MAX_ITERATIONS, report.stop);
+    EXPECT_EQ(321, report.iterations);
+}
+
+TEST(Usac_Ransac_Stop, withoutAModel)
+{
+    Scene scene = sceneOf(FUNDAMENTAL, 0.6, 1, 20);
+    scene.points1.resize(6);
+    scene.points2.resize(6);
+    const Answer few = answer(scene, Params());
+    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, few.report.stop);
+    EXPECT_EQ(0, few.report.iterations);
+    EXPECT_TRUE(few.model.empty());
+    EXPECT_EQ(Size(1, 6), few.mask.size());
+    EXPECT_EQ(0, countNonZero(few.mask));
+    scene.points1.assign(50, Point2d(5, 7));
+    scene.points2.assign(50, Point2d(3, 4));
+    const Answer equal = answer(scene, Params());
+    EXPECT_EQ((int)STOP_NO_MODEL, equal.report.stop);
+    EXPECT_TRUE(equal.model.empty());
+    EXPECT_EQ(0, countNonZero(equal.mask));
+}
+
+//! The number of samples of the standard criterion for the inliers of the result, or more if it was found late.
+TEST(Usac_Ransac_Stop, standardNumberOfSamples)
+{
+    Params params = Params::ransac();
+    params.confidence = 0.95;
+    params.maxIterations = 1000000;
+    params.polishing = POLISHING_NONE;
+    int exact = 0;
+    for (uint64 seed = 1; seed <= 20; ++seed)
+    {
+        const Scene scene = sceneOf(HOMOGRAPHY, 0.3, seed);
+        const Report report = answer(scene, params).report;
+        EXPECT_EQ((int)STOP_STANDARD, report.stop);
+        double good = 1;
+        for (int i = 0; i < 4; ++i)
+            good *= (report.inliers - i) / (double)(scene.size() - i);
+        const double needed = std::ceil(std::log(0.05) / std::log1p(-good));
+        EXPECT_GE(report.iterations, 0.95 * needed) << "seed " << seed;
+        exact += std::abs(report.iterations - needed) <= 0.05 * needed;
+    }
+    EXPECT_GE(exact, 12);
+}
+
+//! Whichever fires first: two criteria never need more samples than one of them.
+TEST(Usac_Ransac_Stop, firstOfTwo)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        const Scene scene = sceneOf(FUNDAMENTAL, 0.5, seed);
+        const int both = answer(scene, stopBy(TERMINATION_SPRT | TERMINATION_P_NAPSAC)).report.iterations;
+        const int sprt = answer(scene, stopBy(TERMINATION_SPRT)).report.iterations;
+        const int relaxed = answer(scene, stopBy(TERMINATION_P_NAPSAC)).report.iterations;
+        EXPECT_EQ(std::min(sprt, relaxed), both) << "seed " << seed;
+    }
+}
+
+class StopAt : public Termination
+{
+public:
+    explicit StopAt(int samples_) : samples(samples_) {}
+    int iterations(const Context&, const State&) const CV_OVERRIDE { return samples; }
+
+private:
+    const int samples;
+};
+
+TEST(Usac_Ransac_Stop, custom)
+{
+    const Scene scene = sceneOf(HOMOGRAPHY, 0.5, 1);
+    const Ptr<Usac> usac = createUsac(scene, stopBy(0));
+    usac->components().terminations.push_back(makePtr<StopAt>(123));
+    Report report;
+    EXPECT_FALSE(usac->run(noArray(), &report).empty());
+    EXPECT_EQ((int)STOP_CUSTOM, report.stop);
+    EXPECT_EQ(123, report.iterations);
+}
+
+//! Only the required components: the plain loop.
+TEST(Usac_Ransac_Parts, withoutOptionalComponents)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        const Scene scene = sceneOf((ProblemType)problem, 0.7, 2);
+        const Ptr<Usac> usac = createUsac(scene, stopBy(0));
+        Components& parts = usac->components();
+        parts.prior.release();
+        parts.verifier.release();
+        parts.localOptimizer.release();
+        parts.polisher.release();
+        parts.degeneracies.clear();
+        parts.terminations.clear();
+        parts.terminations.push_back(makePtr<StopAt>(500));
+        Report report;
+        const Mat model = usac->run(noArray(), &report);
+        EXPECT_LT(modelError(scene, model), 5);
+        EXPECT_EQ(0, report.localOptimizations);
+        EXPECT_EQ(0, report.rejectedModels);
+    }
+}
+
+}} // namespace

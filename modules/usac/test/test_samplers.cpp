@@ -1,0 +1,290 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "samplers/samplers.hpp"
+
+namespace opencv_test { namespace {
+
+//! What a sampler needs, and its samples one after the other as Ransac draws them.
+class Draw
+{
+public:
+    Draw(ProblemType problem, int count, const Ptr<Sampler>& sampler_, uint64 seed_ = 0)
+        : sampler(sampler_), scene(makeScene(problem, optionsOf(count))), usac(createUsac(scene, params)),
+          context(usac->points(), usac->components(), params), m(usac->components().minimalSolver->sampleSize()),
+          seed(seed_)
+    {
+        state.order.resize(count);
+        for (int i = 0; i < count; ++i)  // any permutation
+            state.order[i] = (i * 7 + 3) % count;
+        if (count % 7 == 0)
+            std::reverse(state.order.begin(), state.order.end());
+    }
+
+    void next()
+    {
+        state.rng = Rng(seed, state.iteration);
+        sampler->sample(context, state, sample);
+        ++state.iteration;
+    }
+
+    //! False if an index is out of range or repeated.
+    bool valid() const
+    {
+        for (int i = 0; i < m; ++i)
+        {
+            if (sample[i] < 0 || sample[i] >= context.points.size)
+                return false;
+            for (int j = 0; j < i; ++j)
+                if (sample[i] == sample[j])
+                    return false;
+        }
+        return true;
+    }
+
+    bool contains(int point) const { return std::find(sample, sample + m, point) != sample + m; }
+
+    static SceneOptions optionsOf(int count)
+    {
+        SceneOptions options;
+        options.inliers = count - count / 3;
+        options.outliers = count / 3;
+        return options;
+    }
+
+    const Params params;
+    Ptr<Sampler> sampler;
+    const Scene scene;
+    const Ptr<Usac> usac;
+    const Context context;
+    const int m;
+    State state;
+    int sample[MAX_SAMPLE_SIZE];
+
+private:
+    const uint64 seed;
+};
+
+//! Chi-squared over its degrees of freedom, in standard deviations from 1.
+double deviation(const std::vector<int>& counts, double total)
+{
+    const double expected = total / counts.size(), freedom = counts.size() - 1.;
+    double sum = 0;
+    for (size_t i = 0; i < counts.size(); ++i)
+        sum += (counts[i] - expected) * (counts[i] - expected) / expected;
+    return (sum - freedom) / std::sqrt(2 * freedom);
+}
+
+TEST(Usac_Samplers, uniformByChiSquared)
+{
+    const int N = 30, SAMPLES = 60000;
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        Draw draw((ProblemType)problem, N, createUniformSampler(), problem);
+        std::vector<std::vector<int> > places(draw.m, std::vector<int>(N, 0));
+        std::vector<int> firstPair(N * N, 0), lastPair(N * N, 0);
+        for (int i = 0; i < SAMPLES; ++i)
+        {
+            draw.next();
+            ASSERT_TRUE(draw.valid());
+            ASSERT_EQ(N, draw.state.subsetSize);
+            for (int k = 0; k < draw.m; ++k)
+                ++places[k][draw.sample[k]];
+            ++firstPair[draw.sample[0] * N + draw.sample[1]];
+            ++lastPair[draw.sample[draw.m - 1] * N + draw.sample[0]];
+        }
+        for (int k = 0; k < draw.m; ++k)
+            EXPECT_LT(std::abs(deviation(places[k], SAMPLES)), 4.5) << "place " << k;
+        for (int i = N - 1; i >= 0; --i)  // pairs of equal points do not occur
+        {
+            EXPECT_EQ(0, firstPair[i * N + i]);
+            firstPair.erase(firstPair.begin() + i * N + i);
+            lastPair.erase(lastPair.begin() + i * N + i);
+        }
+        EXPECT_LT(std::abs(deviation(firstPair, SAMPLES)), 4.5);
+        EXPECT_LT(std::abs(deviation(lastPair, SAMPLES)), 4.5);
+    }
+}
+
+TEST(Usac_Samplers, seedsDiffer)
+{
+    Draw a(HOMOGRAPHY, 50, createUniformSampler(), 1), b(HOMOGRAPHY, 50, createUniformSampler(), 2),
+         c(HOMOGRAPHY, 50, createUniformSampler(), 1);
+    int same = 0;
+    for (int i = 0; i < 1000; ++i)
+    {
+        a.next();
+        b.next();
+        c.next();
+        same += std::equal(a.sample, a.sample + 4, b.sample);
+        EXPECT_TRUE(std::equal(a.sample, a.sample + 4, c.sample));
+    }
+    EXPECT_LE(same, 2);
+}
+
+//! T'_n of the published algorithm for n = 0 .. N, from the product that defines T_n.
+std::vector<double> publishedGrowth(int N, int m, double T_N)
+{
+    std::vector<double> limit(N + 1, 0.);
+    limit[m] = 1;
+    for (int n = m; n < N; ++n)
+    {
+        long double low = T_N, high = T_N;
+        for (int i = 0; i < m; ++i)
+        {
+            low *= (long double)(n - i) / (N - i);
+            high *= (long double)(n + 1 - i) / (N - i);
+        }
+        limit[n + 1] = limit[n] + (double)std::ceil(high - low);
+    }
+    return limit;
+}
+
+TEST(Usac_Samplers, prosacGrowsAsPublished)
+{
+    const int sizes[] = {40, 200, 1000};
+    for (int problem = 0; problem < 3; ++problem)
+        for (int k = 0; k < 3; ++k)
+        {
+            const int N = sizes[k];
+            Draw draw((ProblemType)problem, N, createProsacSampler());
+            const std::vector<double> limit = publishedGrowth(N, draw.m, 200000);
+            int n = draw.m, wrongSize = 0, withoutNewest = 0, outside = 0;
+            for (int t = 1; t <= 30000; ++t)
+            {
+                while (n < N && t > limit[n])
+                    ++n;
+                draw.next();
+                ASSERT_TRUE(draw.valid());
+                // where a difference T_{n+1} - T_n is an integer, rounding may decide: one size more or less for a while
+                wrongSize += draw.state.subsetSize != n;
+                if (draw.state.subsetSize < N)
+                    withoutNewest += !draw.contains(draw.state.order[draw.state.subsetSize - 1]);
+                for (int i = 0; i < draw.m; ++i)
+                    outside += std::find(draw.state.order.begin(), draw.state.order.begin() + draw.state.subsetSize,
+                                         draw.sample[i]) == draw.state.order.begin() + draw.state.subsetSize;
+            }
+            EXPECT_LE(wrongSize, 30) << "N " << N << " m " << draw.m;
+            EXPECT_EQ(0, withoutNewest);
+            EXPECT_EQ(0, outside);
+        }
+}
+
+TEST(Usac_Samplers, prosacEndsUniform)
+{
+    const int N = 25, SAMPLES = 60000;
+    Draw draw(HOMOGRAPHY, N, createProsacSampler());
+    while (draw.state.subsetSize < N)
+    {
+        draw.next();
+        ASSERT_LT(draw.state.iteration, 210000);
+    }
+    EXPECT_GT(draw.state.iteration, 150000);
+    std::vector<int> pairs(N * N, 0), singles(N, 0);
+    for (int i = 0; i < SAMPLES; ++i)
+    {
+        draw.next();
+        ++pairs[draw.sample[0] * N + draw.sample[1]];
+        ++singles[draw.sample[3]];
+    }
+    for (int i = N - 1; i >= 0; --i)
+        pairs.erase(pairs.begin() + i * N + i);
+    EXPECT_LT(std::abs(deviation(pairs, SAMPLES)), 4.5);
+    EXPECT_LT(std::abs(deviation(singles, SAMPLES)), 4.5);
+}
+
+//! Mean distance in the joint space between the first and the other points of a sample.
+double spread(const Draw& draw)
+{
+    const Correspondences& p = draw.context.points;
+    const int i = draw.sample[0];
+    double sum = 0;
+    for (int k = 1; k < draw.m; ++k)
+    {
+        const int j = draw.sample[k];
+        sum += cv::norm(Vec4d(p.dx1[i] - p.dx1[j], p.dy1[i] - p.dy1[j], p.dx2[i] - p.dx2[j], p.dy2[i] - p.dy2[j]));
+    }
+    return sum / (draw.m - 1);
+}
+
+TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
+{
+    const int N = 240, WINDOW = 2000;
+    for (int problem = 0; problem < 2; ++problem)
+    {
+        Draw draw((ProblemType)problem, N, createPNapsacSampler());
+        Draw uniform((ProblemType)problem, N, createUniformSampler());
+        double early = 0, global = 0;
+        for (int i = 0; i < WINDOW; ++i)
+        {
+            draw.next();
+            uniform.next();
+            ASSERT_TRUE(draw.valid());
+            early += spread(draw);
+            global += spread(uniform);
+        }
+        EXPECT_LT(early, 0.8 * global);
+        for (int i = 0; i < 260000; ++i)
+            draw.next();
+        double late = 0;
+        std::vector<int> singles(N, 0);
+        for (int i = 0; i < 10 * WINDOW; ++i)
+        {
+            draw.next();
+            ASSERT_TRUE(draw.valid());
+            ASSERT_EQ(N, draw.state.subsetSize);
+            late += spread(draw) / 10;
+            for (int k = 0; k < 2; ++k)
+                ++singles[draw.sample[k]];
+        }
+        EXPECT_NEAR(global, late, 0.05 * global);
+        EXPECT_LT(std::abs(deviation(singles, 20. * WINDOW)), 4.5);
+    }
+}
+
+//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new.
+TEST(Usac_Samplers, pNapsacCentresGrowLikeProsac)
+{
+    const int N = 300;
+    Draw draw(FUNDAMENTAL, N, createPNapsacSampler());
+    const std::vector<double> limit = publishedGrowth(N, draw.m, 200000);
+    int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0;
+    for (int t = 1; t <= 20000; ++t)
+    {
+        while (n < N && t > limit[n])
+            ++n;
+        draw.next();
+        ASSERT_TRUE(draw.valid());
+        wrongSize += draw.state.subsetSize != n;
+        if (draw.state.subsetSize < N)
+            notNewest += draw.sample[0] != draw.state.order[draw.state.subsetSize - 1];
+        outside += std::find(draw.state.order.begin(), draw.state.order.begin() + draw.state.subsetSize,
+                             draw.sample[0]) == draw.state.order.begin() + draw.state.subsetSize;
+    }
+    EXPECT_LE(wrongSize, 30);
+    EXPECT_EQ(0, notNewest);
+    EXPECT_EQ(0, outside);
+}
+
+TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (int kind = 0; kind < 3; ++kind)
+            for (int more = 0; more < 3; ++more)
+            {
+                const int N = (problem == 0 ? 4 : problem == 1 ? 7 : 5) + more;
+                Draw draw((ProblemType)problem, N, kind == 0 ? createUniformSampler() : kind == 1 ?
+                                                   createProsacSampler() : createPNapsacSampler());
+                for (int i = 0; i < 300; ++i)
+                {
+                    draw.next();
+                    ASSERT_TRUE(draw.valid()) << problem << " " << kind << " " << more;
+                    ASSERT_LE(draw.state.subsetSize, N);
+                    ASSERT_GE(draw.state.subsetSize, draw.m);
+                }
+            }
+}
+
+}} // namespace

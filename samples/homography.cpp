@@ -1,0 +1,102 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// From two images of a plane to the homography between them, with the flags of OpenCV and of this module side by side.
+
+#include "tools.hpp"
+
+namespace {
+
+//! Mean distance in image 2 between the places where both homographies map a grid of points of image 1.
+double meanDistance(const cv::Mat& H, const cv::Mat& truth, cv::Size size)
+{
+    std::vector<cv::Point2d> grid, mapped, expected;
+    for (int y = 0; y <= 20; ++y)
+        for (int x = 0; x <= 20; ++x)
+            grid.push_back(cv::Point2d(x * (size.width - 1) / 20., y * (size.height - 1) / 20.));
+    cv::perspectiveTransform(grid, mapped, H);
+    cv::perspectiveTransform(grid, expected, truth);
+    double sum = 0;
+    for (size_t i = 0; i < grid.size(); ++i)
+        sum += cv::norm(mapped[i] - expected[i]);
+    return sum / grid.size();
+}
+
+cv::Mat readTruth(const std::string& name)
+{
+    cv::Mat truth;
+    if (name.empty() || name == "none")
+        return truth;
+    const cv::FileStorage fs(tools::findFile(name), cv::FileStorage::READ);
+    fs.getFirstTopLevelNode() >> truth;
+    CV_Assert(truth.rows == 3 && truth.cols == 3);
+    return truth;
+}
+
+//! The call a user writes; `Method` is OpenCV's or this module's.
+template <class Method>
+tools::Result estimate(const char* name, Method method, const tools::Matches& matches, const tools::Settings& s)
+{
+    return tools::measure(name, s.runs, [&](cv::Mat& mask) {
+        return cv::findHomography(matches.points1, matches.points2, method, s.threshold, mask, s.maxIterations, s.confidence);
+    });
+}
+
+void drawOutline(cv::Mat canvas, const cv::Mat& H, cv::Size size)
+{
+    std::vector<cv::Point2d> corners = {cv::Point2d(0, 0), cv::Point2d(size.width, 0),
+                                        cv::Point2d(size.width, size.height), cv::Point2d(0, size.height)};
+    cv::perspectiveTransform(corners, corners, H);
+    cv::Mat right = canvas.colRange(size.width, canvas.cols);
+    for (int k = 0; k < 4; ++k)
+        cv::line(right, corners[k], corners[(k + 1) % 4], cv::Scalar(0, 140, 255), 3, cv::LINE_AA);
+}
+
+int sample(const cv::CommandLineParser& parser)
+{
+    const cv::Mat image1 = tools::readImage(parser.get<std::string>("@image1"));
+    const cv::Mat image2 = tools::readImage(parser.get<std::string>("@image2"));
+    const cv::Mat truth = readTruth(parser.get<std::string>("truth"));
+    const tools::Settings settings(parser, parser.get<int>("iterations"));
+    const tools::Matches matches = tools::match(image1, image2, parser);
+
+    std::vector<tools::Result> results;
+    results.push_back(estimate("RANSAC", cv::RANSAC, matches, settings));
+    results.push_back(estimate("USAC_DEFAULT", cv::USAC_DEFAULT, matches, settings));
+    results.push_back(estimate("USACV20", cv::USACV20, matches, settings));
+    for (size_t i = 0; i < results.size(); ++i)
+        if (!truth.empty() && !results[i].model.empty())
+        {
+            results[i].error = meanDistance(results[i].model, truth, image1.size());
+            results[i].errorText = cv::format("%.2f px", results[i].error);
+        }
+
+    // The same estimation once more, for what a flag does not tell.
+    cv::usacv20::Report report;
+    cv::usacv20::estimateHomography(matches.points1, matches.points2, settings.params(), cv::noArray(), report);
+    tools::Result& ours = results.back();
+    ours.iterations = report.iterations;
+    tools::printTable(matches, results, settings.runs);
+    std::cout << "USACV20: " << report.describe() << std::endl;
+    if (!ours.model.empty())
+    {
+        cv::Mat picture = tools::drawInliers(image1, image2, matches, ours.mask);
+        drawOutline(picture, ours.model, image1.size());
+        tools::writePicture(parser, picture,
+                            cv::format("USACV20: %d of %d matches are inliers (green, some joined); orange: image 1 in image 2",
+                                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
+    }
+    return tools::exitCode(ours, tools::failureLimit(image2));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const std::string keys = tools::keys("graf1.png", "graf3.png", "homography.jpg") +
+        "{truth          | H1to3p.xml | file with the true homography from image 1 to image 2, or none}"
+        "{threshold      | 2          | inlier threshold in pixels}"
+        "{iterations     | 10000      | largest number of samples}";
+    return tools::runSample(argc, argv, keys, "Homography of two images of a plane.", sample);
+}

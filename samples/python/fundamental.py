@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""From two images to the fundamental matrix between them, with the flags of OpenCV and of this module side by side."""
+
+import sys
+
+import cv2
+import numpy as np
+
+import tools
+
+
+def read_truth(name):
+    """True correspondences of a rectified stereo pair: x2 = x1 - disparity, 0: unknown. The epipolar lines are the rows,
+    so the rounding of disparities to a pixel moves points along their lines and costs no accuracy."""
+    disparity = cv2.imread(tools.find_file(name), cv2.IMREAD_GRAYSCALE)
+    y, x = (places.ravel() for places in np.mgrid[0:disparity.shape[0]:10, 0:disparity.shape[1]:10])
+    d = disparity[y, x].astype(int)
+    known = (d > 0) & (x >= d)
+    x, y, d = x[known], y[known], d[known]
+    ones = np.ones(len(x))
+    return np.column_stack((x, y, ones)), np.column_stack((x - d, y, ones))
+
+
+def mean_distance(F, truth):
+    """Mean Sampson distance of the true correspondences in pixels."""
+    lines2, lines1 = truth[0] @ F.T, truth[1] @ F
+    squares = (lines2[:, :2] ** 2).sum(axis=1) + (lines1[:, :2] ** 2).sum(axis=1)
+    return (np.abs((truth[1] * lines2).sum(axis=1)) / np.sqrt(squares)).mean()
+
+
+def main():
+    parser = tools.arguments(__doc__, "aloeL.jpg", "aloeR.jpg", "fundamental_py.jpg", 1.0)
+    parser.add_argument("--truth", default="aloeGT.png", help="true disparities of a rectified pair, or none")
+    parser.add_argument("--iterations", type=int, default=1000, help="largest number of samples")
+    args = parser.parse_args()
+    image1, image2 = tools.read_image(args.image1), tools.read_image(args.image2)
+    truth = read_truth(args.truth) if args.truth != "none" else None
+    points1, points2 = tools.match(image1, image2, args)
+
+    results = []
+    for name in ("RANSAC", "USAC_DEFAULT", "USACV20"):
+        result = tools.measure(name, args.runs, lambda: cv2.findFundamentalMat(
+            points1, points2, getattr(cv2, name), args.threshold, args.confidence, args.iterations))
+        if truth is not None and result.model is not None:
+            result.error = mean_distance(result.model, truth)
+            result.errorText = "%.3f px" % result.error
+        results.append(result)
+
+    # The same estimation once more, for what a flag does not tell.
+    ours = results[-1]
+    _, _, report = cv2.usacv20.estimateFundamental(points1, points2, tools.usacv20_params(args, args.iterations))
+    ours.iterations = report.iterations
+    tools.print_table(len(points1), results, args.runs)
+    print("USACV20: " + report.describe())
+    if ours.model is not None:
+        picture = tools.draw_epipolar_lines(image1, image2, points1, points2, ours.mask, ours.model)
+        tools.write_picture(args.output, picture, ours, "; some of them with their epipolar lines")
+    return tools.exit_code(ours, tools.failure_limit(image2))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""From two images of a plane to the homography between them, with the flags of OpenCV and of this module side by side."""
+
+import sys
+
+import cv2
+import numpy as np
+
+import tools
+
+
+def mean_distance(H, truth, shape):
+    """Mean distance in image 2 between the places where both homographies map a grid of points of image 1."""
+    x, y = np.meshgrid(np.linspace(0, shape[1] - 1, 21), np.linspace(0, shape[0] - 1, 21))
+    grid = np.dstack((x, y)).reshape(-1, 1, 2)
+    difference = cv2.perspectiveTransform(grid, H) - cv2.perspectiveTransform(grid, truth)
+    return np.linalg.norm(difference, axis=2).mean()
+
+
+def draw_outline(canvas, H, shape):
+    corners = np.float64([[[0, 0]], [[shape[1], 0]], [[shape[1], shape[0]]], [[0, shape[0]]]])
+    outline = cv2.perspectiveTransform(corners, H).round().astype(np.int32)
+    right = np.ascontiguousarray(canvas[:, shape[1]:])
+    cv2.polylines(right, [outline], True, (0, 140, 255), 3, cv2.LINE_AA)
+    canvas[:, shape[1]:] = right
+
+
+def main():
+    parser = tools.arguments(__doc__, "graf1.png", "graf3.png", "homography_py.jpg", 2.0)
+    parser.add_argument("--truth", default="H1to3p.xml", help="file with the true homography, or none")
+    parser.add_argument("--iterations", type=int, default=10000, help="largest number of samples")
+    args = parser.parse_args()
+    image1, image2 = tools.read_image(args.image1), tools.read_image(args.image2)
+    truth = None
+    if args.truth != "none":
+        truth = cv2.FileStorage(tools.find_file(args.truth), cv2.FILE_STORAGE_READ).getFirstTopLevelNode().mat()
+    points1, points2 = tools.match(image1, image2, args)
+
+    results = []
+    for name in ("RANSAC", "USAC_DEFAULT", "USACV20"):
+        result = tools.measure(name, args.runs, lambda: cv2.findHomography(
+            points1, points2, getattr(cv2, name), args.threshold, maxIters=args.iterations, confidence=args.confidence))
+        if truth is not None and result.model is not None:
+            result.error = mean_distance(result.model, truth, image1.shape)
+            result.errorText = "%.2f px" % result.error
+        results.append(result)
+
+    # The same estimation once more, for what a flag does not tell.
+    ours = results[-1]
+    _, _, report = cv2.usacv20.estimateHomography(points1, points2, tools.usacv20_params(args, args.iterations))
+    ours.iterations = report.iterations
+    tools.print_table(len(points1), results, args.runs)
+    print("USACV20: " + report.describe())
+    if ours.model is not None:
+        picture = tools.draw_inliers(image1, image2, points1, points2, ours.mask)
+        draw_outline(picture, ours.model, image1.shape)
+        tools.write_picture(args.output, picture, ours, " (green, some joined); orange: image 1 in image 2")
+    return tools.exit_code(ours, tools.failure_limit(image2))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,188 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What the samples share: from two images to matches, the table, the pictures."""
+
+import argparse
+import os
+import random
+import sys
+import time
+
+import cv2
+import numpy as np
+
+DATA_FOLDERS = (os.environ.get("OPENCV_SAMPLES_DATA_PATH", ""), ".", "/usr/share/doc/opencv-doc/examples/data")
+
+
+class Result:
+    """What one method made of the matches."""
+
+    def __init__(self, method, model, mask, milliseconds):
+        self.method, self.model, self.mask, self.milliseconds = method, model, mask, milliseconds
+        self.iterations = "-"
+        self.error, self.errorText = None, "unknown"
+
+
+def find_file(name):
+    """A file by its path or among OpenCV's sample data."""
+    for path in [name] + [os.path.join(folder, name) for folder in DATA_FOLDERS]:
+        if os.path.isfile(path):
+            return path
+    sys.exit(name + ": not found; OPENCV_SAMPLES_DATA_PATH can name the folder of OpenCV's sample data")
+
+
+def read_image(name):
+    image = cv2.imread(find_file(name))
+    if image is None:
+        sys.exit(name + ": no image")
+    return image
+
+
+def arguments(about, image1, image2, output, threshold):
+    """Parser of the options that all samples have."""
+    parser = argparse.ArgumentParser(description=about, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
+    parser.add_argument("image1", nargs="?", default=image1, help="a path or the name of one of OpenCV's sample images")
+    parser.add_argument("image2", nargs="?", default=image2)
+    parser.add_argument("--ratio", type=float, default=0.8, help="largest ratio of the best and second best distance")
+    parser.add_argument("--features", type=int, default=8000, help="largest number of features of an image")
+    parser.add_argument("--threshold", type=float, default=threshold, help="inlier threshold in pixels")
+    parser.add_argument("--confidence", type=float, default=0.99, help="probability that the model is the best one")
+    parser.add_argument("--runs", type=int, default=11, help="runs of which the median time is printed")
+    parser.add_argument("--output", default=output, help="picture to write")
+    return parser
+
+
+def _detect(image, features):
+    """RootSIFT: with the square roots of the L1-normalised entries, Euclidean distance is Hellinger's."""
+    keypoints, descriptors = cv2.SIFT_create(features).detectAndCompute(image, None)
+    if descriptors is None:
+        return keypoints, np.empty((0, 128), np.float32)
+    return keypoints, np.sqrt(descriptors / np.maximum(descriptors.sum(axis=1, keepdims=True), 1e-9))
+
+
+def match(image1, image2, args):
+    """Points of both images, N x 2, whose descriptors match clearly better than the second best."""
+    keypoints1, descriptors1 = _detect(image1, args.features)
+    keypoints2, descriptors2 = _detect(image2, args.features)
+    pairs = cv2.BFMatcher(cv2.NORM_L2).knnMatch(descriptors1, descriptors2, 2)
+    good = [pair[0] for pair in pairs if len(pair) == 2 and pair[0].distance < args.ratio * pair[1].distance]
+    return (np.float32([keypoints1[m.queryIdx].pt for m in good]).reshape(-1, 2),
+            np.float32([keypoints2[m.trainIdx].pt for m in good]).reshape(-1, 2))
+
+
+def measure(method, runs, estimate):
+    """Runs estimate(), which returns model and mask, `runs` times."""
+    times = []
+    for _ in range(max(runs, 1)):
+        start = time.perf_counter()
+        model, mask = estimate()
+        times.append(time.perf_counter() - start)
+    return Result(method, model, mask, 1e3 * sorted(times)[len(times) // 2])
+
+
+def usacv20_params(args, iterations):
+    """What the flag cv2.USACV20 makes of the same settings."""
+    params = cv2.usacv20.UsacParams()
+    params.threshold = args.threshold
+    params.confidence = args.confidence
+    params.maxIterations = iterations
+    return params
+
+
+def print_table(count, results, runs):
+    print("%d matches; time: median of %d runs\n" % (count, runs))
+    print("%-14s %-22s %8s %11s %9s" % ("method", "error", "inliers", "iterations", "ms"))
+    for r in results:
+        inliers = 0 if r.model is None else np.count_nonzero(r.mask)
+        error = "no model" if r.model is None else r.errorText
+        print("%-14s %-22s %8d %11s %9.2f" % (r.method, error, inliers, r.iterations, r.milliseconds))
+    print()
+
+
+def exit_code(result, limit):
+    """0 if there is a model and, where the truth is known, its error is below the limit."""
+    if result.model is not None and (result.error is None or result.error <= limit):
+        return 0
+    print("%s: %s" % (result.method, "no model" if result.model is None else "the error is too large"), file=sys.stderr)
+    return 1
+
+
+def failure_limit(image):
+    """The paper's limit of a failure: one hundredth of the diagonal of the image."""
+    return 0.01 * np.hypot(*image.shape[:2])
+
+
+def _side_by_side(image1, image2):
+    canvas = np.full((max(image1.shape[0], image2.shape[0]), image1.shape[1] + image2.shape[1], 3), 255, np.uint8)
+    canvas[:image1.shape[0], :image1.shape[1]] = image1
+    canvas[:image2.shape[0], image1.shape[1]:] = image2
+    grey = cv2.convertScaleAbs(cv2.cvtColor(canvas, cv2.COLOR_BGR2GRAY), alpha=0.7, beta=76)
+    return cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)
+
+
+def _colour(k):
+    hsv = np.uint8([[[k * 67 % 180, 255, 220]]])
+    return tuple(int(v) for v in cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)[0, 0])
+
+
+def _place(point):
+    return tuple(int(round(float(v))) for v in point)
+
+
+def _some_inliers(mask, count):
+    inliers = list(np.flatnonzero(mask))
+    random.Random(1).shuffle(inliers)
+    return inliers[:count]
+
+
+def draw_inliers(image1, image2, points1, points2, mask, lines=60):
+    """The images side by side with lines between some of the inliers; all ends are dots, red for outliers."""
+    canvas = _side_by_side(image1, image2)
+    shifted = points2 + np.float32([image1.shape[1], 0])
+    for p, q, inlier in zip(points1, shifted, mask.ravel()):
+        for point in (p, q):
+            cv2.circle(canvas, _place(point), 2, (0, 150, 0) if inlier else (0, 0, 230), cv2.FILLED, cv2.LINE_AA)
+    for k, i in enumerate(_some_inliers(mask, lines)):
+        cv2.line(canvas, _place(points1[i]), _place(shifted[i]), _colour(k), 1, cv2.LINE_AA)
+    return canvas
+
+
+def _draw_line(image, line, colour):
+    """The part of the line a x + b y + c = 0 that is inside the image."""
+    height, width = image.shape[:2]
+    a, b, c = line
+    if abs(b) > abs(a):
+        ends = [(x, -(c + a * x) / b) for x in (0, width - 1)]
+    else:
+        ends = [(-(c + b * y) / a, y) for y in (0, height - 1)]
+    if np.abs(ends).max() < 1e4:
+        cv2.line(image, _place(ends[0]), _place(ends[1]), colour, max(1, width // 600), cv2.LINE_AA)
+
+
+def draw_epipolar_lines(image1, image2, points1, points2, mask, F, lines=24):
+    """The images side by side with some inliers and their epipolar lines under F."""
+    canvas = _side_by_side(image1, image2)
+    left = canvas[:image1.shape[0], :image1.shape[1]]
+    right = canvas[:image2.shape[0], image1.shape[1]:]
+    radius = max(3, image1.shape[1] // 200)
+    for k, i in enumerate(_some_inliers(mask, lines)):
+        p, q = np.append(points1[i], 1), np.append(points2[i], 1)
+        for image, line, point in ((left, F.T @ q, p), (right, F @ p, q)):
+            _draw_line(image, line, _colour(k))
+            cv2.circle(image, _place(point[:2]), radius, _colour(k), cv2.FILLED, cv2.LINE_AA)
+            cv2.circle(image, _place(point[:2]), radius, (0, 0, 0), 1, cv2.LINE_AA)
+    return canvas
+
+
+def write_picture(file, picture, result, what):
+    """Writes the picture, at most 1400 pixels wide, with a line of text below it."""
+    scale = min(1, 1400 / picture.shape[1])
+    picture = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
+    picture = cv2.copyMakeBorder(picture, 0, 32, 0, 0, cv2.BORDER_CONSTANT, value=(255, 255, 255))
+    text = "%s: %d of %d matches are inliers%s" % (result.method, np.count_nonzero(result.mask), len(result.mask), what)
+    cv2.putText(picture, text, (8, picture.shape[0] - 11), cv2.FONT_HERSHEY_SIMPLEX, 0.55, (0, 0, 0), 1, cv2.LINE_AA)
+    if not cv2.imwrite(file, picture):
+        sys.exit(file + ": cannot be written")
+    print("picture: " + file)

@@ -1,0 +1,99 @@
+#!/bin/sh
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# Builds the module against the OpenCV of the system and runs its samples on OpenCV's own image pairs: error against the
+# known truth, inliers, iterations and milliseconds beside cv::RANSAC and cv::USAC_DEFAULT, and pictures. Does all its own
+# set-up on Debian (as root or with sudo).
+#
+#   USAC_BUILD_DIR            everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac_quickstart
+#   OPENCV_SAMPLES_DATA_PATH  folder of OpenCV's sample images; default: the one of Debian's package opencv-doc
+
+set -eu
+project=$(cd "$(dirname "$0")/.." && pwd)
+work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac_quickstart}
+packages="g++ make cmake libeigen3-dev libopencv-dev"
+files="graf1.png graf3.png H1to3p.xml aloeL.jpg aloeR.jpg aloeGT.png left01.jpg right01.jpg stereo_calib.xml"
+pictures=$work/pictures
+mkdir -p "$work" "$pictures"
+work=$(cd "$work" && pwd)
+
+finished=no
+trap '[ $finished = yes ] || echo "quickstart: failed" >&2' EXIT
+
+as_root()
+{
+    if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+install_packages()
+{
+    missing=
+    for p in $packages; do
+        dpkg-query -W -f '${db:Status-Status}\n' "$p" 2>/dev/null | grep -q '^installed' || missing="$missing $p"
+    done
+    [ -n "$missing" ] || return 0
+    echo "== installing$missing"
+    as_root apt-get update
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
+}
+
+has_images()
+{
+    for f in $files; do
+        [ -f "$1/$f" ] || return 1
+    done
+}
+
+# Only the images of the package are unpacked: it is large, and minimal systems leave out all of /usr/share/doc.
+fetch_images()
+{
+    echo "== fetching OpenCV's sample images"
+    mkdir -p "$work/opencv-doc"
+    cd "$work/opencv-doc"
+    [ -n "$(apt-cache show opencv-doc 2>/dev/null)" ] || as_root apt-get update
+    apt-get -o APT::Sandbox::User=root download opencv-doc
+    dpkg-deb --fsys-tarfile opencv-doc_*.deb | tar -x --wildcards '*/examples/data/*'
+    rm opencv-doc_*.deb
+    cd "$project"
+}
+
+find_images()
+{
+    for folder in "${OPENCV_SAMPLES_DATA_PATH:-}" /usr/share/doc/opencv-doc/examples/data; do
+        if has_images "$folder"; then images=$folder; return; fi
+    done
+    images=$work/opencv-doc/usr/share/doc/opencv-doc/examples/data
+    has_images "$images" || fetch_images
+    has_images "$images"
+}
+
+build()
+{
+    echo "== building"
+    cmake -S "$project" -B "$work/build" -DCMAKE_BUILD_TYPE=Release > "$work/configure.log" 2>&1 ||
+        { cat "$work/configure.log"; return 1; }
+    cmake --build "$work/build" -j "$(nproc)" --target example_usac_homography example_usac_fundamental \
+        example_usac_essential example_usac_custom_sampler
+}
+
+sample() # name, arguments
+{
+    echo
+    echo "== $1"
+    program=$work/build/bin/example_usac_$1
+    shift
+    OPENCV_SAMPLES_DATA_PATH=$images "$program" "$@"
+}
+
+if command -v dpkg-query > /dev/null; then install_packages; fi
+find_images
+build
+sample homography --output="$pictures/homography.jpg"
+sample fundamental --output="$pictures/fundamental.jpg"
+sample essential --output="$pictures/essential.jpg"
+sample custom_sampler
+finished=yes
+echo
+echo "Pictures: $pictures"
