@@ -16,8 +16,8 @@ work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac_quickstart}
 packages="g++ make cmake libeigen3-dev libopencv-dev"
 files="graf1.png graf3.png H1to3p.xml aloeL.jpg aloeR.jpg aloeGT.png left01.jpg right01.jpg stereo_calib.xml"
 pictures=$work/pictures
-mkdir -p "$work" "$pictures"
-work=$(cd "$work" && pwd)
+mkdir -p "$pictures"
+build=$work/build-$(printf %s "$project" | cksum | cut -d " " -f 1)
 
 finished=no
 trap '[ $finished = yes ] || echo "quickstart: failed" >&2' EXIT
@@ -72,9 +72,9 @@ find_images()
 build()
 {
     echo "== building"
-    cmake -S "$project" -B "$work/build" -DCMAKE_BUILD_TYPE=Release > "$work/configure.log" 2>&1 ||
+    cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release > "$work/configure.log" 2>&1 ||
         { cat "$work/configure.log"; return 1; }
-    cmake --build "$work/build" -j "$(nproc)" --target example_usac_homography example_usac_fundamental \
+    cmake --build "$build" -j "$(nproc)" --target example_usac_homography example_usac_fundamental \
         example_usac_essential example_usac_custom_sampler
 }
 
@@ -82,7 +82,7 @@ sample() # name, arguments
 {
     echo
     echo "== $1"
-    program=$work/build/bin/example_usac_$1
+    program=$build/bin/example_usac_$1
     shift
     OPENCV_SAMPLES_DATA_PATH=$images "$program" "$@"
 }

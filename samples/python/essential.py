@@ -18,7 +18,8 @@ class Stereo:
     """Two cameras and their relative pose, calibrated from the pairs of chessboard images that a file lists."""
 
     def __init__(self, list_name, board):
-        node = cv2.FileStorage(tools.find_file(list_name), cv2.FILE_STORAGE_READ).getFirstTopLevelNode()
+        storage = cv2.FileStorage(tools.find_file(list_name), cv2.FILE_STORAGE_READ)
+        node = storage.getFirstTopLevelNode()
         files = [node.at(i).string() for i in range(node.size())]
         plane = np.zeros((board[0] * board[1], 3), np.float32)
         plane[:, :2] = np.mgrid[0:board[0], 0:board[1]].T.reshape(-1, 2)

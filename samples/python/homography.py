@@ -37,7 +37,8 @@ def main():
     image1, image2 = tools.read_image(args.image1), tools.read_image(args.image2)
     truth = None
     if args.truth != "none":
-        truth = cv2.FileStorage(tools.find_file(args.truth), cv2.FILE_STORAGE_READ).getFirstTopLevelNode().mat()
+        storage = cv2.FileStorage(tools.find_file(args.truth), cv2.FILE_STORAGE_READ)
+        truth = storage.getFirstTopLevelNode().mat()
     points1, points2 = tools.match(image1, image2, args)
 
     results = []

@@ -25,8 +25,8 @@ if(MSVC)
   set(USAC_AVX2_FLAGS /arch:AVX2)
   set(USAC_AVX512_FLAGS /arch:AVX512)
 else()
-  # No contraction, no reordering: the same bits with every instruction set.
-  set(USAC_ARITHMETIC_FLAGS -fno-fast-math -ffp-contract=off)
+  # No contraction, no reordering: the same bits with every instruction set. The pragma "omp simd" without OpenMP.
+  set(USAC_ARITHMETIC_FLAGS -fno-fast-math -ffp-contract=off -fopenmp-simd)
   set(USAC_AVX2_FLAGS -mavx2)
   set(USAC_AVX512_FLAGS -mavx512f -mavx512bw -mavx512dq -mavx512vl)
 endif()

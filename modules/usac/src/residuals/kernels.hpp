@@ -13,6 +13,14 @@ namespace usacv20 {
 //! Squared errors of the points begin .. end-1 under a model.
 typedef void (*ErrorKernel)(const Correspondences& points, const float* model, int begin, int end, float* errors);
 
+//! Points of one call of a SumsKernel. Fewer are filled up with points of weight 0.
+enum { SUMS_CHUNK = 64 };
+/** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, see sums.inl.hpp.
+@param chunk x1, y1, x2, y2 and the weight of the points: 5 rows of #SUMS_CHUNK */
+typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double* sums);
+//! Length of `sums` for the transfer error and Sampson's distance.
+enum { TRANSFER_SUMS = 34, SAMPSON_SUMS = 55 };
+
 /** The loops over points, compiled once for each instruction set. All versions return the same bits: the sums run in
 the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind. */
 struct Kernels
@@ -20,6 +28,7 @@ struct Kernels
     ErrorKernel errors[2];
     FusedKernel msac[2];
     FusedKernel inliers[2];
+    SumsKernel sums[2];
 };
 
 Kernels baselineKernels();

@@ -5,8 +5,11 @@
 /* No include guard: each source file that sets an instruction set includes this once. Nothing but the kernels may be
 instantiated here, as inline functions of other headers would be merged with those of the other instruction sets. */
 
+#include <cmath>
 #include "residuals/formulas.hpp"
 #include "residuals/kernels.hpp"
+#include "residuals/simd.hpp"
+#include "solvers/sums.inl.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -27,7 +30,11 @@ void errorKernel(const Correspondences& points, const float* model, int begin, i
 //! Truncated squared error in units of the threshold @cite torr2000mlesac.
 struct MsacCost
 {
-    static inline float of(float error, float limit, float scale) { return error < limit ? error * scale : 1.f; }
+    static inline float of(float error, float, float scale)
+    {
+        const float cost = error * scale;
+        return cost < 1.f ? cost : 1.f;  // also for NaN
+    }
 };
 
 //! One for an outlier.
@@ -36,12 +43,14 @@ struct InlierCost
     static inline float of(float error, float limit, float) { return error <= limit ? 0.f : 1.f; }
 };
 
-//! Adds `count` points, at most #LANES, to the lanes.
+//! Adds #LANES points to the lanes. The loop has a constant length and touches no memory twice: it becomes vector code.
 template <class Error, class Cost>
-inline void addLanes(const float* m, const float* x1, const float* y1, const float* x2, const float* y2, int count,
-                     float limit, float scale, float* cost, int* inliers)
+inline void addLanes(const float* m, const float* USAC_RESTRICT x1, const float* USAC_RESTRICT y1,
+                     const float* USAC_RESTRICT x2, const float* USAC_RESTRICT y2, float limit, float scale,
+                     float* USAC_RESTRICT cost, int* USAC_RESTRICT inliers)
 {
-    for (int k = 0; k < count; ++k)
+    USAC_SIMD
+    for (int k = 0; k < LANES; ++k)
     {
         const float e = Error::squared(m, x1[k], y1[k], x2[k], y2[k]);
         cost[k] += Cost::of(e, limit, scale);
@@ -59,8 +68,13 @@ void scoreKernel(const Correspondences& points, const float* model, float limit,
     int inliers[LANES] = {0};
     int i = begin;
     for (; i + LANES <= end; i += LANES)
-        addLanes<Error, Cost>(m, x1 + i, y1 + i, x2 + i, y2 + i, LANES, limit, scale, cost, inliers);
-    addLanes<Error, Cost>(m, x1 + i, y1 + i, x2 + i, y2 + i, end - i, limit, scale, cost, inliers);
+        addLanes<Error, Cost>(m, x1 + i, y1 + i, x2 + i, y2 + i, limit, scale, cost, inliers);
+    for (int k = 0; i < end; ++i, ++k)
+    {
+        const float e = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
+        cost[k] += Cost::of(e, limit, scale);
+        inliers[k] += e <= limit ? 1 : 0;
+    }
     for (int width = LANES / 2; width > 0; width /= 2)
         for (int k = 0; k < width; ++k)
         {
@@ -75,7 +89,8 @@ Kernels allKernels()
 {
     const Kernels all = {{errorKernel<TransferError>, errorKernel<SampsonError>},
                          {scoreKernel<TransferError, MsacCost>, scoreKernel<SampsonError, MsacCost>},
-                         {scoreKernel<TransferError, InlierCost>, scoreKernel<SampsonError, InlierCost>}};
+                         {scoreKernel<TransferError, InlierCost>, scoreKernel<SampsonError, InlierCost>},
+                         {transferSums, sampsonSums}};
     return all;
 }
 

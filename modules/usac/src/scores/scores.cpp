@@ -39,7 +39,8 @@ public:
         for (int i = 0; i < count; ++i)
         {
             sum.inliers += squaredErrors[i] <= squaredThreshold;
-            sum.cost += squaredErrors[i] < squaredThreshold ? squaredErrors[i] * scale : 1.f;
+            const float cost = squaredErrors[i] * scale;
+            sum.cost += cost < 1.f ? cost : 1.f;  // also for NaN
         }
     }
 

@@ -95,16 +95,22 @@ def _isNumberOrNone(value):
 def _essentialMethodPlace(args):
     if len(args) > 2 and isinstance(args[2], numbers.Real):
         return 4  # (points1, points2, focal, pp, method, ...)
-    if len(args) > 6 and not _isNumberOrNone(args[4]):
+    if len(args) > 4 and not _isNumberOrNone(args[4]):
         return 6  # (points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2, method, ...)
     return 3      # (points1, points2, cameraMatrix, method, ...)
+
+
+def _argument(name, place, args, kwargs):
+    if name in kwargs:
+        return kwargs[name]
+    return args[place] if place < len(args) else None
 
 
 def _divert(name, methodPlace, paramsPlace):
     """Makes cv2.<name> call usacv20.<name> where the arguments hold a flag or a Params of this module.
 
-    methodPlace -- function that maps the positional arguments to the place where `method` would be among them
-    paramsPlace -- the same for `params`, a number
+    methodPlace -- function that tells from the positional arguments at which place `method` is among them
+    paramsPlace -- the place of `params`
     All other calls go to OpenCV's function as they are.
     """
     original = getattr(cv2._native, name)
@@ -112,9 +118,8 @@ def _divert(name, methodPlace, paramsPlace):
 
     @functools.wraps(original)
     def find(*args, **kwargs):
-        method = args[methodPlace(args):][:1] or (kwargs.get("method"),)
-        params = args[paramsPlace:paramsPlace + 1] or (kwargs.get("params"),)
-        if _isFlag(method[0]) or isinstance(params[0], Params):
+        if (_isFlag(_argument("method", methodPlace(args), args, kwargs))
+                or isinstance(_argument("params", paramsPlace, args, kwargs), Params)):
             return ours(*args, **kwargs)
         return original(*args, **kwargs)
 

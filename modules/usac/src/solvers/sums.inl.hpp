@@ -1,0 +1,106 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* Gauss-Newton sums of the geometric errors over a chunk of points, in vector code. No include guard: compiled once for each
+instruction set by residuals/kernels.inl.hpp. The sums run in eight lanes that are added in a fixed order. */
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+//! Sum of a[i] b[i] over the chunk.
+inline double dotChunk(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b)
+{
+    double lane[8] = {0};
+    for (int i = 0; i < SUMS_CHUNK; i += 8)
+    {
+        USAC_SIMD
+        for (int k = 0; k < 8; ++k)
+            lane[k] += a[i + k] * b[i + k];
+    }
+    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+}
+
+/** Transfer error: residuals (u - x2, v - y2) with (u, v) = p(H x1). The derivatives by the rows of H are p / w times
+(1, 0, -u) and (0, 1, -v), with p = (x1, y1, 1): all blocks of JtJ are multiples of p p^T / w^2.
+sums: p p^T as 6 numbers times 1, u, v, u^2 + v^2 (24); the gradient (9); the cost. */
+void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sums)
+{
+    const double *x = chunk[0], *y = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
+    double pp[6][SUMS_CHUNK], factor[4][SUMS_CHUNK], p[3][SUMS_CHUNK], g[3][SUMS_CHUNK], cost[SUMS_CHUNK];
+    USAC_SIMD
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+    {
+        const double w = 1 / (m[6] * x[i] + m[7] * y[i] + m[8]);
+        const double u = (m[0] * x[i] + m[1] * y[i] + m[2]) * w, v = (m[3] * x[i] + m[4] * y[i] + m[5]) * w;
+        const double ru = u - x2[i], rv = v - y2[i], ww = weight[i] * w * w;
+        pp[0][i] = ww * x[i] * x[i];
+        pp[1][i] = ww * x[i] * y[i];
+        pp[2][i] = ww * x[i];
+        pp[3][i] = ww * y[i] * y[i];
+        pp[4][i] = ww * y[i];
+        pp[5][i] = ww;
+        factor[0][i] = 1;
+        factor[1][i] = u;
+        factor[2][i] = v;
+        factor[3][i] = u * u + v * v;
+        p[0][i] = x[i];
+        p[1][i] = y[i];
+        p[2][i] = 1;
+        g[0][i] = weight[i] * w * ru;
+        g[1][i] = weight[i] * w * rv;
+        g[2][i] = -(u * g[0][i] + v * g[1][i]);
+        cost[i] = weight[i] * (ru * ru + rv * rv);
+    }
+    for (int f = 0; f < 4; ++f)
+        for (int j = 0; j < 6; ++j)
+            sums[6 * f + j] += dotChunk(factor[f], pp[j]);
+    for (int row = 0; row < 3; ++row)
+        for (int j = 0; j < 3; ++j)
+            sums[24 + 3 * row + j] += dotChunk(g[row], p[j]);
+    sums[33] += dotChunk(cost, p[2]);
+}
+
+/** Sampson distance: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2, where (a, b) are the
+first two entries of F x1 and (d, e) those of F^T x2. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D).
+sums: the lower triangle of JtJ row by row (45); the gradient (9); the cost. */
+void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sums)
+{
+    const double *x1 = chunk[0], *y1 = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
+    double J[10][SUMS_CHUNK], weighted[10][SUMS_CHUNK];  // the last row is the residual
+    USAC_SIMD
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+    {
+        const double a = m[0] * x1[i] + m[1] * y1[i] + m[2], b = m[3] * x1[i] + m[4] * y1[i] + m[5];
+        const double d = m[0] * x2[i] + m[3] * y2[i] + m[6], e = m[1] * x2[i] + m[4] * y2[i] + m[7];
+        const double N = x2[i] * a + y2[i] * b + m[6] * x1[i] + m[7] * y1[i] + m[8];
+        const double D = a * a + b * b + d * d + e * e + 1e-200;  // 0 where both points are epipoles, as is N
+        const double s = 1 / std::sqrt(D), q = N / D;
+        const double left0 = s * (x2[i] - q * a), left1 = s * (y2[i] - q * b);
+        const double right0 = s * q * d, right1 = s * q * e;
+        J[0][i] = left0 * x1[i] - x2[i] * right0;
+        J[1][i] = left0 * y1[i] - x2[i] * right1;
+        J[2][i] = left0;
+        J[3][i] = left1 * x1[i] - y2[i] * right0;
+        J[4][i] = left1 * y1[i] - y2[i] * right1;
+        J[5][i] = left1;
+        J[6][i] = s * x1[i] - right0;
+        J[7][i] = s * y1[i] - right1;
+        J[8][i] = s;
+        J[9][i] = N * s;
+    }
+    for (int row = 0; row < 10; ++row)
+    {
+        USAC_SIMD
+        for (int i = 0; i < SUMS_CHUNK; ++i)
+            weighted[row][i] = weight[i] * J[row][i];
+    }
+    for (int row = 0, n = 0; row < 10; ++row)
+        for (int col = 0; col <= row; ++col)
+            sums[n++] += dotChunk(weighted[row], J[col]);
+}
+
+} // namespace
+} // namespace usacv20
+} // namespace cv
