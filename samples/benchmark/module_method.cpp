@@ -25,6 +25,7 @@ const Flag FLAGS[] = {
     { "USACV20_FAST", cv::USACV20_FAST },
     { "USACV20_ACCURATE", cv::USACV20_ACCURATE },
     { "USACV20_PROSAC", cv::USACV20_PROSAC },
+    { "USACV20_PARALLEL", cv::USACV20_PARALLEL },
 };
 
 struct Preset
@@ -38,6 +39,7 @@ const Preset PRESETS[] = {
     { "preset:fast", &Params::fast },
     { "preset:accurate", &Params::accurate },
     { "preset:prosac", &Params::prosac },
+    { "preset:parallel", &Params::parallel },
     { "preset:ransac", &Params::ransac },
 };
 

@@ -51,6 +51,16 @@ Ptr<Prior> createPrior(int type, bool haveScores)
     }
 }
 
+Ptr<Polisher> createPolisher(int type)
+{
+    switch (type)
+    {
+    case POLISHING_NONE: return Ptr<Polisher>();
+    case POLISHING_REWEIGHTED: return createReweightedPolisher();
+    default: return createLeastSquaresPolisher();
+    }
+}
+
 } // namespace
 
 Components createComponents(ProblemType problem, const Params& params, bool haveScores)
@@ -78,8 +88,7 @@ Components createComponents(ProblemType problem, const Params& params, bool have
         parts.terminations.push_back(createSprtTermination());
     if (params.termination & TERMINATION_P_NAPSAC)
         parts.terminations.push_back(createPNapsacTermination());
-    if (params.polishing == POLISHING_LEAST_SQUARES)
-        parts.polisher = createLeastSquaresPolisher();
+    parts.polisher = createPolisher(params.polishing);
     return parts;
 }
 

@@ -10,8 +10,8 @@ namespace usacv20 {
 Params::Params()
     : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
       prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), quality(QUALITY_MSAC), verification(VERIFICATION_SPRT),
-      localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(8),
-      spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC), relaxation(0.1),
+      localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
+      spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC), relaxation(0.03),
       degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC), polishing(POLISHING_LEAST_SQUARES)
 {
 }
@@ -36,7 +36,8 @@ Params Params::accurate()
     Params params;
     params.termination = TERMINATION_STANDARD;
     params.localIterations = 10;
-    params.localSamples = 20;
+    params.localSamples = 10;
+    params.polishing = POLISHING_REWEIGHTED;
     return params;
 }
 
@@ -45,6 +46,13 @@ Params Params::prosac()
     Params params;
     params.sampler = SAMPLER_PROSAC;
     params.prior = PRIOR_INPUT_ORDER;
+    return params;
+}
+
+Params Params::parallel()
+{
+    Params params;
+    params.threads = 0;
     return params;
 }
 
@@ -67,6 +75,7 @@ Params Params::fromMethod(int method)
     case USACV20_FAST: return fast();
     case USACV20_ACCURATE: return accurate();
     case USACV20_PROSAC: return prosac();
+    case USACV20_PARALLEL: return parallel();
     default: return usacV20();
     }
 }
@@ -123,7 +132,7 @@ void Params::check(int count) const
     checkRange("termination", termination, 0, TERMINATION_STANDARD | TERMINATION_SPRT | TERMINATION_P_NAPSAC);
     checkRange("relaxation", relaxation, 0, 1);
     checkRange("degeneracy", degeneracy, 0, DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC);
-    checkRange("polishing", polishing, POLISHING_NONE, POLISHING_LEAST_SQUARES);
+    checkRange("polishing", polishing, POLISHING_NONE, POLISHING_REWEIGHTED);
     if ((termination & TERMINATION_SPRT) && verification != VERIFICATION_SPRT)
         CV_Error(Error::StsBadArg, "termination: TERMINATION_SPRT needs verification VERIFICATION_SPRT");
     if (count >= 0 && !scores.empty() && (int)scores.size() != count)
@@ -204,7 +213,7 @@ void read(const FileNode& node, Params& params, const Params& defaults)
 
 bool isUsacV20Method(int method)
 {
-    return method >= USACV20 && method <= USACV20_PROSAC;
+    return (method >= USACV20 && method <= USACV20_PROSAC) || method == USACV20_PARALLEL;
 }
 
 UsacV20Method methodFromInt(int method)

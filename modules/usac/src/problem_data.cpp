@@ -256,7 +256,10 @@ bool ProblemData::toInput(const Model& model, Matx33d& result) const
     result *= 1 / size;
     // In units of the image, h33 is the weight of the origin relative to the weights elsewhere.
     if (view.problem == HOMOGRAPHY && std::abs(result(2, 2)) > 1e-12)
+    {
         result *= 1 / result(2, 2);
+        result(2, 2) = 1;  // which the product may miss by a bit
+    }
     return true;
 }
 

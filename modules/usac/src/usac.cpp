@@ -6,6 +6,7 @@
 #include "factory.hpp"
 #include "problem_data.hpp"
 #include "ransac.hpp"
+#include "solvers/manifold.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -67,6 +68,8 @@ private:
         {
             if (parts.polisher)
                 parts.polisher->polish(context, state.best);
+            if (data.points().problem == ESSENTIAL)  // what a minimal solver found may miss the constraints
+                state.best = Manifold(ESSENTIAL, state.best).model();
             Matx33d model;
             if (data.toInput(state.best, model))
             {

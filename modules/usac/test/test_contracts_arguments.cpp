@@ -54,7 +54,8 @@ struct WrongCall
 class Arguments
 {
 public:
-    explicit Arguments(ProblemType problem_) : scene(makeScene(problem_)), points1(scene.points1), points2(scene.points2) {}
+    explicit Arguments(ProblemType problem_)
+        : scene(makeScene(problem_)), points1(Mat(scene.points1).clone()), points2(Mat(scene.points2).clone()) {}
 
     WrongCall call() const { return call(points1, points2); }
     WrongCall call(const Mat& a, const Mat& b) const { return WrongCall(scene.problem, a, b); }
@@ -226,7 +227,8 @@ TEST(Usac_Arguments, distortion)
     const Scene scene = makeScene(ESSENTIAL);
     Mat mask;
     Report report;
-    const Mat wrong[] = {Mat::ones(3, 1, CV_64F), Mat::ones(1, 6, CV_64F), Mat::ones(15, 1, CV_64F), Mat::ones(2, 4, CV_64F)};
+    const Mat wrong[] = {Mat::ones(3, 1, CV_64F), Mat::ones(1, 6, CV_64F), Mat::ones(15, 1, CV_64F),
+                         Mat::ones(2, 4, CV_64F)};
     for (int i = 0; i < 4; ++i)
     {
         SCOPED_TRACE(cv::format("coefficients %d", i));

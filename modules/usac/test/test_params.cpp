@@ -71,7 +71,7 @@ TEST(Usac_Params, ranges_of_integers)
         {"verification", VERIFICATION_NONE, VERIFICATION_SPRT},
         {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GRAPH_CUT}, {"localIterations", 1, 1000},
         {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 7}, {"degeneracy", 0, 3},
-        {"polishing", POLISHING_NONE, POLISHING_LEAST_SQUARES}};
+        {"polishing", POLISHING_NONE, POLISHING_REWEIGHTED}};
     ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::ints().size(); ++i)
     {
@@ -170,19 +170,20 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ((int)VERIFICATION_SPRT, p.verification);
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_GRAPH_CUT, p.localOptimization);
     EXPECT_EQ(5, p.localIterations);
-    EXPECT_EQ(7, p.localSampleMultiple);
+    EXPECT_EQ(3, p.localSampleMultiple);
     EXPECT_EQ(4, p.localSamples);
     EXPECT_EQ(0.14, p.spatialWeight);
     EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC, p.termination);
-    EXPECT_EQ(0.1, p.relaxation);
+    EXPECT_EQ(0.03, p.relaxation);
     EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC, p.degeneracy);
     EXPECT_EQ((int)POLISHING_LEAST_SQUARES, p.polishing);
 }
 
 TEST(Usac_Params, presets)
 {
-    const Params presets[] = {Params::usacV20(), Params::fast(), Params::accurate(), Params::prosac(), Params::ransac()};
-    for (int i = 0; i < 5; ++i)
+    const Params presets[] = {Params::usacV20(), Params::fast(), Params::accurate(), Params::prosac(), Params::ransac(),
+                              Params::parallel()};
+    for (int i = 0; i < 6; ++i)
     {
         EXPECT_NO_THROW(presets[i].check()) << i;
         for (int k = 0; k < i; ++k)
@@ -190,6 +191,8 @@ TEST(Usac_Params, presets)
     }
     EXPECT_EQ("", Fields::difference(Params(), presets[0]));
     EXPECT_EQ("sampler prior ", Fields::difference(Params(), presets[3]));
+    EXPECT_EQ("threads ", Fields::difference(Params(), presets[5]));
+    EXPECT_EQ(0, presets[5].threads);
     EXPECT_EQ((int)SAMPLER_PROSAC, presets[3].sampler);
     EXPECT_EQ((int)PRIOR_INPUT_ORDER, presets[3].prior);
     const Params& ransac = presets[4];
@@ -208,6 +211,7 @@ TEST(Usac_Params, from_method)
     EXPECT_EQ("", Fields::difference(Params::fast(), Params::fromMethod(USACV20_FAST)));
     EXPECT_EQ("", Fields::difference(Params::accurate(), Params::fromMethod(USACV20_ACCURATE)));
     EXPECT_EQ("", Fields::difference(Params::prosac(), Params::fromMethod(USACV20_PROSAC)));
+    EXPECT_EQ("", Fields::difference(Params::parallel(), Params::fromMethod(USACV20_PARALLEL)));
 }
 
 TEST(Usac_Params, from_the_parameters_of_calib3d)

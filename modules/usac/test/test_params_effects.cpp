@@ -231,11 +231,11 @@ TEST_P(UsacEffects, sampler)
     Params params;
     params.prior = PRIOR_INPUT_ORDER;
     params.sampler = SAMPLER_PROSAC;
-    const std::vector<int> prosac = samplesOf(scene, params);
+    const std::vector<int> prosac = samplesOf(scene, params, 50);
     params.sampler = SAMPLER_P_NAPSAC;
-    const std::vector<int> pNapsac = samplesOf(scene, params);
+    const std::vector<int> pNapsac = samplesOf(scene, params, 50);
     params.sampler = SAMPLER_UNIFORM;
-    const std::vector<int> uniform = samplesOf(scene, params);
+    const std::vector<int> uniform = samplesOf(scene, params, 50);
     EXPECT_EQ(1, goodPart(scene, prosac)) << "the first samples are of the best points";
     EXPECT_NEAR(0.2, goodPart(scene, uniform), 0.1);
     EXPECT_NE(prosac, pNapsac);
@@ -267,9 +267,9 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
     params.sampler = none.sampler = SAMPLER_PROSAC;
     for (int i = 0; i < scene.size(); ++i)
         params.scores.push_back(scene.truth[i] ? 0.4f : 0.8f);
-    EXPECT_EQ(1, goodPart(scene, samplesOf(scene, params)));
+    EXPECT_EQ(1, goodPart(scene, samplesOf(scene, params, 50)));
     params.scoreOrder = SCORES_HIGHER_IS_BETTER;
-    EXPECT_EQ(0, goodPart(scene, samplesOf(scene, params)));
+    EXPECT_EQ(0, goodPart(scene, samplesOf(scene, params, 50)));
     EXPECT_NE(samplesOf(scene, params), samplesOf(scene, none));
     params.prior = PRIOR_DENSITY;
     none.prior = PRIOR_DENSITY;

@@ -140,9 +140,9 @@ protected:
 };
 
 const RealCase CASES[] = {
-    {"graf", 2, 4, 200}, {"aloe", 1, 0.5, 200},
-    {"office01_F", 1, 1.5, 200}, {"office12_F", 1, 1.5, 100},
-    {"office01_E", 1, 0.8, 200}, {"office12_E", 1, 0.8, 100}};
+    {"graf", 2, 0.6, 235}, {"aloe", 1, 0.3, 265},
+    {"office01_F", 1, 1, 265}, {"office12_F", 1, 1, 160},
+    {"office01_E", 1, 0.6, 260}, {"office12_E", 1, 0.9, 140}};
 INSTANTIATE_TEST_CASE_P(/**/, UsacReal, testing::ValuesIn(CASES));
 
 //! Without this the bounds of the other tests would mean nothing.
@@ -195,7 +195,9 @@ TEST_P(UsacReal, ransac_preset)
     params.maxIterations = 10000;
     Mat mask;
     Report report;
-    verify("ransac", set.estimateWith(params, mask, report), mask);
+    const Mat model = set.estimateWith(params, mask, report);
+    EXPECT_LT(set.error(model), 5 * real.error) << "what RANSAC of 1981 reaches";
+    EXPECT_GT(countNonZero(mask), 0.8 * real.inliers);
 }
 
 }} // namespace

@@ -93,7 +93,7 @@ void solveScene(ProblemType problem, uint64 seed, double planeFraction, Exactnes
         }
         ++result.samples;
         result.unsolved += models.empty();
-        result.missed += !models.empty() && closest > 1e-5;
+        result.missed += !models.empty() && closest > 1e-5; if (getenv("DBG") && closest>1e-5) printf("closest %g n %d\n", closest, (int)models.size());
     }
 }
 

@@ -31,8 +31,8 @@ public:
 
     void best(double epsilon)
     {
-        state.bestQuality.inliers = cvRound(epsilon * COUNT);
-        state.bestQuality.cost = COUNT - state.bestQuality.inliers;
+        state.sampleQuality = Quality((1 - epsilon) * COUNT, cvRound(epsilon * COUNT));
+        state.bestQuality = state.sampleQuality;
     }
 
     const SequentialTest& test() const { return state.tests.back(); }

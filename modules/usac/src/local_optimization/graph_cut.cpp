@@ -17,8 +17,8 @@ Alternates between the spatially coherent inliers of the model (Labelling) and a
 random samples of Params::localSampleMultiple times the minimal size, and to all of them up to a bound. Before, as in
 LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of the threshold that shrinks to 1: from
 a minimal sample the threshold alone leads to the nearest local optimum, whose inliers confirm it. If that does
-not make the model better than the best one so far, it ends there. A fit that is better replaces the model; the first
-alternation without one is the last, and their number is bounded. */
+not make the model clearly better than the best one so far, it ends there. A fit that is better replaces the model; the
+first alternation without a clear gain is the last, and their number is bounded. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
@@ -26,22 +26,22 @@ public:
     {
         const int m = context.components.minimalSolver->sampleSize();
         bool improved = shrink(context, state, m, model, quality);
-        for (int i = 0; i < context.params.localIterations && quality.betterThan(state.bestQuality); ++i)
+        double before = state.bestQuality.cost;
+        for (int i = 0; i < context.params.localIterations && quality.cost < WORTHWHILE * before; ++i)
         {
-            bool better = i > 0 && shrink(context, state, m, model, quality);
+            before = quality.cost;
+            if (i > 0)
+                improved |= shrink(context, state, m, model, quality);
             labelling.cut(context, model, inliers);
             if ((int)inliers.size() > m)
-                better |= fitInliers(context, state, m, model, quality);
-            if (!better)
-                break;
-            improved = true;
+                improved |= fitInliers(context, state, m, model, quality);
         }
         return improved;
     }
 
 private:
     //! More points than this make a fit slower, not better, while the inliers are still changing.
-    enum { MAX_FIT = 1000, MAX_SHRINK = 256 };
+    enum { MAX_FIT = 500, MAX_SHRINK = 256 };
 
     //! Fits to the points within 3, 2 and 1 thresholds, each from the last fit.
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
@@ -99,9 +99,14 @@ private:
         return true;
     }
 
+    //! An alternation that lowers the cost by less than this is the last one.
+    static const double WORTHWHILE;
+
     Labelling labelling;
     std::vector<int> inliers;
 };
+
+const double GraphCutOptimizer::WORTHWHILE = 0.99;
 
 } // namespace
 

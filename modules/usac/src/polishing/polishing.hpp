@@ -12,6 +12,8 @@ namespace usacv20 {
 
 //! See LeastSquaresPolisher.
 Ptr<Polisher> createLeastSquaresPolisher();
+//! See ReweightedPolisher.
+Ptr<Polisher> createReweightedPolisher();
 
 } // namespace usacv20
 } // namespace cv

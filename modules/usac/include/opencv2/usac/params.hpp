@@ -26,7 +26,8 @@ enum UsacV20Method
     USACV20          = 0x4000, //!< the configuration chosen in @cite ivashechkin2021usacv20; usacv20::Params::usacV20()
     USACV20_FAST     = 0x4001, //!< early stop and a short local optimisation; usacv20::Params::fast()
     USACV20_ACCURATE = 0x4002, //!< late stop and a long local optimisation; usacv20::Params::accurate()
-    USACV20_PROSAC   = 0x4003  //!< the caller's points are sorted, best first; usacv20::Params::prosac()
+    USACV20_PROSAC   = 0x4003, //!< the caller's points are sorted, best first; usacv20::Params::prosac()
+    USACV20_PARALLEL = 0x4005  //!< USACV20 with cv::getNumThreads() threads, the same result; usacv20::Params::parallel()
 };
 
 namespace usacv20 {
@@ -103,7 +104,8 @@ enum DegeneracyFlags
 enum PolishingType
 {
     POLISHING_NONE          = 0, //!< nothing
-    POLISHING_LEAST_SQUARES = 1  //!< least squares of the geometric error over all inliers, until they settle
+    POLISHING_LEAST_SQUARES = 1, //!< least squares of the geometric error over all inliers, until they settle
+    POLISHING_REWEIGHTED    = 2  //!< iteratively re-weighted least squares, smooth weights out to 3 thresholds @cite geman1987statistical
 };
 
 /** @brief All options of the estimator; each has an effect.
@@ -142,7 +144,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int localOptimization;
     //! Upper bound of the alternations of labelling and fitting in one local optimisation; 1..1000. Default 5.
     CV_PROP_RW int localIterations;
-    //! Size of the inner samples of a local optimisation as a multiple of the minimal one; 2..100. Default 7.
+    //! Size of the inner samples of a local optimisation as a multiple of the minimal one; 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
     //! Inner samples of one alternation of a local optimisation, beside the fit to all its inliers; 0..1000. Default 4.
     CV_PROP_RW int localSamples;
@@ -150,7 +152,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double spatialWeight;
     //! Set of @ref TerminationFlags; 0 runs all `maxIterations`. Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC.
     CV_PROP_RW int termination;
-    //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.1. Used by #TERMINATION_P_NAPSAC.
+    //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.03. Used by #TERMINATION_P_NAPSAC.
     CV_PROP_RW double relaxation;
     //! Set of @ref DegeneracyFlags. Default all.
     CV_PROP_RW int degeneracy;
@@ -165,6 +167,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params accurate();
     //! PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses.
     CV_WRAP static Params prosac();
+    //! As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses.
+    CV_WRAP static Params parallel();
     //! RANSAC of 1981: uniform samples, inlier count, standard termination, least squares @cite fischler1981random.
     CV_WRAP static Params ransac();
     //! The preset behind a flag. @param method one of #UsacV20Method; anything else raises cv::Exception.

@@ -245,7 +245,8 @@ class RouteTest(unittest.TestCase):
 
     def check(self, route, function, *args, **kwargs):
         self.calls = []
-        self.assertEqual(getattr(self.cv, function)(*args, **kwargs), route, "{} {} {}".format(function, args, kwargs))
+        self.assertEqual(getattr(self.cv, function)(*args, **kwargs), route,
+                         "{} {} {}".format(function, len(args), sorted(kwargs)))
         (_, calledArgs, calledKwargs), = self.calls
         self.assertEqual([id(arg) for arg in calledArgs], [id(arg) for arg in args])
         self.assertEqual(calledKwargs, kwargs)
@@ -290,7 +291,7 @@ class RouteTest(unittest.TestCase):
 class FlagTest(unittest.TestCase):
 
     def test_names_and_values(self):
-        self.assertLessEqual({"USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC"}, set(FLAGS))
+        self.assertLessEqual({"USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC", "USACV20_PARALLEL"}, set(FLAGS))
         self.assertEqual(sorted(FLAGS.values()), list(range(0x4000, 0x4000 + len(FLAGS))))
         for name, value in FLAGS.items():
             self.assertEqual(getattr(cv, name), value)
@@ -470,7 +471,8 @@ class ParamsTest(unittest.TestCase):
             self.assertIsInstance(params, usac.Params)
             params.check()
             self.assertEqual(values(getattr(usac.Params(), name)()), values(params))
-        presets = {"USACV20": "usacV20", "USACV20_FAST": "fast", "USACV20_ACCURATE": "accurate", "USACV20_PROSAC": "prosac"}
+        presets = {"USACV20": "usacV20", "USACV20_FAST": "fast", "USACV20_ACCURATE": "accurate", "USACV20_PROSAC": "prosac",
+                   "USACV20_PARALLEL": "parallel"}
         for flag, preset in presets.items():
             self.assertEqual(values(usac.Params.fromMethod(FLAGS[flag])), values(getattr(usac.Params, preset)()))
         self.assertEqual(values(usac.Params.usacV20()), values(usac.Params()))

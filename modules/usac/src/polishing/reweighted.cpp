@@ -1,0 +1,56 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "polishing/polishing.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Iteratively re-weighted least squares with the weights of Geman and McClure @cite geman1987statistical,
+w = 1 / (1 + error^2 / threshold^2)^2, over the points within #REACH thresholds. The weights fall off smoothly where a
+threshold cuts, so the result depends less on it: the points just outside still speak, those far outside do not. */
+class ReweightedPolisher : public Polisher
+{
+public:
+    void polish(const Context& context, Model& model) CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        const Components& parts = context.components;
+        const double scale = 1 / (p.threshold * p.threshold);
+        std::vector<double> errors(p.size), weights;
+        std::vector<int> near;
+        for (int i = 0; i < ITERATIONS; ++i)
+        {
+            parts.residual->squaredErrors(model, p.dx1, p.dy1, p.dx2, p.dy2, p.size, errors.data());
+            near.clear();
+            weights.clear();
+            for (int k = 0; k < p.size; ++k)
+            {
+                const double relative = errors[k] * scale;
+                if (!(relative <= REACH * REACH))
+                    continue;
+                near.push_back(k);
+                weights.push_back(1 / ((1 + relative) * (1 + relative)));
+            }
+            if (!parts.nonMinimalSolver->fit(p, near.data(), (int)near.size(), weights.data(), model))
+                return;
+        }
+    }
+
+private:
+    enum { REACH = 3, ITERATIONS = 5 };
+};
+
+} // namespace
+
+Ptr<Polisher> createReweightedPolisher()
+{
+    return makePtr<ReweightedPolisher>();
+}
+
+} // namespace usacv20
+} // namespace cv
