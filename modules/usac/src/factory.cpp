@@ -8,6 +8,7 @@
 #include "local_optimization/local_optimization.hpp"
 #include "neighbourhood/neighbourhood.hpp"
 #include "polishing/polishing.hpp"
+#include "prior/prior.hpp"
 #include "residuals/residuals.hpp"
 #include "samplers/samplers.hpp"
 #include "scores/scores.hpp"

@@ -13,13 +13,6 @@ namespace usacv20 {
 //! Multi-layer grid in the 4-D joint space, see GridNeighbourhood.
 Ptr<Neighbourhood> createGridNeighbourhood();
 
-//! Densest points first, see DensityPrior.
-Ptr<Prior> createDensityPrior();
-//! Best Params::scores first.
-Ptr<Prior> createScorePrior();
-//! As the caller sorted them.
-Ptr<Prior> createInputOrderPrior();
-
 } // namespace usacv20
 } // namespace cv
 

@@ -3,49 +3,12 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "neighbourhood/neighbourhood.hpp"
+#include "prior/prior.hpp"
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
-
-struct ByValue
-{
-    explicit ByValue(const float* values_) : values(values_) {}
-    bool operator()(int a, int b) const { return values[a] < values[b] || (values[a] == values[b] && a < b); }
-    const float* values;
-};
-
-void sortBy(const float* values, std::vector<int>& order)
-{
-    for (size_t i = 0; i < order.size(); ++i)
-        order[i] = (int)i;
-    std::sort(order.begin(), order.end(), ByValue(values));
-}
-
-/** Given scores, best first. */
-class ScorePrior : public Prior
-{
-public:
-    void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE { sortBy(context.points.scores, order); }
-};
-
-/** The caller's order, best first. */
-class InputOrderPrior : public Prior
-{
-public:
-    void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
-    {
-        std::vector<int> place(context.points.inputSize, -1);
-        for (int i = 0; i < context.points.size; ++i)
-            place[context.points.inputIndex[i]] = i;
-        order.clear();
-        for (size_t i = 0; i < place.size(); ++i)
-            if (place[i] >= 0)
-                order.push_back(place[i]);
-    }
-};
 
 /** @brief Local density of the points in the joint space, relative to their density in the images (paper, section "Other
 features").
@@ -107,16 +70,6 @@ private:
 Ptr<Prior> createDensityPrior()
 {
     return makePtr<DensityPrior>();
-}
-
-Ptr<Prior> createScorePrior()
-{
-    return makePtr<ScorePrior>();
-}
-
-Ptr<Prior> createInputOrderPrior()
-{
-    return makePtr<InputOrderPrior>();
 }
 
 } // namespace usacv20

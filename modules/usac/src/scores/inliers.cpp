@@ -11,6 +11,8 @@ namespace usacv20 {
 
 namespace {
 
+/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold, else 1; the errors themselves are
+not used. One pass over the points, fused with the residual. */
 class InlierScore : public Score
 {
 public:
@@ -30,36 +32,11 @@ public:
     }
 };
 
-class MsacScore : public Score
-{
-public:
-    void accumulate(const float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
-    {
-        const float scale = 1 / squaredThreshold;
-        for (int i = 0; i < count; ++i)
-        {
-            sum.inliers += squaredErrors[i] <= squaredThreshold;
-            const float cost = squaredErrors[i] * scale;
-            sum.cost += cost < 1.f ? cost : 1.f;  // also for NaN
-        }
-    }
-
-    FusedKernel fused(const Residual& residual) const CV_OVERRIDE
-    {
-        return residual.kind() == Residual::CUSTOM ? 0 : kernels().msac[residual.kind()];
-    }
-};
-
 } // namespace
 
 Ptr<Score> createInlierScore()
 {
     return makePtr<InlierScore>();
-}
-
-Ptr<Score> createMsacScore()
-{
-    return makePtr<MsacScore>();
 }
 
 } // namespace usacv20

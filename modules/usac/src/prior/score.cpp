@@ -1,0 +1,40 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "prior/prior.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+struct ByValue
+{
+    explicit ByValue(const float* values_) : values(values_) {}
+    bool operator()(int a, int b) const { return values[a] < values[b] || (values[a] == values[b] && a < b); }
+    const float* values;
+};
+
+/** Given scores, best first; points of equal score keep their pseudo-random order. O(N log N). */
+class ScorePrior : public Prior
+{
+public:
+    void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
+    {
+        for (size_t i = 0; i < order.size(); ++i)
+            order[i] = (int)i;
+        std::sort(order.begin(), order.end(), ByValue(context.points.scores));
+    }
+};
+
+} // namespace
+
+Ptr<Prior> createScorePrior()
+{
+    return makePtr<ScorePrior>();
+}
+
+} // namespace usacv20
+} // namespace cv

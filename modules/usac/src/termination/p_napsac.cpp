@@ -1,0 +1,39 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one, that is with
+(1 + Params::relaxation) times as many @cite barath2019progressive. */
+class PNapsacTermination : public Termination
+{
+public:
+    int iterations(const Context& context, const State& state) const CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
+        const int inliers = state.bestQuality.inliers;
+        if (inliers <= m)
+            return INT_MAX;
+        const double significant = std::min<double>(inliers * (1 + context.params.relaxation), n);
+        return samplesNeeded(goodSampleProbability(significant, n, m), std::log(1 - context.params.confidence));
+    }
+
+    int reason() const CV_OVERRIDE { return STOP_P_NAPSAC; }
+};
+
+} // namespace
+
+Ptr<Termination> createPNapsacTermination()
+{
+    return makePtr<PNapsacTermination>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,74 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** SPRT: as the standard criterion, but a good model may have been dropped by the test. Under the l-th test this happens
+with a probability of at most A_l^-h, with h the root of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) /
+(1 - epsilon_l))^h = 1 for the inlier ratio epsilon of the best model @cite chum2008optimal. */
+class SprtTermination : public Termination
+{
+public:
+    int iterations(const Context& context, const State& state) const CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
+        if (state.tests.empty() || state.bestQuality.inliers < m)
+            return INT_MAX;
+        const double good = goodSampleProbability(state.bestQuality.inliers, n, m);
+        const double epsilon = (double)state.bestQuality.inliers / n;
+        double logFailure = std::log(1 - context.params.confidence), tested = 0;
+        for (size_t l = 0; l < state.tests.size(); ++l)
+        {
+            const SequentialTest& test = state.tests[l];
+            if (l + 1 == state.tests.size())
+            {
+                const int more = samplesNeeded(good * (1 - 1 / test.A), logFailure);
+                return more < INT_MAX - (int)tested ? (int)tested + more : INT_MAX;
+            }
+            const double kept = good * (1 - std::pow(test.A, -exponent(test, epsilon)));
+            if (kept >= 1)
+                return (int)tested;
+            logFailure -= test.samples * std::log1p(-kept);
+            tested += test.samples;
+        }
+        return INT_MAX;
+    }
+
+    int reason() const CV_OVERRIDE { return STOP_SPRT; }
+
+private:
+    //! The positive root h, by bisection; 0 if the test would more often than not drop a model with this epsilon.
+    static double exponent(const SequentialTest& test, double epsilon)
+    {
+        const double inlier = std::log(test.delta / test.epsilon);
+        const double outlier = std::log((1 - test.delta) / (1 - test.epsilon));
+        if (epsilon * inlier + (1 - epsilon) * outlier >= 0)
+            return 0;
+        double low = 0, high = 1;
+        while (high < 1000 && epsilon * std::exp(high * inlier) + (1 - epsilon) * std::exp(high * outlier) < 1)
+            high *= 2;
+        for (int i = 0; i < 40; ++i)
+        {
+            const double h = 0.5 * (low + high);
+            (epsilon * std::exp(h * inlier) + (1 - epsilon) * std::exp(h * outlier) < 1 ? low : high) = h;
+        }
+        return low;
+    }
+};
+
+} // namespace
+
+Ptr<Termination> createSprtTermination()
+{
+    return makePtr<SprtTermination>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Standard: the samples after which at least one of inliers only has been drawn with the wanted confidence, if the best
+model so far has all inliers; with the exact (hypergeometric) probability of such a sample @cite fischler1981random. */
+class StandardTermination : public Termination
+{
+public:
+    int iterations(const Context& context, const State& state) const CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        return samplesNeeded(goodSampleProbability(state.bestQuality.inliers, context.points.size, m),
+                             std::log(1 - context.params.confidence));
+    }
+
+    int reason() const CV_OVERRIDE { return STOP_STANDARD; }
+};
+
+} // namespace
+
+Ptr<Termination> createStandardTermination()
+{
+    return makePtr<StandardTermination>();
+}
+
+} // namespace usacv20
+} // namespace cv
