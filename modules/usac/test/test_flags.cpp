@@ -15,7 +15,7 @@ const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_
 const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4005}, FLAG_COUNT = 5;
 //! So low and so few that they show in the answer.
 const double LOW = 1e-15;
-const int FEW = 3;
+const int FEW = 20;
 
 //! The preset that a flag is documented to stand for.
 Params presetOf(UsacV20Method flag)
