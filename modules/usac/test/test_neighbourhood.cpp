@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "neighbourhood/neighbourhood.hpp"
+#include "prior/prior.hpp"
 
 #include <set>
 
