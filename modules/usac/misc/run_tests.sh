@@ -19,6 +19,7 @@ build=$work/build-$(printf %s "$source" | cksum | cut -d ' ' -f 1)
 packages="g++ cmake ninja-build ccache pkg-config xz-utils python3-dev python3-numpy libjpeg-dev libpng-dev zlib1g-dev
     libblas-dev liblapack-dev liblapacke-dev libeigen3-dev libopencv-dev"
 mkdir -p "$work"
+export CMAKE_GENERATOR=Ninja CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
 
 passed=0 failed=1  # nothing has been tested yet
 trap 'echo "$passed passed, $failed failed"' EXIT
@@ -67,8 +68,7 @@ fetch_opencv()
 # Debian keeps cblas.h where OpenCV 4.6 does not look, so the LAPACK to use is named.
 configure()
 {
-    cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+    cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release \
         -DOPENCV_EXTRA_MODULES_PATH="$project/modules" -DUSAC_WERROR=ON -DPYTHON3_EXECUTABLE=/usr/bin/python3 \
         -DBUILD_LIST=usac,ts,python3 -DBUILD_TESTS=ON -DBUILD_PERF_TESTS=ON -DBUILD_opencv_apps=OFF -DBUILD_JAVA=OFF \
         -DLAPACK_LIBRARIES="lapack;blas" -DLAPACK_CBLAS_H=cblas.h -DLAPACK_LAPACKE_H=lapacke.h -DLAPACK_IMPL=Debian \

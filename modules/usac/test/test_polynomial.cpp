@@ -130,6 +130,22 @@ TEST(Usac_Polynomial, sparse)
             expectRoots(c, roots, 1e-9);
         }
     }
+    RNG rng(6);
+    for (int repeat = 0; repeat < 1000; ++repeat)  // nearly sparse, as from symmetric points
+    {
+        std::vector<double> c(4 + repeat % 7, 0.), clean;
+        c.back() = 1;
+        c[0] = -rng.uniform(0.1, 3.);
+        clean = c;
+        const double noise = std::pow(10., rng.uniform(-17., -9.));
+        for (size_t i = 0; i < c.size(); ++i)
+            c[i] += rng.gaussian(noise);
+        std::vector<double> roots(1, std::pow(-clean[0], 1. / (c.size() - 1)));
+        if (c.size() % 2)
+            roots.push_back(-roots[0]);
+        SCOPED_TRACE(cv::format("degree %d, noise %g", (int)c.size() - 1, noise));
+        expectRoots(c, roots, 1e-7);
+    }
     const double quartic[] = {-0.05, 0.1, 0, 0, 1};  // one change of sign: one positive root; the same for the negative ones
     EXPECT_EQ(2u, findRoots(std::vector<double>(quartic, quartic + 5)).size());
 }

@@ -139,7 +139,7 @@ std::vector<double> publishedGrowth(int N, int m)
             low *= (long double)(n - i) / (N - i);
             high *= (long double)(n + 1 - i) / (N - i);
         }
-        limit[n + 1] = limit[n] + (double)std::ceil(high - low - 1e-9L);
+        limit[n + 1] = limit[n] + (double)std::ceil((high - low) * (1 - 1e-12L));
     }
     return limit;
 }
@@ -197,32 +197,23 @@ TEST(Usac_Samplers, prosacEndsUniform)
     EXPECT_LT(std::abs(deviation(singles, SAMPLES)), 4.5);
 }
 
-//! Mean distance in the joint space between the first and the other points of a sample.
-double spread(const Draw& draw)
+//! Of the next samples, the fraction whose points all share a cell of the second coarsest layer.
+double localFraction(Draw& draw, int samples)
 {
-    const Correspondences& p = draw.context.points;
-    const int i = draw.sample[0];
-    double sum = 0;
-    for (int k = 1; k < draw.m; ++k)
-    {
-        const int j = draw.sample[k];
-        sum += cv::norm(Vec4d(p.dx1[i] - p.dx1[j], p.dy1[i] - p.dy1[j], p.dx2[i] - p.dx2[j], p.dy2[i] - p.dy2[j]));
-    }
-    return sum / (draw.m - 1);
-}
-
-//! The spread that a tenth of the next samples do not exceed.
-double smallSpread(Draw& draw, int samples)
-{
-    std::vector<double> spreads(samples);
+    Neighbourhood& grid = *draw.usac->components().neighbourhood;
+    int together = 0;
     for (int i = 0; i < samples; ++i)
     {
         draw.next();
         EXPECT_TRUE(draw.valid());
-        spreads[i] = spread(draw);
+        const int* members = 0;
+        const int count = grid.members(draw.context, grid.layers() - 2, draw.sample[0], members);
+        bool all = true;
+        for (int k = 1; k < draw.m; ++k)
+            all = all && std::find(members, members + count, draw.sample[k]) != members + count;
+        together += all;
     }
-    std::sort(spreads.begin(), spreads.end());
-    return spreads[samples / 10];
+    return together / (double)samples;
 }
 
 TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
@@ -231,12 +222,14 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
     for (int problem = 0; problem < 3; ++problem)
     {
         Draw draw((ProblemType)problem, N, createPNapsacSampler());
+        Draw prosac((ProblemType)problem, N, createProsacSampler());
         Draw uniform((ProblemType)problem, N, createUniformSampler());
-        const double global = smallSpread(uniform, WINDOW);
-        EXPECT_LT(smallSpread(draw, 300), 0.7 * global) << "problem " << problem;
+        const double early = localFraction(draw, 200), global = localFraction(uniform, WINDOW);
+        EXPECT_GT(early, localFraction(prosac, 200) + 0.1) << "problem " << problem;
+        EXPECT_GT(early, global + 0.1) << "problem " << problem;
         while (draw.state.iteration < 260000)
             draw.next();
-        EXPECT_NEAR(global, smallSpread(draw, WINDOW), 0.03 * global) << "problem " << problem;
+        EXPECT_NEAR(global, localFraction(draw, WINDOW), 0.005) << "problem " << problem;
         std::vector<int> singles(N, 0);
         for (int i = 0; i < WINDOW; ++i)
         {

@@ -30,7 +30,7 @@ check() # name, command
 
 install_library()
 {
-    cmake -S "$project" -B "$work/build" -DUSAC_WERROR=ON -DCMAKE_INSTALL_LIBDIR=lib $USAC_CMAKE_ARGS &&
+    cmake -S "$project" -B "$work/build" -DUSAC_WERROR=ON -DCMAKE_INSTALL_LIBDIR=lib &&
     cmake --build "$work/build" -j "$(nproc)" &&
     cmake --install "$work/build" --prefix "$work/staging" &&
     mv "$work/staging" "$work/prefix"
