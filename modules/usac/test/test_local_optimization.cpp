@@ -43,7 +43,8 @@ double closeness(double squaredError, double inlierThreshold)
 }
 
 //! The energy as the header of Labelling writes it down.
-double energyOf(const std::vector<double>& K, const std::vector<Vec2i>& edges, double lambda, const std::vector<uchar>& inlier)
+double energyOf(const std::vector<double>& K, const std::vector<Vec2i>& edges, double lambda,
+                const std::vector<uchar>& inlier)
 {
     double energy = 0;
     for (size_t i = 0; i < K.size(); ++i)

@@ -197,7 +197,7 @@ TEST(Usac_Samplers, prosacEndsUniform)
     EXPECT_LT(std::abs(deviation(singles, SAMPLES)), 4.5);
 }
 
-//! Of the next samples, the fraction whose points all share a cell of the second coarsest layer.
+//! Of the next samples, the fraction whose points all share a cell of the coarsest layer.
 double localFraction(Draw& draw, int samples)
 {
     Neighbourhood& grid = *draw.usac->components().neighbourhood;
@@ -207,7 +207,7 @@ double localFraction(Draw& draw, int samples)
         draw.next();
         EXPECT_TRUE(draw.valid());
         const int* members = 0;
-        const int count = grid.members(draw.context, grid.layers() - 2, draw.sample[0], members);
+        const int count = grid.members(draw.context, grid.layers() - 1, draw.sample[0], members);
         bool all = true;
         for (int k = 1; k < draw.m; ++k)
             all = all && std::find(members, members + count, draw.sample[k]) != members + count;
@@ -218,7 +218,7 @@ double localFraction(Draw& draw, int samples)
 
 TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 {
-    const int N = 240, WINDOW = 20000;
+    const int N = 1000, WINDOW = 20000;
     for (int problem = 0; problem < 3; ++problem)
     {
         Draw draw((ProblemType)problem, N, createPNapsacSampler());
@@ -229,7 +229,7 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
         EXPECT_GT(early, global + 0.1) << "problem " << problem;
         while (draw.state.iteration < 260000)
             draw.next();
-        EXPECT_NEAR(global, localFraction(draw, WINDOW), 0.005) << "problem " << problem;
+        EXPECT_NEAR(global, localFraction(draw, WINDOW), 0.01) << "problem " << problem;
         std::vector<int> singles(N, 0);
         for (int i = 0; i < WINDOW; ++i)
         {

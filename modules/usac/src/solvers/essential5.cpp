@@ -180,6 +180,38 @@ bool backSubstitute(const double (&B)[3][3][5], double z, double& x, double& y)
     return best > 0 && std::abs(x) < 1e12 && std::abs(y) < 1e12;
 }
 
+/** One step of Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots
+are small; the step brings them back. */
+void correct(const double (&C)[10][20], double& x, double& y, double& z)
+{
+    const double m[20] = {x * x * x, y * y * y, x * x * y, x * y * y, x * x * z, x * x, y * y * z, y * y, x * y * z, x * y,
+                          x * z * z, x * z, x, y * z * z, y * z, y, z * z * z, z * z, z, 1};
+    const double mx[20] = {3 * x * x, 0, 2 * x * y, y * y, 2 * x * z, 2 * x, 0, 0, y * z, y, z * z, z, 1};
+    const double my[20] = {0, 3 * y * y, x * x, 2 * x * y, 0, 0, 2 * y * z, 2 * y, x * z, x, 0, 0, 0, z * z, z, 1};
+    const double mz[20] = {0, 0, 0, 0, x * x, 0, y * y, 0, x * y, 0, 2 * x * z, x, 0, 2 * y * z, y, 0, 3 * z * z, 2 * z, 1};
+    Matx33d A = Matx33d::zeros();
+    Vec3d b;
+    for (int i = 0; i < 10; ++i)
+    {
+        double r = 0;
+        Vec3d g;
+        for (int k = 0; k < 20; ++k)
+        {
+            r += C[i][k] * m[k];
+            g += C[i][k] * Vec3d(mx[k], my[k], mz[k]);
+        }
+        A += g * g.t();
+        b += r * g;
+    }
+    const Vec3d step = A.inv() * b;  // zero if A is singular
+    const double size = step.dot(step);
+    if (!(size < 1e-2 * (1 + x * x + y * y + z * z)))  // also for NaN
+        return;
+    x -= step[0];
+    y -= step[1];
+    z -= step[2];
+}
+
 /** @brief Up to ten essential matrices from five points of calibrated cameras @cite nister2004efficient.
 
 The epipolar constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3 matrix of polynomials
@@ -191,7 +223,7 @@ public:
 
     int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
     {
-        double A[5][9], basis[4][9], C[10][20], B[3][3][5];
+        double A[5][9], basis[4][9], C[10][20], original[10][20], B[3][3][5];
         for (int i = 0; i < 5; ++i)
         {
             const double x1 = p.dx1[sample[i]], y1 = p.dy1[sample[i]], x2 = p.dx2[sample[i]], y2 = p.dy2[sample[i]];
@@ -201,6 +233,7 @@ public:
         if (!nullSpace(A, basis))
             return 0;
         constraints(basis, C);
+        std::copy(&C[0][0], &C[0][0] + 200, &original[0][0]);
         if (!eliminate(C))
             return 0;
         linkRows(C[4], C[5], B[0]);
@@ -217,12 +250,13 @@ public:
         int found = 0;
         for (int r = 0; r < count; ++r)
         {
-            double x, y, squares = 0;
-            if (!backSubstitute(B, roots[r], x, y))
+            double x, y, z = roots[r], squares = 0;
+            if (!backSubstitute(B, z, x, y))
                 continue;
+            correct(original, x, y, z);
             for (int i = 0; i < 9; ++i)
             {
-                const double e = x * basis[0][i] + y * basis[1][i] + roots[r] * basis[2][i] + basis[3][i];
+                const double e = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
                 models[found].val[i] = e;
                 squares += e * e;
             }
