@@ -92,6 +92,11 @@ run() # name, pattern of passed, pattern of failed, command
     passed=$((passed + p)) failed=$((failed + f))
 }
 
+in_build()  # where findDataFile looks for test data, and where the tests may leave files
+{
+    cd "$build" && "$@"
+}
+
 python_tests()
 {
     cd "$module/misc/python/test" &&
@@ -111,8 +116,8 @@ cmake --build "$build" --target opencv_test_usac opencv_perf_usac opencv_python3
 failed=0
 gtest_passed='^\[  PASSED  \] \([0-9]*\) test.*'
 gtest_failed='^\[  FAILED  \] \([0-9]*\) test.*listed below.*'
-run cpp "$gtest_passed" "$gtest_failed" "$build/bin/opencv_test_usac"
-run perf "$gtest_passed" "$gtest_failed" "$build/bin/opencv_perf_usac" --perf_min_samples=1 --perf_force_samples=1
+run cpp "$gtest_passed" "$gtest_failed" in_build bin/opencv_test_usac
+run perf "$gtest_passed" "$gtest_failed" in_build bin/opencv_perf_usac --perf_min_samples=1 --perf_force_samples=1
 run python '^\([0-9]*\) passed, .*' '^.* passed, \([0-9]*\) failed$' python_tests
 run consumer '^\([0-9]*\) passed, .*' '^.* passed, \([0-9]*\) failed$' sh "$module/misc/consumer/check.sh" "$work/consumer"
 
