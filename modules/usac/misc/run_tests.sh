@@ -102,7 +102,8 @@ python_tests()
     cd "$module/misc/python/test" &&
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" /usr/bin/python3 -c '
 import sys, unittest
-result = unittest.main("test_usac", argv=["test_usac"], verbosity=2, exit=False).result
+tests = unittest.defaultTestLoader.discover(".", "test_usac*.py")
+result = unittest.TextTestRunner(verbosity=2).run(tests)
 bad = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses)
 print("%d passed, %d failed" % (max(result.testsRun - len(result.skipped) - bad, 0), bad))
 sys.exit(bad)'

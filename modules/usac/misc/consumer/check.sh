@@ -4,7 +4,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 # Builds the library and its samples against the installed OpenCV, installs them into a temporary prefix, moves that, and
-# builds and runs the consumer project by the CMake package and by pkg-config. Ends with
+# builds and runs the consumer project by the CMake package and by pkg-config. The last line is
 # "<N> passed, <M> failed".
 # usage: check.sh [working directory]
 
@@ -38,7 +38,7 @@ install_library()
 
 relocatable()
 {
-    ! grep -rIF -e "$project" -e "$work" "$work/prefix"
+    [ -d "$work/prefix" ] && ! grep -rIF -e "$project" -e "$work" "$work/prefix"
 }
 
 by_cmake()
@@ -56,7 +56,9 @@ by_pkg_config()
 }
 
 mkdir -p "$work"
-rm -rf "$work/staging" "$work/prefix" "$work/by_cmake" "$work/by_pkg_config"
+for directory in build staging prefix by_cmake by_pkg_config; do
+    rm -rf "${work:?}/$directory"
+done
 check install install_library
 check relocatable relocatable
 check cmake by_cmake
