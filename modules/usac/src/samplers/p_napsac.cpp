@@ -12,10 +12,11 @@ namespace {
 
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
-The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood.
-The neighbourhood of a point grows each time the point is chosen, by the growth function of PROSAC, through the layers
-of the neighbourhood graph, until it is everything: then the sample is PROSAC's. Local and global samples alternate from
-the start, so that a model without local support is found at most twice as late as by PROSAC. */
+The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood: the
+finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
+that is everything and the sample is PROSAC's. One sample in four is local. With more, small groups of wrong matches that agree
+with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner; so a
+model without local support is found at most a third later than by PROSAC. */
 class PNapsacSampler : public Sampler
 {
 public:

@@ -161,9 +161,11 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! The configuration chosen in the paper; the same as Params().
     CV_WRAP static Params usacV20();
-    //! Stops early, optimises little. What #USACV20_FAST uses.
+    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers would have been found, and
+    whose local optimisation has no graph cut, no inner samples and at most two alternations. */
     CV_WRAP static Params fast();
-    //! Stops late, optimises much. What #USACV20_ACCURATE uses.
+    /** @brief What #USACV20_ACCURATE uses: usacV20() with the standard termination, up to ten alternations of ten inner samples in
+    the local optimisation, and re-weighted polishing. */
     CV_WRAP static Params accurate();
     //! PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses.
     CV_WRAP static Params prosac();
