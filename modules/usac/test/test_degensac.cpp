@@ -274,4 +274,39 @@ TEST(Usac_Orientation, homographySamples)
     EXPECT_FALSE(check->validModel(context, sample, Model(1, 2, 3, 4, 5, 6, 7, 8, 9)));
 }
 
+//! A model without a sample whose inliers are on a plane, as after a local optimisation, is mended as well.
+TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
+{
+    int mended = 0;
+    const int SCENES = 20;
+    for (int i = 0; i < SCENES; ++i)
+    {
+        SceneOptions options;
+        options.planeFraction = 0.7;
+        options.seed = 50 + i;
+        const Scene scene = makeScene(FUNDAMENTAL, options);
+        Ptr<Usac> usac = createUsac(scene, Params());
+        const Params params;
+        const Context context(usac->points(), usac->components(), params);
+        // F = [e]x H of the plane with an epipole that is not the scene's
+        std::vector<cv::Point2d> plane1, plane2;
+        for (int k = 0; k < scene.size(); ++k)
+            if (scene.onPlane[k])
+            {
+                plane1.push_back(scene.clean1[k]);
+                plane2.push_back(scene.clean2[k]);
+            }
+        const cv::Matx33d H = cv::findHomography(plane1, plane2, 0);
+        const cv::Matx33d e(0, -1, 700, 1, 0, 900, -700, -900, 0);
+        Model model = toInternal(usac->points(), e * H);
+        Quality quality = context.rate(model);
+        const Quality before = quality;
+        State state;
+        EXPECT_TRUE(createDegensac()->recover(context, state, 0, model, quality));
+        EXPECT_TRUE(state.report.degenerate);
+        mended += quality.betterThan(before) && quality.inliers >= before.inliers + 20;
+    }
+    EXPECT_GE(mended, SCENES * 8 / 10);
+}
+
 }} // namespace

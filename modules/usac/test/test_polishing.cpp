@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "polishing/polishing.hpp"
+
+namespace opencv_test { namespace {
+
+//! Mean error under the truth of both polishers, each from the same model that misses the truth a little.
+void comparePolishers(ProblemType problem, double noise, double& leastSquares, double& reweighted)
+{
+    leastSquares = reweighted = 0;
+    const int SCENES = 20;
+    for (int i = 0; i < SCENES; ++i)
+    {
+        SceneOptions options;
+        options.noise = noise;
+        options.seed = 1 + i;
+        const Scene scene = makeScene(problem, options);
+        Params params;
+        params.threshold = 1;
+        params.polishing = POLISHING_LEAST_SQUARES;
+        leastSquares += modelError(scene, estimate(scene, params)) / SCENES;
+        params.polishing = POLISHING_REWEIGHTED;
+        reweighted += modelError(scene, estimate(scene, params)) / SCENES;
+    }
+}
+
+//! Where the threshold is below the noise and cuts off good points, smooth weights that reach further are better.
+TEST(Usac_Polishing, smoothWeightsSurviveASmallThreshold)
+{
+    const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
+    for (int k = 0; k < 3; ++k)
+    {
+        double leastSquares, reweighted;
+        comparePolishers(problems[k], 1.0, leastSquares, reweighted);
+        EXPECT_LT(reweighted, leastSquares) << "problem " << problems[k];
+    }
+}
+
+//! The re-weighted model is where the weighted gradient vanishes: the definition of the M-estimator.
+TEST(Usac_Polishing, reweightedIsAFixedPoint)
+{
+    SceneOptions options;
+    options.noise = 0.7;
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    Ptr<Usac> usac = createUsac(scene, Params());
+    const Params params;
+    const Context context(usac->points(), usac->components(), params);
+    const Ptr<Polisher> polisher = createReweightedPolisher();
+    Model once = toInternal(usac->points(), scene.model);
+    polisher->polish(context, once);
+    Model twice = once;
+    for (int i = 0; i < 4; ++i)
+        polisher->polish(context, twice);
+    Model thrice = twice;
+    polisher->polish(context, thrice);
+    once *= 1 / cv::norm(once);
+    twice *= 1 / cv::norm(twice);
+    thrice *= 1 / cv::norm(thrice);
+    EXPECT_GT(modelDistance(toInternal(usac->points(), scene.model), once), 1e-5) << "polishing does something";
+    EXPECT_LT(modelDistance(once, twice), 1e-3);
+    EXPECT_LT(modelDistance(twice, thrice), 1e-6);
+}
+
+//! No polisher leaves its starting point for nothing: without points near the model it stays.
+TEST(Usac_Polishing, nothingNear)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    Ptr<Usac> usac = createUsac(scene, Params());
+    const Params params;
+    const Context context(usac->points(), usac->components(), params);
+    const Model far(1, 0, 1e4, 0, 1, 1e4, 0, 0, 1);
+    const Ptr<Polisher> polishers[] = {createLeastSquaresPolisher(), createReweightedPolisher()};
+    for (int k = 0; k < 2; ++k)
+    {
+        Model model = far;
+        polishers[k]->polish(context, model);
+        EXPECT_EQ(0, cv::norm(model, far, cv::NORM_INF));
+    }
+}
+
+}} // namespace
