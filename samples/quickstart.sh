@@ -13,7 +13,7 @@
 set -eu
 project=$(cd "$(dirname "$0")/.." && pwd)
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac_quickstart}
-packages="g++ make cmake make libeigen3-dev libopencv-dev"
+packages="g++ make cmake libeigen3-dev libopencv-dev"
 files="graf1.png graf3.png H1to3p.xml aloeL.jpg aloeR.jpg aloeGT.png left01.jpg right01.jpg stereo_calib.xml"
 pictures=$work/pictures
 mkdir -p "$pictures"
