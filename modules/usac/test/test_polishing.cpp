@@ -35,7 +35,7 @@ TEST(Usac_Polishing, smoothWeightsSurviveASmallThreshold)
     {
         double leastSquares, reweighted;
         comparePolishers(problems[k], 1.0, leastSquares, reweighted);
-        EXPECT_LT(reweighted, leastSquares) << "problem " << problems[k];
+        EXPECT_LT(reweighted, leastSquares) << "problem " << (int)problems[k];
     }
 }
 
