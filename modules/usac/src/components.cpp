@@ -25,6 +25,8 @@ Usac::~Usac() {}
 Residual::Kind Residual::kind() const { return CUSTOM; }
 
 FusedKernel Score::fused(const Residual&) const { return 0; }
+bool Score::wholeModel() const { return false; }
+double Score::threshold(const Context& context, const Model&) const { return context.points.threshold; }
 
 bool Degeneracy::validSample(const Context&, const int*) const { return true; }
 bool Degeneracy::validModel(const Context&, const int*, const Model&) const { return true; }

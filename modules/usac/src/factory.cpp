@@ -52,43 +52,89 @@ Ptr<Prior> createPrior(int type, bool haveScores)
     }
 }
 
+Ptr<Neighbourhood> createNeighbourhood(const Params&)
+{
+    return createGridNeighbourhood();
+}
+
+Ptr<Residual> createResidual(ProblemType problem)
+{
+    return problem == HOMOGRAPHY ? createTransferResidual() : createSampsonResidual();
+}
+
+Ptr<Score> createScore(int type)
+{
+    switch (type)
+    {
+    case QUALITY_INLIERS: return createInlierScore();
+    default: return createMsacScore();
+    }
+}
+
+Ptr<Verifier> createVerifier(const Params& params, ProblemType problem)
+{
+    switch (params.verification)
+    {
+    case VERIFICATION_NONE: return Ptr<Verifier>();
+    default: return createSprtVerifier(problem);
+    }
+}
+
+Ptr<LocalOptimizer> createLocalOptimizer(int type)
+{
+    switch (type)
+    {
+    case LOCAL_OPTIMIZATION_NONE: return Ptr<LocalOptimizer>();
+    default: return createGraphCutOptimizer();
+    }
+}
+
+void createDegeneracies(int flags, ProblemType problem, std::vector<Ptr<Degeneracy> >& degeneracies)
+{
+    if (flags & DEGENERACY_ORIENTATION)
+        degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
+    if ((flags & DEGENERACY_DEGENSAC) && problem == FUNDAMENTAL)
+        degeneracies.push_back(createDegensac());
+}
+
+void createTerminations(int flags, std::vector<Ptr<Termination> >& terminations)
+{
+    if (flags & TERMINATION_STANDARD)
+        terminations.push_back(createStandardTermination());
+    if (flags & TERMINATION_SPRT)
+        terminations.push_back(createSprtTermination());
+    if (flags & TERMINATION_P_NAPSAC)
+        terminations.push_back(createPNapsacTermination());
+}
+
 Ptr<Polisher> createPolisher(int type)
 {
     switch (type)
     {
     case POLISHING_NONE: return Ptr<Polisher>();
-    case POLISHING_REWEIGHTED: return createReweightedPolisher();
+    case POLISHING_ROBUST: return createRobustPolisher();
     default: return createLeastSquaresPolisher();
     }
 }
 
 } // namespace
 
-Components createComponents(ProblemType problem, const Params& params, bool haveScores)
+Components createComponents(const Correspondences& points, const Params& params)
 {
+    const ProblemType problem = points.problem;
     Components parts;
-    parts.residual = problem == HOMOGRAPHY ? createTransferResidual() : createSampsonResidual();
-    parts.score = params.quality == QUALITY_INLIERS ? createInlierScore() : createMsacScore();
-    if (params.sampler != SAMPLER_UNIFORM)
-        parts.prior = createPrior(params.prior, haveScores);
-    parts.neighbourhood = createGridNeighbourhood();
+    parts.residual = createResidual(problem);
+    parts.score = createScore(params.quality);
+    if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
+        parts.prior = createPrior(params.prior, points.scores != 0);
+    parts.neighbourhood = createNeighbourhood(params);
     parts.sampler = createSampler(params.sampler);
     parts.minimalSolver = createMinimalSolver(problem);
     parts.nonMinimalSolver = createLeastSquaresSolver(problem);
-    if (params.degeneracy & DEGENERACY_ORIENTATION)
-        parts.degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
-    if ((params.degeneracy & DEGENERACY_DEGENSAC) && problem == FUNDAMENTAL)
-        parts.degeneracies.push_back(createDegensac());
-    if (params.verification == VERIFICATION_SPRT)
-        parts.verifier = createSprtVerifier(problem);
-    if (params.localOptimization == LOCAL_OPTIMIZATION_GRAPH_CUT)
-        parts.localOptimizer = createGraphCutOptimizer();
-    if (params.termination & TERMINATION_STANDARD)
-        parts.terminations.push_back(createStandardTermination());
-    if (params.termination & TERMINATION_SPRT)
-        parts.terminations.push_back(createSprtTermination());
-    if (params.termination & TERMINATION_P_NAPSAC)
-        parts.terminations.push_back(createPNapsacTermination());
+    createDegeneracies(params.degeneracy, problem, parts.degeneracies);
+    parts.verifier = createVerifier(params, problem);
+    parts.localOptimizer = createLocalOptimizer(params.localOptimization);
+    createTerminations(params.termination, parts.terminations);
     parts.polisher = createPolisher(params.polishing);
     return parts;
 }

@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 //! The components that the parameters name. To add a variant: its file, its enumerator and one line here.
-Components createComponents(ProblemType problem, const Params& params, bool haveScores);
+Components createComponents(const Correspondences& points, const Params& params);
 
 } // namespace usacv20
 } // namespace cv

@@ -9,96 +9,12 @@ namespace usacv20 {
 
 Params::Params()
     : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
-      prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), quality(QUALITY_MSAC), verification(VERIFICATION_SPRT),
+      prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighbourhood(NEIGHBOURHOOD_GRID), neighbours(10),
+      neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
-      spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC), relaxation(0.03),
+      spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT), relaxation(0.03),
       degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC), polishing(POLISHING_LEAST_SQUARES)
 {
-}
-
-Params Params::usacV20()
-{
-    return Params();
-}
-
-Params Params::fast()
-{
-    Params params;
-    params.relaxation = 0.25;
-    params.localIterations = 2;
-    params.localSamples = 0;
-    params.spatialWeight = 0;
-    return params;
-}
-
-Params Params::accurate()
-{
-    Params params;
-    params.termination = TERMINATION_STANDARD;
-    params.localIterations = 10;
-    params.localSamples = 10;
-    params.polishing = POLISHING_REWEIGHTED;
-    return params;
-}
-
-Params Params::prosac()
-{
-    Params params;
-    params.sampler = SAMPLER_PROSAC;
-    params.prior = PRIOR_INPUT_ORDER;
-    return params;
-}
-
-Params Params::parallel()
-{
-    Params params;
-    params.threads = 0;
-    return params;
-}
-
-Params Params::ransac()
-{
-    Params params;
-    params.sampler = SAMPLER_UNIFORM;
-    params.quality = QUALITY_INLIERS;
-    params.verification = VERIFICATION_NONE;
-    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    params.termination = TERMINATION_STANDARD;
-    params.degeneracy = 0;
-    return params;
-}
-
-Params Params::fromMethod(int method)
-{
-    switch (methodFromInt(method))
-    {
-    case USACV20_FAST: return fast();
-    case USACV20_ACCURATE: return accurate();
-    case USACV20_PROSAC: return prosac();
-    case USACV20_PARALLEL: return parallel();
-    default: return usacV20();
-    }
-}
-
-Params Params::fromUsacParams(const cv::UsacParams& other)
-{
-    Params params;
-    params.threshold = other.threshold;
-    params.confidence = other.confidence;
-    params.maxIterations = other.maxIterations;
-    params.seed = other.randomGeneratorState;
-    params.threads = other.isParallel ? 0 : 1;
-    switch (other.sampler)
-    {
-    case SAMPLING_UNIFORM: params.sampler = SAMPLER_UNIFORM; break;
-    case SAMPLING_PROSAC: params.sampler = SAMPLER_PROSAC; params.prior = PRIOR_INPUT_ORDER; break;
-    default: params.sampler = SAMPLER_P_NAPSAC;
-    }
-    if (other.score == SCORE_METHOD_RANSAC)
-        params.quality = QUALITY_INLIERS;
-    if (other.loMethod == LOCAL_OPTIM_NULL)
-        params.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    return params;
 }
 
 namespace {
@@ -107,6 +23,53 @@ void checkRange(const char* name, double value, double low, double high)
 {
     if (!(value >= low && value <= high))  // also for NaN
         CV_Error_(Error::StsOutOfRange, ("%s: %g .. %g is expected, not %g", name, low, high, value));
+}
+
+//! Refuses options that contradict each other.
+void checkCombination(bool impossible, const char* message)
+{
+    if (impossible)
+        CV_Error(Error::StsBadArg, message);
+}
+
+void checkCombinations(const Params& p)
+{
+    const int criteria = p.termination & ~TERMINATION_EXACT;
+    checkCombination((criteria & TERMINATION_SPRT) && p.verification != VERIFICATION_SPRT,
+                     "termination: TERMINATION_SPRT needs verification VERIFICATION_SPRT");
+    checkCombination((criteria & TERMINATION_PROSAC) && p.sampler != SAMPLER_PROSAC && p.sampler != SAMPLER_P_NAPSAC,
+                     "termination: TERMINATION_PROSAC needs a sampler with a growing set of points, SAMPLER_PROSAC or "
+                     "SAMPLER_P_NAPSAC");
+    checkCombination(p.termination == TERMINATION_EXACT,
+                     "termination: TERMINATION_EXACT modifies another criterion and stands alone");
+    checkCombination(p.sampler == SAMPLER_IMPORTANCE && (p.scores.empty() || p.scoreOrder != SCORES_HIGHER_IS_BETTER),
+                     "sampler: SAMPLER_IMPORTANCE needs scores that are probabilities, with scoreOrder "
+                     "SCORES_HIGHER_IS_BETTER");
+    if (p.quality != QUALITY_LMEDS)
+        return;
+    checkCombination(p.verification != VERIFICATION_NONE,
+                     "verification: SPRT and T(d,d) count inliers, for which QUALITY_LMEDS has no threshold yet");
+    checkCombination(p.localOptimization != LOCAL_OPTIMIZATION_NONE,
+                     "localOptimization: it selects inliers, for which QUALITY_LMEDS has no threshold yet");
+    checkCombination((p.degeneracy & DEGENERACY_DEGENSAC) != 0,
+                     "degeneracy: DEGENERACY_DEGENSAC selects inliers, for which QUALITY_LMEDS has no threshold yet");
+    checkCombination((criteria & (TERMINATION_PROSAC | TERMINATION_MAGSAC)) != 0,
+                     "termination: TERMINATION_PROSAC and TERMINATION_MAGSAC need the threshold, which QUALITY_LMEDS does "
+                     "not have yet");
+}
+
+//! Scores must have one value for each correspondence; as probabilities, finite ones that are not negative nor all 0.
+void checkScores(const Params& p, int count)
+{
+    if (count >= 0 && !p.scores.empty() && (int)p.scores.size() != count)
+        CV_Error_(Error::StsUnmatchedSizes, ("scores: one for each of the %d correspondences is expected, not %d", count,
+                  (int)p.scores.size()));
+    if (p.sampler != SAMPLER_IMPORTANCE)
+        return;
+    for (size_t i = 0; i < p.scores.size(); ++i)
+        if (!(p.scores[i] >= 0 && p.scores[i] <= FLT_MAX))
+            CV_Error_(Error::StsOutOfRange, ("scores: SAMPLER_IMPORTANCE expects finite numbers of at least 0, not %g",
+                      p.scores[i]));
 }
 
 } // namespace
@@ -119,25 +82,28 @@ void Params::check(int count) const
         CV_Error_(Error::StsOutOfRange, ("confidence: a number between 0 and 1 is expected, not %g", confidence));
     checkRange("maxIterations", maxIterations, 1, INT_MAX);
     checkRange("threads", threads, 0, 1024);
-    checkRange("sampler", sampler, SAMPLER_UNIFORM, SAMPLER_P_NAPSAC);
+    checkRange("sampler", sampler, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE);
     checkRange("prior", prior, PRIOR_AUTO, PRIOR_NONE);
     checkRange("scoreOrder", scoreOrder, SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER);
-    checkRange("quality", quality, QUALITY_INLIERS, QUALITY_MSAC);
-    checkRange("verification", verification, VERIFICATION_NONE, VERIFICATION_SPRT);
-    checkRange("localOptimization", localOptimization, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GRAPH_CUT);
+    checkRange("neighbourhood", neighbourhood, NEIGHBOURHOOD_GRID, NEIGHBOURHOOD_RADIUS);
+    checkRange("neighbours", neighbours, 1, 1000);
+    if (!(neighbourRadius > 0 && neighbourRadius <= DBL_MAX))
+        CV_Error_(Error::StsOutOfRange, ("neighbourRadius: a positive number of pixels is expected, not %g", neighbourRadius));
+    checkRange("residual", residual, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC);
+    checkRange("quality", quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS);
+    checkRange("verification", verification, VERIFICATION_NONE, VERIFICATION_TDD);
+    checkRange("tddPoints", tddPoints, 1, 100);
+    checkRange("localOptimization", localOptimization, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS);
     checkRange("localIterations", localIterations, 1, 1000);
     checkRange("localSampleMultiple", localSampleMultiple, 2, 100);
     checkRange("localSamples", localSamples, 0, 1000);
     checkRange("spatialWeight", spatialWeight, 0, 10);
-    checkRange("termination", termination, 0, TERMINATION_STANDARD | TERMINATION_SPRT | TERMINATION_P_NAPSAC);
+    checkRange("termination", termination, 0, 2 * TERMINATION_EXACT - 1);
     checkRange("relaxation", relaxation, 0, 1);
     checkRange("degeneracy", degeneracy, 0, DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC);
-    checkRange("polishing", polishing, POLISHING_NONE, POLISHING_REWEIGHTED);
-    if ((termination & TERMINATION_SPRT) && verification != VERIFICATION_SPRT)
-        CV_Error(Error::StsBadArg, "termination: TERMINATION_SPRT needs verification VERIFICATION_SPRT");
-    if (count >= 0 && !scores.empty() && (int)scores.size() != count)
-        CV_Error_(Error::StsUnmatchedSizes, ("scores: one for each of the %d correspondences is expected, not %d", count,
-                  (int)scores.size()));
+    checkRange("polishing", polishing, POLISHING_NONE, POLISHING_ROBUST);
+    checkCombinations(*this);
+    checkScores(*this, count);
 }
 
 namespace {
@@ -155,8 +121,13 @@ void visitFields(P& params, Visitor& visit)
     visit("prior", params.prior);
     visit("scores", params.scores);
     visit("scoreOrder", params.scoreOrder);
+    visit("neighbourhood", params.neighbourhood);
+    visit("neighbours", params.neighbours);
+    visit("neighbourRadius", params.neighbourRadius);
+    visit("residual", params.residual);
     visit("quality", params.quality);
     visit("verification", params.verification);
+    visit("tddPoints", params.tddPoints);
     visit("localOptimization", params.localOptimization);
     visit("localIterations", params.localIterations);
     visit("localSampleMultiple", params.localSampleMultiple);

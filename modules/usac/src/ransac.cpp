@@ -20,7 +20,7 @@ const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 <<
 Ransac::Ransac(const Context& context_, State& state_)
     : context(context_), parts(context_.components), state(state_),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
-      required(INT_MAX), requiredReason(STOP_NOT_RUN), localTicks(0)
+      required(INT_MAX), requiredReason(STOP_NOT_RUN), localTicks(0), firstInliers(0), firstTested(0)
 {
 }
 
@@ -94,7 +94,7 @@ void Ransac::hypothesise(int index)
 {
     Hypotheses& h = batch[index];
     const int position = threads == 1 ? state.iteration : state.iteration + index;
-    h.count = h.computed = h.rejected = h.dropped = h.firstInliers = h.firstTested = 0;
+    h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = 0;
     h.rejectedSample = false;
     for (size_t d = 0; d < parts.degeneracies.size(); ++d)                                  // 4
         h.rejectedSample |= !parts.degeneracies[d]->validSample(context, h.sample);
@@ -102,7 +102,6 @@ void Ransac::hypothesise(int index)
         return;                                                                             // 5
     Model models[MAX_MODELS];
     h.computed = parts.minimalSolver->solve(context.points, h.sample, models);              // 6
-    h.rejectedSample = h.computed == 0;
     Rng rotation(context.params.seed, ROTATION_STREAM + position);
     for (int k = 0; k < h.computed; ++k)                                                    // 7
     {
@@ -124,7 +123,7 @@ void Ransac::hypothesise(int index)
             h.qualities[h.count++] = rating.quality;
         }
         else
-            ++h.dropped;                                                                    // 11
+            ++(rating.refused ? h.refused : h.dropped);                                     // 11
     }
 }
 
@@ -182,11 +181,20 @@ void Ransac::account(const Hypotheses& h)
 {
     Report& report = state.report;
     report.rejectedSamples += h.rejectedSample;
+    report.degenerateSamples += !h.rejectedSample && h.computed == 0;
     report.models += h.computed;
     report.rejectedModels += h.rejected;
+    report.refusedModels += h.refused;
     report.droppedModels += h.dropped;
+    firstInliers += h.firstInliers;
+    firstTested += h.firstTested;
     if (parts.verifier)
         parts.verifier->sampleTested(state, h.firstInliers, h.firstTested);
+}
+
+double Ransac::randomInlierRatio() const
+{
+    return (firstInliers + 1) / (firstTested + 100);  // one in a hundred where nothing has been seen
 }
 
 void Ransac::updateTermination()

@@ -17,8 +17,8 @@ struct Hypotheses
     int count;
     Model models[MAX_MODELS];
     Quality qualities[MAX_MODELS];
-    bool rejectedSample;
-    int computed, rejected, dropped;       //!< models, for the report
+    bool rejectedSample;                   //!< by a check
+    int computed, rejected, refused, dropped;  //!< models, for the report
     int firstInliers, firstTested;         //!< of their first blocks, for the verifier
 };
 
@@ -34,6 +34,8 @@ public:
 
     //! Fills State::best; its quality stays infinite if no model was found.
     void run();
+    //! Probability that a point agrees with a wrong model: the mean over the first blocks of all models.
+    double randomInlierRatio() const;
 
 private:
     bool terminate();
@@ -53,6 +55,7 @@ private:
     const int threads;
     int required, requiredReason;
     double localTicks;
+    double firstInliers, firstTested;
 };
 
 } // namespace usacv20

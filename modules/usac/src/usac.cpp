@@ -25,7 +25,7 @@ public:
              InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
         : created(getTickCount()), params(params_),
           data(problem, points1, points2, params_, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2),
-          parts(createComponents(problem, params_, data.points().scores != 0))
+          parts(createComponents(data.points(), params_))
     {
     }
 

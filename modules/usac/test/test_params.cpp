@@ -66,12 +66,12 @@ TEST(Usac_Params, ranges_of_integers)
 {
     const struct { const char* name; int low, high; } ranges[] = {
         {"maxIterations", 1, INT_MAX}, {"seed", INT_MIN, INT_MAX}, {"threads", 0, 1024},
-        {"sampler", SAMPLER_UNIFORM, SAMPLER_P_NAPSAC}, {"prior", PRIOR_AUTO, PRIOR_NONE},
-        {"scoreOrder", SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER}, {"quality", QUALITY_INLIERS, QUALITY_MSAC},
+        {"sampler", SAMPLER_UNIFORM, SAMPLER_NAPSAC}, {"prior", PRIOR_AUTO, PRIOR_NONE},
+        {"scoreOrder", SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER}, {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
         {"verification", VERIFICATION_NONE, VERIFICATION_SPRT},
         {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GRAPH_CUT}, {"localIterations", 1, 1000},
         {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 7}, {"degeneracy", 0, 3},
-        {"polishing", POLISHING_NONE, POLISHING_REWEIGHTED}};
+        {"polishing", POLISHING_NONE, POLISHING_ROBUST}};
     ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::ints().size(); ++i)
     {

@@ -288,7 +288,7 @@ TEST_P(UsacComponents, polishing)
         const Scene scene = makeScene(problem(), options);
         params.polishing = POLISHING_LEAST_SQUARES;
         with += modelError(scene, estimate(scene, params));
-        params.polishing = POLISHING_REWEIGHTED;
+        params.polishing = POLISHING_ROBUST;
         reweighted += modelError(scene, estimate(scene, params));
         params.polishing = POLISHING_NONE;
         without += modelError(scene, estimate(scene, params));

@@ -22,7 +22,7 @@ void comparePolishers(ProblemType problem, double noise, double& leastSquares, d
         params.threshold = 1;
         params.polishing = POLISHING_LEAST_SQUARES;
         leastSquares += modelError(scene, estimate(scene, params)) / SCENES;
-        params.polishing = POLISHING_REWEIGHTED;
+        params.polishing = POLISHING_ROBUST;
         reweighted += modelError(scene, estimate(scene, params)) / SCENES;
     }
 }
@@ -48,7 +48,7 @@ TEST(Usac_Polishing, reweightedIsAFixedPoint)
     Ptr<Usac> usac = createUsac(scene, Params());
     const Params params;
     const Context context(usac->points(), usac->components(), params);
-    const Ptr<Polisher> polisher = createReweightedPolisher();
+    const Ptr<Polisher> polisher = createRobustPolisher();
     Model once = toInternal(usac->points(), scene.model);
     polisher->polish(context, once);
     Model twice = once;
@@ -72,7 +72,7 @@ TEST(Usac_Polishing, nothingNear)
     const Params params;
     const Context context(usac->points(), usac->components(), params);
     const Model far(1, 0, 1e4, 0, 1, 1e4, 0, 0, 1);
-    const Ptr<Polisher> polishers[] = {createLeastSquaresPolisher(), createReweightedPolisher()};
+    const Ptr<Polisher> polishers[] = {createLeastSquaresPolisher(), createRobustPolisher()};
     for (int k = 0; k < 2; ++k)
     {
         Model model = far;

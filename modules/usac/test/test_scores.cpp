@@ -236,7 +236,7 @@ TEST(Usac_Scores, undefinedErrorsAreOutliers)
                 EXPECT_EQ(40, inliers.cost);
                 EXPECT_EQ(0, inliers.inliers);
             }
-    const float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0.25f};
+    float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0.25f};
     Quality msac(0, 0), inliers(0, 0);
     createMsacScore()->accumulate(errors, 3, 1, msac);
     createInlierScore()->accumulate(errors, 3, 1, inliers);
@@ -249,7 +249,7 @@ TEST(Usac_Scores, undefinedErrorsAreOutliers)
 //! The threshold itself belongs to the inliers; its MSAC cost is that of an outlier.
 TEST(Usac_Scores, threshold)
 {
-    const float errors[] = {4.f, std::nextafter(4.f, 5.f), 1.f};
+    float errors[] = {4.f, std::nextafter(4.f, 5.f), 1.f};
     Quality msac(0, 0), inliers(0, 0);
     createMsacScore()->accumulate(errors, 3, 4, msac);
     createInlierScore()->accumulate(errors, 3, 4, inliers);

@@ -16,7 +16,7 @@ not used. One pass over the points, fused with the residual. */
 class InlierScore : public Score
 {
 public:
-    void accumulate(const float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
         {

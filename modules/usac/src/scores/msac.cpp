@@ -16,7 +16,7 @@ residual. */
 class MsacScore : public Score
 {
 public:
-    void accumulate(const float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
         const float scale = 1 / squaredThreshold;
         for (int i = 0; i < count; ++i)

@@ -18,8 +18,8 @@ enum { BLOCK = 256 };
 class Judge
 {
 public:
-    Judge(const Context& context, const Model& model_)
-        : points(context.points), score(*context.components.score), residual(*context.components.residual),
+    Judge(const Context& context, const Score& score_, const Model& model_)
+        : points(context.points), score(score_), residual(*context.components.residual),
           kernel(score.fused(residual)), limit((float)(points.threshold * points.threshold)), model(model_)
     {
         toFloat(model, m);
@@ -47,13 +47,9 @@ private:
     float m[9];
 };
 
-} // namespace
-
-Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start)
+//! Block after block; false if the model was dropped.
+bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double bound, int start, Rating& rating)
 {
-    const Judge judge(context, model);
-    const int size = context.points.size;
-    Rating rating = {Quality(0, 0), false, 0, 0};
     int tested = 0;
     while (tested < size)
     {
@@ -69,10 +65,39 @@ Rating rate(const Context& context, const Verifier* verifier, const Model& model
             rating.firstTested = tested;
             rating.firstInliers = rating.quality.inliers;
         }
-        if (rating.quality.cost >= bound || (verifier && !verifier->proceed(rating.quality.inliers, tested)))
-            return rating;
+        rating.refused = verifier && !verifier->proceed(rating.quality.inliers, tested);
+        if (rating.refused || rating.quality.cost >= bound)
+            return false;
     }
-    rating.complete = true;
+    return true;
+}
+
+//! All points at once. A verifier looks at the numbers of inliers before.
+void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound, int start, Rating& rating)
+{
+    const Correspondences& points = context.points;
+    static const Ptr<Score> counter = createInlierScore();
+    if (verifier && !rateBlocks(Judge(context, *counter, model), points.size, verifier, DBL_MAX, start, rating))
+        return;
+    static thread_local std::vector<float> errors;  // kept, as this is called for each model
+    errors.resize(points.size);
+    context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
+    rating.quality = Quality(0, 0);
+    const float limit = (float)(points.threshold * points.threshold);
+    context.components.score->accumulate(errors.data(), points.size, limit, rating.quality);
+    rating.complete = rating.quality.cost < bound;
+}
+
+} // namespace
+
+Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start)
+{
+    Rating rating = {Quality(0, 0), false, false, 0, 0};
+    const Score& score = *context.components.score;
+    if (score.wholeModel())
+        rateWhole(context, verifier, model, bound, start, rating);
+    else
+        rating.complete = rateBlocks(Judge(context, score, model), context.points.size, verifier, bound, start, rating);
     return rating;
 }
 

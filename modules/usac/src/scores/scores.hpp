@@ -20,6 +20,7 @@ struct Rating
 {
     Quality quality;      //!< of all points if `complete`
     bool complete;        //!< false: dropped by the verifier, or no better than the bound
+    bool refused;         //!< dropped by the verifier
     int firstInliers;     //!< inliers among
     int firstTested;      //!< the points of the first block
 };

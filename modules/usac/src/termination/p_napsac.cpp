@@ -22,7 +22,8 @@ public:
         if (inliers <= m)
             return INT_MAX;
         const double significant = std::min<double>(inliers * (1 + context.params.relaxation), n);
-        return samplesNeeded(goodSampleProbability(significant, n, m), std::log(1 - context.params.confidence));
+        const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
+        return samplesNeeded(goodSampleProbability(significant, n, m, exact), std::log(1 - context.params.confidence));
     }
 
     int reason() const CV_OVERRIDE { return STOP_P_NAPSAC; }

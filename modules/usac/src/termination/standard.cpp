@@ -11,14 +11,15 @@ namespace usacv20 {
 namespace {
 
 /** Standard: the samples after which at least one of inliers only has been drawn with the wanted confidence, if the best
-model so far has all inliers; with the exact (hypergeometric) probability of such a sample @cite fischler1981random. */
+model so far has all inliers @cite fischler1981random. */
 class StandardTermination : public Termination
 {
 public:
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
-        return samplesNeeded(goodSampleProbability(state.bestQuality.inliers, context.points.size, m),
+        const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
+        return samplesNeeded(goodSampleProbability(state.bestQuality.inliers, context.points.size, m, exact),
                              std::log(1 - context.params.confidence));
     }
 

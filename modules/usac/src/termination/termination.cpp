@@ -8,11 +8,11 @@
 namespace cv {
 namespace usacv20 {
 
-double goodSampleProbability(double inliers, int n, int m)
+double goodSampleProbability(double inliers, int n, int m, bool exact)
 {
     double p = 1;
     for (int i = 0; i < m; ++i)
-        p *= std::max(inliers - i, 0.0) / (n - i);
+        p *= exact ? std::max(inliers - i, 0.0) / (n - i) : inliers / n;
     return std::min(p, 1.0);
 }
 

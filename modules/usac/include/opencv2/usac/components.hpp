@@ -230,10 +230,14 @@ class CV_EXPORTS Score
 public:
     virtual ~Score();
     /** @brief Adds a block of points to `sum`; the cost of a point lies between 0 (perfect) and 1 (outlier).
-    NaN is an outlier. `squaredThreshold` is that of the errors' coordinates. */
-    virtual void accumulate(const float* squaredErrors, int count, float squaredThreshold, Quality& sum) const = 0;
+    NaN is an outlier. `squaredThreshold` is that of the errors' coordinates. The array of errors may be changed. */
+    virtual void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const = 0;
     //! A kernel that does the same without the array of errors, or null.
     virtual FusedKernel fused(const Residual& residual) const;
+    //! True: the cost is no sum over the points; accumulate is called once for a model, with all of them. Default: false.
+    virtual bool wholeModel() const;
+    //! The threshold, not squared, of the inliers of a model. Default: that of the points.
+    virtual double threshold(const Context& context, const Model& model) const;
 };
 
 //! Drops bad models early (paper, section "Pre-emptive verification").

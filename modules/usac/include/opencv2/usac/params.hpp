@@ -45,7 +45,24 @@ enum SamplerType
 {
     SAMPLER_UNIFORM  = 0, //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC   = 1, //!< the best points first, then ever more of them @cite chum2005matching
-    SAMPLER_P_NAPSAC = 2  //!< the best point first and its neighbours, ever wider @cite barath2019progressive
+    SAMPLER_P_NAPSAC = 2, //!< the best point first and its neighbours, ever wider @cite barath2019progressive
+    SAMPLER_NAPSAC   = 3, //!< any point and its neighbours @cite nasuto2002napsac
+    SAMPLER_IMPORTANCE = 4 //!< points as often as Params::scores, their probabilities of being right, say
+};
+
+//! Which points are neighbours in the joint space (x1, y1, x2, y2).
+enum NeighbourhoodType
+{
+    NEIGHBOURHOOD_GRID   = 0, //!< points in the same cell of a grid with layers of finer and wider cells @cite barath2019progressive
+    NEIGHBOURHOOD_KNN    = 1, //!< the Params::neighbours nearest points, through cv::flann
+    NEIGHBOURHOOD_RADIUS = 2  //!< the points within Params::neighbourRadius pixels, through cv::flann
+};
+
+//! Which error of a point is minimised and compared with the threshold.
+enum ResidualType
+{
+    RESIDUAL_STANDARD  = 0, //!< H: transfer error in image 2. F, E: Sampson distance
+    RESIDUAL_SYMMETRIC = 1  //!< H: root of the summed squared transfer errors in both images. F, E: of the squared distances to both epipolar lines
 };
 
 //! Where the order of the points ("best first") comes from (paper, section "Other features").
@@ -68,21 +85,30 @@ enum ScoreOrder
 enum QualityType
 {
     QUALITY_INLIERS = 0, //!< number of inliers @cite fischler1981random
-    QUALITY_MSAC    = 1  //!< sum of truncated squared errors @cite torr2000mlesac
+    QUALITY_MSAC    = 1, //!< sum of truncated squared errors @cite torr2000mlesac
+    QUALITY_MLESAC  = 2, //!< likelihood under a mixture of Gaussian inliers and uniform outliers @cite torr2000mlesac
+    QUALITY_LMEDS   = 3, //!< median of the squared errors; finds the threshold itself @cite rousseeuw1984least
+    QUALITY_MAGSAC  = 4, //!< likelihood marginalised over the scale of the noise @cite barath2019magsac
+    QUALITY_MAGSAC_PLUS_PLUS = 5 //!< the robust loss of the marginalised weights @cite barath2020magsac
 };
 
 //! How bad models are dropped early (paper, section "Pre-emptive verification").
 enum VerificationType
 {
     VERIFICATION_NONE = 0, //!< every model sees all points, or as many as the quality needs
-    VERIFICATION_SPRT = 1  //!< Wald's sequential probability ratio test @cite chum2008optimal
+    VERIFICATION_SPRT = 1, //!< Wald's sequential probability ratio test @cite chum2008optimal
+    VERIFICATION_TDD  = 2  //!< the first Params::tddPoints points must be inliers @cite matas2004randomized
 };
 
 //! What improves each so-far-the-best model (paper, section "Local optimization").
 enum LocalOptimizationType
 {
     LOCAL_OPTIMIZATION_NONE      = 0, //!< nothing
-    LOCAL_OPTIMIZATION_GRAPH_CUT = 1  //!< spatially coherent inliers by graph cut, inner RANSAC @cite barath2018graph
+    LOCAL_OPTIMIZATION_GRAPH_CUT = 1, //!< spatially coherent inliers by graph cut, inner RANSAC @cite barath2018graph
+    LOCAL_OPTIMIZATION_LO_RANSAC = 2, //!< inner RANSAC, least squares with a shrinking threshold @cite chum2003locally
+    LOCAL_OPTIMIZATION_FLO_RANSAC = 3, //!< the same on a bounded number of inliers @cite lebeda2012fixing
+    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4, //!< fits marginalised over the scale of the noise @cite barath2019magsac
+    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5 //!< re-weighted fits with marginalised weights @cite barath2020magsac
 };
 
 //! What ends the search, a set of bits; the first that fires wins (paper, section "Termination criterion").
@@ -90,7 +116,10 @@ enum TerminationFlags
 {
     TERMINATION_STANDARD = 1, //!< no better model with probability `confidence` @cite fischler1981random
     TERMINATION_SPRT     = 2, //!< the same, with the errors of SPRT accounted for @cite chum2008optimal
-    TERMINATION_P_NAPSAC = 4  //!< no significantly better model @cite barath2019progressive
+    TERMINATION_P_NAPSAC = 4, //!< no significantly better model @cite barath2019progressive
+    TERMINATION_PROSAC   = 8, //!< maximality and non-randomness in the best subset of the points @cite chum2005matching
+    TERMINATION_MAGSAC   = 16, //!< the standard criterion marginalised over the scale of the noise @cite barath2019magsac
+    TERMINATION_EXACT    = 32 //!< modifies the others: samples without repetition, C(I, m) / C(N, m), in the place of (I / N)^m
 };
 
 //! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy").
@@ -105,7 +134,8 @@ enum PolishingType
 {
     POLISHING_NONE          = 0, //!< nothing
     POLISHING_LEAST_SQUARES = 1, //!< least squares of the geometric error over all inliers, until they settle
-    POLISHING_REWEIGHTED    = 2  //!< iteratively re-weighted least squares, smooth weights out to 3 thresholds @cite geman1987statistical
+    POLISHING_REWEIGHTED    = 2, //!< iteratively re-weighted least squares with the weights of MAGSAC++ @cite barath2020magsac
+    POLISHING_ROBUST        = 3  //!< least squares of the geometric error with a robust loss, smooth out to 3 thresholds @cite geman1987statistical
 };
 
 /** @brief All options of the estimator; each has an effect.
@@ -132,25 +162,35 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int sampler;
     //! @ref PriorType. Default #PRIOR_AUTO.
     CV_PROP_RW int prior;
-    //! Score of each correspondence, N values or none. Default none.
+    //! Score of each correspondence, N values or none; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
     CV_PROP_RW std::vector<float> scores;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;
+    //! @ref NeighbourhoodType. Default #NEIGHBOURHOOD_GRID.
+    CV_PROP_RW int neighbourhood;
+    //! Neighbours of a point for #NEIGHBOURHOOD_KNN; 1..1000. Default 10.
+    CV_PROP_RW int neighbours;
+    //! Radius for #NEIGHBOURHOOD_RADIUS, pixels in the joint space; > 0. Default 40.
+    CV_PROP_RW double neighbourRadius;
+    //! @ref ResidualType. Default #RESIDUAL_STANDARD.
+    CV_PROP_RW int residual;
     //! @ref QualityType. Default #QUALITY_MSAC.
     CV_PROP_RW int quality;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;
+    //! Points that must be inliers for #VERIFICATION_TDD; 1..100. Default 1.
+    CV_PROP_RW int tddPoints;
     //! @ref LocalOptimizationType. Default #LOCAL_OPTIMIZATION_GRAPH_CUT.
     CV_PROP_RW int localOptimization;
-    //! Upper bound of the alternations of labelling and fitting in one local optimisation; 1..1000. Default 5.
+    //! Rounds of one local optimisation: alternations of labelling and fitting, steps of the shrinking threshold, re-weightings; 1..1000. Default 5.
     CV_PROP_RW int localIterations;
     //! Size of the inner samples of a local optimisation as a multiple of the minimal one; 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
-    //! Inner samples of one alternation of a local optimisation, beside the fit to all its inliers; 0..1000. Default 4.
+    //! Inner samples of a local optimisation (graph cut: of each of its alternations); 0..1000. Default 4.
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
-    //! Set of @ref TerminationFlags; 0 runs all `maxIterations`. Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC.
+    //! Set of @ref TerminationFlags; 0 runs all `maxIterations`. Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
     CV_PROP_RW int termination;
     //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.03. Used by #TERMINATION_P_NAPSAC.
     CV_PROP_RW double relaxation;

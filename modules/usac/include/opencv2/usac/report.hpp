@@ -23,7 +23,9 @@ enum StopReason
     STOP_STANDARD          = 4, //!< #TERMINATION_STANDARD fired
     STOP_SPRT              = 5, //!< #TERMINATION_SPRT fired
     STOP_P_NAPSAC          = 6, //!< #TERMINATION_P_NAPSAC fired
-    STOP_CUSTOM            = 7  //!< a Termination of the caller's fired
+    STOP_CUSTOM            = 7, //!< a Termination of the caller's fired
+    STOP_PROSAC            = 8, //!< #TERMINATION_PROSAC fired
+    STOP_MAGSAC            = 9  //!< #TERMINATION_MAGSAC fired
 };
 
 /** @brief What one estimation learned on its way. Times are of the steady clock and decide nothing. */
@@ -35,13 +37,17 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int stop;
     //! Minimal samples drawn.
     CV_PROP_RW int iterations;
-    //! Samples refused before a model was computed (repeated or collinear points, orientation).
+    //! Samples refused by a check of the sample (orientation).
     CV_PROP_RW int rejectedSamples;
+    //! Samples that determine no model (repeated or collinear points, no real solution).
+    CV_PROP_RW int degenerateSamples;
     //! Models computed from the samples.
     CV_PROP_RW int models;
     //! Models refused by a check of the model itself (orientation, singular).
     CV_PROP_RW int rejectedModels;
-    //! Models dropped by the pre-emptive verification or because they could no longer beat the best.
+    //! Models dropped by the pre-emptive verification.
+    CV_PROP_RW int refusedModels;
+    //! Models that were no better than the best one.
     CV_PROP_RW int droppedModels;
     //! Local optimisations run.
     CV_PROP_RW int localOptimizations;
@@ -51,6 +57,12 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW bool degenerate;
     //! Rows of the mask that are 1.
     CV_PROP_RW int inliers;
+    //! Inliers that are more than a threshold apart from each other in both images: repeated matches count once.
+    CV_PROP_RW int independentInliers;
+    //! Non-randomness: probability that as many independent inliers agree by chance, given how many agree with a wrong model.
+    CV_PROP_RW double chance;
+    //! Threshold of the mask in pixels, that of Params; #QUALITY_LMEDS: found from the data.
+    CV_PROP_RW double threshold;
     //! Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of min(error^2 / threshold^2, 1).
     CV_PROP_RW double cost;
     //! Milliseconds: reading, scaling and ordering the points.

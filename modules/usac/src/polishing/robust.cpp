@@ -10,10 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-/** Iteratively re-weighted least squares with the weights of Geman and McClure @cite geman1987statistical,
+/** Levenberg and Marquardt's method on the geometric error under the robust loss of Geman and McClure
+@cite geman1987statistical, by weights that are renewed,
 w = 1 / (1 + error^2 / threshold^2)^2, over the points within #REACH thresholds. The weights fall off smoothly where a
 threshold cuts, so the result depends less on it: the points just outside still speak, those far outside do not. */
-class ReweightedPolisher : public Polisher
+class RobustPolisher : public Polisher
 {
 public:
     void polish(const Context& context, Model& model) CV_OVERRIDE
@@ -47,9 +48,9 @@ private:
 
 } // namespace
 
-Ptr<Polisher> createReweightedPolisher()
+Ptr<Polisher> createRobustPolisher()
 {
-    return makePtr<ReweightedPolisher>();
+    return makePtr<RobustPolisher>();
 }
 
 } // namespace usacv20
