@@ -57,9 +57,15 @@ Ptr<Neighbourhood> createNeighbourhood(const Params&)
     return createGridNeighbourhood();
 }
 
-Ptr<Residual> createResidual(ProblemType problem)
+Ptr<Residual> createResidual(ProblemType problem, int type)
 {
-    return problem == HOMOGRAPHY ? createTransferResidual() : createSampsonResidual();
+    switch (type)
+    {
+    case RESIDUAL_SYMMETRIC:
+        return problem == HOMOGRAPHY ? createSymmetricTransferResidual() : createSymmetricEpipolarResidual();
+    default:
+        return problem == HOMOGRAPHY ? createTransferResidual() : createSampsonResidual();
+    }
 }
 
 Ptr<Score> createScore(int type)
@@ -85,6 +91,8 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
     switch (type)
     {
     case LOCAL_OPTIMIZATION_NONE: return Ptr<LocalOptimizer>();
+    case LOCAL_OPTIMIZATION_LO_RANSAC: return createLoRansacOptimizer();
+    case LOCAL_OPTIMIZATION_FLO_RANSAC: return createFloRansacOptimizer();
     default: return createGraphCutOptimizer();
     }
 }
@@ -123,14 +131,14 @@ Components createComponents(const Correspondences& points, const Params& params)
 {
     const ProblemType problem = points.problem;
     Components parts;
-    parts.residual = createResidual(problem);
+    parts.residual = createResidual(problem, params.residual);
     parts.score = createScore(params.quality);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
         parts.prior = createPrior(params.prior, points.scores != 0);
     parts.neighbourhood = createNeighbourhood(params);
     parts.sampler = createSampler(params.sampler);
     parts.minimalSolver = createMinimalSolver(problem);
-    parts.nonMinimalSolver = createLeastSquaresSolver(problem);
+    parts.nonMinimalSolver = createLeastSquaresSolver(problem, parts.residual->kind());
     createDegeneracies(params.degeneracy, problem, parts.degeneracies);
     parts.verifier = createVerifier(params, problem);
     parts.localOptimizer = createLocalOptimizer(params.localOptimization);

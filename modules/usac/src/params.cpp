@@ -184,7 +184,7 @@ void read(const FileNode& node, Params& params, const Params& defaults)
 
 bool isUsacV20Method(int method)
 {
-    return (method >= USACV20 && method <= USACV20_PROSAC) || method == USACV20_PARALLEL;
+    return method >= USACV20 && method <= USACV20_PARALLEL;
 }
 
 UsacV20Method methodFromInt(int method)

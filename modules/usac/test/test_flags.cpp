@@ -11,8 +11,9 @@ namespace opencv_test { namespace {
 typedef UsacProblem UsacFlags;
 INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_PARALLEL};
-const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4005}, FLAG_COUNT = 5;
+const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC,
+                               USACV20_MAGSAC, USACV20_PARALLEL};
+const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005}, FLAG_COUNT = 6;
 //! So low and so few that they show in the answer.
 const double LOW = 1e-15;
 const int FEW = 20;
@@ -21,7 +22,8 @@ const int FEW = 20;
 Params presetOf(UsacV20Method flag)
 {
     return flag == USACV20 ? Params::usacV20() : flag == USACV20_FAST ? Params::fast()
-         : flag == USACV20_ACCURATE ? Params::accurate() : flag == USACV20_PROSAC ? Params::prosac()
+         : flag == USACV20_ACCURATE ? Params::accurate() : flag == USACV20_PROSAC ? Params::sorted()
+         : flag == USACV20_MAGSAC ? Params::magsacPlusPlus()
          : Params::parallel();
 }
 

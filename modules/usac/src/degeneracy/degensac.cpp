@@ -30,7 +30,7 @@ are drawn from the points off the plane; the best F is kept if it beats the orig
 class Degensac : public Degeneracy
 {
 public:
-    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY)) {}
+    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)) {}
 
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {

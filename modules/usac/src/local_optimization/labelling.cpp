@@ -48,18 +48,6 @@ void Labelling::unaryInliers(std::vector<int>& inliers) const
             inliers.push_back(point[v]);
 }
 
-void Labelling::within(const Context& context, const Model& model, double multiple, std::vector<int>& inliers)
-{
-    const Correspondences& points = context.points;
-    const float limit = (float)(multiple * multiple * points.threshold * points.threshold);
-    errors.resize(points.size);
-    context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
-    inliers.clear();
-    for (int i = 0; i < points.size; ++i)
-        if (errors[i] <= limit)
-            inliers.push_back(i);
-}
-
 void Labelling::cut(const Context& context, const Model& model, std::vector<int>& inliers)
 {
     weigh(context, model);

@@ -25,8 +25,6 @@ class Labelling
 public:
     //! Writes the inliers to `inliers`.
     void cut(const Context& context, const Model& model, std::vector<int>& inliers);
-    //! Writes the points with errors up to a multiple of the threshold to `inliers`.
-    void within(const Context& context, const Model& model, double multiple, std::vector<int>& inliers);
 
 private:
     void weigh(const Context& context, const Model& model);

@@ -25,10 +25,10 @@ enum { TRANSFER_SUMS = 34, SAMPSON_SUMS = 55 };
 the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind. */
 struct Kernels
 {
-    ErrorKernel errors[2];
-    FusedKernel msac[2];
-    FusedKernel inliers[2];
-    SumsKernel sums[2];
+    ErrorKernel errors[Residual::CUSTOM];
+    FusedKernel msac[Residual::CUSTOM];
+    FusedKernel inliers[Residual::CUSTOM];
+    SumsKernel transferSums, sampsonSums, symmetricEpipolarSums;
 };
 
 Kernels baselineKernels();

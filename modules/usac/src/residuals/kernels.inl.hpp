@@ -85,12 +85,24 @@ void scoreKernel(const Correspondences& points, const float* model, float limit,
     sum.inliers += inliers[0];
 }
 
+template <class Error>
+void addKernels(Residual::Kind kind, Kernels& all)
+{
+    all.errors[kind] = errorKernel<Error>;
+    all.msac[kind] = scoreKernel<Error, MsacCost>;
+    all.inliers[kind] = scoreKernel<Error, InlierCost>;
+}
+
 Kernels allKernels()
 {
-    const Kernels all = {{errorKernel<TransferError>, errorKernel<SampsonError>},
-                         {scoreKernel<TransferError, MsacCost>, scoreKernel<SampsonError, MsacCost>},
-                         {scoreKernel<TransferError, InlierCost>, scoreKernel<SampsonError, InlierCost>},
-                         {transferSums, sampsonSums}};
+    Kernels all;
+    addKernels<TransferError>(Residual::TRANSFER, all);
+    addKernels<SampsonError>(Residual::SAMPSON, all);
+    addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, all);
+    addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, all);
+    all.transferSums = transferSums;
+    all.sampsonSums = sampsonSums;
+    all.symmetricEpipolarSums = symmetricEpipolarSums;
     return all;
 }
 

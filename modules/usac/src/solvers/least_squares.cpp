@@ -16,13 +16,14 @@ namespace {
 
 /** @brief Least squares of the geometric error by Levenberg and Marquardt's method @cite more1978levenberg.
 
-Minimises the sum of (weighted) squared transfer errors (H) or Sampson distances (F, E) over the manifold of the model,
+Minimises the sum of (weighted) squared errors of one of the kinds of Residual over the manifold of the model,
 from the given one. Starting from a model, not from nothing, it needs no linear estimate and is not confused by planar
-scenes, on which the eight-point method fails. About 40 (H) or 100 (F, E) operations a point and iteration. */
+scenes, on which the eight-point method fails. About 40 (H) or 100 (F, E) operations a point and iteration, twice that for the
+symmetric errors. */
 class LeastSquaresSolver : public NonMinimalSolver
 {
 public:
-    explicit LeastSquaresSolver(ProblemType problem_) : problem(problem_) {}
+    LeastSquaresSolver(ProblemType problem_, Residual::Kind kind_) : problem(problem_), kind(kind_) {}
 
     bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
              Model& model) const CV_OVERRIDE
@@ -31,7 +32,7 @@ public:
         if (residuals(count) < here.dimension())
             return false;
         NormalEquations sums, trialSums;
-        sums.accumulate(problem, points, indices, count, weights, here.model());
+        sums.accumulate(kind, points, indices, count, weights, here.model());
         if (!(sums.cost <= DBL_MAX))
             return false;
         double damping = 1e-4;
@@ -41,7 +42,7 @@ public:
             if (!solve(here, sums, damping, step))
                 return false;
             const Manifold trial = here.moved(step);
-            trialSums.accumulate(problem, points, indices, count, weights, trial.model());
+            trialSums.accumulate(kind, points, indices, count, weights, trial.model());
             const bool better = trialSums.cost < sums.cost;  // false for NaN
             const double gain = sums.cost - trialSums.cost;
             if (better)
@@ -80,14 +81,15 @@ private:
         return step.allFinite();
     }
 
-    ProblemType problem;
+    const ProblemType problem;
+    const Residual::Kind kind;
 };
 
 } // namespace
 
-Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType problem)
+Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType problem, Residual::Kind kind)
 {
-    return makePtr<LeastSquaresSolver>(problem);
+    return makePtr<LeastSquaresSolver>(problem, kind);
 }
 
 } // namespace usacv20

@@ -62,19 +62,23 @@ void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* su
     sums[33] += dotChunk(cost, p[2]);
 }
 
-/** Sampson distance: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2, where (a, b) are the
-first two entries of F x1 and (d, e) those of F^T x2. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D).
+/** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2 for Sampson's distance, where
+(a, b) are the first two entries of F x1 (FIRST) and (d, e) those of F^T x2 (SECOND); one pair alone gives the distance to
+the line in one image. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D).
 sums: the lower triangle of JtJ row by row (45); the gradient (9); the cost. */
-void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sums)
+template <bool FIRST, bool SECOND>
+void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sums)
 {
     const double *x1 = chunk[0], *y1 = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
     double J[10][SUMS_CHUNK], weighted[10][SUMS_CHUNK];  // the last row is the residual
     USAC_SIMD
     for (int i = 0; i < SUMS_CHUNK; ++i)
     {
-        const double a = m[0] * x1[i] + m[1] * y1[i] + m[2], b = m[3] * x1[i] + m[4] * y1[i] + m[5];
-        const double d = m[0] * x2[i] + m[3] * y2[i] + m[6], e = m[1] * x2[i] + m[4] * y2[i] + m[7];
-        const double N = x2[i] * a + y2[i] * b + m[6] * x1[i] + m[7] * y1[i] + m[8];
+        const double l0 = m[0] * x1[i] + m[1] * y1[i] + m[2], l1 = m[3] * x1[i] + m[4] * y1[i] + m[5];
+        const double N = x2[i] * l0 + y2[i] * l1 + m[6] * x1[i] + m[7] * y1[i] + m[8];
+        const double a = FIRST ? l0 : 0, b = FIRST ? l1 : 0;
+        const double d = SECOND ? m[0] * x2[i] + m[3] * y2[i] + m[6] : 0;
+        const double e = SECOND ? m[1] * x2[i] + m[4] * y2[i] + m[7] : 0;
         const double D = a * a + b * b + d * d + e * e + 1e-200;  // 0 where both points are epipoles, as is N
         const double s = 1 / std::sqrt(D), q = N / D;
         const double left0 = s * (x2[i] - q * a), left1 = s * (y2[i] - q * b);
@@ -99,6 +103,17 @@ void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sum
     for (int row = 0, n = 0; row < 10; ++row)
         for (int col = 0; col <= row; ++col)
             sums[n++] += dotChunk(weighted[row], J[col]);
+}
+
+void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sums)
+{
+    epipolarSums<true, true>(chunk, m, sums);
+}
+
+void symmetricEpipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sums)
+{
+    epipolarSums<true, false>(chunk, m, sums);
+    epipolarSums<false, true>(chunk, m, sums);
 }
 
 } // namespace

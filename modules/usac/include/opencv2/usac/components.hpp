@@ -207,7 +207,7 @@ public:
 class CV_EXPORTS Residual
 {
 public:
-    enum Kind { TRANSFER, SAMPSON, CUSTOM };
+    enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, CUSTOM };
 
     virtual ~Residual();
     //! Squared errors of the points begin .. end-1. Where the error is not defined the value is NaN or infinite.
