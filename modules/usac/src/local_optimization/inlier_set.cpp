@@ -28,15 +28,15 @@ int InlierSet::select(Rng& rng, int count)
     return count;
 }
 
-bool InlierSet::fit(const Context& context, int count, Model& model) const
+bool InlierSet::fit(const Context& context, int count, Model& model, int iterations) const
 {
-    return context.components.nonMinimalSolver->fit(context.points, members.data(), count, 0, model);
+    return context.components.nonMinimalSolver->fit(context.points, members.data(), count, 0, model, iterations);
 }
 
-bool InlierSet::improve(const Context& context, int count, Model& model, Quality& quality) const
+bool InlierSet::improve(const Context& context, int count, Model& model, Quality& quality, int iterations) const
 {
     Model fitted = model;
-    return fit(context, count, fitted) && keepBetter(context, fitted, model, quality);
+    return fit(context, count, fitted, iterations) && keepBetter(context, fitted, model, quality);
 }
 
 bool keepBetter(const Context& context, const Model& candidate, Model& model, Quality& quality)

@@ -19,9 +19,9 @@ public:
     //! Brings `count` random members to the front, all if there are not as many. @return their number
     int select(Rng& rng, int count);
     //! Least squares over the first `count` members from `model`; false if they determine none.
-    bool fit(const Context& context, int count, Model& model) const;
+    bool fit(const Context& context, int count, Model& model, int iterations = 10) const;
     //! The same; the fit replaces the model if its quality is better.
-    bool improve(const Context& context, int count, Model& model, Quality& quality) const;
+    bool improve(const Context& context, int count, Model& model, Quality& quality, int iterations = 10) const;
 
     int size() const { return (int)members.size(); }
 

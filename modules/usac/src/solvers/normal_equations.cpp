@@ -42,10 +42,11 @@ void fromSampsonSums(const double* sums, NormalEquations& equations)
     equations.cost = sums[54];
 }
 
-//! Adds up the sums of all points; `swapped`: images 1 and 2 change roles.
-void addAll(SumsKernel add, const Correspondences& points, bool swapped, const int* indices, int count,
+//! The sums of all points; `swapped`: images 1 and 2 change roles.
+void sumAll(SumsKernel add, const Correspondences& points, bool swapped, const int* indices, int count,
             const double* weights, const double* model, double* sums)
 {
+    double lanes[SAMPSON_SUMS][SUMS_LANES] = {{0}};
     const double* from[4] = {points.dx1, points.dy1, points.dx2, points.dy2};
     if (swapped)
     {
@@ -62,7 +63,12 @@ void addAll(SumsKernel add, const Correspondences& points, bool swapped, const i
                 chunk[c][k] = from[c][i];
             chunk[4][k] = start + k >= count ? 0 : weights ? weights[at] : 1;
         }
-        add(chunk, model, sums);
+        add(chunk, model, lanes);
+    }
+    for (int i = 0; i < SAMPSON_SUMS; ++i)
+    {
+        const double* l = lanes[i];
+        sums[i] = ((l[0] + l[4]) + (l[2] + l[6])) + ((l[1] + l[5]) + (l[3] + l[7]));
     }
 }
 
@@ -85,15 +91,15 @@ void NormalEquations::accumulate(Residual::Kind kind, const Correspondences& poi
                                  const double* weights, const Model& model)
 {
     const Kernels& k = kernels();
-    double sums[SAMPSON_SUMS] = {0};
+    double sums[SAMPSON_SUMS];
     if (kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER)
     {
-        addAll(k.transferSums, points, false, indices, count, weights, model.val, sums);
+        sumAll(k.transferSums, points, false, indices, count, weights, model.val, sums);
         fromTransferSums(sums, *this);
     }
     else
     {
-        addAll(kind == Residual::SAMPSON ? k.sampsonSums : k.symmetricEpipolarSums, points, false, indices, count, weights,
+        sumAll(kind == Residual::SAMPSON ? k.sampsonSums : k.symmetricEpipolarSums, points, false, indices, count, weights,
                model.val, sums);
         fromSampsonSums(sums, *this);
     }
@@ -101,8 +107,7 @@ void NormalEquations::accumulate(Residual::Kind kind, const Correspondences& poi
     {
         const Matx33d G = model.inv();
         NormalEquations inverse;
-        std::fill(sums, sums + TRANSFER_SUMS, 0.);
-        addAll(k.transferSums, points, true, indices, count, weights, G.val, sums);
+        sumAll(k.transferSums, points, true, indices, count, weights, G.val, sums);
         fromTransferSums(sums, inverse);
         addInverse(inverse, G, *this);
     }
