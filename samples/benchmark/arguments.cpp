@@ -5,7 +5,6 @@
 #include "arguments.hpp"
 
 #include <stdexcept>
-#include "method.hpp"
 
 namespace benchmark {
 
@@ -30,6 +29,24 @@ bool isHelp(const std::string& name)
 }
 
 } // namespace
+
+std::vector<std::string> splitNames(const std::string& names)
+{
+    std::vector<std::string> result(1);
+    int depth = 0;
+    for (size_t i = 0; i < names.size(); ++i)
+    {
+        depth += (names[i] == '{') - (names[i] == '}');
+        if (names[i] == ',' && depth == 0)
+            result.push_back(std::string());
+        else
+            result.back() += names[i];
+    }
+    for (size_t i = result.size(); i-- > 0;)
+        if (result[i].empty())
+            result.erase(result.begin() + i);
+    return result;
+}
 
 Arguments::Arguments(int argc, char** argv, const cv::CommandLineParser& parser)
 {

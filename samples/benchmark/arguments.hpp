@@ -11,6 +11,9 @@
 
 namespace benchmark {
 
+//! Splits "a,b{c=1,d=2},e" at the commas outside of braces.
+std::vector<std::string> splitNames(const std::string& names);
+
 /** What cv::CommandLineParser does not do: it keeps only one of repeated options and ignores unknown ones. */
 class Arguments
 {

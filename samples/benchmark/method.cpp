@@ -50,24 +50,6 @@ cv::Ptr<Method> createMethod(const std::string& name)
     return cv::makePtr<OpenCVMethod>(name, base.substr(3), scores);
 }
 
-std::vector<std::string> splitNames(const std::string& names)
-{
-    std::vector<std::string> result(1);
-    int depth = 0;
-    for (size_t i = 0; i < names.size(); ++i)
-    {
-        depth += (names[i] == '{') - (names[i] == '}');
-        if (names[i] == ',' && depth == 0)
-            result.push_back(std::string());
-        else
-            result.back() += names[i];
-    }
-    for (size_t i = result.size(); i-- > 0;)
-        if (result[i].empty())
-            result.erase(result.begin() + i);
-    return result;
-}
-
 std::string knownMethods()
 {
     return ModuleMethod::names() + ", " + OpenCVMethod::names();
