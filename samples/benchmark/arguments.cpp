@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 
+#include <sstream>
 #include <stdexcept>
 
 namespace benchmark {
@@ -28,6 +29,17 @@ bool isHelp(const std::string& name)
     return name == "help" || name == "h" || name == "usage" || name == "?";
 }
 
+template <class Number>
+Number convert(const cv::CommandLineParser& parser, const std::string& name, const char* expected)
+{
+    const std::string text = parser.get<cv::String>(name);
+    std::istringstream in(text);
+    Number value = 0;
+    if (!(in >> value) || in.peek() != std::istringstream::traits_type::eof())
+        throw std::runtime_error("--" + name + ": expected " + expected + ", not '" + text + "'");
+    return value;
+}
+
 } // namespace
 
 std::vector<std::string> splitNames(const std::string& names)
@@ -46,6 +58,16 @@ std::vector<std::string> splitNames(const std::string& names)
         if (result[i].empty())
             result.erase(result.begin() + i);
     return result;
+}
+
+double numberOf(const cv::CommandLineParser& parser, const std::string& name)
+{
+    return convert<double>(parser, name, "a number");
+}
+
+int integerOf(const cv::CommandLineParser& parser, const std::string& name)
+{
+    return convert<int>(parser, name, "an integer");
 }
 
 Arguments::Arguments(int argc, char** argv, const cv::CommandLineParser& parser)

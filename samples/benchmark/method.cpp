@@ -12,12 +12,12 @@ namespace benchmark {
 
 namespace {
 
-//! Cuts `+scores` out of a name. @return whether it was there.
+//! Cuts `+scores` off the end of a name or from before `{`. @return whether it was there.
 bool cutScores(std::string& name)
 {
     const std::string suffix = "+scores";
-    const size_t found = name.find(suffix);
-    if (found == std::string::npos)
+    const size_t found = name.find(suffix), next = found + suffix.size();
+    if (found == std::string::npos || (next < name.size() && name[next] != '{'))
         return false;
     name.erase(found, suffix.size());
     return true;

@@ -73,24 +73,19 @@ bool parse(int argc, char** argv, Command& command)
         return false;
     }
     const std::string scene = parser.get<cv::String>("scene");
-    const int size = parser.get<int>("size"), seed = parser.get<int>("seed");
-    const double inliers = parser.get<double>("inliers"), duplicates = parser.get<double>("duplicates");
+    const int size = integerOf(parser, "size"), seed = integerOf(parser, "seed");
+    const double inliers = numberOf(parser, "inliers"), duplicates = numberOf(parser, "duplicates");
     SceneOptions& options = command.options;
     command.folder = parser.get<cv::String>("out");
     command.name = parser.has("name") ? std::string(parser.get<cv::String>("name")) : "synthetic_" + scene;
     command.planar = scene == "planar";
-    command.pairs = parser.get<int>("pairs");
-    options.noise = parser.get<double>("noise");
-    options.planeFraction = scene == "plane" ? parser.get<double>("planeFraction") : 0;
-    options.angle = parser.get<double>("angle");
+    command.pairs = integerOf(parser, "pairs");
+    options.noise = numberOf(parser, "noise");
+    options.planeFraction = scene == "plane" ? numberOf(parser, "planeFraction") : 0;
+    options.angle = numberOf(parser, "angle");
     options.outlierModel = outlierModelOf(parser.get<cv::String>("outliers"));
-    options.scoreInformation = parser.get<double>("scores");
+    options.scoreInformation = numberOf(parser, "scores");
     options.seed = seed;
-    if (!parser.check())
-    {
-        parser.printErrors();
-        throw std::runtime_error("wrong command line");
-    }
     require(!command.folder.empty(), "--out: expected a folder");
     require(command.name.find_first_of("/\\") == std::string::npos, "--name: expected a name without folders");
     require(scene == "general" || scene == "plane" || scene == "planar", "--scene: expected general, plane or planar");
