@@ -47,6 +47,16 @@ std::map<std::pair<double, double>, int> targetsOfOutliers(const Scene& scene)
     return result;
 }
 
+//! The random numbers behind scores that tell nothing.
+std::vector<float> randomNumbers(const Scene& scene)
+{
+    std::vector<float> result = scene.scores;
+    for (int i = 0; i < scene.size(); ++i)
+        if (scene.truth[i])
+            result[i] = 1 - result[i];
+    return result;
+}
+
 TEST(Usac_Scenes, sizeAndInlierRatio)
 {
     for (int size = 20; size <= 500; size += 96)
@@ -112,7 +122,7 @@ TEST(Usac_Scenes, deterministic)
             ++options.seed;
             const Scene other = makeScene(problem, options);
             EXPECT_FALSE(samePoints(first, other));
-            EXPECT_NE(first.scores, other.scores);
+            EXPECT_GT(cv::norm(randomNumbers(first), randomNumbers(other)), 1);
         }
 }
 
