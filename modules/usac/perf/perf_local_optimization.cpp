@@ -12,8 +12,9 @@ CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL)
 typedef TestBaseWithParam<tuple<Problem, int> > UsacGraphCut;
 
 //! The best model of a sample of right matches: what the local optimisation starts from.
-Model modelOfSample(const PerfScene& scene, const Context& context, int stream)
+Model modelOfSample(const PerfScene& scene, int stream)
 {
+    const Context& context = scene.context;
     const MinimalSolver& solver = *context.components.minimalSolver;
     Rng rng(1, stream);
     int sample[MAX_SAMPLE_SIZE];
@@ -43,12 +44,10 @@ Model modelOfSample(const PerfScene& scene, const Context& context, int stream)
 //! Full local optimisations of 20 models, each as of the first model of a run.
 PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {
-    const Params params;
-    const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()), params);
-    const Context context(scene.usac->points(), scene.usac->components(), params);
+    const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
     std::vector<Model> models;
     for (int k = 0; k < 20; ++k)
-        models.push_back(modelOfSample(scene, context, k));
+        models.push_back(modelOfSample(scene, k));
     int improved = 0;
     TEST_CYCLE()
     {
@@ -58,8 +57,8 @@ PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), te
             State state;
             state.rng = Rng(2, k);
             Model model = models[k];
-            Quality quality = context.rate(model);
-            improved += context.components.localOptimizer->optimize(context, state, model, quality);
+            Quality quality = scene.context.rate(model);
+            improved += scene.context.components.localOptimizer->optimize(scene.context, state, model, quality);
         }
     }
     EXPECT_GT(improved, 10);
@@ -69,16 +68,14 @@ PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), te
 //! The cut alone, 20 times, at the true model; the graph is there already.
 PERF_TEST_P(UsacGraphCut, cut_20times, testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {
-    const Params params;
-    const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()), params);
-    const Context context(scene.usac->points(), scene.usac->components(), params);
+    const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
     Labelling labelling;
     std::vector<int> inliers;
-    labelling.cut(context, scene.model, inliers);
+    labelling.cut(scene.context, scene.model, inliers);
     TEST_CYCLE()
     {
         for (int k = 0; k < 20; ++k)
-            labelling.cut(context, scene.model, inliers);
+            labelling.cut(scene.context, scene.model, inliers);
     }
     EXPECT_GT((int)inliers.size(), get<1>(GetParam()) / 3);
     SANITY_CHECK_NOTHING();

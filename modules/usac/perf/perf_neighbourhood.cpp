@@ -19,15 +19,13 @@ const int POINTS = 1000000;
 PERF_TEST_P(UsacSize, grid_1000000points, testing::Values(100, 1000, 10000, 100000))
 {
     const PerfScene scene(FUNDAMENTAL, GetParam());
-    const Params params;
-    const Context context(scene.usac->points(), scene.usac->components(), params);
     int found = 0;
     TEST_CYCLE()
     {
         for (int k = 0; k < POINTS / GetParam(); ++k)
         {
             const int* members = 0;
-            found = createGridNeighbourhood()->members(context, 0, 0, members);  // builds the grid
+            found = createGridNeighbourhood()->members(scene.context, 0, 0, members);  // builds the grid
         }
     }
     EXPECT_GT(found, 0);
@@ -37,13 +35,11 @@ PERF_TEST_P(UsacSize, grid_1000000points, testing::Values(100, 1000, 10000, 1000
 PERF_TEST_P(UsacSize, gridWithEdges_1000000points, testing::Values(100, 1000, 10000, 100000))
 {
     const PerfScene scene(FUNDAMENTAL, GetParam());
-    const Params params;
-    const Context context(scene.usac->points(), scene.usac->components(), params);
     size_t edges = 0;
     TEST_CYCLE()
     {
         for (int k = 0; k < POINTS / GetParam(); ++k)
-            edges = createGridNeighbourhood()->edges(context).size();
+            edges = createGridNeighbourhood()->edges(scene.context).size();
     }
     EXPECT_GT(edges, 0u);
     SANITY_CHECK_NOTHING();
@@ -52,13 +48,11 @@ PERF_TEST_P(UsacSize, gridWithEdges_1000000points, testing::Values(100, 1000, 10
 PERF_TEST_P(UsacSize, densityPrior_1000000points, testing::Values(100, 1000, 10000, 100000))
 {
     const PerfScene scene(FUNDAMENTAL, GetParam());
-    const Params params;
-    const Context context(scene.usac->points(), scene.usac->components(), params);
     std::vector<int> order(GetParam());
     TEST_CYCLE()
     {
         for (int k = 0; k < POINTS / GetParam(); ++k)
-            createDensityPrior()->sort(context, order);
+            createDensityPrior()->sort(scene.context, order);
     }
     std::sort(order.begin(), order.end());
     EXPECT_TRUE(order.front() == 0 && order.back() == GetParam() - 1);

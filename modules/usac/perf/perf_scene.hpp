@@ -12,24 +12,32 @@ namespace opencv_test {
 /** A synthetic scene in which half of the matches are wrong, as the components see it. */
 struct PerfScene
 {
-    PerfScene(ProblemType problem, int size, const Params& params = Params())
+    PerfScene(ProblemType problem, int size, const Params& params_ = Params())
+        : params(params_), scene(makeScene(problem, optionsOf(size))), usac(createUsac(scene, params)),
+          context(usac->points(), usac->components(), params),
+          model(problem == ESSENTIAL ? scene.model : toInternal(usac->points(), scene.model))
     {
-        SceneOptions options;
-        options.setSize(size, 0.5);
-        scene = makeScene(problem, options);
-        usac = createUsac(scene, params);
-        if (problem == ESSENTIAL)
-            model = scene.model;
-        else
-            model = toInternal(usac->points(), scene.model);
     }
 
     //! The i-th point is a right match.
     bool isRight(int i) const { return scene.truth[usac->points().inputIndex[i]] != 0; }
 
-    Scene scene;
-    Ptr<Usac> usac;
-    Model model;  //!< the true one, in the coordinates of the components
+    const Params params;
+    const Scene scene;
+    const Ptr<Usac> usac;
+    const Context context;
+    const Model model;  //!< the true one, in the coordinates of the components
+
+private:
+    static SceneOptions optionsOf(int size)
+    {
+        SceneOptions options;
+        options.setSize(size, 0.5);
+        return options;
+    }
+
+    PerfScene(const PerfScene&);
+    PerfScene& operator=(const PerfScene&);
 };
 
 } // namespace opencv_test

@@ -48,10 +48,10 @@ PERF_TEST_P(UsacScore, rate_1000000points,
     Params params;
     params.quality = get<1>(GetParam());
     const PerfScene scene(problem, size, params);
-    Components& parts = scene.usac->components();
+    Ptr<Residual>& residual = scene.usac->components().residual;
     if (way == NOT_FUSED)
-        parts.residual = makePtr<UnknownResidual>(parts.residual);
-    const Context context(scene.usac->points(), parts, params);
+        residual = makePtr<UnknownResidual>(residual);
+    const Context& context = scene.context;
     const Quality right = context.rate(scene.model);
     const Model wrong = scene.model + Model::eye() * 0.5;
     Quality sum;
