@@ -28,7 +28,6 @@ Params Params::accurate()
     params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
     params.localIterations = 10;
     params.localSamples = 10;
-    params.polishing = POLISHING_ROBUST;
     return params;
 }
 
@@ -56,6 +55,7 @@ Params Params::ransac()
     params.localOptimization = LOCAL_OPTIMIZATION_NONE;
     params.termination = TERMINATION_STANDARD;
     params.degeneracy = 0;
+    params.polishing = POLISHING_LEAST_SQUARES;
     return params;
 }
 
@@ -116,6 +116,7 @@ Params Params::gcRansac()
     params.localSampleMultiple = 7;
     params.termination = TERMINATION_STANDARD;
     params.degeneracy = DEGENERACY_ORIENTATION;
+    params.polishing = POLISHING_LEAST_SQUARES;
     return params;
 }
 

@@ -115,7 +115,7 @@ TEST_P(UsacFlags, arguments_matter_in_the_scene_of_these_tests)
     const UsacV20Method flag = USACV20_ACCURATE;
     const Wanted wanted(scene, paramsOf(flag, 2, 0.98, 1000));
     const Params others[] = {paramsOf(flag, 1, 0.98, 1000), paramsOf(flag, 2, LOW, 1000), paramsOf(flag, 2, 0.98, FEW),
-                             paramsOf(USACV20_FAST, 2, 0.98, 1000)};
+                             paramsOf(USACV20_MAGSAC, 2, 0.98, 1000)};
     for (int i = 0; i < 4; ++i)
         EXPECT_FALSE(sameBits(wanted.model, estimate(scene, others[i]))) << "change " << i;
 }

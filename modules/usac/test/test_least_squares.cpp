@@ -122,7 +122,7 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
             J.col(i) = (residuals(kind, points, indices, w, plus) - residuals(kind, points, indices, w, minus)) / (2 * step);
         }
         NormalEquations sums;
-        sums.accumulate(kind, points, indices.data(), points.size, w, model);
+        sums.accumulate(kind, PointChunks(points, indices.data(), points.size, w), model);
         EXPECT_NEAR(r.squaredNorm(), sums.cost, 1e-10 * r.squaredNorm());
         const Vector9 Jtr = J.transpose() * r;
         const Eigen::Matrix<double, 9, 9> JtJ = J.transpose() * J;
@@ -143,7 +143,7 @@ TEST_P(Usac_LeastSquares, normalEquationsOfSomePoints)
     const int some[] = {7, 3, 50, 12, 3};
     const std::vector<int> indices(some, some + 5);
     NormalEquations sums;
-    sums.accumulate(kind, points, some, 5, 0, model);
+    sums.accumulate(kind, PointChunks(points, some, 5, 0), model);
     const double expected = costOf(kind, points, indices, 0, model);
     EXPECT_NEAR(expected, sums.cost, 1e-10 * expected);
 }
@@ -220,7 +220,7 @@ double slope(Residual::Kind kind, const Correspondences& points, const std::vect
              const Model& model)
 {
     NormalEquations sums;
-    sums.accumulate(kind, points, indices.data(), (int)indices.size(), weights, model);
+    sums.accumulate(kind, PointChunks(points, indices.data(), (int)indices.size(), weights), model);
     const Manifold::Basis basis = Manifold(points.problem, model).tangent();
     double largest = 0;
     for (int k = 0; k < basis.cols(); ++k)

@@ -190,7 +190,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, p.termination);
     EXPECT_EQ(0.03, p.relaxation);
     EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC, p.degeneracy);
-    EXPECT_EQ((int)POLISHING_LEAST_SQUARES, p.polishing);
+    EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);
 }
 
 //! All fields different from their defaults and right.

@@ -20,8 +20,6 @@ LO-RANSAC @cite chum2003locally, the model is fitted to the points within a mult
 a minimal sample the threshold alone leads to the nearest local optimum, whose inliers confirm it. If that does
 not make the model clearly better than the best one so far, it ends there. A fit that is better replaces the model; the
 first alternation without a clear gain is the last, and their number is bounded. */
-static int ev(const char*n,int d){const char*e=getenv(n);return e?atoi(e):d;}
-static const int I1=ev("I1",10),I2=ev("I2",10),I3=ev("I3",10);
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
@@ -43,8 +41,8 @@ public:
     }
 
 private:
-    //! More points than this make a fit slower, not better, while the inliers are still changing.
-    enum { MAX_FIT = 500, MAX_SHRINK = 256 };
+    //! More points or steps than this make a fit slower, not better, while the inliers are still changing.
+    enum { MAX_FIT = 500, MAX_SHRINK = 256, SHRINK_STEPS = 2, FIT_STEPS = 3 };
 
     //! Fits to the points within 3, 2 and 1 thresholds, each from the last fit.
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
@@ -54,7 +52,7 @@ private:
         for (int multiple = 3; multiple >= 1; --multiple)
         {
             inliers.within(context, fitted, multiple);
-            if (inliers.size() <= m || !inliers.fit(context, inliers.select(state.rng, MAX_SHRINK), fitted, I1))
+            if (inliers.size() <= m || !inliers.fit(context, inliers.select(state.rng, MAX_SHRINK), fitted, SHRINK_STEPS))
                 break;
             improved |= keepBetter(context, fitted, model, quality);
         }
@@ -65,9 +63,9 @@ private:
     {
         const int count = inliers.size();
         const int small = std::max(m + 1, std::min(m * context.params.localSampleMultiple, count / 2));
-        bool improved = inliers.improve(context, inliers.select(state.rng, MAX_FIT), model, quality, I2);
+        bool improved = inliers.improve(context, inliers.select(state.rng, MAX_FIT), model, quality, FIT_STEPS);
         for (int i = 0; i < context.params.localSamples && small < count; ++i)
-            improved |= inliers.improve(context, inliers.select(state.rng, small), model, quality, I3);
+            improved |= inliers.improve(context, inliers.select(state.rng, small), model, quality, FIT_STEPS);
         return improved;
     }
 

@@ -31,8 +31,9 @@ public:
         Manifold here(problem, model);
         if (residuals(count) < here.dimension())
             return false;
+        const PointChunks chunks(points, indices, count, weights);
         NormalEquations sums, trialSums;
-        sums.accumulate(kind, points, indices, count, weights, here.model());
+        sums.accumulate(kind, chunks, here.model());
         if (!(sums.cost <= DBL_MAX))
             return false;
         double damping = 1e-4;
@@ -42,7 +43,7 @@ public:
             if (!solve(here, sums, damping, step))
                 return false;
             const Manifold trial = here.moved(step);
-            trialSums.accumulate(kind, points, indices, count, weights, trial.model());
+            trialSums.accumulate(kind, chunks, trial.model());
             const bool better = trialSums.cost < sums.cost;  // false for NaN
             const double gain = sums.cost - trialSums.cost;
             if (better)

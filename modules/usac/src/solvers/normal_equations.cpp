@@ -42,36 +42,6 @@ void fromSampsonSums(const double* sums, NormalEquations& equations)
     equations.cost = sums[54];
 }
 
-//! The sums of all points; `swapped`: images 1 and 2 change roles.
-void sumAll(SumsKernel add, const Correspondences& points, bool swapped, const int* indices, int count,
-            const double* weights, const double* model, double* sums)
-{
-    double lanes[SAMPSON_SUMS][SUMS_LANES] = {{0}};
-    const double* from[4] = {points.dx1, points.dy1, points.dx2, points.dy2};
-    if (swapped)
-    {
-        std::swap(from[0], from[2]);
-        std::swap(from[1], from[3]);
-    }
-    double chunk[5][SUMS_CHUNK];
-    for (int start = 0; start < count; start += SUMS_CHUNK)
-    {
-        for (int k = 0; k < SUMS_CHUNK; ++k)
-        {
-            const int at = std::min(start + k, count - 1), i = indices[at];
-            for (int c = 0; c < 4; ++c)
-                chunk[c][k] = from[c][i];
-            chunk[4][k] = start + k >= count ? 0 : weights ? weights[at] : 1;
-        }
-        add(chunk, model, lanes);
-    }
-    for (int i = 0; i < SAMPSON_SUMS; ++i)
-    {
-        const double* l = lanes[i];
-        sums[i] = ((l[0] + l[4]) + (l[2] + l[6])) + ((l[1] + l[5]) + (l[3] + l[7]));
-    }
-}
-
 /** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG = -G dH G the derivatives
 by H, entries row by row, are those by G times -G (x) G^T. */
 void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
@@ -87,27 +57,25 @@ void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquation
 
 } // namespace
 
-void NormalEquations::accumulate(Residual::Kind kind, const Correspondences& points, const int* indices, int count,
-                                 const double* weights, const Model& model)
+void NormalEquations::accumulate(Residual::Kind kind, const PointChunks& points, const Model& model)
 {
     const Kernels& k = kernels();
     double sums[SAMPSON_SUMS];
     if (kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER)
     {
-        sumAll(k.transferSums, points, false, indices, count, weights, model.val, sums);
+        points.sum(k.transferSums, model.val, false, sums);
         fromTransferSums(sums, *this);
     }
     else
     {
-        sumAll(kind == Residual::SAMPSON ? k.sampsonSums : k.symmetricEpipolarSums, points, false, indices, count, weights,
-               model.val, sums);
+        points.sum(kind == Residual::SAMPSON ? k.sampsonSums : k.symmetricEpipolarSums, model.val, false, sums);
         fromSampsonSums(sums, *this);
     }
     if (kind == Residual::SYMMETRIC_TRANSFER)
     {
         const Matx33d G = model.inv();
         NormalEquations inverse;
-        sumAll(k.transferSums, points, true, indices, count, weights, G.val, sums);
+        points.sum(k.transferSums, G.val, true, sums);
         fromTransferSums(sums, inverse);
         addInverse(inverse, G, *this);
     }

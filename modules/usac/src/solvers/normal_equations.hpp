@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_NORMAL_EQUATIONS_HPP
 
 #include <Eigen/Core>
-#include "opencv2/usac/components.hpp"
+#include "solvers/point_chunks.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -19,9 +19,8 @@ struct NormalEquations
     Eigen::Matrix<double, 9, 1> Jtr;
     double cost;
 
-    //! Sums over `count` points; `weights` may be null. All kinds but CUSTOM.
-    void accumulate(Residual::Kind kind, const Correspondences& points, const int* indices, int count,
-                    const double* weights, const Model& model);
+    //! Sums over the points. All kinds but CUSTOM.
+    void accumulate(Residual::Kind kind, const PointChunks& points, const Model& model);
 };
 
 } // namespace usacv20

@@ -197,7 +197,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double relaxation;
     //! Set of @ref DegeneracyFlags. Default all.
     CV_PROP_RW int degeneracy;
-    //! @ref PolishingType. Default #POLISHING_LEAST_SQUARES.
+    //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
 
     //! The configuration chosen in the paper; the same as Params().
@@ -206,7 +206,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     whose local optimisation has no graph cut, no inner samples and at most two alternations. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with the standard termination, up to ten alternations of ten inner samples in
-    the local optimisation, and re-weighted polishing. */
+    the local optimisation. */
     CV_WRAP static Params accurate();
     //! As usacV20(), with PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses.
     CV_WRAP static Params sorted();
