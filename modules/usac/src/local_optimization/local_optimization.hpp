@@ -12,6 +12,10 @@ namespace usacv20 {
 
 //! See GraphCutOptimizer.
 Ptr<LocalOptimizer> createGraphCutOptimizer();
+//! See SigmaConsensus.
+Ptr<LocalOptimizer> createSigmaConsensus();
+//! See SigmaConsensusPlusPlus.
+Ptr<LocalOptimizer> createSigmaConsensusPlusPlus();
 
 } // namespace usacv20
 } // namespace cv
