@@ -48,14 +48,14 @@ void SigmaConsensus::marginalize(const Context& context, const Model& model, int
     squared.resize(count);
     context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(), coordinates[2].data(),
                                                coordinates[3].data(), count, squared.data());
-    const double unit = partitions / context.points.threshold;
-    const double high = unit * unit / ((double)part * part);
-    const double low = part > 1 ? unit * unit / ((part - 1.0) * (part - 1)) : DBL_MAX;
+    const double scale = 1 / (context.points.threshold * context.points.threshold);
+    const double end = (double)part / partitions, begin = (part - 1.0) / partitions;
     for (int i = 0; i < count; ++i)
     {
-        const float end = (float)(squared[i] * high), begin = part > 1 ? (float)(squared[i] * low) : 1.f;
-        if (end < 1)  // false for NaN
-            weights[i] += table.tabulatedWeight(end) - table.tabulatedWeight(begin);
+        const double u = std::max(squared[i] * scale, 1.0 / MarginalizedWeights::SIZE);
+        if (u < end * end)  // false for NaN
+            weights[i] += table.tabulatedWeight((float)(u / (end * end))) -
+                          (part > 1 ? table.tabulatedWeight((float)(u / (begin * begin))) : 0.f);
     }
 }
 
