@@ -25,8 +25,9 @@ MarginalizedWeights::MarginalizedWeights(int degrees)
     atEnd = upperGamma(a, K);
     for (int i = 0; i < SIZE + 2; ++i)  // the last one is read with factor 0 only
     {
-        losses[i] = (float)loss((double)i / SIZE);
-        weights[i] = (float)weight((double)i / SIZE);
+        const double at = (double)i / SIZE;
+        losses[i] = (float)loss(at);
+        weights[i] = (float)weight(at * at);
     }
 }
 

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_MARGINALIZED_WEIGHTS_HPP
 #define OPENCV_USACV20_MARGINALIZED_WEIGHTS_HPP
 
+#include <cmath>
 #include <vector>
 #include "opencv2/usac/params.hpp"
 
@@ -25,14 +26,15 @@ and the loss whose re-weighted least squares have these weights, its integral ov
     x (G(a, x) - G(a, K)) + g(a + 1, x)
 
 with the lower function g. Both take u = x/K, the squared error in units of the squared threshold. The loss is scaled to 1 at u = 1,
-and the weight is its derivative by u. For n = 1 the weight grows with -log(u) towards u = 0; it is kept at its value at
-the end of the table's first cell, for errors below 1/45 of the threshold.
+and the weight is its derivative by u. For n = 1 the weight grows with -log(u) towards u = 0; it is kept where it is at u = 1/2048,
+for errors below 1/45 of the threshold.
 
-The tables have 2048 cells of equal length in u and linear interpolation. Errors are below 1e-3 (loss) and 2 per cent (weight). */
+The tables have 2048 cells of equal length, in u for the loss and in the root of u for the weight, and linear interpolation. Errors
+are below 1e-3, those of the weight relative to it. */
 class MarginalizedWeights
 {
 public:
-    //! Most entries of the tables that one look-up reads: [u SIZE] and the next.
+    //! Cells of the tables; below u = 1/SIZE the weight is constant.
     enum { SIZE = 2048 };
 
     //! Those of a problem, made at first use.
@@ -45,13 +47,13 @@ public:
     double weight(double u) const;
 
     //! From the tables. 0 <= u, also infinite; NaN is taken as infinite.
-    float tabulatedLoss(float u) const { return interpolate(losses.data(), u); }
-    float tabulatedWeight(float u) const { return interpolate(weights.data(), u); }
+    float tabulatedLoss(float u) const { return interpolate(losses.data(), u < 1 ? u : 1.f); }
+    float tabulatedWeight(float u) const { return interpolate(weights.data(), std::sqrt(u < 1 ? u : 1.f)); }
 
 private:
-    static float interpolate(const float* table, float u)
+    static float interpolate(const float* table, float at)
     {
-        const float position = (u < 1 ? u : 1.f) * SIZE;
+        const float position = at * SIZE;
         const int cell = (int)position;
         return table[cell] + (position - cell) * (table[cell + 1] - table[cell]);
     }
