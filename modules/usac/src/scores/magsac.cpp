@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "scores/scores.hpp"
 #include "statistics/chi_square.hpp"
+#include "statistics/marginalized_weights.hpp"
 #include "statistics/mixture.hpp"
 
 namespace cv {
@@ -24,7 +25,7 @@ n = 1 they are the same. With u = r / threshold and L = logDensityRatio(sigma_ma
     u + (k^2 / (2 n) u (1 - u) - u log(u)) / (1 + L).
 
 It grows strictly, as L is at least k^2 / (2 n), where an inlier at the threshold is as likely as an outlier. Tabulated over u with linear
-interpolation: a root and a look-up for each point. */
+interpolation: a root and a look-up for each inlier. */
 class MagsacScore : public Score
 {
 public:
@@ -43,18 +44,12 @@ public:
 
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
+        const int near = keepInliers(squaredErrors, count, squaredThreshold);
         const float factor = 1 / squaredThreshold;
-        for (int i = 0; i < count; ++i)
-        {
-            const float u = squaredErrors[i] * factor;
-            sum.inliers += squaredErrors[i] <= squaredThreshold;
-            squaredErrors[i] = std::sqrt(u < 1 ? u : 1.f) * SIZE;  // 1 also for NaN
-        }
-        for (int i = 0; i < count; ++i)
-        {
-            const int cell = (int)squaredErrors[i];
-            sum.cost += losses[cell] + (squaredErrors[i] - cell) * (losses[cell + 1] - losses[cell]);
-        }
+        for (int i = 0; i < near; ++i)
+            squaredErrors[i] = std::min(std::sqrt(squaredErrors[i] * factor), 1.f) * SIZE;
+        sum.inliers += near;
+        sum.cost += count - near + sumOfLookUps(losses.data(), squaredErrors, near);
     }
 
 private:

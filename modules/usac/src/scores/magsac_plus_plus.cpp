@@ -12,7 +12,7 @@ namespace usacv20 {
 namespace {
 
 /** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss of the weights that are marginalised over the scale of
-the noise, see MarginalizedWeights. A look-up for each point. */
+the noise, see MarginalizedWeights. A look-up for each inlier. */
 class MagsacPlusPlusScore : public Score
 {
 public:
@@ -20,12 +20,12 @@ public:
 
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
+        const int near = keepInliers(squaredErrors, count, squaredThreshold);
         const float factor = 1 / squaredThreshold;
-        for (int i = 0; i < count; ++i)
-        {
-            sum.inliers += squaredErrors[i] <= squaredThreshold;
-            sum.cost += table.tabulatedLoss(squaredErrors[i] * factor);
-        }
+        for (int i = 0; i < near; ++i)
+            squaredErrors[i] *= factor;
+        sum.inliers += near;
+        sum.cost += count - near + table.sumOfLosses(squaredErrors, near);
     }
 
 private:

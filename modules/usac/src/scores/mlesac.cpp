@@ -47,17 +47,21 @@ public:
                 squaredErrors[near++] = (float)std::min(std::exp(logRatio + factor * error), (double)FLT_MAX);
         }
         const double gamma = mixingWeight(squaredErrors, near, count);
-        double likelihood = 0;
-        for (int i = 0; i < near; ++i)
-            likelihood += std::log1p(gamma * (squaredErrors[i] - 1));
-        if (near < count)
-            likelihood += (count - near) * std::log1p(-gamma);
+        double likelihood = near < count ? (count - near) * std::log1p(-gamma) : 0;
+        for (int i = 0; i < near; i += GROUP)  // logarithms are slow
+        {
+            double product = 1;
+            for (int j = i; j < std::min<int>(i + GROUP, near); ++j)
+                product *= 1 + gamma * (squaredErrors[j] - 1);
+            likelihood += std::log(product);
+        }
         sum.cost += std::min(std::max(count - likelihood / logRatio, 0.0), (double)count);
     }
 
     bool wholeModel() const CV_OVERRIDE { return true; }
 
 private:
+    enum { GROUP = 4 };  // so many factors of any float do not overflow a double
     static const double NEGLIGIBLE;
 
     const int degrees;

@@ -10,6 +10,37 @@
 namespace cv {
 namespace usacv20 {
 
+int keepInliers(float* squaredErrors, int count, float squaredThreshold)
+{
+    int kept = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        const float error = squaredErrors[i];
+        squaredErrors[kept] = error;
+        kept += error <= squaredThreshold ? 1 : 0;
+    }
+    return kept;
+}
+
+double sumOfLookUps(const float* table, const float* positions, int count)
+{
+    double sums[4] = {0, 0, 0, 0};
+    int i = 0;
+    for (; i + 4 <= count; i += 4)
+        for (int k = 0; k < 4; ++k)
+            sums[k] += lookUp(table, positions[i + k]);
+    for (; i < count; ++i)
+        sums[0] += lookUp(table, positions[i]);
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+double MarginalizedWeights::sumOfLosses(float* u, int count) const
+{
+    for (int i = 0; i < count; ++i)
+        u[i] = (u[i] < 1 ? u[i] : 1.f) * SIZE;
+    return sumOfLookUps(losses.data(), u, count);
+}
+
 const MarginalizedWeights& MarginalizedWeights::of(ProblemType problem)
 {
     static const MarginalizedWeights one(1), two(2);

@@ -12,6 +12,19 @@
 namespace cv {
 namespace usacv20 {
 
+//! Between the entries of a table, to both sides of a position >= 0; one entry more than there are cells.
+inline float lookUp(const float* table, float position)
+{
+    const int cell = (int)position;
+    return table[cell] + (position - cell) * (table[cell + 1] - table[cell]);
+}
+
+//! Moves the errors up to a limit to the front, without a branch. @return their number; NaN is not among them
+int keepInliers(float* squaredErrors, int count, float squaredThreshold);
+
+//! Sum of the values at `count` positions. Four sums side by side, so that no addition waits for the one before.
+double sumOfLookUps(const float* table, const float* positions, int count);
+
 /** @brief Weights and loss of MAGSAC++ @cite barath2020magsac.
 
 The error r of an inlier is distributed as sigma times chi with n degrees of freedom, cut off at k sigma
@@ -49,14 +62,11 @@ public:
     //! From the tables. 0 <= u, also infinite; NaN is taken as infinite.
     float tabulatedLoss(float u) const { return interpolate(losses.data(), u < 1 ? u : 1.f); }
     float tabulatedWeight(float u) const { return interpolate(weights.data(), std::sqrt(u < 1 ? u : 1.f)); }
+    //! Sum of tabulatedLoss(u[i]); u is changed.
+    double sumOfLosses(float* u, int count) const;
 
 private:
-    static float interpolate(const float* table, float at)
-    {
-        const float position = at * SIZE;
-        const int cell = (int)position;
-        return table[cell] + (position - cell) * (table[cell + 1] - table[cell]);
-    }
+    static float interpolate(const float* table, float at) { return lookUp(table, at * SIZE); }
 
     double a, K, scale, atEnd;
     std::vector<float> losses, weights;

@@ -35,7 +35,7 @@ double mixingWeight(const float* ratios, int near, int count)
             expected += weight * ratios[i] / (1 + weight * (ratios[i] - 1));
         const double change = expected / count - weight;
         weight += change;
-        if (std::abs(change) < 1e-5)
+        if (std::abs(change) < 1e-4)
             break;
     }
     return std::min(weight, 1.0);
