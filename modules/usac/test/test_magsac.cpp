@@ -27,8 +27,8 @@ double costOf(const Score& score, double error, double inlierThreshold)
     return quality.cost;
 }
 
-/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max: that of an inlier, Gaussian of n dimensions, where it is within
-k sigma, that of an outlier in a square (H) or on a line (F, E) elsewhere. By the midpoint rule. */
+/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max: that of an inlier, Gaussian of n dimensions,
+where it is within k sigma, that of an outlier in a square (H) or on a line (F, E) elsewhere. By the midpoint rule. */
 double meanLogLikelihood(double error, double sigmaMax, int degrees)
 {
     const int STEPS = 20000;

@@ -81,7 +81,8 @@ double marginalDensity(int degrees, double r, double from, double to)
     return sum * std::max(to - begin, 0.) / STEPS;
 }
 
-//! The weights by their definition (with errors of at least 1/45 of the threshold): errors under the fits to the points of each part, densities integrated numerically.
+/** The weights by their definition, with errors of at least 1/45 of the threshold: errors under the fits to the points of
+each part, densities integrated numerically. */
 std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, int parts)
 {
     const Correspondences& p = bench.usac->points();

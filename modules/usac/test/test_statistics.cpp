@@ -111,8 +111,8 @@ std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int 
     return errors;
 }
 
-/** The choice of the degrees of freedom: the quantiles of the errors are those of chi-square, up to the scale. With one degree more or less
-the ratio of the 0.9 to the 0.3 quantile would be 4.8 (4 degrees 3.5), 6.5 (2) and 18.2 (1). */
+/** The choice of the degrees of freedom: the quantiles of the errors are those of chi-square, up to the scale. The ratio
+of the 0.9 to the 0.3 quantile is 18.2 for one degree, 6.5 for two, 4.4 for three and 3.5 for four. */
 TEST(Usac_Statistics, degreesOfFreedomOfTheErrors)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};

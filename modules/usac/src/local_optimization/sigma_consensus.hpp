@@ -12,10 +12,11 @@ namespace usacv20 {
 
 /** @brief sigma-consensus @cite barath2019magsac: one fit that is marginalised over the scale of the noise.
 
-The scales 0 .. sigma_max are cut into #PARTITIONS equal parts. For the scales of one part the model is the least squares fit to
-the points that are within thresholdInSigmas times its largest sigma of the given model; if they are too few, it is the given model. A
-point's weight is its likelihood under the model of each scale, marginalised over the scale as in MarginalizedWeights: within a part the
-integral is that class's formula, taken between the ends of the part. The result is the fit with these weights.
+The scales 0 .. sigma_max are cut into #PARTITIONS equal parts. For the scales of one part the model is the least
+squares fit to the points that are within thresholdInSigmas times its largest sigma of the given model; if they are too
+few, it is the given model. A point's weight is its likelihood under the model of each scale, marginalised over the
+scale as in MarginalizedWeights: within a part the integral is that class's formula, taken between the ends of the part.
+The result is the fit with these weights.
 
 The points are those within the threshold of the given model, or #MAX_FIT random ones of them. So the cost of the fits, one
 for each part and the last, is bounded; besides there is one pass over all points. */

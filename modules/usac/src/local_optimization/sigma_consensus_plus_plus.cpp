@@ -11,11 +11,12 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief The local optimisation of MAGSAC++ @cite barath2020magsac: re-weighted least squares with the weights of MarginalizedWeights.
+/** @brief The local optimisation of MAGSAC++ @cite barath2020magsac: re-weighted least squares with the weights of
+MarginalizedWeights.
 
-Params::localIterations re-weightings at most. Each takes all points within the threshold of the last fit, or #MAX_FIT random ones
-if there are more: the optimum of the sample is then as far from that of all points as the noise of so many points. The best of the fits
-is kept if it is better than the model; the second fit in a row that is no better is the last. */
+Params::localIterations re-weightings at most. Each takes all points within the threshold of the last fit, or #MAX_FIT
+random ones if there are more: enough while the weights still change. The best of the fits is kept if it is better than
+the model; the second fit in a row that is no better is the last. */
 class SigmaConsensusPlusPlus : public LocalOptimizer
 {
 public:

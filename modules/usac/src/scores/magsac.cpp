@@ -15,17 +15,20 @@ namespace {
 
 /** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over sigma uniform in 0 .. sigma_max.
 
-Given sigma, points within k sigma (thresholdInSigmas) are inliers, Gaussian; the others are outliers, uniform on
-the area of the points (outlierExtent). The log-likelihood of the set is a sum over its points, and so is its average: a point
-with error r adds, measured from an outlier, the integral over sigma = r/k .. sigma_max of
-n (log(extent / (sqrt(2 pi) sigma))) - r^2 / (2 sigma^2) for n degrees of freedom. The density of the inliers is that of the error as a
-vector. The paper has that of its length r, which for n = 2 vanishes at 0 and would rate a perfect point worst; for
-n = 1 they are the same. With u = r / threshold and L = logDensityRatio(sigma_max) the integral is in closed form, and as a loss from 0 to 1
+Given sigma, points within k sigma (thresholdInSigmas) are inliers, Gaussian; the others are outliers, uniform on the
+area of the points (outlierExtent). The log-likelihood of the set is a sum over its points, and so is its average: for n
+degrees of freedom, a point with error r adds, measured from an outlier, the integral over sigma = r/k .. sigma_max of
+
+    n log(extent / (sqrt(2 pi) sigma)) - r^2 / (2 sigma^2).
+
+The density of the inliers is that of the error as a vector. The paper has that of its length r, which for n = 2
+vanishes at 0 and would rate a perfect point worst; for n = 1 they are the same. With u = r / threshold and
+L = logDensityRatio(sigma_max) the integral is in closed form, and as a loss from 0 to 1
 
     u + (k^2 / (2 n) u (1 - u) - u log(u)) / (1 + L).
 
-It grows strictly, as L is at least k^2 / (2 n), where an inlier at the threshold is as likely as an outlier. Tabulated over u with linear
-interpolation: a root and a look-up for each inlier. */
+It grows strictly, as L is at least k^2 / (2 n), where an inlier at the threshold is as likely as an outlier. Tabulated
+over u with linear interpolation: a root and a look-up for each inlier. */
 class MagsacScore : public Score
 {
 public:

@@ -12,15 +12,15 @@ namespace usacv20 {
 
 namespace {
 
-/** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers, Gaussian with sigma = threshold / thresholdInSigmas,
-and outliers, uniform on the area of the points (outlierExtent). With q the ratio of both densities at an error of 0, the log-likelihood
-of a point, measured from that of an outlier, is
+/** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers, Gaussian with
+sigma = threshold / thresholdInSigmas, and outliers, uniform on the area of the points (outlierExtent). With q the ratio of both densities
+at an error of 0, the log-likelihood of a point, measured from that of an outlier, is
 
     log(gamma q exp(-error^2 / (2 sigma^2)) + 1 - gamma),
 
-where the part gamma of inliers is found for each model by expectation and maximisation. The cost is the sum over the points of
-1 - this / log(q): 0 if all errors are 0, and never more than the number of points, which gamma = 0 has. Points that are
-less than 1e-6 times as likely as inliers than as outliers count as outliers.
+where the part gamma of inliers is found for each model by expectation and maximisation. The cost is the sum over the
+points of 1 - this / log(q): 0 if all errors are 0, and never more than the number of points, which gamma = 0 has.
+Points that are less than 1e-6 times as likely as inliers than as outliers count as outliers.
 
 One pass over the points, with an exponential for those near the model, and some short ones over these. */
 class MlesacScore : public Score

@@ -28,9 +28,9 @@ double sumOfLookUps(const float* table, const float* positions, int count);
 /** @brief Weights and loss of MAGSAC++ @cite barath2020magsac.
 
 The error r of an inlier is distributed as sigma times chi with n degrees of freedom, cut off at k sigma
-(thresholdInSigmas); sigma is uniform in 0 .. sigma_max. The weight of a point is its likelihood, marginalised over sigma:
-the integral of sigma^-n r^(n-1) exp(-r^2 / (2 sigma^2)) over sigma = r/k .. sigma_max. With a = (n - 1)/2, x = r^2 / (2 sigma_max^2),
-K = k^2/2 and the upper incomplete gamma function G this is proportional to
+(thresholdInSigmas); sigma is uniform in 0 .. sigma_max. The weight of a point is its likelihood, marginalised over
+sigma: the integral of sigma^-n r^(n-1) exp(-r^2 / (2 sigma^2)) over sigma = r/k .. sigma_max. With a = (n - 1)/2,
+x = r^2 / (2 sigma_max^2), K = k^2/2 and the upper incomplete gamma function G this is proportional to
 
     G(a, x) - G(a, K),
 
@@ -38,12 +38,12 @@ and the loss whose re-weighted least squares have these weights, its integral ov
 
     x (G(a, x) - G(a, K)) + g(a + 1, x)
 
-with the lower function g. Both take u = x/K, the squared error in units of the squared threshold. The loss is scaled to 1 at u = 1,
-and the weight is its derivative by u. For n = 1 the weight grows with -log(u) towards u = 0; it is kept where it is at u = 1/2048,
-for errors below 1/45 of the threshold.
+with the lower function g. Both take u = x/K, the squared error in units of the squared threshold. The loss is scaled to
+1 at u = 1, and the weight is its derivative by u. For n = 1 the weight grows with -log(u) towards u = 0; it is kept
+where it is at u = 1/2048, for errors below 1/45 of the threshold.
 
-The tables have 2048 cells of equal length, in u for the loss and in the root of u for the weight, and linear interpolation. Errors
-are below 1e-3, those of the weight relative to it. */
+The tables have 2048 cells of equal length, in u for the loss and in the root of u for the weight, and linear
+interpolation. Errors are below 1e-3, those of the weight relative to it. */
 class MarginalizedWeights
 {
 public:

@@ -10,9 +10,9 @@ namespace usacv20 {
 
 namespace {
 
-/** MAGSAC @cite barath2019magsac: the samples that the standard criterion asks for, averaged over the scale of the noise,
-uniform in 0 .. sigma_max. For the scales i sigma_max / #PARTITIONS the inliers of the best model are the points within i / #PARTITIONS
-of the threshold.
+/** MAGSAC @cite barath2019magsac: the samples that the standard criterion asks for, averaged over the scale of the
+noise, uniform in 0 .. sigma_max. For the scales i sigma_max / #PARTITIONS the inliers of the best model are the points
+within i / #PARTITIONS of the threshold.
 
 The finest scale has the fewest inliers and asks for the most samples, so the criterion is stricter than the standard one. It
 suits a threshold that is several times that of the noise; where it is about that of the noise, the finest scale
