@@ -13,8 +13,8 @@ namespace usacv20 {
 namespace {
 
 /** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers, Gaussian with
-sigma = threshold / thresholdInSigmas, and outliers, uniform on the area of the points (outlierExtent). With q the ratio of both densities
-at an error of 0, the log-likelihood of a point, measured from that of an outlier, is
+sigma = threshold / thresholdInSigmas, and outliers, uniform on the area of the points (outlierExtent). With q the ratio
+of both densities at an error of 0, the log-likelihood of a point, measured from that of an outlier, is
 
     log(gamma q exp(-error^2 / (2 sigma^2)) + 1 - gamma),
 
