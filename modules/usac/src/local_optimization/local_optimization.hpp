@@ -16,6 +16,10 @@ Ptr<LocalOptimizer> createGraphCutOptimizer();
 Ptr<LocalOptimizer> createLoRansacOptimizer();
 //! See LoRansacOptimizer: fits to a bounded number of inliers.
 Ptr<LocalOptimizer> createFloRansacOptimizer();
+//! See SigmaConsensus.
+Ptr<LocalOptimizer> createSigmaConsensus();
+//! See SigmaConsensusPlusPlus.
+Ptr<LocalOptimizer> createSigmaConsensusPlusPlus();
 
 } // namespace usacv20
 } // namespace cv

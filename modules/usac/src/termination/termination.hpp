@@ -16,6 +16,8 @@ Ptr<Termination> createStandardTermination();
 Ptr<Termination> createSprtTermination();
 //! See PNapsacTermination.
 Ptr<Termination> createPNapsacTermination();
+//! See MagsacTermination.
+Ptr<Termination> createMagsacTermination();
 
 /** Probability that a sample of m of n points has inliers only, if there are `inliers` of them. `exact`: no point is drawn
 twice, C(inliers, m) / C(n, m); else (inliers / n)^m. */
