@@ -310,6 +310,11 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         const Scene scene = makeScene(problem, options);
         Params params;
         params.localOptimization = std::get<1>(GetParam());
+        if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS)  // whose threshold is a bound of the noise
+        {
+            params.threshold = 4;
+            params.quality = QUALITY_MAGSAC_PLUS_PLUS;
+        }
         const Ptr<Usac> usac = createUsac(scene, params);
         const Context context(usac->points(), usac->components(), params);
         const Quality truth = context.rate(toInternal(usac->points(), scene.model));
@@ -326,6 +331,6 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization, testing::Combine(testing::Range(0, 3),
-    testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_FLO_RANSAC + 1)));
+    testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS + 1)));
 
 }} // namespace

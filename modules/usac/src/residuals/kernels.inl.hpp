@@ -23,6 +23,7 @@ void errorKernel(const Correspondences& points, const float* model, int begin, i
 {
     const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
     const float *x1 = points.x1 + begin, *y1 = points.y1 + begin, *x2 = points.x2 + begin, *y2 = points.y2 + begin;
+    USAC_SIMD
     for (int i = 0; i < end - begin; ++i)
         errors[i] = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
 }
