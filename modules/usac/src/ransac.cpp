@@ -114,9 +114,21 @@ void Ransac::hypothesise(int index)
             continue;                                                                       // 9
         }
         const int start = rotation.uniform(context.points.size) & ~15;
+        int inliers = 0, tested = 0;
+        const bool passed = !parts.verifier || parts.verifier->preTest(context, models[k], rotation, inliers, tested); // 10
+        h.firstInliers += inliers;
+        h.firstTested += tested;
+        if (!passed)
+        {
+            ++h.refused;
+            continue;                                                                       // 11
+        }
         const Rating rating = rate(context, parts.verifier.get(), models[k], state.sampleQuality.cost, start); // 10, 12
-        h.firstInliers += rating.firstInliers;
-        h.firstTested += rating.firstTested;
+        if (tested == 0)  // else only models that have passed would count
+        {
+            h.firstInliers += rating.firstInliers;
+            h.firstTested += rating.firstTested;
+        }
         if (rating.complete && rating.quality.betterThan(state.sampleQuality))              // 13
         {
             h.models[h.count] = models[k];

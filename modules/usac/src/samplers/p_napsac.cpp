@@ -33,7 +33,7 @@ public:
         state.subsetSize = n;
         const int centre = state.order[growth->newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = centre;
-        if (state.iteration % 4 != 3 || !local(context, state, m, sample))
+        if (state.iteration % P_NAPSAC_LOCAL_PERIOD != P_NAPSAC_LOCAL_PERIOD - 1 || !local(context, state, m, sample))
             global(state, m, n, sample);
     }
 
@@ -49,27 +49,14 @@ private:
             const int count = neighbourhood.members(context, layer, sample[0], members);
             if (count >= wanted && count >= m)
             {
-                draw(state.rng, members, count, m, sample);
+                drawOthers(state.rng, members, count, m, sample);
                 return true;
             }
         }
         return false;
     }
 
-    void global(State& state, int m, int n, int* sample) { draw(state.rng, state.order.data(), n, m, sample); }
-
-    //! Draws m - 1 distinct points other than sample[0] from `members`, of which there are at least m.
-    static void draw(Rng& rng, const int* members, int count, int m, int* sample)
-    {
-        for (int k = 1; k < m;)
-        {
-            sample[k] = members[rng.uniform(count)];
-            int j = 0;
-            while (sample[j] != sample[k])
-                ++j;
-            k += j == k;
-        }
-    }
+    void global(State& state, int m, int n, int* sample) { drawOthers(state.rng, state.order.data(), n, m, sample); }
 
     Ptr<GrowingSet> growth;
     std::vector<int> chosen;  //!< how often each point was the centre of a local sample
