@@ -70,7 +70,7 @@ struct Case
         {
             const int I = (int)std::count(inliers.begin(), inliers.begin() + n, 1);
             const int twins = repeated.empty() ? 0 : (int)std::count(repeated.begin(), repeated.begin() + n, 1);
-            if (I - twins <= m || tailBySum(I - twins - m, n - twins - m, randomRatio) >= 0.05)
+            if (I <= m)
                 continue;
             double p = kept;
             for (int i = 0; i < m; ++i)
@@ -84,7 +84,8 @@ struct Case
             if (n < N && k > limit[n])
                 continue;
             const double t = std::max(limit[n], n < N ? 0. : k);
-            if (t < best)
+            const bool random = I - twins <= m || t * tailBySum(I - twins - m, n - twins - m, randomRatio) >= 0.05;
+            if (!random && t < best)
             {
                 best = (int)t;
                 length = n;
@@ -135,32 +136,43 @@ TEST(Usac_TerminationProsac, againstBruteForce)
     EXPECT_GT(atTheEnd, 10);
 }
 
-//! The smallest support that is not random, against the quantile of the exact distribution.
+//! The smallest support that is not random, against the quantile of the exact distribution; of one model, and of all.
 TEST(Usac_TerminationProsac, minimalSupport)
 {
     for (int n = 20; n <= 120; n += 25)
         for (double ratio = 0.001; ratio < 0.5; ratio *= 3)
-        {
-            int quantile = 5;  // the least I with P(Binomial(n - 4, ratio) >= I - 4) < 5 %
-            while (tailBySum(quantile - 4, n - 4, ratio) >= 0.05)
-                ++quantile;
-            int accepted = 5;
-            while (chanceOf(accepted, n, 4, ratio) >= 0.05)
-                ++accepted;
-            EXPECT_EQ(quantile, accepted) << n << " " << ratio;
-            // The criterion itself: all inliers come last, so that no smaller set has better odds.
-            for (int I = quantile - 1; I <= quantile && I >= 5; ++I)
+            for (int kind = 0; kind < 2; ++kind)
             {
-                std::vector<uchar> inliers(n, 0);
-                std::fill(inliers.end() - I, inliers.end(), 1);
-                int length;
-                prosacSamples(inliers, std::vector<uchar>(), 4, 1, ratio, std::log(0.01), true, length);
-                EXPECT_EQ(I == quantile, length > 0) << n << " " << ratio << " " << I;
+                // All inliers come last, so that no smaller set has better odds; the confidence needs next to no samples.
+                const double samples = kind ? publishedLimits(n, 4)[n] : 1;
+                int quantile = 5, accepted = 5;  // the least I with P(Binomial(n - 4, ratio) >= I - 4) < 5 % / samples
+                while (quantile <= n && tailBySum(quantile - 4, n - 4, ratio) * samples >= 0.05)
+                    ++quantile;
+                while (accepted <= n && chanceOf(accepted, n, 4, ratio) * samples >= 0.05)
+                    ++accepted;
+                EXPECT_EQ(quantile, accepted) << n << " " << ratio;
+                for (int I = quantile - 1; kind && I <= std::min(quantile, n); ++I)
+                {
+                    std::vector<uchar> inliers(n, 0);
+                    std::fill(inliers.end() - I, inliers.end(), 1);
+                    int length;
+                    prosacSamples(inliers, std::vector<uchar>(), 4, 1, ratio, std::log(0.999), true, length);
+                    EXPECT_EQ(I >= quantile && I > 4, length > 0) << n << " " << ratio << " " << I;
+                }
             }
-        }
 }
 
-//! Nothing but inliers: a sample suffices once there is one more point than it needs, if chance would not do that.
+//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random.
+int firstEvidence(int N, int repeated, double ratio)
+{
+    const std::vector<double> limit = publishedLimits(N, 4);
+    int n = 5 + repeated;
+    while (limit[n] * std::pow(ratio, n - repeated - 4) >= 0.05)
+        ++n;
+    return n;
+}
+
+//! Nothing but inliers: a sample suffices once there are as many more points as chance would not make agree.
 TEST(Usac_TerminationProsac, allInliers)
 {
     const std::vector<uchar> inliers(100, 1), none;
@@ -168,11 +180,12 @@ TEST(Usac_TerminationProsac, allInliers)
     EXPECT_EQ((int)publishedLimits(100, 4)[5], prosacSamples(inliers, none, 4, 1, 0.01, std::log(0.01), true, length));
     EXPECT_EQ(5, length);
     prosacSamples(inliers, none, 4, 1, 0.3, std::log(0.01), true, length);
-    EXPECT_EQ(7, length) << "0.3^3 < 5 % < 0.3^2";
+    EXPECT_EQ(firstEvidence(100, 0, 0.3), length);
     std::vector<uchar> twins(100, 0);
     std::fill(twins.begin() + 4, twins.begin() + 30, 1);
     prosacSamples(inliers, twins, 4, 1, 0.01, std::log(0.01), true, length);
-    EXPECT_EQ(31, length) << "points that repeat others are no evidence";
+    EXPECT_EQ(firstEvidence(100, 26, 0.01), length) << "points that repeat others are no evidence";
+    EXPECT_GT(length, 30);
     EXPECT_EQ(INT_MAX, prosacSamples(inliers, none, 4, 1, 1, std::log(0.01), true, length));
     EXPECT_EQ(0, length);
 }
@@ -249,7 +262,39 @@ TEST(Usac_TerminationProsac, endsARun)
             }
 }
 
-//! The options that it must heed: samples without repetition, T(d,d), the local samples of P-NAPSAC.
+//! What the criterion says of the right model with one of the options that it must heed.
+int iterationsFor(const Scene& scene, const Params& params, double kept)
+{
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Context context(usac->points(), usac->components(), params);
+    const Termination& termination = *usac->components().terminations[0];
+    State state;
+    state.order.resize(usac->points().size);
+    usac->components().prior->sort(context, state.order);
+    state.best = toInternal(usac->points(), scene.model);
+    state.bestQuality = context.rate(state.best);
+    Case c;
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const int row = usac->points().inputIndex[state.order[i]];
+        c.inliers.push_back(pixelError(scene, scene.model, scene.points1[row], scene.points2[row]) <= params.threshold);
+    }
+    EXPECT_EQ(state.bestQuality.inliers, (int)std::count(c.inliers.begin(), c.inliers.end(), 1));
+    c.m = 4;
+    c.kept = kept;
+    c.exact = (params.termination & TERMINATION_EXACT) != 0;
+    c.randomRatio = randomInlierRatio(usac->points());
+    c.confidence = params.confidence;
+    int length;
+    const int iterations = termination.iterations(context, state);
+    EXPECT_NEAR(c.bruteForce(length), iterations, 3);
+    EXPECT_EQ((int)STOP_PROSAC, termination.reason());
+    state.bestQuality.inliers = 4;
+    EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sample is no support";
+    return iterations;
+}
+
+//! Samples without repetition, T(d,d) and the local samples of P-NAPSAC all make it wait longer.
 TEST(Usac_TerminationProsac, heedsTheOptions)
 {
     SceneOptions options;
@@ -257,52 +302,23 @@ TEST(Usac_TerminationProsac, heedsTheOptions)
     options.outliers = 60;
     const Scene scene = makeScene(HOMOGRAPHY, options);
     Params params = sortedParams(scene, SAMPLER_PROSAC, 0.02);
-    int plain = 0;
-    for (int option = 0; option < 4; ++option)
+    double sums[4] = {0};
+    for (params.confidence = 0.5; params.confidence < 0.9999; params.confidence += 0.4 * (1 - params.confidence))
     {
-        Params other = params;
-        if (option == 1)
-            other.termination |= TERMINATION_EXACT;
-        if (option == 2)
-        {
-            other.verification = VERIFICATION_TDD;
-            other.tddPoints = 3;
-        }
-        if (option == 3)
-            other.sampler = SAMPLER_P_NAPSAC;
-        const Ptr<Usac> usac = createUsac(scene, other);
-        const Context context(usac->points(), usac->components(), other);
-        State state;
-        state.order.resize(usac->points().size);
-        usac->components().prior->sort(context, state.order);
-        state.best = toInternal(usac->points(), scene.model);
-        state.bestQuality = context.rate(state.best);
-        const int inliers = state.bestQuality.inliers, n = scene.size();
-        Case c;
-        for (int i = 0; i < n; ++i)
-        {
-            const int row = usac->points().inputIndex[state.order[i]];
-            c.inliers.push_back(pixelError(scene, scene.model, scene.points1[row], scene.points2[row]) <= other.threshold);
-        }
-        ASSERT_EQ(inliers, (int)std::count(c.inliers.begin(), c.inliers.end(), 1));
-        c.m = 4;
-        c.kept = option == 2 ? std::pow(inliers / (double)n, 3) : option == 3 ? 0.75 : 1;
-        c.exact = option == 1;
-        c.randomRatio = randomInlierRatio(usac->points());
-        c.confidence = other.confidence;
-        int length;
-        const int iterations = usac->components().terminations[0]->iterations(context, state);
-        EXPECT_NEAR(c.bruteForce(length), iterations, 3) << option;
-        EXPECT_EQ((int)STOP_PROSAC, usac->components().terminations[0]->reason());
-        if (option == 0)
-            plain = iterations;
-        else
-        {
-            EXPECT_GT(iterations, plain) << option;
-        }
-        state.bestQuality.inliers = 4;
-        EXPECT_EQ(INT_MAX, usac->components().terminations[0]->iterations(context, state)) << "a sample is no support";
+        Params exact = params, tdd = params, local = params;
+        exact.termination |= TERMINATION_EXACT;
+        tdd.verification = VERIFICATION_TDD;
+        tdd.tddPoints = 3;
+        local.sampler = SAMPLER_P_NAPSAC;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const int inliers = Context(usac->points(), usac->components(), params).rate(toInternal(usac->points(), scene.model)).inliers;
+        sums[0] += iterationsFor(scene, params, 1);
+        sums[1] += iterationsFor(scene, exact, 1);
+        sums[2] += iterationsFor(scene, tdd, std::pow(inliers / 100., 3));
+        sums[3] += iterationsFor(scene, local, 0.75);
     }
+    for (int option = 1; option < 4; ++option)
+        EXPECT_GT(sums[option], sums[0] * 1.02) << option;
 }
 
 }} // namespace

@@ -29,7 +29,7 @@ int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& r
         const int needed = samplesNeeded(goodSampleProbability(support, length, m, exact) * kept, logFailure);
         const double drawn = length < size ? growth.samples() : std::max<double>(growth.samples(), needed);
         if (needed <= drawn && drawn < INT_MAX &&
-            chanceOf(support - repetitions, length - repetitions, m, randomRatio) < SIGNIFICANCE)
+            chanceOf(support - repetitions, length - repetitions, m, randomRatio) * drawn < SIGNIFICANCE)
             return (int)drawn;
     }
     length = 0;
@@ -54,6 +54,9 @@ set stops growing at n*, and the n* with the fewest samples needed for maximalit
 so samples count up to the T'_n*-th only, which are those that were drawn from the n* best points (with P-NAPSAC but
 for the local ones), and the n* that is reached first is chosen. The wait for the T'_n*-th sample makes sure that each of the
 n* points had its turn as the newest one. Of all lengths only n* = N has samples without end.
+
+In the paper one wrong model has such a support with less than 5 %. But the best of thousands of wrong models has it more often
+than not; in small scenes a tenth of the runs ended with one. So the 5 % are those of all T'_n* samples.
 
 Inliers that lie within a threshold of a better one in either image do not count for non-randomness: the best points are
 often one match found several times, and the first model would do. O(N) an update, O(N log N) once the rest is fulfilled. */

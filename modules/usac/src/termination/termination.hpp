@@ -34,7 +34,7 @@ int samplesNeeded(double p, double logFailure);
 /** @brief PROSAC's criterion for a model @cite chum2005matching. @return the smallest T'_n, see Growth, of a length n* such that
 
 - maximality: T'_n* samples of the n* best points all miss its I_n* inliers with a probability of at most exp(`logFailure`);
-- non-randomness: as many independent inliers among the n* points are less likely than 5 % for a wrong model.
+- non-randomness: that one of T'_n* wrong models has as many independent inliers among the n* points is less likely than 5 %.
 
 As all points are drawn from once the set has grown to them, the number of samples for n* = N may be larger than T'_N.
 @param inliers which points are inliers, best point first
