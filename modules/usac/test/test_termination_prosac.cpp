@@ -8,13 +8,20 @@
 
 namespace opencv_test { namespace {
 
-//! T'_n of the published algorithm for n = 0 .. N.
-std::vector<double> publishedLimits(int N, int m)
+//! T'_n of the published algorithm for n = 0 .. N, and T_n.
+std::vector<double> publishedLimits(int N, int m, std::vector<double>* expected = 0)
 {
     long double subsets = 1;
     for (int i = 0; i < m; ++i)
         subsets = subsets * (N - i) / (i + 1);
     const long double T_N = std::min(subsets, 200000.L);
+    for (int n = 0; expected && n <= N; ++n)
+    {
+        long double T_n = T_N;
+        for (int i = 0; i < m; ++i)
+            T_n *= (long double)std::max(n - i, 0) / (N - i);
+        expected->push_back((double)T_n);
+    }
     std::vector<double> limit(N + 1, 0.);
     limit[m] = 1;
     for (int n = m; n < N; ++n)
@@ -63,7 +70,8 @@ struct Case
     int bruteForce(int& length) const
     {
         const int N = (int)inliers.size();
-        const std::vector<double> limit = publishedLimits(N, m);
+        std::vector<double> uniform;
+        const std::vector<double> limit = publishedLimits(N, m, &uniform);
         int best = INT_MAX;
         length = 0;
         for (int n = m; n <= N; ++n)
@@ -81,9 +89,10 @@ struct Case
             else
                 while (std::pow(1 - p, k) > 1 - confidence)
                     ++k;
-            if (n < N && k > limit[n])
+            const double missing = std::max(0., std::ceil(k - uniform[n] * (1 + 1e-9)));
+            if (n < N && missing > 0)
                 continue;
-            const double t = std::max(limit[n], n < N ? 0. : k);
+            const double t = limit[n] + missing;
             const bool random = I - twins <= m || t * tailBySum(I - twins - m, n - twins - m, randomRatio) >= 0.05;
             if (!random && t < best)
             {
@@ -162,12 +171,13 @@ TEST(Usac_TerminationProsac, minimalSupport)
             }
 }
 
-//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random.
+//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random and worth one sample.
 int firstEvidence(int N, int repeated, double ratio)
 {
-    const std::vector<double> limit = publishedLimits(N, 4);
+    std::vector<double> uniform;
+    const std::vector<double> limit = publishedLimits(N, 4, &uniform);
     int n = 5 + repeated;
-    while (limit[n] * std::pow(ratio, n - repeated - 4) >= 0.05)
+    while (uniform[n] < 1 || limit[n] * std::pow(ratio, n - repeated - 4) >= 0.05)
         ++n;
     return n;
 }
@@ -177,8 +187,9 @@ TEST(Usac_TerminationProsac, allInliers)
 {
     const std::vector<uchar> inliers(100, 1), none;
     int length;
-    EXPECT_EQ((int)publishedLimits(100, 4)[5], prosacSamples(inliers, none, 4, 1, 0.01, std::log(0.01), true, length));
-    EXPECT_EQ(5, length);
+    const int samples = prosacSamples(inliers, none, 4, 1, 0.01, std::log(0.01), true, length);
+    EXPECT_EQ(firstEvidence(100, 0, 0.01), length);
+    EXPECT_EQ((int)publishedLimits(100, 4)[length], samples);
     prosacSamples(inliers, none, 4, 1, 0.3, std::log(0.01), true, length);
     EXPECT_EQ(firstEvidence(100, 0, 0.3), length);
     std::vector<uchar> twins(100, 0);

@@ -23,6 +23,8 @@ public:
     int size() const { return n; }
     //! T'_n: this many samples are drawn before the set grows; all of them lie within the n best points.
     double samples() const { return limit; }
+    //! T_n: of uniform samples of the n best points, so many have as many good ones as the T'_n have at least, on average.
+    double uniformSamples() const { return expected; }
 
 private:
     int m, n;

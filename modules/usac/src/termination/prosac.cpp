@@ -13,7 +13,7 @@ namespace usacv20 {
 int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& repeated, int m, double kept, double randomRatio,
                   double logFailure, bool exact, int& length)
 {
-    const double SIGNIFICANCE = 0.05;
+    const double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;  // T_n may be an integer
     const int size = (int)inliers.size();
     int support = 0, repetitions = 0;
     Growth growth(m, size);
@@ -27,8 +27,9 @@ int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& r
         if (support <= m)
             continue;
         const int needed = samplesNeeded(goodSampleProbability(support, length, m, exact) * kept, logFailure);
-        const double drawn = length < size ? growth.samples() : std::max<double>(growth.samples(), needed);
-        if (needed <= drawn && drawn < INT_MAX &&
+        const double missing = std::max(std::ceil(needed - ROUNDING * growth.uniformSamples()), 0.);
+        const double drawn = growth.samples() + missing;
+        if ((missing == 0 || length == size) && drawn < INT_MAX &&
             chanceOf(support - repetitions, length - repetitions, m, randomRatio) * drawn < SIGNIFICANCE)
             return (int)drawn;
     }
@@ -49,17 +50,23 @@ namespace {
 
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
 
-A length n* at which both hold, see prosacSamples, ends the search when T'_n* samples have been drawn. In the paper the
-set stops growing at n*, and the n* with the fewest samples needed for maximality is chosen. Here the set grows on, as other criteria may need it;
-so samples count up to the T'_n*-th only, which are those that were drawn from the n* best points (with P-NAPSAC but
-for the local ones), and the n* that is reached first is chosen. The wait for the T'_n*-th sample makes sure that each of the
-n* points had its turn as the newest one. Of all lengths only n* = N has samples without end.
+A length n* at which both hold, see prosacSamples, ends the search when T'_n* samples have been drawn. Three things differ from
+the paper:
 
-In the paper one wrong model has such a support with less than 5 %. But the best of thousands of wrong models has it more often
-than not; in small scenes a tenth of the runs ended with one. So the 5 % are those of all T'_n* samples.
+- There the set stops growing at n*, and the n* with the fewest samples needed for maximality is chosen. Here the set grows on, as
+other criteria may need it; so the samples up to the T'_n*-th count, which were drawn from the n* best points (with P-NAPSAC
+but for the local ones), and the n* that is reached first is chosen. Of all lengths only n* = N has samples without end.
+- There each sample counts. But the first ones must contain the newest of a few points: they are worth T_n* uniform samples,
+however the inliers are ordered, and more only by good luck. With all of them, two or three samples of the very best
+points ended real runs with whatever model they gave.
+- There the 5 % are those of one wrong model. But the best of thousands of wrong models has a support of that kind more often
+than not; in small scenes a tenth of the runs ended with one. Here they are those of all T'_n* samples.
 
-Inliers that lie within a threshold of a better one in either image do not count for non-randomness: the best points are
-often one match found several times, and the first model would do. O(N) an update, O(N log N) once the rest is fulfilled. */
+Inliers that lie within a threshold of a better one in either image do not count for non-randomness, as the best points are
+often one match found several times. The criterion wants an order that has nothing to do with where the points are, as scores have
+it: in the densest place of the images (#PRIOR_DENSITY) many wrong models fit all points.
+
+O(N) an update, O(N log N) once the rest is fulfilled. */
 class ProsacTermination : public Termination
 {
 public:

@@ -31,12 +31,12 @@ double goodModelProbability(const Context& context, double inliers);
 //! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX where it is no int.
 int samplesNeeded(double p, double logFailure);
 
-/** @brief PROSAC's criterion for a model @cite chum2005matching. @return the smallest T'_n, see Growth, of a length n* such that
+/** @brief PROSAC's criterion for a model, see ProsacTermination. @return the smallest T'_n, see Growth, of a length n* such that
 
-- maximality: T'_n* samples of the n* best points all miss its I_n* inliers with a probability of at most exp(`logFailure`);
+- maximality: T_n* samples of the n* best points all miss its I_n* inliers with a probability of at most exp(`logFailure`);
 - non-randomness: that one of T'_n* wrong models has as many independent inliers among the n* points is less likely than 5 %.
 
-As all points are drawn from once the set has grown to them, the number of samples for n* = N may be larger than T'_N.
+As all points are drawn from once the set has grown to them, the samples that T_N lacks are added to T'_N.
 @param inliers which points are inliers, best point first
 @param repeated which of the inliers repeat an earlier one and are no evidence; empty: none
 @param m size of a sample
