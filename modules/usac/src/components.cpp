@@ -28,6 +28,12 @@ FusedKernel Score::fused(const Residual&) const { return 0; }
 bool Score::wholeModel() const { return false; }
 double Score::threshold(const Context& context, const Model&) const { return context.points.threshold; }
 
+bool Verifier::preTest(const Context&, const Model&, Rng&, int& inliers, int& tested) const
+{
+    inliers = tested = 0;
+    return true;
+}
+
 bool Degeneracy::validSample(const Context&, const int*) const { return true; }
 bool Degeneracy::validModel(const Context&, const int*, const Model&) const { return true; }
 bool Degeneracy::recover(const Context&, State&, const int*, Model&, Quality&) { return true; }

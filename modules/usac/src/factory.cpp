@@ -37,6 +37,8 @@ Ptr<Sampler> createSampler(int type)
     {
     case SAMPLER_UNIFORM: return createUniformSampler();
     case SAMPLER_PROSAC: return createProsacSampler();
+    case SAMPLER_NAPSAC: return createNapsacSampler();
+    case SAMPLER_IMPORTANCE: return createImportanceSampler();
     default: return createPNapsacSampler();
     }
 }
@@ -52,9 +54,14 @@ Ptr<Prior> createPrior(int type, bool haveScores)
     }
 }
 
-Ptr<Neighbourhood> createNeighbourhood(const Params&)
+Ptr<Neighbourhood> createNeighbourhood(const Params& params)
 {
-    return createGridNeighbourhood();
+    switch (params.neighbourhood)
+    {
+    case NEIGHBOURHOOD_KNN: return createKnnNeighbourhood(params.neighbours);
+    case NEIGHBOURHOOD_RADIUS: return createRadiusNeighbourhood(params.neighbourRadius);
+    default: return createGridNeighbourhood();
+    }
 }
 
 Ptr<Residual> createResidual(ProblemType problem, int type)
@@ -86,6 +93,7 @@ Ptr<Verifier> createVerifier(const Params& params, ProblemType problem)
     switch (params.verification)
     {
     case VERIFICATION_NONE: return Ptr<Verifier>();
+    case VERIFICATION_TDD: return createTddVerifier(params.tddPoints);
     default: return createSprtVerifier(problem);
     }
 }
@@ -111,7 +119,7 @@ void createDegeneracies(int flags, ProblemType problem, std::vector<Ptr<Degenera
         degeneracies.push_back(createDegensac());
 }
 
-void createTerminations(int flags, std::vector<Ptr<Termination> >& terminations)
+void createTerminations(int flags, const Correspondences& points, std::vector<Ptr<Termination> >& terminations)
 {
     if (flags & TERMINATION_STANDARD)
         terminations.push_back(createStandardTermination());
@@ -121,6 +129,8 @@ void createTerminations(int flags, std::vector<Ptr<Termination> >& terminations)
         terminations.push_back(createPNapsacTermination());
     if (flags & TERMINATION_MAGSAC)
         terminations.push_back(createMagsacTermination());
+    if (flags & TERMINATION_PROSAC)
+        terminations.push_back(createProsacTermination(points));
 }
 
 Ptr<Polisher> createPolisher(int type)
@@ -151,7 +161,7 @@ Components createComponents(const Correspondences& points, const Params& params)
     createDegeneracies(params.degeneracy, problem, parts.degeneracies);
     parts.verifier = createVerifier(params, problem);
     parts.localOptimizer = createLocalOptimizer(params.localOptimization);
-    createTerminations(params.termination, parts.terminations);
+    createTerminations(params.termination, points, parts.terminations);
     parts.polisher = createPolisher(params.polishing);
     return parts;
 }

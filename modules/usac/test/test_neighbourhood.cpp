@@ -3,41 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "surroundings.hpp"
 #include "neighbourhood/neighbourhood.hpp"
 #include "prior/prior.hpp"
 
-#include <set>
-
 namespace opencv_test { namespace {
-
-//! Points around 0, with duplicates and a few far out.
-void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
-{
-    points1.clear();
-    points2.clear();
-    for (int i = 0; i < count; ++i)
-    {
-        const double reach = i % 50 == 7 ? 30 : 1;
-        points1.push_back(Point2d(rng.uniform(-reach, reach), rng.uniform(-reach, reach)));
-        points2.push_back(points1.back() * 0.8 + Point2d(rng.gaussian(0.2), rng.gaussian(0.2)));
-        if (i > 0 && i % 5 == 0)
-        {
-            const int other = rng.uniform(0, i);
-            points1[i] = points1[other];
-            points2[i] = points2[other];
-        }
-    }
-}
-
-//! Any context for a neighbourhood or a prior, which look at the points only.
-struct Surroundings
-{
-    explicit Surroundings(const Correspondences& points) : context(points, components, params) {}
-
-    Params params;
-    Components components;
-    Context context;
-};
 
 //! Cell of a point along each axis of a layer with `divisions` cells.
 Vec4i cellOf(const Correspondences& p, int point, int divisions)
@@ -51,15 +21,6 @@ Vec4i cellOf(const Correspondences& p, int point, int divisions)
         cell[k] = std::min(15, std::max(0, cvFloor(x))) / (16 / divisions);
     }
     return cell;
-}
-
-std::set<int> membersOf(Neighbourhood& grid, const Context& context, int layer, int point)
-{
-    const int* members = 0;
-    const int count = grid.members(context, layer, point, members);
-    const std::set<int> result(members, members + count);
-    EXPECT_EQ(count, (int)result.size()) << "a member is repeated";
-    return result;
 }
 
 void compareWithBruteForce(const Correspondences& points)

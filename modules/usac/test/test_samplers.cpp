@@ -3,77 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "draw.hpp"
 #include "samplers/samplers.hpp"
 
 namespace opencv_test { namespace {
-
-//! What a sampler needs, and its samples one after the other as Ransac draws them.
-class Draw
-{
-public:
-    Draw(ProblemType problem, int count, const Ptr<Sampler>& sampler_, uint64 seed_ = 0)
-        : sampler(sampler_), scene(makeScene(problem, optionsOf(count))), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params), m(usac->components().minimalSolver->sampleSize()),
-          seed(seed_)
-    {
-        state.order.resize(count);
-        for (int i = 0; i < count; ++i)  // any permutation
-            state.order[i] = (i * 11 + 3) % count;
-    }
-
-    void next()
-    {
-        state.rng = Rng(seed, state.iteration);
-        sampler->sample(context, state, sample);
-        ++state.iteration;
-    }
-
-    //! False if an index is out of range or repeated.
-    bool valid() const
-    {
-        for (int i = 0; i < m; ++i)
-        {
-            if (sample[i] < 0 || sample[i] >= context.points.size)
-                return false;
-            for (int j = 0; j < i; ++j)
-                if (sample[i] == sample[j])
-                    return false;
-        }
-        return true;
-    }
-
-    bool contains(int point) const { return std::find(sample, sample + m, point) != sample + m; }
-
-    static SceneOptions optionsOf(int count)
-    {
-        SceneOptions options;
-        options.inliers = count - count / 3;
-        options.outliers = count / 3;
-        return options;
-    }
-
-    const Params params;
-    Ptr<Sampler> sampler;
-    const Scene scene;
-    const Ptr<Usac> usac;
-    const Context context;
-    const int m;
-    State state;
-    int sample[MAX_SAMPLE_SIZE];
-
-private:
-    const uint64 seed;
-};
-
-//! Chi-squared over its degrees of freedom, in standard deviations from 1.
-double deviation(const std::vector<int>& counts, double total)
-{
-    const double expected = total / counts.size(), freedom = counts.size() - 1.;
-    double sum = 0;
-    for (size_t i = 0; i < counts.size(); ++i)
-        sum += (counts[i] - expected) * (counts[i] - expected) / expected;
-    return (sum - freedom) / std::sqrt(2 * freedom);
-}
 
 TEST(Usac_Samplers, uniformByChiSquared)
 {

@@ -12,6 +12,10 @@ namespace usacv20 {
 
 //! Multi-layer grid in the 4-D joint space, see GridNeighbourhood.
 Ptr<Neighbourhood> createGridNeighbourhood();
+//! Nearest neighbours, see FlannNeighbourhood. @param neighbours their number in the finest layer
+Ptr<Neighbourhood> createKnnNeighbourhood(int neighbours);
+//! Points within a radius, see FlannNeighbourhood. @param radius pixels, of the finest layer
+Ptr<Neighbourhood> createRadiusNeighbourhood(double radius);
 
 } // namespace usacv20
 } // namespace cv

@@ -8,25 +8,27 @@
 namespace cv {
 namespace usacv20 {
 
-GrowingSet::GrowingSet(int sampleSize, int pointCount)
-    : m(sampleSize), total(pointCount), n(sampleSize), expected(200000), limit(1), drawn(0)
+Growth::Growth(int sampleSize, int pointCount) : m(sampleSize), n(sampleSize), expected(200000), limit(1)
 {
     double share = 1;  // of the samples that lie within the m best points
     for (int i = 0; i < m; ++i)
-        share *= (double)(m - i) / (total - i);
+        share *= (double)(m - i) / (pointCount - i);
     expected = std::min(expected * share, 1.);
+}
+
+void Growth::grow()
+{
+    const double grown = expected * (n + 1) / (n + 1 - m);
+    ++n;
+    limit += std::ceil(grown - expected);
+    expected = grown;
 }
 
 void GrowingSet::next()
 {
     ++drawn;
-    if (drawn > limit && n < total)
-    {
-        const double grown = expected * (n + 1) / (n + 1 - m);
-        ++n;
-        limit += std::ceil(grown - expected);
-        expected = grown;
-    }
+    if (drawn > growth.samples() && growth.size() < total)
+        growth.grow();
 }
 
 } // namespace usacv20

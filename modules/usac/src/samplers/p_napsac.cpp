@@ -10,13 +10,20 @@ namespace usacv20 {
 
 namespace {
 
+//! True if the order of the points is nobody's knowledge. H needs so few samples that a wrong guess is soon left behind.
+bool isGuess(const Context& context)
+{
+    const int prior = context.params.prior;
+    return context.points.problem != HOMOGRAPHY && prior != PRIOR_INPUT_ORDER && (prior != PRIOR_AUTO || !context.points.scores);
+}
+
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
 The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood: the
 finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
 that is everything and the sample is PROSAC's. One sample in four is local. With more, small groups of wrong matches that agree
-with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner; so a
-model without local support is found at most a third later than by PROSAC. */
+with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order
+is a guess (the density), every second sample is uniform: where the guess misleads, the model is found at most twice as late. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -31,6 +38,11 @@ public:
         growth->next();
         const int n = growth->size();
         state.subsetSize = n;
+        if (isGuess(context) && state.iteration % 2 == 0)
+        {
+            state.rng.distinct(context.points.size, m, sample);
+            return;
+        }
         const int centre = state.order[growth->newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = centre;
         if (state.iteration % 4 != 3 || !local(context, state, m, sample))
@@ -49,33 +61,25 @@ private:
             const int count = neighbourhood.members(context, layer, sample[0], members);
             if (count >= wanted && count >= m)
             {
-                draw(state.rng, members, count, m, sample);
+                drawOthers(state.rng, members, count, m, sample);
                 return true;
             }
         }
         return false;
     }
 
-    void global(State& state, int m, int n, int* sample) { draw(state.rng, state.order.data(), n, m, sample); }
-
-    //! Draws m - 1 distinct points other than sample[0] from `members`, of which there are at least m.
-    static void draw(Rng& rng, const int* members, int count, int m, int* sample)
-    {
-        for (int k = 1; k < m;)
-        {
-            sample[k] = members[rng.uniform(count)];
-            int j = 0;
-            while (sample[j] != sample[k])
-                ++j;
-            k += j == k;
-        }
-    }
+    void global(State& state, int m, int n, int* sample) { drawOthers(state.rng, state.order.data(), n, m, sample); }
 
     Ptr<GrowingSet> growth;
     std::vector<int> chosen;  //!< how often each point was the centre of a local sample
 };
 
 } // namespace
+
+double prosacShare(const Context& context)
+{
+    return isGuess(context) ? 0.25 : 0.75;
+}
 
 Ptr<Sampler> createPNapsacSampler()
 {

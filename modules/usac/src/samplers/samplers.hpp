@@ -11,12 +11,33 @@
 namespace cv {
 namespace usacv20 {
 
+/** Of four samples of P-NAPSAC one is local and three are PROSAC's. If nobody has given an order, the local density is only a
+guess, and wrong where a pattern is repeated: then two of the three are uniform. @return the part that is PROSAC's */
+double prosacShare(const Context& context);
+
 //! All samples equally likely, see UniformSampler.
 Ptr<Sampler> createUniformSampler();
 //! The best points first, see ProsacSampler.
 Ptr<Sampler> createProsacSampler();
 //! Neighbours of the best points first, see PNapsacSampler.
 Ptr<Sampler> createPNapsacSampler();
+//! Neighbours of any point, see NapsacSampler.
+Ptr<Sampler> createNapsacSampler();
+//! Points as often as their scores say, see ImportanceSampler.
+Ptr<Sampler> createImportanceSampler();
+
+//! Fills places 1 .. m-1 of a sample with distinct points other than sample[0]. `members` are `count` >= m, sample[0] among them.
+inline void drawOthers(Rng& rng, const int* members, int count, int m, int* sample)
+{
+    for (int k = 1; k < m;)
+    {
+        sample[k] = members[rng.uniform(count)];
+        int j = 0;
+        while (sample[j] != sample[k])
+            ++j;
+        k += j == k;
+    }
+}
 
 } // namespace usacv20
 } // namespace cv

@@ -22,8 +22,7 @@ public:
         if (inliers <= m)
             return INT_MAX;
         const double significant = std::min<double>(inliers * (1 + context.params.relaxation), n);
-        const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
-        return samplesNeeded(goodSampleProbability(significant, n, m, exact), std::log(1 - context.params.confidence));
+        return samplesNeeded(goodModelProbability(context, significant), std::log(1 - context.params.confidence));
     }
 
     int reason() const CV_OVERRIDE { return STOP_P_NAPSAC; }

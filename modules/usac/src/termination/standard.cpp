@@ -17,9 +17,7 @@ class StandardTermination : public Termination
 public:
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
-        const int m = context.components.minimalSolver->sampleSize();
-        const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
-        return samplesNeeded(goodSampleProbability(state.bestQuality.inliers, context.points.size, m, exact),
+        return samplesNeeded(goodModelProbability(context, state.bestQuality.inliers),
                              std::log(1 - context.params.confidence));
     }
 

@@ -16,6 +16,22 @@ double goodSampleProbability(double inliers, int n, int m, bool exact)
     return std::min(p, 1.0);
 }
 
+double keptProbability(const Context& context, double inliers)
+{
+    if (context.params.verification != VERIFICATION_TDD)
+        return 1;
+    const int n = context.points.size;
+    const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
+    return goodSampleProbability(inliers, n, std::min(context.params.tddPoints, n), exact);
+}
+
+double goodModelProbability(const Context& context, double inliers)
+{
+    const int m = context.components.minimalSolver->sampleSize();
+    const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
+    return goodSampleProbability(inliers, context.points.size, m, exact) * keptProbability(context, inliers);
+}
+
 int samplesNeeded(double p, double logFailure)
 {
     if (!(p > 0))

@@ -18,12 +18,40 @@ Ptr<Termination> createSprtTermination();
 Ptr<Termination> createPNapsacTermination();
 //! See MagsacTermination.
 Ptr<Termination> createMagsacTermination();
+//! See ProsacTermination.
+Ptr<Termination> createProsacTermination(const Correspondences& points);
 
 /** Probability that a sample of m of n points has inliers only, if there are `inliers` of them. `exact`: no point is drawn
 twice, C(inliers, m) / C(n, m); else (inliers / n)^m. */
 double goodSampleProbability(double inliers, int n, int m, bool exact = true);
+/** Probability that the model of a good sample is not dropped, if it has `inliers` of all points: 1, but with T(d,d) that
+of d inliers among d points, epsilon^d or, with #TERMINATION_EXACT, C(inliers, d) / C(n, d). So T(d,d) needs epsilon^-d times as
+many samples @cite matas2004randomized. (SPRT has a criterion of its own.) */
+double keptProbability(const Context& context, double inliers);
+//! Probability that a sample gives a good model that is kept, if that has `inliers` of all points.
+double goodModelProbability(const Context& context, double inliers);
 //! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX where it is no int.
 int samplesNeeded(double p, double logFailure);
+
+/** @brief PROSAC's criterion for a model, see ProsacTermination. @return the smallest T'_n, see Growth, of a length n* such that
+
+- maximality: T_n* samples of the n* best points all miss its I_n* inliers with a probability of at most exp(`logFailure`);
+- non-randomness: that one of T'_n* wrong models has as many independent inliers among the n* points is less likely than 5 %.
+
+As all points are drawn from once the set has grown to them, the samples that T_N lacks are added to T'_N.
+@param inliers which points are inliers, best point first
+@param repeated which of the inliers repeat an earlier one and are no evidence; empty: none
+@param m size of a sample
+@param kept probability that a sample comes from the growing set and a good model is kept
+@param randomRatio probability that a point is an inlier of a wrong model
+@param logFailure logarithm of 1 - confidence
+@param exact points are drawn without repetition, see goodSampleProbability
+@param length output: n*, 0 if there is none; the result is then INT_MAX */
+int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& repeated, int m, double kept, double randomRatio,
+                  double logFailure, bool exact, int& length);
+/** Probability that a point is an inlier of a wrong model: the part of image 2 that is within the threshold of
+a point (H) or of the longest line (F, E), if wrong matches are everywhere. At most 1. */
+double randomInlierRatio(const Correspondences& points);
 
 } // namespace usacv20
 } // namespace cv

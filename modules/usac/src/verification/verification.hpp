@@ -12,6 +12,8 @@ namespace usacv20 {
 
 //! Wald's sequential probability ratio test, see SprtVerifier.
 Ptr<Verifier> createSprtVerifier(ProblemType problem);
+//! T(d,d) with d `points`, see TddVerifier.
+Ptr<Verifier> createTddVerifier(int points);
 
 } // namespace usacv20
 } // namespace cv

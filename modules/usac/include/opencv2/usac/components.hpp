@@ -246,11 +246,17 @@ class CV_EXPORTS Verifier
 {
 public:
     virtual ~Verifier();
+    /** @brief Looks at single points of a model, before the blocks. Default: at none.
+    @param context, model what is tested
+    @param rng generator of the sample
+    @param inliers, tested output: the number of points looked at, and of inliers among them
+    @return false: the model is dropped. */
+    virtual bool preTest(const Context& context, const Model& model, Rng& rng, int& inliers, int& tested) const;
     //! How many points to look at before the next decision, after `tested`.
     virtual int nextBlock(int tested) const = 0;
     //! False: the model, of whose first `tested` points `inliers` are inliers, is dropped.
     virtual bool proceed(int inliers, int tested) const = 0;
-    //! A sample has been dealt with; its models had `inliers` among the `tested` points of their first blocks.
+    //! A sample has been dealt with; its models had `inliers` among the `tested` points that each was tested with first.
     virtual void sampleTested(State& state, int inliers, int tested) = 0;
     //! Called before the first sample and between batches of samples: may adapt the test.
     virtual void adapt(const Context& context, State& state) = 0;

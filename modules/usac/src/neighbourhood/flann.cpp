@@ -1,0 +1,205 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "neighbourhood/neighbourhood.hpp"
+#include "opencv2/flann.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+typedef cvflann::L2<float> SquaredDistance;
+typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, without random numbers
+
+//! Squared distance and index of a point.
+typedef std::pair<float, int> Found;
+
+//! The nearest points within a radius, at most `capacity` of them, in a heap. FLANN's sets have no such bound, or no radius.
+class NearestWithin : public cvflann::ResultSet<float>
+{
+public:
+    NearestWithin(int capacity_, float squaredRadius, std::vector<Found>& found_)
+        : capacity(capacity_), beyond(std::nextafter(squaredRadius, FLT_MAX)), found(found_)
+    {
+        found.clear();
+    }
+
+    bool full() const CV_OVERRIDE { return found.size() == capacity; }
+    float worstDist() const CV_OVERRIDE { return full() ? std::min(found.front().first, beyond) : beyond; }
+
+    void addPoint(float distance, int index) CV_OVERRIDE
+    {
+        if (!(distance < worstDist()))
+            return;
+        if (full())
+        {
+            std::pop_heap(found.begin(), found.end());
+            found.pop_back();
+        }
+        found.push_back(Found(distance, index));
+        std::push_heap(found.begin(), found.end());
+    }
+
+private:
+    const size_t capacity;
+    const float beyond;
+    std::vector<Found>& found;
+};
+
+//! What a layer contains of the surroundings of a point.
+struct Reach
+{
+    int neighbours;        //!< at most, nearest first
+    double squaredRadius;  //!< pixels
+};
+
+/** @brief Nearest neighbours in the joint space of the coordinates (x1, y1, x2, y2) in pixels, by an exact kd-tree of cv::flann.
+
+Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbours have k, 2 k, 4 k and 8 k
+of them, those of a radius r have the points within r, 2 r, 4 r and 8 r. P-NAPSAC needs layers that grow, as it asks for ever
+more members; what the parameters say is the finest one, of which NAPSAC and the graph cut take what they can. More than #WIDEST
+neighbours are kept only if k itself is larger; of more points within a radius, the nearest ones. So memory is O(N) whatever
+the radius. Edges link each point to its nearest neighbours in the finest layer, at most #LINKS of them: with more, the
+spatial coherence would outweigh the error of a point.
+
+The tree is built at first use in O(N log N); neighbours are looked for when a point is asked about for the first time, in
+O(log N) each, as samplers see but few of many points. */
+class FlannNeighbourhood : public Neighbourhood
+{
+public:
+    enum { LAYERS = 4, WIDEST = 512, LINKS = 8 };
+
+    explicit FlannNeighbourhood(const Reach* reach_) : reach(reach_, reach_ + LAYERS), linked(false) {}
+
+    int layers() const CV_OVERRIDE { return LAYERS; }
+
+    int members(const Context& context, int layer, int point, const int*& members) CV_OVERRIDE
+    {
+        build(context);
+        Surroundings& around = known[point];
+        if (around.layers <= layer)
+        {
+            find(point, reach[layer]);
+            around.layers = layer + 1;
+            around.members.resize(found.size());
+            for (size_t i = 0; i < found.size(); ++i)
+                around.members[i] = found[i].second;
+            for (int l = 0; l <= layer; ++l)
+                around.counts[l] = countWithin(reach[l]);
+        }
+        members = around.members.data();
+        return around.counts[layer];
+    }
+
+    const std::vector<Vec2i>& edges(const Context& context) CV_OVERRIDE
+    {
+        build(context);
+        if (linked)
+            return links;
+        linked = true;
+        const Reach nearest = {std::min<int>(reach[0].neighbours, LINKS), reach[0].squaredRadius};
+        std::vector<std::pair<int, int> > pairs;
+        for (int i = 0; i < coordinates.rows; ++i)
+        {
+            find(i, nearest);
+            const int count = countWithin(nearest);
+            for (int k = 1; k < count; ++k)
+                pairs.push_back(std::minmax(i, found[k].second));
+        }
+        std::sort(pairs.begin(), pairs.end());
+        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+        for (size_t e = 0; e < pairs.size(); ++e)
+            links.push_back(Vec2i(pairs[e].first, pairs[e].second));
+        return links;
+    }
+
+private:
+    //! What is known about a point.
+    struct Surroundings
+    {
+        Surroundings() : layers(0) {}
+
+        std::vector<int> members;  //!< the point itself, then its neighbours, nearest first
+        int layers;                //!< how many have been asked for
+        int counts[LAYERS];        //!< members of each of them
+    };
+
+    void build(const Context& context)
+    {
+        const Correspondences& p = context.points;
+        if (tree || p.size == 0)
+            return;
+        // internal units of a pixel; E: of a pixel of a camera with the mean focal length
+        const double unit2 = p.threshold / context.params.threshold, unit1 = unit2 * p.T1(0, 0) / p.T2(0, 0);
+        const double LARGEST = 1e18;  // its square is a float
+        const double *from[4] = {p.dx1, p.dy1, p.dx2, p.dy2}, unit[4] = {unit1, unit1, unit2, unit2};
+        coordinates.create(p.size, 4, CV_32F);
+        for (int i = 0; i < p.size; ++i)
+            for (int k = 0; k < 4; ++k)
+                coordinates.at<float>(i, k) = (float)std::max(-LARGEST, std::min(from[k][i] / unit[k], LARGEST));
+        known.resize(p.size);
+        const cvflann::Matrix<float> rows(coordinates.ptr<float>(), p.size, 4);
+        tree = makePtr<KdTree>(rows, cvflann::KDTreeSingleIndexParams());
+        tree->buildIndex();
+    }
+
+    //! Writes the point itself and then its neighbours, sorted, to `found`.
+    void find(int point, const Reach& wanted)
+    {
+        const int capacity = (int)std::min<int64>((int64)wanted.neighbours + 1, coordinates.rows);
+        NearestWithin result(capacity, (float)std::min<double>(wanted.squaredRadius, FLT_MAX), found);
+        tree->findNeighbors(result, coordinates.ptr<float>(point), cvflann::SearchParams());
+        std::sort(found.begin(), found.end());
+        size_t self = 0;  // which many equal points may have kept out
+        while (self + 1 < found.size() && found[self].second != point)
+            ++self;
+        found[self] = Found(0.f, point);
+        std::rotate(found.begin(), found.begin() + self, found.begin() + self + 1);
+    }
+
+    int countWithin(const Reach& wanted) const
+    {
+        int count = 1;
+        while (count < (int)found.size() && count <= wanted.neighbours && found[count].first <= wanted.squaredRadius)
+            ++count;
+        return count;
+    }
+
+    const std::vector<Reach> reach;
+    Mat coordinates;    //!< pixels, one point a row
+    Ptr<KdTree> tree;
+    std::vector<Surroundings> known;
+    std::vector<Found> found;  //!< by the last search
+    std::vector<Vec2i> links;
+    bool linked;
+};
+
+} // namespace
+
+Ptr<Neighbourhood> createKnnNeighbourhood(int neighbours)
+{
+    Reach reach[FlannNeighbourhood::LAYERS];
+    for (int layer = 0; layer < FlannNeighbourhood::LAYERS; ++layer)
+    {
+        reach[layer].neighbours = std::max(neighbours, std::min<int>(neighbours << layer, FlannNeighbourhood::WIDEST));
+        reach[layer].squaredRadius = DBL_MAX;
+    }
+    return makePtr<FlannNeighbourhood>(reach);
+}
+
+Ptr<Neighbourhood> createRadiusNeighbourhood(double radius)
+{
+    Reach reach[FlannNeighbourhood::LAYERS];
+    for (int layer = 0; layer < FlannNeighbourhood::LAYERS; ++layer)
+    {
+        reach[layer].neighbours = FlannNeighbourhood::WIDEST;
+        reach[layer].squaredRadius = radius * radius * (1 << 2 * layer);
+    }
+    return makePtr<FlannNeighbourhood>(reach);
+}
+
+} // namespace usacv20
+} // namespace cv

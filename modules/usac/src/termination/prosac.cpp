@@ -1,0 +1,123 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "samplers/samplers.hpp"
+#include "termination/non_randomness.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& repeated, int m, double kept, double randomRatio,
+                  double logFailure, bool exact, int& length)
+{
+    const double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;  // T_n may be an integer
+    const int size = (int)inliers.size();
+    int support = 0, repetitions = 0;
+    Growth growth(m, size);
+    for (int i = 0; i < size && growth.samples() < INT_MAX; ++i)
+    {
+        support += inliers[i];
+        repetitions += !repeated.empty() && repeated[i];
+        length = i + 1;
+        if (length > m)
+            growth.grow();
+        if (support <= m)
+            continue;
+        const int needed = samplesNeeded(goodSampleProbability(support, length, m, exact) * kept, logFailure);
+        const double missing = std::max(std::ceil(needed - ROUNDING * growth.uniformSamples()), 0.);
+        const double drawn = growth.samples() + missing;
+        if ((missing == 0 || length == size) && drawn < INT_MAX &&
+            chanceOf(support - repetitions, length - repetitions, m, randomRatio) * drawn < SIGNIFICANCE)
+            return (int)drawn;
+    }
+    length = 0;
+    return INT_MAX;
+}
+
+double randomInlierRatio(const Correspondences& points)
+{
+    const double t = points.threshold, width = points.upper[2] - points.lower[2], height = points.upper[3] - points.lower[3];
+    // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both images are equal
+    const double within = points.problem == HOMOGRAPHY ? CV_PI * t * t
+                                                       : 2 * std::sqrt(2.) * t * std::sqrt(width * width + height * height);
+    return within < width * height ? within / (width * height) : 1;
+}
+
+namespace {
+
+/** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
+
+A length n* at which both hold, see prosacSamples, ends the search when T'_n* samples have been drawn. Three things differ from
+the paper:
+
+- There the set stops growing at n*, and the n* with the fewest samples needed for maximality is chosen. Here the set grows on, as
+other criteria may need it; so the samples up to the T'_n*-th count, which were drawn from the n* best points (with P-NAPSAC
+but for the local and the uniform ones), and the n* that is reached first is chosen. Of all lengths only n* = N has samples without end.
+- There each sample counts. But the first ones must contain the newest of a few points: they are worth T_n* uniform samples,
+however the inliers are ordered, and more only by good luck. With all of them, two or three samples of the very best
+points ended real runs with whatever model they gave.
+- There the 5 % are those of one wrong model. But the best of thousands of wrong models has a support of that kind more often
+than not; in small scenes a tenth of the runs ended with one. Here they are those of all T'_n* samples.
+
+Inliers that lie within a threshold of a better one in either image do not count for non-randomness, as the best points are
+often one match found several times. The criterion wants an order that has nothing to do with where the points are, as scores have
+it: in the densest place of the images (#PRIOR_DENSITY) many wrong models fit all points.
+
+O(N) an update, O(N log N) once the rest is fulfilled. */
+class ProsacTermination : public Termination
+{
+public:
+    explicit ProsacTermination(double randomRatio_) : randomRatio(randomRatio_) {}
+
+    int iterations(const Context& context, const State& state) const CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
+        if (state.bestQuality.inliers <= m)
+            return INT_MAX;
+        std::vector<float> errors(size);
+        context.components.residual->squaredErrors(context.points, state.best, 0, size, errors.data());
+        const float limit = (float)(context.points.threshold * context.points.threshold);
+        std::vector<uchar> inliers(size);
+        for (int i = 0; i < size; ++i)
+            inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
+        double kept = keptProbability(context, state.bestQuality.inliers);
+        if (context.params.sampler == SAMPLER_P_NAPSAC)
+            kept *= prosacShare(context);
+        const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
+        const double logFailure = std::log(1 - context.params.confidence);
+        int length;
+        std::vector<uchar> repeated;
+        const int samples = prosacSamples(inliers, repeated, m, kept, randomRatio, logFailure, exact, length);
+        if (samples == INT_MAX)
+            return INT_MAX;
+        markRepeatedInliers(context.points, state.order, inliers, repeated);
+        return prosacSamples(inliers, repeated, m, kept, randomRatio, logFailure, exact, length);
+    }
+
+    int reason() const CV_OVERRIDE { return STOP_PROSAC; }
+
+private:
+    static void markRepeatedInliers(const Correspondences& p, const std::vector<int>& order, const std::vector<uchar>& inliers,
+                                    std::vector<uchar>& repeated)
+    {
+        const double side1 = p.threshold * p.T1(0, 0) / p.T2(0, 0);
+        repeated.assign(p.size, 0);
+        markRepeated(p.dx1, p.dy1, order.data(), inliers.data(), p.size, side1, repeated.data());
+        markRepeated(p.dx2, p.dy2, order.data(), inliers.data(), p.size, p.threshold, repeated.data());
+    }
+
+    const double randomRatio;
+};
+
+} // namespace
+
+Ptr<Termination> createProsacTermination(const Correspondences& points)
+{
+    return makePtr<ProsacTermination>(randomInlierRatio(points));
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,63 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "verification/verification.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief T(d,d): a model goes on only if d random points are all inliers @cite matas2004randomized.
+
+The points are drawn for each model anew, before the blocks. A fixed order of the points, as the blocks have it, would not do: in a
+small scene it may be that nowhere d inliers follow each other, and then no model at all would pass. Of good models
+epsilon^d go on, of wrong ones delta^d, after (1 - delta^d) / (1 - delta) points on average. That good models are lost is made
+up for by more samples, see goodModelProbability. O(d). */
+class TddVerifier : public Verifier
+{
+public:
+    explicit TddVerifier(int points_) : points(points_) {}
+
+    bool preTest(const Context& context, const Model& model, Rng& rng, int& inliers, int& tested) const CV_OVERRIDE
+    {
+        const int d = std::min(points, context.points.size);
+        const float limit = (float)(context.points.threshold * context.points.threshold);
+        int chosen[MAX_POINTS];
+        for (inliers = tested = 0; tested < d; ++inliers)
+        {
+            do
+                chosen[tested] = rng.uniform(context.points.size);
+            while (std::find(chosen, chosen + tested, chosen[tested]) != chosen + tested);
+            const int point = chosen[tested++];
+            float error;
+            context.components.residual->squaredErrors(context.points, model, point, point + 1, &error);
+            if (!(error <= limit))  // also for NaN
+                return false;
+        }
+        return true;
+    }
+
+    int nextBlock(int) const CV_OVERRIDE { return 256; }
+    bool proceed(int, int) const CV_OVERRIDE { return true; }
+    void sampleTested(State&, int, int) CV_OVERRIDE {}
+    void adapt(const Context&, State&) CV_OVERRIDE {}
+
+private:
+    enum { MAX_POINTS = 100 };  // as Params::check allows
+
+    const int points;
+};
+
+} // namespace
+
+Ptr<Verifier> createTddVerifier(int points)
+{
+    CV_Assert(points >= 1 && points <= 100);
+    return makePtr<TddVerifier>(points);
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_SURROUNDINGS_HPP
+#define OPENCV_USACV20_TEST_SURROUNDINGS_HPP
+
+#include <set>
+#include "test_precomp.hpp"
+
+namespace opencv_test {
+
+//! Points around 0, with duplicates and a few far out.
+inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
+{
+    points1.clear();
+    points2.clear();
+    for (int i = 0; i < count; ++i)
+    {
+        const double reach = i % 50 == 7 ? 30 : 1;
+        points1.push_back(Point2d(rng.uniform(-reach, reach), rng.uniform(-reach, reach)));
+        points2.push_back(points1.back() * 0.8 + Point2d(rng.gaussian(0.2), rng.gaussian(0.2)));
+        if (i > 0 && i % 5 == 0)
+        {
+            const int other = rng.uniform(0, i);
+            points1[i] = points1[other];
+            points2[i] = points2[other];
+        }
+    }
+}
+
+//! Any context for a neighbourhood or a prior, which look at the points only.
+struct Surroundings
+{
+    explicit Surroundings(const Correspondences& points, const Params& params_ = Params())
+        : params(params_), context(points, components, params) {}
+
+    Params params;
+    Components components;
+    Context context;
+};
+
+//! Members of a layer around a point.
+inline std::set<int> membersOf(Neighbourhood& neighbourhood, const Context& context, int layer, int point)
+{
+    const int* members = 0;
+    const int count = neighbourhood.members(context, layer, point, members);
+    const std::set<int> result(members, members + count);
+    EXPECT_EQ(count, (int)result.size()) << "a member is repeated";
+    return result;
+}
+
+} // namespace opencv_test
+
+#endif

@@ -1,0 +1,245 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "termination/termination.hpp"
+
+namespace opencv_test { namespace {
+
+enum { RUNS = 1000 };
+
+/** @brief Two homographies without noise among wrong matches. The right one has a few more matches than the other, which is what
+an impatient criterion ends with. Best match first: each part is evenly distributed, the right one is ahead. */
+struct Rivals
+{
+    Rivals(int right, int decoys, int outliers)
+    {
+        SceneOptions options;
+        options.noise = 0;
+        options.inliers = right;
+        options.outliers = outliers;
+        const Scene all = makeScene(HOMOGRAPHY, options);
+        options.inliers = decoys;
+        options.outliers = 0;
+        options.seed = 7;
+        const Scene other = makeScene(HOMOGRAPHY, options);
+        scene = all;
+        std::vector<std::pair<double, std::pair<int, int> > > order;  // place, and part and row
+        int seen[2] = {0, 0};
+        for (int i = 0; i < all.size(); ++i)
+        {
+            const int part = all.truth[i] ? 0 : 1;
+            order.push_back(std::make_pair((seen[part]++ + 0.3 * part) / (part ? outliers : right), std::make_pair(0, i)));
+        }
+        for (int i = 0; i < decoys; ++i)
+            order.push_back(std::make_pair((i + 0.2) / decoys, std::make_pair(1, i)));
+        std::sort(order.begin(), order.end());
+        scene.points1.clear();
+        scene.points2.clear();
+        scene.truth.clear();
+        for (size_t i = 0; i < order.size(); ++i)
+        {
+            const int from = order[i].second.first, row = order[i].second.second;
+            scene.points1.push_back((from ? other : all).points1[row]);
+            scene.points2.push_back((from ? other : all).points2[row]);
+            scene.truth.push_back(from == 0 && all.truth[row]);
+        }
+        scene.clean1 = scene.points1;
+        scene.clean2 = scene.points2;
+        scene.onPlane = scene.truth;
+        decoyModel = other.model;
+    }
+
+    int size() const { return scene.size(); }
+
+    //! Which rows agree with the right model, or with the other one.
+    std::vector<uchar> inliers(bool right, double threshold) const
+    {
+        std::vector<uchar> mask;
+        for (int i = 0; i < size(); ++i)
+            mask.push_back(pixelError(scene, right ? scene.model : decoyModel, scene.points1[i], scene.points2[i]) <= threshold);
+        return mask;
+    }
+
+    Scene scene;
+    Matx33d decoyModel;
+};
+
+//! The criterion alone: no local optimisation, no polishing, no checks.
+Params plainParams(int termination, int verification = VERIFICATION_NONE)
+{
+    Params params;
+    params.confidence = 0.9;  // so that failures are many enough to be counted
+    params.maxIterations = 1000000;
+    params.sampler = SAMPLER_UNIFORM;
+    params.quality = QUALITY_INLIERS;
+    params.verification = verification;
+    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    params.termination = termination;
+    params.degeneracy = 0;
+    params.polishing = POLISHING_NONE;
+    return params;
+}
+
+//! Many runs with different seeds.
+struct Runs
+{
+    Runs(const Rivals& rivals, Params params) : wrong(0), inliers(RUNS), iterations(RUNS), stop(STOP_NOT_RUN)
+    {
+        for (params.seed = 0; params.seed < RUNS; ++params.seed)
+        {
+            Report report;
+            const Mat model = estimate(rivals.scene, params, noArray(), &report);
+            wrong += !(modelError(rivals.scene, model) < 0.1);
+            inliers[params.seed] = report.inliers;
+            iterations[params.seed] = report.iterations;
+            stop = params.seed == 0 || stop == report.stop ? report.stop : (int)STOP_NOT_RUN;
+        }
+    }
+
+    //! No more failures than promised, and not much fewer than the scene makes.
+    void check(double expected, int reason) const
+    {
+        const double deviation = std::sqrt(0.1 * 0.9 * RUNS);
+        EXPECT_LE(wrong, 0.1 * RUNS + 3.5 * deviation);
+        EXPECT_NEAR(expected * RUNS, wrong, 4.5 * deviation);
+        EXPECT_EQ(reason, stop) << "the same in all runs";
+    }
+
+    int wrong;
+    std::vector<int> inliers, iterations;
+    int stop;
+};
+
+//! Probability that m of n points, none twice, are all inliers.
+double subsets(double inliers, int n, int m)
+{
+    double p = 1;
+    for (int i = 0; i < m; ++i)
+        p *= (inliers - i) / (n - i);
+    return p;
+}
+
+//! The samples that are needed for an event of probability `p`.
+double closedForm(double p)
+{
+    return std::ceil(std::log(0.1) / std::log1p(-p));
+}
+
+/** How often the other model ends the search: the right one is not found in the `samples` that the other one takes, while
+that is. */
+double failureRate(const Rivals& rivals, double threshold, double samples, int more = 0)
+{
+    double p[2];
+    for (int right = 0; right < 2; ++right)
+    {
+        const std::vector<uchar> mask = rivals.inliers(right != 0, threshold);
+        const int count = (int)std::count(mask.begin(), mask.end(), 1);
+        p[right] = subsets(count, rivals.size(), 4) * subsets(count, rivals.size(), more);
+    }
+    EXPECT_GT(p[1], p[0]) << "the right model must have more inliers";
+    return std::pow(1 - p[1], samples) - std::pow(1 - p[0] - p[1], samples);
+}
+
+int count(const std::vector<uchar>& mask)
+{
+    return (int)std::count(mask.begin(), mask.end(), 1);
+}
+
+//! Standard, with and without repetition in the model of sampling, and with the models that T(d,d) drops.
+TEST(Usac_Confidence, standard)
+{
+    for (int kind = 0; kind < 4; ++kind)
+    {
+        const bool exact = kind > 0;
+        const int d = kind > 1 ? kind - 1 : 0;
+        const Rivals rivals = kind == 1 ? Rivals(19, 18, 9) : Rivals(101, 100, 99);
+        Params params = plainParams(exact ? TERMINATION_STANDARD | TERMINATION_EXACT : TERMINATION_STANDARD,
+                                    d ? VERIFICATION_TDD : VERIFICATION_NONE);
+        params.tddPoints = std::max(d, 1);
+        const int n = rivals.size();
+        const Runs runs(rivals, params);
+        int asComputed = 0;
+        for (int i = 0; i < RUNS; ++i)
+        {
+            const int I = runs.inliers[i];
+            const double k = closedForm(exact ? subsets(I, n, 4) * subsets(I, n, d) : std::pow(I / (double)n, 4));
+            EXPECT_GE(runs.iterations[i], k) << kind;
+            asComputed += runs.iterations[i] == k;  // but if the model was found later
+        }
+        EXPECT_GT(asComputed, RUNS * 0.85) << kind;
+        const int decoys = count(rivals.inliers(false, params.threshold));
+        const double last = closedForm(exact ? subsets(decoys, n, 4) * subsets(decoys, n, d) : std::pow(decoys / (double)n, 4));
+        runs.check(failureRate(rivals, params.threshold, last, d), STOP_STANDARD);
+    }
+}
+
+//! P-NAPSAC: a model with a tenth more inliers is not missed.
+TEST(Usac_Confidence, pNapsac)
+{
+    const Rivals rivals(110, 99, 91);
+    Params params = plainParams(TERMINATION_P_NAPSAC | TERMINATION_EXACT);
+    params.relaxation = 0.1;
+    const int n = rivals.size();
+    const Runs runs(rivals, params);
+    int asComputed = 0;
+    for (int i = 0; i < RUNS; ++i)
+    {
+        const double k = closedForm(subsets(runs.inliers[i] * 1.1, n, 4));
+        EXPECT_GE(runs.iterations[i], k);
+        asComputed += runs.iterations[i] == k;
+    }
+    EXPECT_GT(asComputed, RUNS * 0.7);
+    const int decoys = count(rivals.inliers(false, params.threshold));
+    runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys * 1.1, n, 4))), STOP_P_NAPSAC);
+}
+
+//! SPRT drops models and asks for more samples in return; few, as its threshold is high for a solver that costs as much.
+TEST(Usac_Confidence, sprt)
+{
+    const Rivals rivals(202, 200, 198);
+    const Params params = plainParams(TERMINATION_SPRT | TERMINATION_EXACT, VERIFICATION_SPRT);
+    const int n = rivals.size();
+    const Runs runs(rivals, params);
+    int asComputed = 0;
+    for (int i = 0; i < RUNS; ++i)
+    {
+        const double k = closedForm(subsets(runs.inliers[i], n, 4));
+        EXPECT_GE(runs.iterations[i], k);
+        asComputed += runs.iterations[i] <= 1.1 * k + 1;
+    }
+    EXPECT_GT(asComputed, RUNS * 0.8);
+    const int decoys = count(rivals.inliers(false, params.threshold));
+    runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys, n, 4))), STOP_SPRT);
+}
+
+//! PROSAC: what the criterion promises of the n* best points; ends with the sample that it says.
+TEST(Usac_Confidence, prosac)
+{
+    const Rivals rivals(102, 100, 98);
+    for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
+    {
+        Params params = plainParams(TERMINATION_PROSAC | TERMINATION_EXACT);
+        params.sampler = sampler;
+        params.prior = PRIOR_INPUT_ORDER;
+        const double ratio = randomInlierRatio(createUsac(rivals.scene, params)->points());
+        int samples[2], length[2];
+        for (int right = 0; right < 2; ++right)
+            samples[right] = prosacSamples(rivals.inliers(right != 0, params.threshold), std::vector<uchar>(), 4,
+                                           sampler == SAMPLER_PROSAC ? 1 : 0.75, ratio, std::log(0.1), true, length[right]);
+        const Runs runs(rivals, params);
+        int asComputed = 0;
+        for (int i = 0; i < RUNS; ++i)
+            asComputed += runs.iterations[i] == samples[0] || runs.iterations[i] == samples[1];
+        EXPECT_LE(runs.wrong, 0.1 * RUNS + 3.5 * std::sqrt(0.1 * 0.9 * RUNS));
+        if (sampler == SAMPLER_PROSAC)  // local samples find either model sooner than promised
+        {
+            EXPECT_GE(runs.wrong, 0.03 * RUNS);
+        }
+        EXPECT_EQ((int)STOP_PROSAC, runs.stop);
+        EXPECT_GT(asComputed, RUNS * 0.8);
+    }
+}
+
+}} // namespace

@@ -1,0 +1,187 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "draw.hpp"
+#include "surroundings.hpp"
+#include "samplers/samplers.hpp"
+
+namespace opencv_test { namespace {
+
+Params withNeighbours(int neighbours)
+{
+    Params params;
+    params.neighbourhood = NEIGHBOURHOOD_KNN;
+    params.neighbours = neighbours;
+    return params;
+}
+
+Params withRadius(double radius)
+{
+    Params params;
+    params.neighbourhood = NEIGHBOURHOOD_RADIUS;
+    params.neighbourRadius = radius;
+    return params;
+}
+
+//! The first point is uniform, the others are uniform among its neighbours.
+TEST(Usac_Napsac, uniformAmongNeighbours)
+{
+    const int N = 40, SAMPLES = 40000, K = 15;
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withNeighbours(K));
+        Neighbourhood& neighbourhood = *draw.usac->components().neighbourhood;
+        std::vector<int> centres(N, 0);
+        std::vector<std::vector<int> > ranks(draw.m, std::vector<int>(K + 1, 0));
+        for (int i = 0; i < SAMPLES; ++i)
+        {
+            draw.next();
+            ASSERT_TRUE(draw.valid());
+            ASSERT_EQ(N, draw.state.subsetSize);
+            ++centres[draw.sample[0]];
+            const int* members = 0;
+            const int count = neighbourhood.members(draw.context, 0, draw.sample[0], members);
+            ASSERT_EQ(K + 1, count);
+            for (int k = 1; k < draw.m; ++k)
+            {
+                const int rank = (int)(std::find(members, members + count, draw.sample[k]) - members);
+                ASSERT_LT(rank, count) << "no neighbour";
+                ++ranks[k][rank];
+            }
+        }
+        EXPECT_LT(std::abs(deviation(centres, SAMPLES)), 4.5);
+        for (int k = 1; k < draw.m; ++k)
+        {
+            EXPECT_EQ(0, ranks[k][0]);
+            ranks[k].erase(ranks[k].begin());
+            EXPECT_LT(std::abs(deviation(ranks[k], SAMPLES)), 4.5) << "place " << k;
+        }
+    }
+}
+
+//! The layer is the finest one with twice as many members as a sample has points.
+TEST(Usac_Napsac, takesTheFinestLayerThatIsEnough)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        Draw draw((ProblemType)problem, 200, createNapsacSampler(), 1, withNeighbours(5));
+        Neighbourhood& neighbourhood = *draw.usac->components().neighbourhood;
+        const int layer = 2 * draw.m <= 6 ? 0 : 2 * draw.m <= 11 ? 1 : 2;
+        int farther = 0;
+        for (int i = 0; i < 2000; ++i)
+        {
+            draw.next();
+            const std::set<int> members = membersOf(neighbourhood, draw.context, layer, draw.sample[0]);
+            const std::set<int> finer = membersOf(neighbourhood, draw.context, layer - 1, draw.sample[0]);
+            for (int k = 1; k < draw.m; ++k)
+            {
+                ASSERT_EQ(1u, members.count(draw.sample[k]));
+                farther += !finer.count(draw.sample[k]);
+            }
+        }
+        EXPECT_GT(farther, 2000 * (draw.m - 1) / 4);
+    }
+}
+
+//! Points with too few neighbours are no centres; the others are equally often.
+TEST(Usac_Napsac, lonelyPointsAreNoCentres)
+{
+    const int N = 300, SAMPLES = 60000;
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withRadius(9));
+        Neighbourhood& neighbourhood = *draw.usac->components().neighbourhood;
+        std::vector<int> centres(N, 0);
+        for (int i = 0; i < SAMPLES; ++i)
+        {
+            draw.next();
+            ASSERT_TRUE(draw.valid());
+            ++centres[draw.sample[0]];
+        }
+        std::vector<int> social;
+        for (int i = 0; i < N; ++i)
+        {
+            if ((int)membersOf(neighbourhood, draw.context, neighbourhood.layers() - 1, i).size() >= draw.m)
+                social.push_back(centres[i]);
+            else
+            {
+                EXPECT_EQ(0, centres[i]);
+            }
+        }
+        EXPECT_GT((int)social.size(), 20) << "problem " << problem;
+        EXPECT_LT((int)social.size(), N - 20) << "problem " << problem;
+        EXPECT_LT(std::abs(deviation(social, SAMPLES)), 4.5) << "problem " << problem;
+    }
+}
+
+//! Where no point has neighbours, samples are uniform.
+TEST(Usac_Napsac, uniformWithoutNeighbours)
+{
+    const int N = 30, SAMPLES = 6000;
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withRadius(1e-3));
+        std::vector<int> singles(N, 0);
+        for (int i = 0; i < SAMPLES; ++i)
+        {
+            draw.next();
+            ASSERT_TRUE(draw.valid());
+            ++singles[draw.sample[i % draw.m]];
+        }
+        EXPECT_LT(std::abs(deviation(singles, SAMPLES)), 4.5);
+    }
+}
+
+TEST(Usac_Napsac, worksWithTheGridAndFewPoints)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (int more = 0; more < 40; more += 4)
+        {
+            Draw draw((ProblemType)problem, (problem == 0 ? 4 : problem == 1 ? 7 : 5) + more, createNapsacSampler());
+            for (int i = 0; i < 200; ++i)
+            {
+                draw.next();
+                ASSERT_TRUE(draw.valid()) << problem << " " << more;
+            }
+        }
+}
+
+//! A small object among many wrong matches, where uniform samples have no chance.
+TEST(Usac_Napsac, findsALocalModel)
+{
+    SceneOptions options;
+    options.inliers = 60;
+    options.outliers = 540;
+    for (int kind = 0; kind < 3; ++kind)
+    {
+        int found[2] = {0, 0};
+        for (uint64 seed = 1; seed <= 6; ++seed)
+        {
+            options.seed = seed;
+            Scene scene = makeScene(HOMOGRAPHY, options);
+            const Matx33d shrink(0.25, 0, 200, 0, 0.25, 150, 0, 0, 1);  // of both images, for the true matches
+            for (int i = 0; i < scene.size(); ++i)
+                if (scene.truth[i])
+                {
+                    scene.points1[i] = scene.clean1[i] = scene.clean1[i] * 0.25 + Point2d(200, 150);
+                    scene.points2[i] = scene.clean2[i] = scene.clean2[i] * 0.25 + Point2d(200, 150);
+                }
+            scene.model = shrink * scene.model * shrink.inv();
+            Params params;
+            params.neighbourhood = kind;
+            params.neighbours = 12;
+            params.maxIterations = 300;
+            params.termination = 0;
+            for (int local = 0; local < 2; ++local)
+            {
+                params.sampler = local ? SAMPLER_NAPSAC : SAMPLER_UNIFORM;
+                found[local] += modelError(scene, estimate(scene, params)) < 1;
+            }
+        }
+        EXPECT_EQ(6, found[1]) << "neighbourhood " << kind;
+        EXPECT_LE(found[0], 2) << "neighbourhood " << kind;
+    }
+}
+
+}} // namespace

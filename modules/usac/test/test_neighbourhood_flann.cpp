@@ -1,0 +1,349 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "surroundings.hpp"
+#include "neighbourhood/neighbourhood.hpp"
+
+namespace opencv_test { namespace {
+
+enum { LAYERS = 4, LINKS = 8, WIDEST = 512 };
+
+//! Points, and the distances between them in pixels.
+class Pixels
+{
+public:
+    //! Pixels are the units of the points.
+    explicit Pixels(const OwnPoints& own)
+        : around(own.view(), unitThreshold(own.view().threshold))
+    {
+        const Correspondences& p = own.view();
+        for (int i = 0; i < p.size; ++i)
+            rows.push_back(Vec4d(p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]));
+    }
+
+    //! Pixels are those of the images.
+    Pixels(const Scene& scene, const Params& params)
+        : usac(createUsac(scene, params)), around(usac->points(), params)
+    {
+        for (int i = 0; i < usac->points().size; ++i)
+        {
+            const int row = usac->points().inputIndex[i];
+            rows.push_back(Vec4d(scene.points1[row].x, scene.points1[row].y, scene.points2[row].x, scene.points2[row].y));
+        }
+    }
+
+    int size() const { return (int)rows.size(); }
+    double distance(int i, int j) const { return cv::norm(rows[i] - rows[j]); }
+
+    //! Distances to all points, the nearest first.
+    std::vector<double> sorted(int point) const
+    {
+        std::vector<double> all;
+        for (int j = 0; j < size(); ++j)
+            all.push_back(distance(point, j));
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+
+    const Context& context() const { return around.context; }
+
+private:
+    static Params unitThreshold(double threshold)
+    {
+        Params params;
+        params.threshold = threshold;
+        return params;
+    }
+
+    const Ptr<Usac> usac;
+    const Surroundings around;
+    std::vector<Vec4d> rows;
+};
+
+//! The members of a layer, which begin with the point and come nearest first.
+std::vector<int> listOf(const Pixels& pixels, Neighbourhood& neighbourhood, int layer, int point)
+{
+    const int* members = 0;
+    const int count = neighbourhood.members(pixels.context(), layer, point, members);
+    const std::vector<int> list(members, members + count);
+    EXPECT_GE(count, 1);
+    EXPECT_EQ(point, list[0]);
+    EXPECT_EQ((size_t)count, std::set<int>(list.begin(), list.end()).size()) << "a member is repeated";
+    for (int i = 2; i < count; ++i)
+        EXPECT_LE(pixels.distance(point, list[i - 1]), pixels.distance(point, list[i]) * (1 + 1e-4) + 1e-4);
+    return list;
+}
+
+void checkKnn(const Pixels& pixels, int k)
+{
+    const Ptr<Neighbourhood> knn = createKnnNeighbourhood(k);
+    ASSERT_EQ((int)LAYERS, knn->layers());
+    for (int point = 0; point < pixels.size(); ++point)
+    {
+        const std::vector<double> distances = pixels.sorted(point);
+        std::vector<int> coarser;
+        for (int step = 0; step < LAYERS; ++step)
+        {
+            const int layer = point % 2 ? step : LAYERS - 1 - step;  // some points with the widest layer first
+            const std::vector<int> list = listOf(pixels, *knn, layer, point);
+            const int expected = std::min(pixels.size(), std::max(k, std::min<int>(k << layer, WIDEST)) + 1);
+            ASSERT_EQ(expected, (int)list.size()) << "layer " << layer;
+            for (int i = 0; i < expected; ++i)
+                ASSERT_NEAR(distances[i], pixels.distance(point, list[i]), 1e-4 * (1 + distances[i])) << "layer " << layer;
+        }
+    }
+}
+
+void checkRadius(const Pixels& pixels, double radius)
+{
+    const Ptr<Neighbourhood> within = createRadiusNeighbourhood(radius);
+    ASSERT_EQ((int)LAYERS, within->layers());
+    for (int point = 0; point < pixels.size(); ++point)
+        for (int layer = 0; layer < LAYERS; ++layer)
+        {
+            const double r = radius * (1 << layer);
+            const std::vector<int> list = listOf(pixels, *within, layer, point);
+            int certain = 0, possible = 0;
+            for (int j = 0; j < pixels.size(); ++j)
+            {
+                certain += pixels.distance(point, j) <= r * (1 - 1e-4);
+                possible += pixels.distance(point, j) <= r * (1 + 1e-4) + 1e-6;
+            }
+            ASSERT_GE((int)list.size(), std::min<int>(certain, WIDEST + 1)) << "layer " << layer;
+            ASSERT_LE((int)list.size(), std::min<int>(possible, WIDEST + 1)) << "layer " << layer;
+            const std::vector<double> distances = pixels.sorted(point);
+            ASSERT_NEAR(distances[list.size() - 1], pixels.distance(point, list.back()), 1e-4 * (1 + r));
+        }
+}
+
+TEST(Usac_NeighbourhoodFlann, clumsyPointsAgainstBruteForce)
+{
+    RNG rng(1);
+    for (int count = 1; count <= 400; count = count * 3 + 1)
+    {
+        std::vector<Point2d> points1, points2;
+        clumsyPoints(count, rng, points1, points2);
+        const OwnPoints own(HOMOGRAPHY, points1, points2);
+        const Pixels pixels(own);
+        checkKnn(pixels, 1);
+        checkKnn(pixels, 12);
+        checkRadius(pixels, 0.05);
+        checkRadius(pixels, 1);
+    }
+}
+
+//! Distances are in pixels of the images whatever the coordinates of the estimator.
+TEST(Usac_NeighbourhoodFlann, pixelsOfBothImages)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        Scene scene = makeScene((ProblemType)problem);
+        if (problem != ESSENTIAL)  // image 2 three times as large
+            for (int i = 0; i < scene.size(); ++i)
+                scene.points2[i] *= 3;
+        Params params;
+        params.threshold = 0.7;
+        const Pixels pixels(scene, params);
+        checkKnn(pixels, 10);
+        checkRadius(pixels, 25);
+    }
+}
+
+//! No more neighbours than #WIDEST are kept for a radius, and those are the nearest; more only if they are asked for.
+TEST(Usac_NeighbourhoodFlann, boundedMemory)
+{
+    RNG rng(2);
+    std::vector<Point2d> points1, points2;
+    clumsyPoints(1500, rng, points1, points2);
+    const OwnPoints own(HOMOGRAPHY, points1, points2);
+    const Pixels pixels(own);
+    const Ptr<Neighbourhood> radius = createRadiusNeighbourhood(1e300), knn = createKnnNeighbourhood(1000),
+                             some = createKnnNeighbourhood(100);
+    for (int point = 0; point < 1500; point += 50)
+        for (int layer = 0; layer < LAYERS; ++layer)
+        {
+            EXPECT_EQ(WIDEST + 1, (int)listOf(pixels, *radius, layer, point).size());
+            EXPECT_EQ(1001, (int)listOf(pixels, *knn, layer, point).size());
+            EXPECT_EQ(std::min(100 << layer, (int)WIDEST) + 1, (int)listOf(pixels, *some, layer, point).size());
+        }
+    EXPECT_LE(radius->edges(pixels.context()).size(), (size_t)LINKS * 1500);
+    EXPECT_LE(knn->edges(pixels.context()).size(), (size_t)LINKS * 1500);
+}
+
+void checkEdges(const Pixels& pixels, Neighbourhood& neighbourhood, int links)
+{
+    const std::vector<Vec2i> edges = neighbourhood.edges(pixels.context());
+    std::set<std::pair<int, int> > seen;
+    std::vector<double> reach(pixels.size());
+    for (int i = 0; i < pixels.size(); ++i)
+        reach[i] = pixels.sorted(i)[std::min(links, pixels.size() - 1)] * (1 + 1e-4) + 1e-6;
+    for (size_t e = 0; e < edges.size(); ++e)
+    {
+        const int i = edges[e][0], j = edges[e][1];
+        ASSERT_TRUE(i >= 0 && j >= 0 && i < pixels.size() && j < pixels.size() && i != j);
+        EXPECT_TRUE(seen.insert(std::make_pair(std::min(i, j), std::max(i, j))).second) << i << " - " << j << " twice";
+        EXPECT_LE(pixels.distance(i, j), std::max(reach[i], reach[j]));
+    }
+    int missing = 0;
+    for (int i = 0; i < pixels.size(); ++i)  // all that are certainly among the nearest
+    {
+        const std::vector<int> members = listOf(pixels, neighbourhood, 0, i);
+        for (size_t k = 1; k < members.size() && (int)k <= links; ++k)
+            if (pixels.distance(i, members[k]) < reach[i] * (1 - 3e-4) - 3e-6)
+                missing += !seen.count(std::make_pair(std::min(i, members[k]), std::max(i, members[k])));
+    }
+    EXPECT_EQ(0, missing);
+    EXPECT_LE(edges.size(), (size_t)links * pixels.size());
+    EXPECT_EQ(edges, neighbourhood.edges(pixels.context()));
+}
+
+TEST(Usac_NeighbourhoodFlann, edges)
+{
+    RNG rng(3);
+    for (int count = 1; count <= 700; count = count * 4 + 1)
+    {
+        std::vector<Point2d> points1, points2;
+        clumsyPoints(count, rng, points1, points2);
+        const OwnPoints own(HOMOGRAPHY, points1, points2);
+        const Pixels pixels(own);
+        checkEdges(pixels, *createKnnNeighbourhood(3), 3);
+        checkEdges(pixels, *createKnnNeighbourhood(10), LINKS);
+        checkEdges(pixels, *createRadiusNeighbourhood(0.1), LINKS);
+    }
+}
+
+//! The edges of a radius join points within it only, and a lonely point has none.
+TEST(Usac_NeighbourhoodFlann, edgesWithinTheRadius)
+{
+    const Pixels pixels(makeScene(FUNDAMENTAL), Params());
+    size_t previous = 0;
+    for (double radius = 1; radius < 200; radius *= 3)
+    {
+        const Ptr<Neighbourhood> within = createRadiusNeighbourhood(radius);
+        const std::vector<Vec2i>& edges = within->edges(pixels.context());
+        std::vector<int> degree(pixels.size(), 0);
+        for (size_t e = 0; e < edges.size(); ++e)
+        {
+            EXPECT_LE(pixels.distance(edges[e][0], edges[e][1]), radius * (1 + 1e-4));
+            ++degree[edges[e][0]];
+            ++degree[edges[e][1]];
+        }
+        for (int i = 0; i < pixels.size(); ++i)
+            EXPECT_EQ(listOf(pixels, *within, 0, i).size() == 1, degree[i] == 0);
+        EXPECT_GE(edges.size(), previous);
+        previous = edges.size();
+    }
+    EXPECT_GT(previous, 2 * (size_t)pixels.size());
+}
+
+TEST(Usac_NeighbourhoodFlann, equalAndFarPoints)
+{
+    std::vector<Point2d> points1(37, Point2d(-3, 4)), points2(37, Point2d(0, 1));
+    points1.push_back(Point2d(1e200, -1e200));
+    points2.push_back(Point2d(-1e300, 0));
+    const OwnPoints own(HOMOGRAPHY, points1, points2);
+    const Params params;
+    const Surroundings around(own.view(), params);
+    const Ptr<Neighbourhood> knn = createKnnNeighbourhood(5), radius = createRadiusNeighbourhood(1e-3);
+    for (int i = 0; i < 37; ++i)
+    {
+        EXPECT_EQ(1u, membersOf(*knn, around.context, 0, i).count(i));
+        EXPECT_EQ(6u, membersOf(*knn, around.context, 0, i).size());
+        EXPECT_EQ(37u, membersOf(*radius, around.context, 3, i).size());
+    }
+    EXPECT_EQ(1u, membersOf(*radius, around.context, 3, 37).size());
+    EXPECT_EQ(38u, membersOf(*knn, around.context, 3, 37).size());
+    EXPECT_GE(knn->edges(around.context).size(), 37u * 5 / 2);
+}
+
+//! The same each time, and without OpenCV's random numbers.
+TEST(Usac_NeighbourhoodFlann, reproducible)
+{
+    const Pixels pixels(makeScene(FUNDAMENTAL), Params());
+    const Ptr<Neighbourhood> first = createKnnNeighbourhood(7), second = createKnnNeighbourhood(7);
+    const uint64 before = theRNG().state;
+    const std::vector<Vec2i> edges = first->edges(pixels.context());
+    EXPECT_EQ(before, theRNG().state);
+    theRNG().state = 12345;
+    EXPECT_EQ(edges, second->edges(pixels.context()));
+    for (int i = pixels.size() - 1; i >= 0; --i)
+        EXPECT_EQ(listOf(pixels, *first, 2, i), listOf(pixels, *second, 2, i));
+}
+
+//! Through Params: the right model of each problem, by P-NAPSAC and graph cut.
+TEST(Usac_NeighbourhoodFlann, rightModels)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (int kind = NEIGHBOURHOOD_KNN; kind <= NEIGHBOURHOOD_RADIUS; ++kind)
+            for (uint64 seed = 1; seed <= 3; ++seed)
+            {
+                SceneOptions options;
+                options.outliers = 300;
+                options.seed = seed;
+                const Scene scene = makeScene((ProblemType)problem, options);
+                Params params;
+                params.neighbourhood = kind;
+                EXPECT_LT(modelError(scene, estimate(scene, params)), 1) << problem << " " << kind << " " << seed;
+                params.spatialWeight = 0.3;
+                params.sampler = SAMPLER_UNIFORM;
+                EXPECT_LT(modelError(scene, estimate(scene, params)), 1) << problem << " " << kind << " " << seed;
+            }
+}
+
+//! In how many of four scenes another model is found, or on another way, with other values of a field.
+int changes(ProblemType problem, const Params& a, const Params& b)
+{
+    int changed = 0;
+    for (uint64 seed = 1; seed <= 4; ++seed)
+    {
+        SceneOptions options;
+        options.inliers = 100;
+        options.outliers = 300;
+        options.noise = 1;
+        options.seed = seed;
+        const Scene scene = makeScene(problem, options);
+        Report reportA, reportB;
+        const Mat modelA = estimate(scene, a, noArray(), &reportA), modelB = estimate(scene, b, noArray(), &reportB);
+        EXPECT_TRUE(!modelA.empty() && !modelB.empty());
+        changed += reportA.models != reportB.models || reportA.rejectedSamples != reportB.rejectedSamples ||
+                   cv::norm(modelA, modelB, NORM_INF) > 0;
+    }
+    return changed;
+}
+
+//! Sampling and graph cut see the number of neighbours, the radius and the kind of neighbourhood.
+TEST(Usac_NeighbourhoodFlann, parametersHaveAnEffect)
+{
+    Params sampling;
+    sampling.neighbourhood = NEIGHBOURHOOD_KNN;
+    sampling.neighbours = 20;
+    sampling.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    sampling.polishing = POLISHING_NONE;
+    sampling.maxIterations = 300;
+    sampling.termination = 0;
+    Params cut;
+    cut.neighbourhood = NEIGHBOURHOOD_KNN;
+    cut.neighbours = 8;
+    cut.sampler = SAMPLER_UNIFORM;
+    cut.spatialWeight = 0.5;
+    cut.maxIterations = 200;
+    cut.polishing = POLISHING_NONE;
+    for (int problem = 0; problem < 3; ++problem)
+        for (int part = 0; part < 2; ++part)
+        {
+            const Params& one = part ? cut : sampling;
+            Params other = one;
+            other.neighbours = 2;
+            EXPECT_GT(changes((ProblemType)problem, one, other), 0) << problem << " " << part;
+            other = one;
+            other.neighbourhood = NEIGHBOURHOOD_RADIUS;
+            EXPECT_GT(changes((ProblemType)problem, one, other), 0) << problem << " " << part;
+            Params wide = other;
+            wide.neighbourRadius = 120;
+            EXPECT_GT(changes((ProblemType)problem, wide, other), 0) << problem << " " << part;
+            EXPECT_EQ(0, changes((ProblemType)problem, other, other));
+        }
+}
+
+}} // namespace

@@ -1,0 +1,195 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "termination/non_randomness.hpp"
+
+#include <set>
+
+namespace opencv_test { namespace {
+
+//! P(Binomial(n, p) = k) for all k, by adding one point after the other.
+std::vector<long double> distribution(int n, double p)
+{
+    std::vector<long double> all(1, 1.L);
+    for (int i = 0; i < n; ++i)
+    {
+        all.push_back(0);
+        for (int k = i + 1; k >= 0; --k)
+            all[k] = all[k] * (1 - (long double)p) + (k > 0 ? all[k - 1] * p : 0);
+    }
+    return all;
+}
+
+TEST(Usac_NonRandomness, chanceAgainstTheSum)
+{
+    const double ratios[] = {1e-12, 1e-5, 0.003, 0.1, 0.5, 0.83, 0.9999};
+    const int sizes[] = {5, 9, 30, 400};
+    for (int m = 4; m <= 7; ++m)
+        for (int s = 0; s < 4; ++s)
+            for (int r = 0; r < 7; ++r)
+            {
+                const int n = std::max(sizes[s], m);
+                const std::vector<long double> all = distribution(n - m, ratios[r]);
+                long double tail = 0;
+                for (int inliers = n; inliers > m; --inliers)
+                {
+                    tail += all[inliers - m];
+                    const double chance = chanceOf(inliers, n, m, ratios[r]);
+                    if (tail > 1e-290)
+                    {
+                        ASSERT_NEAR(1, chance / tail, 1e-11) << inliers << " of " << n << " ratio " << ratios[r];
+                    }
+                    else
+                    {
+                        ASSERT_LE(chance, 1e-280);
+                    }
+                }
+            }
+}
+
+TEST(Usac_NonRandomness, chanceAtTheLimits)
+{
+    for (int inliers = 0; inliers <= 4; ++inliers)
+        EXPECT_EQ(1, chanceOf(inliers, 100, 4, 0.1)) << "the sample itself";
+    EXPECT_EQ(0, chanceOf(5, 100, 4, 0));
+    EXPECT_EQ(1, chanceOf(5, 100, 4, 1));
+    EXPECT_EQ(0, chanceOf(101, 100, 4, 0.5));
+    EXPECT_EQ(1, chanceOf(4, 4, 4, 0.5));
+    EXPECT_EQ(0.25, chanceOf(5, 5, 4, 0.25));
+    EXPECT_EQ(0, chanceOf(900000, 1000000, 7, 0.01)) << "smaller than a double can be";
+    EXPECT_EQ(1, chanceOf(8, 1000000, 7, 0.9));
+}
+
+//! Sums of 1e6 points by another way: logarithms of factorials in long double.
+TEST(Usac_NonRandomness, chanceOfAMillionPoints)
+{
+    const int n = 1000000, m = 4;
+    const double ratios[] = {1e-6, 2e-3, 0.3};
+    for (int r = 0; r < 3; ++r)
+    {
+        const long double N = n - m, p = ratios[r], mean = N * p, deviation = std::sqrt(mean * (1 - p));
+        for (int step = -3; step <= 8; ++step)
+        {
+            const int first = std::max(1, (int)(mean + step * deviation));
+            long double sum = 0;
+            for (int k = first; k < first + 20 * deviation + 60 && k <= N; ++k)
+                sum += std::exp(std::lgamma(N + 1) - std::lgamma((long double)k + 1) - std::lgamma(N - k + 1) +
+                                k * std::log(p) + (N - k) * std::log1p(-p));
+            EXPECT_NEAR(1, chanceOf(first + m, n, m, ratios[r]) / sum, 1e-8) << ratios[r] << " " << step;
+        }
+    }
+}
+
+//! More inliers are less likely by chance, more points or a higher ratio make them more likely.
+TEST(Usac_NonRandomness, chanceIsMonotone)
+{
+    for (int n = 20; n < 3000; n *= 3)
+        for (double ratio = 1e-4; ratio < 1; ratio *= 5)
+            for (int inliers = 5; inliers < n; ++inliers)
+            {
+                const double chance = chanceOf(inliers, n, 4, ratio);
+                ASSERT_LE(chanceOf(inliers + 1, n, 4, ratio), chance * (1 + 1e-12));
+                ASSERT_GE(chanceOf(inliers, n + 1, 4, ratio), chance * (1 - 1e-12));
+                ASSERT_GE(chanceOf(inliers, n, 4, std::min(1., 1.01 * ratio)), chance * (1 - 1e-12));
+            }
+}
+
+//! Points of an image, for independentInliers.
+struct Points
+{
+    void add(double a1, double b1, double a2, double b2, bool inlier = true)
+    {
+        x1.push_back(a1);
+        y1.push_back(b1);
+        x2.push_back(a2);
+        y2.push_back(b2);
+        mask.push_back(inlier);
+    }
+
+    int independent(double threshold1 = 1, double threshold2 = 1) const
+    {
+        return independentInliers(x1.data(), y1.data(), x2.data(), y2.data(), mask.data(), (int)mask.size(), threshold1,
+                                  threshold2);
+    }
+
+    std::vector<double> x1, y1, x2, y2;
+    std::vector<uchar> mask;
+};
+
+TEST(Usac_NonRandomness, independentInliers)
+{
+    Points points;
+    EXPECT_EQ(0, points.independent());
+    for (int i = 0; i < 10; ++i)
+        points.add(5 * i + 0.5, -3 * i + 0.5, 2 * i + 0.5, 7 * i + 0.5);
+    EXPECT_EQ(10, points.independent());
+    for (int i = 0; i < 10; ++i)
+        points.add(5 * i + 0.6, -3 * i + 0.4, 2 * i + 0.7, 7 * i + 0.6);
+    EXPECT_EQ(10, points.independent()) << "the same matches again";
+    for (int i = 0; i < 10; ++i)
+        points.add(100 + 5 * i, 3 * i, 3, 0.5);
+    EXPECT_EQ(11, points.independent()) << "ten points that match one";
+    for (int i = 0; i < 10; ++i)
+        points.add(-3, 0.5, 100 + 5 * i, 3 * i);
+    EXPECT_EQ(21, points.independent()) << "one point that matches ten";
+    for (int i = 0; i < 10; ++i)
+        points.add(500 + 5 * i, i, 500 + 5 * i, i, false);
+    EXPECT_EQ(21, points.independent()) << "outliers";
+    EXPECT_EQ(3, points.independent(1e9, 1)) << "three of the four cells around the origin";
+    EXPECT_EQ(1, points.independent(1, 1e9));
+}
+
+TEST(Usac_NonRandomness, independentInliersAgainstASet)
+{
+    RNG rng(1);
+    for (double side = 0.01; side < 100; side *= 7)
+    {
+        Points points;
+        std::set<std::pair<double, double> > cells1, cells2;
+        for (int i = 0; i < 2000; ++i)
+        {
+            const double p[4] = {rng.uniform(-50., 50.), rng.uniform(-50., 50.), rng.gaussian(20), rng.gaussian(1)};
+            points.add(p[0], p[1], p[2], p[3], i % 3 != 0);
+            if (i % 3 == 0)
+                continue;
+            cells1.insert(std::make_pair(std::floor(p[0] / side), std::floor(p[1] / side)));
+            cells2.insert(std::make_pair(std::floor(p[2] / (2 * side)), std::floor(p[3] / (2 * side))));
+        }
+        EXPECT_EQ((int)std::min(cells1.size(), cells2.size()), points.independent(side, 2 * side)) << side;
+    }
+}
+
+//! Of the inliers of a cell all are marked but the one that the order has first.
+TEST(Usac_NonRandomness, firstOfACellIsNotRepeated)
+{
+    RNG rng(2);
+    const int N = 500;
+    std::vector<double> x(N), y(N);
+    std::vector<int> order(N);
+    std::vector<uchar> mask(N), repeated(N, 0);
+    for (int i = 0; i < N; ++i)
+    {
+        x[i] = rng.uniform(0., 20.);
+        y[i] = rng.uniform(0., 20.);
+        order[i] = (i * 7 + 3) % N;
+        mask[i] = i % 4 != 1;
+    }
+    repeated[5] = 1;  // of the other image
+    const int sum = markRepeated(x.data(), y.data(), order.data(), mask.data(), N, 2, repeated.data());
+    std::set<std::pair<int, int> > seen;
+    int expectedSum = 0;
+    for (int i = 0; i < N; ++i)
+    {
+        const std::pair<int, int> cell(cvFloor(x[order[i]] / 2), cvFloor(y[order[i]] / 2));
+        const bool expected = i == 5 || (mask[i] && seen.count(cell));
+        if (mask[i])
+            seen.insert(cell);
+        EXPECT_EQ(expected, repeated[i] != 0) << i;
+        expectedSum += expected;
+    }
+    EXPECT_EQ(expectedSum, sum);
+}
+
+}} // namespace

@@ -1,0 +1,335 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "termination/non_randomness.hpp"
+#include "termination/termination.hpp"
+
+namespace opencv_test { namespace {
+
+//! T'_n of the published algorithm for n = 0 .. N, and T_n.
+std::vector<double> publishedLimits(int N, int m, std::vector<double>* expected = 0)
+{
+    long double subsets = 1;
+    for (int i = 0; i < m; ++i)
+        subsets = subsets * (N - i) / (i + 1);
+    const long double T_N = std::min(subsets, 200000.L);
+    for (int n = 0; expected && n <= N; ++n)
+    {
+        long double T_n = T_N;
+        for (int i = 0; i < m; ++i)
+            T_n *= (long double)std::max(n - i, 0) / (N - i);
+        expected->push_back((double)T_n);
+    }
+    std::vector<double> limit(N + 1, 0.);
+    limit[m] = 1;
+    for (int n = m; n < N; ++n)
+    {
+        long double low = T_N, high = T_N;
+        for (int i = 0; i < m; ++i)
+        {
+            low *= (long double)(n - i) / (N - i);
+            high *= (long double)(n + 1 - i) / (N - i);
+        }
+        limit[n + 1] = limit[n] + (double)std::ceil((high - low) * (1 - 1e-12L));
+    }
+    return limit;
+}
+
+//! P(Binomial(n, p) >= k) from the recurrence of Pascal's triangle, no logarithms.
+double tailBySum(int k, int n, double p)
+{
+    std::vector<double> all(1, 1.);
+    for (int i = 0; i < n; ++i)
+    {
+        all.push_back(0);
+        for (int j = i + 1; j >= 0; --j)
+            all[j] = all[j] * (1 - p) + (j > 0 ? all[j - 1] * p : 0);
+    }
+    double sum = 0;
+    for (int j = n; j >= k && j >= 0; --j)
+        sum += all[j];
+    return sum;
+}
+
+//! One evaluation of the criterion, and what it should give.
+struct Case
+{
+    std::vector<uchar> inliers, repeated;
+    int m;
+    double kept, randomRatio, confidence;
+    bool exact;
+
+    int samples(int& length) const
+    {
+        return prosacSamples(inliers, repeated, m, kept, randomRatio, std::log(1 - confidence), exact, length);
+    }
+
+    //! All lengths, one after the other, from the definitions.
+    int bruteForce(int& length) const
+    {
+        const int N = (int)inliers.size();
+        std::vector<double> uniform;
+        const std::vector<double> limit = publishedLimits(N, m, &uniform);
+        int best = INT_MAX;
+        length = 0;
+        for (int n = m; n <= N; ++n)
+        {
+            const int I = (int)std::count(inliers.begin(), inliers.begin() + n, 1);
+            const int twins = repeated.empty() ? 0 : (int)std::count(repeated.begin(), repeated.begin() + n, 1);
+            if (I <= m)
+                continue;
+            double p = kept;
+            for (int i = 0; i < m; ++i)
+                p *= exact ? (double)(I - i) / (n - i) : (double)I / n;
+            double k = 1;  // by counting, where that does not take long
+            if (p < 1 && std::log(1 - confidence) / std::log(1 - p) > 3000)
+                k = std::ceil(std::log(1 - confidence) / std::log(1 - p));
+            else
+                while (std::pow(1 - p, k) > 1 - confidence)
+                    ++k;
+            const double missing = std::max(0., std::ceil(k - uniform[n] * (1 + 1e-9)));
+            if (n < N && missing > 0)
+                continue;
+            const double t = limit[n] + missing;
+            const bool random = I - twins <= m || t * tailBySum(I - twins - m, n - twins - m, randomRatio) >= 0.05;
+            if (!random && t < best)
+            {
+                best = (int)t;
+                length = n;
+            }
+        }
+        return best;
+    }
+};
+
+//! Random orders: inliers are more frequent among the best points.
+Case randomCase(RNG& rng, int trial)
+{
+    Case c;
+    const int N = rng.uniform(8, 150);
+    const double high = rng.uniform(0.1, 1.), low = rng.uniform(0., 1.) * high;
+    for (int i = 0; i < N; ++i)
+    {
+        c.inliers.push_back(rng.uniform(0., 1.) < high + (low - high) * i / N);
+        if (trial % 3 == 0)
+            c.repeated.push_back(c.inliers[i] && rng.uniform(0, 4) == 0);
+    }
+    c.m = 4 + trial % 4;
+    c.kept = trial % 2 ? 1 : rng.uniform(0.2, 1.);
+    c.randomRatio = std::pow(10., rng.uniform(-5., -0.3));
+    c.confidence = rng.uniform(0.3, 0.999);
+    c.exact = trial % 5 < 3;
+    return c;
+}
+
+TEST(Usac_TerminationProsac, againstBruteForce)
+{
+    RNG rng(1);
+    int within = 0, never = 0, atTheEnd = 0;
+    for (int trial = 0; trial < 600; ++trial)
+    {
+        const Case c = randomCase(rng, trial);
+        int length, expectedLength;
+        const int samples = c.samples(length), expected = c.bruteForce(expectedLength);
+        EXPECT_EQ(expectedLength, length) << trial;
+        // a ceiling of T_{n+1} - T_n may be decided by rounding, as in the sampler
+        EXPECT_NEAR(expected, samples, expected == INT_MAX ? 0 : 3) << trial;
+        within += length > 0 && length < (int)c.inliers.size();
+        atTheEnd += length == (int)c.inliers.size();
+        never += length == 0;
+    }
+    EXPECT_GT(within, 100);
+    EXPECT_GT(never, 50);
+    EXPECT_GT(atTheEnd, 10);
+}
+
+//! The smallest support that is not random, against the quantile of the exact distribution; of one model, and of all.
+TEST(Usac_TerminationProsac, minimalSupport)
+{
+    for (int n = 20; n <= 120; n += 25)
+        for (double ratio = 0.001; ratio < 0.5; ratio *= 3)
+            for (int kind = 0; kind < 2; ++kind)
+            {
+                // All inliers come last, so that no smaller set has better odds; the confidence needs next to no samples.
+                const double samples = kind ? publishedLimits(n, 4)[n] : 1;
+                int quantile = 5, accepted = 5;  // the least I with P(Binomial(n - 4, ratio) >= I - 4) < 5 % / samples
+                while (quantile <= n && tailBySum(quantile - 4, n - 4, ratio) * samples >= 0.05)
+                    ++quantile;
+                while (accepted <= n && chanceOf(accepted, n, 4, ratio) * samples >= 0.05)
+                    ++accepted;
+                EXPECT_EQ(quantile, accepted) << n << " " << ratio;
+                for (int I = quantile - 1; kind && I <= std::min(quantile, n); ++I)
+                {
+                    std::vector<uchar> inliers(n, 0);
+                    std::fill(inliers.end() - I, inliers.end(), 1);
+                    int length;
+                    prosacSamples(inliers, std::vector<uchar>(), 4, 1, ratio, std::log(0.999), true, length);
+                    EXPECT_EQ(I >= quantile && I > 4, length > 0) << n << " " << ratio << " " << I;
+                }
+            }
+}
+
+//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random and worth one sample.
+int firstEvidence(int N, int repeated, double ratio)
+{
+    std::vector<double> uniform;
+    const std::vector<double> limit = publishedLimits(N, 4, &uniform);
+    int n = 5 + repeated;
+    while (uniform[n] < 1 || limit[n] * std::pow(ratio, n - repeated - 4) >= 0.05)
+        ++n;
+    return n;
+}
+
+//! Nothing but inliers: a sample suffices once there are as many more points as chance would not make agree.
+TEST(Usac_TerminationProsac, allInliers)
+{
+    const std::vector<uchar> inliers(100, 1), none;
+    int length;
+    const int samples = prosacSamples(inliers, none, 4, 1, 0.01, std::log(0.01), true, length);
+    EXPECT_EQ(firstEvidence(100, 0, 0.01), length);
+    EXPECT_EQ((int)publishedLimits(100, 4)[length], samples);
+    prosacSamples(inliers, none, 4, 1, 0.3, std::log(0.01), true, length);
+    EXPECT_EQ(firstEvidence(100, 0, 0.3), length);
+    std::vector<uchar> twins(100, 0);
+    std::fill(twins.begin() + 4, twins.begin() + 30, 1);
+    prosacSamples(inliers, twins, 4, 1, 0.01, std::log(0.01), true, length);
+    EXPECT_EQ(firstEvidence(100, 26, 0.01), length) << "points that repeat others are no evidence";
+    EXPECT_GT(length, 30);
+    EXPECT_EQ(INT_MAX, prosacSamples(inliers, none, 4, 1, 1, std::log(0.01), true, length));
+    EXPECT_EQ(0, length);
+}
+
+//! The part of the image that agrees with a wrong model, against counting random points.
+TEST(Usac_TerminationProsac, randomInlierRatio)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        SceneOptions options;
+        options.inliers = 10;
+        options.outliers = 4000;
+        const Scene scene = makeScene((ProblemType)problem, options);
+        Params params;
+        params.threshold = 8;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const double ratio = randomInlierRatio(usac->points());
+        const Context context(usac->points(), usac->components(), params);
+        RNG rng(3);
+        double inliers = 0, models = 0;
+        for (int i = 0; i < 200; ++i)
+        {
+            int sample[MAX_SAMPLE_SIZE];
+            Model found[MAX_MODELS];
+            Rng(problem, i).distinct(usac->points().size, usac->components().minimalSolver->sampleSize(), sample);
+            const int count = usac->components().minimalSolver->solve(usac->points(), sample, found);
+            for (int k = 0; k < count; ++k, ++models)
+                inliers += context.rate(found[k]).inliers - usac->components().minimalSolver->sampleSize();
+        }
+        const double measured = inliers / models / usac->points().size;
+        EXPECT_LE(measured, ratio * 1.1) << "problem " << problem;
+        EXPECT_GE(measured, ratio * 0.25) << "problem " << problem;
+    }
+    const std::vector<Point2d> equal(20, Point2d(1, 2));
+    EXPECT_EQ(1, randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
+}
+
+//! A scene whose scores sort the points: a part of the best ones are true matches.
+Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
+{
+    RNG rng(scene.size());
+    Params params;
+    params.sampler = sampler;
+    params.termination = TERMINATION_PROSAC;
+    params.verification = VERIFICATION_NONE;
+    params.maxIterations = 20000;
+    for (int i = 0; i < scene.size(); ++i)
+        params.scores.push_back((float)(rng.uniform(0., 1.) + (scene.truth[i] ? 0 : separation)));
+    return params;
+}
+
+//! In a run: ends with the right model, when as many samples have been drawn as the criterion says of the best model.
+TEST(Usac_TerminationProsac, endsARun)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
+            for (uint64 seed = 1; seed <= 5; ++seed)
+            {
+                SceneOptions options;
+                options.outliers = 300;
+                options.seed = seed;
+                const Scene scene = makeScene((ProblemType)problem, options);
+                const Params params = sortedParams(scene, sampler);
+                Report report;
+                const Mat model = estimate(scene, params, noArray(), &report);
+                EXPECT_LT(modelError(scene, model), 2) << problem << " " << sampler << " " << seed;
+                EXPECT_EQ((int)STOP_PROSAC, report.stop);
+                EXPECT_LT(report.iterations, 1000) << problem << " " << sampler << " " << seed;
+                Params standard = params;
+                standard.termination = TERMINATION_STANDARD;
+                Report standardReport;
+                estimate(scene, standard, noArray(), &standardReport);
+                EXPECT_LE(report.iterations, standardReport.iterations + 50) << problem << " " << sampler;
+            }
+}
+
+//! What the criterion says of the right model with one of the options that it must heed.
+int iterationsFor(const Scene& scene, const Params& params, double kept)
+{
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Context context(usac->points(), usac->components(), params);
+    const Termination& termination = *usac->components().terminations[0];
+    State state;
+    state.order.resize(usac->points().size);
+    usac->components().prior->sort(context, state.order);
+    state.best = toInternal(usac->points(), scene.model);
+    state.bestQuality = context.rate(state.best);
+    Case c;
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const int row = usac->points().inputIndex[state.order[i]];
+        c.inliers.push_back(pixelError(scene, scene.model, scene.points1[row], scene.points2[row]) <= params.threshold);
+    }
+    EXPECT_EQ(state.bestQuality.inliers, (int)std::count(c.inliers.begin(), c.inliers.end(), 1));
+    c.m = 4;
+    c.kept = kept;
+    c.exact = (params.termination & TERMINATION_EXACT) != 0;
+    c.randomRatio = randomInlierRatio(usac->points());
+    c.confidence = params.confidence;
+    int length;
+    const int iterations = termination.iterations(context, state);
+    EXPECT_NEAR(c.bruteForce(length), iterations, 3);
+    EXPECT_EQ((int)STOP_PROSAC, termination.reason());
+    state.bestQuality.inliers = 4;
+    EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sample is no support";
+    return iterations;
+}
+
+//! Samples without repetition, T(d,d) and the local samples of P-NAPSAC all make it wait longer.
+TEST(Usac_TerminationProsac, heedsTheOptions)
+{
+    SceneOptions options;
+    options.inliers = 40;
+    options.outliers = 60;
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    Params params = sortedParams(scene, SAMPLER_PROSAC, 0.02);
+    double sums[4] = {0};
+    for (params.confidence = 0.5; params.confidence < 0.9999; params.confidence += 0.4 * (1 - params.confidence))
+    {
+        Params exact = params, tdd = params, local = params;
+        exact.termination |= TERMINATION_EXACT;
+        tdd.verification = VERIFICATION_TDD;
+        tdd.tddPoints = 3;
+        local.sampler = SAMPLER_P_NAPSAC;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const int inliers = Context(usac->points(), usac->components(), params).rate(toInternal(usac->points(), scene.model)).inliers;
+        sums[0] += iterationsFor(scene, params, 1);
+        sums[1] += iterationsFor(scene, exact, 1);
+        sums[2] += iterationsFor(scene, tdd, std::pow(inliers / 100., 3));
+        sums[3] += iterationsFor(scene, local, 0.75);
+    }
+    for (int option = 1; option < 4; ++option)
+        EXPECT_GT(sums[option], sums[0] * 1.02) << option;
+}
+
+}} // namespace
