@@ -113,6 +113,8 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
 
 void createDegeneracies(int flags, ProblemType problem, std::vector<Ptr<Degeneracy> >& degeneracies)
 {
+    if (flags & DEGENERACY_REPEATED)
+        degeneracies.push_back(createRepeatedPoints());
     if (flags & DEGENERACY_ORIENTATION)
         degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
     if ((flags & DEGENERACY_DEGENSAC) && problem == FUNDAMENTAL)

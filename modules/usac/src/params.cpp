@@ -13,7 +13,7 @@ Params::Params()
       neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
       spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT), relaxation(0.03),
-      degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC), polishing(POLISHING_ROBUST)
+      degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED), polishing(POLISHING_ROBUST)
 {
 }
 
@@ -100,7 +100,7 @@ void Params::check(int count) const
     checkRange("spatialWeight", spatialWeight, 0, 10);
     checkRange("termination", termination, 0, 2 * TERMINATION_EXACT - 1);
     checkRange("relaxation", relaxation, 0, 1);
-    checkRange("degeneracy", degeneracy, 0, DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC);
+    checkRange("degeneracy", degeneracy, 0, DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED);
     checkRange("polishing", polishing, POLISHING_NONE, POLISHING_ROBUST);
     checkCombinations(*this);
     checkScores(*this, count);

@@ -54,7 +54,7 @@ public:
         return options;
     }
 
-    const Params params;
+    Params params;
     Ptr<Sampler> sampler;
     const Scene scene;
     const Ptr<Usac> usac;

@@ -26,7 +26,7 @@ TEST(Usac_Params, ranges_of_integers)
         {"verification", VERIFICATION_NONE, VERIFICATION_TDD}, {"tddPoints", 1, 100},
         {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS},
         {"localIterations", 1, 1000}, {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 63},
-        {"degeneracy", 0, 3}, {"polishing", POLISHING_NONE, POLISHING_ROBUST}};
+        {"degeneracy", 0, 7}, {"polishing", POLISHING_NONE, POLISHING_ROBUST}};
     ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::ints().size(); ++i)
     {
@@ -189,7 +189,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(0.14, p.spatialWeight);
     EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, p.termination);
     EXPECT_EQ(0.03, p.relaxation);
-    EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC, p.degeneracy);
+    EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED, p.degeneracy);
     EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);
 }
 

@@ -175,13 +175,15 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
     }
 }
 
-//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new.
-TEST(Usac_Samplers, pNapsacCentresGrowLikeProsac)
+//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new. With an
+//! order that is a guess this holds for every second sample, and the others are uniform.
+void expectGrowth(int prior, int period)
 {
     const int N = 300;
     Draw draw(FUNDAMENTAL, N, createPNapsacSampler());
+    draw.params.prior = prior;
     const std::vector<double> limit = publishedGrowth(N, draw.m);
-    int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0;
+    int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0;
     for (int t = 1; t <= 20000; ++t)
     {
         while (n < N && t > limit[n])
@@ -189,14 +191,27 @@ TEST(Usac_Samplers, pNapsacCentresGrowLikeProsac)
         draw.next();
         ASSERT_TRUE(draw.valid());
         wrongSize += draw.state.subsetSize != n;
+        const std::vector<int>::const_iterator end = draw.state.order.begin() + draw.state.subsetSize;
+        const bool out = std::find(draw.state.order.cbegin(), end, draw.sample[0]) == end;
+        if (t % period != 0)
+        {
+            early += out;
+            continue;
+        }
         if (draw.state.subsetSize < N)
             notNewest += draw.sample[0] != draw.state.order[draw.state.subsetSize - 1];
-        outside += std::find(draw.state.order.begin(), draw.state.order.begin() + draw.state.subsetSize,
-                             draw.sample[0]) == draw.state.order.begin() + draw.state.subsetSize;
+        outside += out;
     }
     EXPECT_LE(wrongSize, 30);
     EXPECT_EQ(0, notNewest);
     EXPECT_EQ(0, outside);
+    EXPECT_EQ(period == 2, early > 1000) << early;
+}
+
+TEST(Usac_Samplers, pNapsacCentresGrowLikeProsac)
+{
+    expectGrowth(PRIOR_INPUT_ORDER, 1);
+    expectGrowth(PRIOR_DENSITY, 2);
 }
 
 TEST(Usac_Samplers, asManyPointsAsASampleNeeds)

@@ -17,6 +17,9 @@ Ptr<Degeneracy> createOrientedEpipolar();
 //! F: samples dominated by a plane, see Degensac.
 Ptr<Degeneracy> createDegensac();
 
+//! See RepeatedPoints.
+Ptr<Degeneracy> createRepeatedPoints();
+
 } // namespace usacv20
 } // namespace cv
 

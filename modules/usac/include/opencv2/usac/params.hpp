@@ -127,7 +127,8 @@ enum TerminationFlags
 enum DegeneracyFlags
 {
     DEGENERACY_ORIENTATION = 1, //!< H: orientation of the sample; F, E: oriented epipolar constraint @cite chum2004epipolar
-    DEGENERACY_DEGENSAC    = 2  //!< F: samples dominated by a plane, plane and parallax @cite chum2005two
+    DEGENERACY_DEGENSAC    = 2, //!< F: samples dominated by a plane, plane and parallax @cite chum2005two
+    DEGENERACY_REPEATED    = 4  //!< samples in which two matches share a point in one of the images
 };
 
 //! What is done to the best model at the end (Algorithm 1, last line).
