@@ -322,7 +322,8 @@ TEST(Usac_TerminationProsac, heedsTheOptions)
         tdd.tddPoints = 3;
         local.sampler = SAMPLER_P_NAPSAC;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const int inliers = Context(usac->points(), usac->components(), params).rate(toInternal(usac->points(), scene.model)).inliers;
+        const Context context(usac->points(), usac->components(), params);
+        const int inliers = context.rate(toInternal(usac->points(), scene.model)).inliers;
         sums[0] += iterationsFor(scene, params, 1);
         sums[1] += iterationsFor(scene, exact, 1);
         sums[2] += iterationsFor(scene, tdd, std::pow(inliers / 100., 3));

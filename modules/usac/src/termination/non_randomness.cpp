@@ -74,7 +74,9 @@ struct Place
 
     bool operator<(const Place& other) const
     {
-        return column < other.column || (column == other.column && (row < other.row || (row == other.row && inlier < other.inlier)));
+        if (column != other.column)
+            return column < other.column;
+        return row < other.row || (row == other.row && inlier < other.inlier);
     }
 };
 
