@@ -55,28 +55,6 @@ TEST(Usac_Samplers, seedsDiffer)
     EXPECT_LE(same, 2);
 }
 
-//! T'_n of the published algorithm for n = 0 .. N, from the product that defines T_n; T_N: no more samples than there are.
-std::vector<double> publishedGrowth(int N, int m)
-{
-    long double subsets = 1;
-    for (int i = 0; i < m; ++i)
-        subsets = subsets * (N - i) / (i + 1);
-    const long double T_N = std::min(subsets, (long double)200000);
-    std::vector<double> limit(N + 1, 0.);
-    limit[m] = 1;
-    for (int n = m; n < N; ++n)
-    {
-        long double low = T_N, high = T_N;
-        for (int i = 0; i < m; ++i)
-        {
-            low *= (long double)(n - i) / (N - i);
-            high *= (long double)(n + 1 - i) / (N - i);
-        }
-        limit[n + 1] = limit[n] + (double)std::ceil((high - low) * (1 - 1e-12L));
-    }
-    return limit;
-}
-
 TEST(Usac_Samplers, prosacGrowsAsPublished)
 {
     const int sizes[] = {40, 200, 1000};
