@@ -4,8 +4,8 @@
 
 #include "arguments.hpp"
 
+#include <sstream>
 #include <stdexcept>
-#include "method.hpp"
 
 namespace benchmark {
 
@@ -29,7 +29,46 @@ bool isHelp(const std::string& name)
     return name == "help" || name == "h" || name == "usage" || name == "?";
 }
 
+template <class Number>
+Number convert(const cv::CommandLineParser& parser, const std::string& name, const char* expected)
+{
+    const std::string text = parser.get<cv::String>(name);
+    std::istringstream in(text);
+    Number value = 0;
+    if (!(in >> value) || in.peek() != std::istringstream::traits_type::eof())
+        throw std::runtime_error("--" + name + ": expected " + expected + ", not '" + text + "'");
+    return value;
+}
+
 } // namespace
+
+std::vector<std::string> splitNames(const std::string& names)
+{
+    std::vector<std::string> result(1);
+    int depth = 0;
+    for (size_t i = 0; i < names.size(); ++i)
+    {
+        depth += (names[i] == '{') - (names[i] == '}');
+        if (names[i] == ',' && depth == 0)
+            result.push_back(std::string());
+        else
+            result.back() += names[i];
+    }
+    for (size_t i = result.size(); i-- > 0;)
+        if (result[i].empty())
+            result.erase(result.begin() + i);
+    return result;
+}
+
+double numberOf(const cv::CommandLineParser& parser, const std::string& name)
+{
+    return convert<double>(parser, name, "a number");
+}
+
+int integerOf(const cv::CommandLineParser& parser, const std::string& name)
+{
+    return convert<int>(parser, name, "an integer");
+}
 
 Arguments::Arguments(int argc, char** argv, const cv::CommandLineParser& parser)
 {

@@ -4,6 +4,7 @@
 
 #include "image_pair.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -57,6 +58,9 @@ void readCorrespondences(const std::string& file, ImagePair& pair)
         const int count = readNumbers(line, v, 5);
         if (count != 5 && count != 4)
             fail(file, number, "expected 'x1 y1 x2 y2 score'");
+        for (int i = 0; i < 5; ++i)
+            if (!std::isfinite(v[i]))
+                fail(file, number, "expected finite numbers");
         pair.points1.push_back(cv::Point2f((float)v[0], (float)v[1]));
         pair.points2.push_back(cv::Point2f((float)v[2], (float)v[3]));
         pair.scores.push_back((float)v[4]);
@@ -68,8 +72,8 @@ void readCorrespondences(const std::string& file, ImagePair& pair)
 cv::Size2d readSize(const Json& json)
 {
     const std::vector<Json>& v = json.array();
-    if (v.size() != 2)
-        throw std::runtime_error("expected [width, height]");
+    if (v.size() != 2 || !(v[0].number() > 0) || !(v[1].number() > 0))
+        throw std::runtime_error("expected [width, height] above 0");
     return cv::Size2d(v[0].number(), v[1].number());
 }
 
@@ -130,44 +134,58 @@ bool names(const Json& json, char letter)
     return false;
 }
 
-//! Calls a reader for one member and adds its name to what the reader complains about.
-template <class Reader>
-void member(const Json& json, const std::string& name, Reader reader)
+/** Reads the members of a pair's description; what they complain about comes with file, line and name. */
+class TruthReader
 {
-    try
-    {
-        reader(json[name]);
-    }
-    catch (const std::runtime_error& error)
-    {
-        throw std::runtime_error(name + ": " + error.what());
-    }
-}
+public:
+    TruthReader(const Json& json_, const std::string& file_) : json(json_), file(file_) {}
 
-void readTruth(const Json& json, ProblemType problem, ImagePair& pair)
+    template <class Reader>
+    void read(const std::string& name, Reader reader) const
+    {
+        try
+        {
+            reader(json[name]);
+        }
+        catch (const std::runtime_error& error)
+        {
+            require(false, name, error.what());
+        }
+    }
+
+    void require(bool condition, const std::string& name, const std::string& what) const
+    {
+        if (!condition)
+            fail(file, json.type() == Json::OBJECT ? json[name].line() : json.line(), name + ": " + what);
+    }
+
+private:
+    const Json& json;
+    const std::string& file;
+};
+
+void readTruth(const TruthReader& in, ProblemType problem, ImagePair& pair)
 {
     bool rightProblem = true, hasK1 = false, hasK2 = false, hasR = false, hasT = false;
-    member(json, "problem", [&](const Json& v) { rightProblem = names(v, letterOf(problem)); });
-    member(json, "size1", [&](const Json& v) { pair.size1 = readSize(v); });
-    member(json, "size2", [&](const Json& v) { pair.size2 = readSize(v); });
-    member(json, "H", [&](const Json& v) { pair.hasHomography = readMatrix(v, pair.H); });
-    member(json, "K1", [&](const Json& v) { hasK1 = readMatrix(v, pair.K1); });
-    member(json, "K2", [&](const Json& v) { hasK2 = readMatrix(v, pair.K2); });
-    member(json, "R", [&](const Json& v) { hasR = readMatrix(v, pair.R); });
-    member(json, "t", [&](const Json& v) { hasT = readVector(v, pair.t); });
-    member(json, "gt_points", [&](const Json& v) { readTruePoints(v, pair); });
-    member(json, "gt_kind", [&](const Json& v) { pair.truthIsHomography = !v.isNull() && v.string() == "homography"; });
+    in.read("problem", [&](const Json& v) { rightProblem = names(v, letterOf(problem)); });
+    in.read("size1", [&](const Json& v) { pair.size1 = readSize(v); });
+    in.read("size2", [&](const Json& v) { pair.size2 = readSize(v); });
+    in.read("H", [&](const Json& v) { pair.hasHomography = readMatrix(v, pair.H); });
+    in.read("K1", [&](const Json& v) { hasK1 = readMatrix(v, pair.K1); });
+    in.read("K2", [&](const Json& v) { hasK2 = readMatrix(v, pair.K2); });
+    in.read("R", [&](const Json& v) { hasR = readMatrix(v, pair.R); });
+    in.read("t", [&](const Json& v) { hasT = readVector(v, pair.t); });
+    in.read("gt_points", [&](const Json& v) { readTruePoints(v, pair); });
+    in.read("gt_kind", [&](const Json& v) { pair.truthIsHomography = !v.isNull() && v.string() == "homography"; });
 
     pair.hasCameras = hasK1 && hasK2;
     pair.hasPose = pair.hasCameras && hasR && hasT;
-    if (!rightProblem)
-        throw std::runtime_error(std::string("problem: the pair is not one for ") + letterOf(problem));
-    if (problem == cv::usacv20::ESSENTIAL && !pair.hasCameras)
-        throw std::runtime_error("K1, K2: needed for E");
-    if (pair.truth1.empty())
-        throw std::runtime_error("gt_points: none, the error cannot be measured");
-    if (pair.truthIsHomography && !pair.hasHomography)
-        throw std::runtime_error("H: needed where gt_kind is homography");
+    const bool essential = problem == cv::usacv20::ESSENTIAL;
+    in.require(rightProblem, "problem", std::string("the pair is not one for ") + letterOf(problem));
+    in.require(hasK1 || !essential, "K1", "needed for E");
+    in.require(hasK2 || !essential, "K2", "needed for E");
+    in.require(!pair.truth1.empty(), "gt_points", "none, the error cannot be measured");
+    in.require(pair.hasHomography || !pair.truthIsHomography, "H", "needed where gt_kind is homography");
 }
 
 } // namespace
@@ -199,14 +217,7 @@ ImagePair readImagePair(const std::string& path, ProblemType problem)
     std::ostringstream text;
     text << in.rdbuf();
     const Json json = Json::parse(text.str(), file);
-    try
-    {
-        readTruth(json, problem, pair);
-    }
-    catch (const std::runtime_error& error)
-    {
-        throw std::runtime_error(file + ": " + error.what());
-    }
+    readTruth(TruthReader(json, file), problem, pair);
     return pair;
 }
 

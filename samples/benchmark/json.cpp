@@ -16,7 +16,7 @@ namespace benchmark {
 class JsonParser
 {
 public:
-    JsonParser(const std::string& text_, const std::string& file_) : text(text_), file(file_), at(0), depth(0) {}
+    JsonParser(const std::string& text_, const std::string& file_) : text(text_), file(file_), at(0), line(1), depth(0) {}
 
     Json document()
     {
@@ -32,9 +32,6 @@ private:
 
     void fail(const std::string& what) const
     {
-        int line = 1;
-        for (size_t i = 0; i < at && i < text.size(); ++i)
-            line += text[i] == '\n';
         std::ostringstream message;
         message << file << ":" << line << ": " << what << " (byte " << at << ")";
         throw std::runtime_error(message.str());
@@ -49,7 +46,7 @@ private:
     void skipSpace()
     {
         while (at < text.size() && std::strchr(" \t\r\n", text[at]) && text[at])
-            ++at;
+            line += text[at++] == '\n';
     }
 
     void expect(char c)
@@ -74,6 +71,7 @@ private:
             fail("nested too deeply");
         Json result;
         const char c = peek();
+        result.firstLine = line;
         if (c == '{')
             object(result);
         else if (c == '[')
@@ -178,6 +176,7 @@ private:
     const std::string& text;
     const std::string& file;
     size_t at;
+    int line;  //!< of `at`; a string has no line breaks
     int depth;
 };
 

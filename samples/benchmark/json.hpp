@@ -20,12 +20,14 @@ class Json
 public:
     enum Type { NUL, BOOLEAN, NUMBER, STRING, ARRAY, OBJECT };
 
-    Json() : kind(NUL), scalar(0) {}
+    Json() : kind(NUL), firstLine(1), scalar(0) {}
 
     //! Reads a document. A syntax error raises std::runtime_error "file:line: what".
     static Json parse(const std::string& text, const std::string& file);
 
     Type type() const { return kind; }
+    //! Where the value starts in its file; 1 for a member that is not there.
+    int line() const { return firstLine; }
     bool isNull() const { return kind == NUL; }
     double number() const;
     const std::string& string() const;
@@ -39,6 +41,7 @@ private:
     void require(Type wanted, const char* what) const;
 
     Type kind;
+    int firstLine;
     double scalar;
     std::string text;
     std::vector<Json> elements;

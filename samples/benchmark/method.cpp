@@ -12,12 +12,12 @@ namespace benchmark {
 
 namespace {
 
-//! Cuts `+scores` out of a name. @return whether it was there.
+//! Cuts `+scores` off the end of a name or from before `{`. @return whether it was there.
 bool cutScores(std::string& name)
 {
     const std::string suffix = "+scores";
-    const size_t found = name.find(suffix);
-    if (found == std::string::npos)
+    const size_t found = name.find(suffix), next = found + suffix.size();
+    if (found == std::string::npos || (next < name.size() && name[next] != '{'))
         return false;
     name.erase(found, suffix.size());
     return true;
@@ -48,24 +48,6 @@ cv::Ptr<Method> createMethod(const std::string& name)
     if (!fields.empty())
         throw std::runtime_error(name + ": OpenCV's flags have no fields");
     return cv::makePtr<OpenCVMethod>(name, base.substr(3), scores);
-}
-
-std::vector<std::string> splitNames(const std::string& names)
-{
-    std::vector<std::string> result(1);
-    int depth = 0;
-    for (size_t i = 0; i < names.size(); ++i)
-    {
-        depth += (names[i] == '{') - (names[i] == '}');
-        if (names[i] == ',' && depth == 0)
-            result.push_back(std::string());
-        else
-            result.back() += names[i];
-    }
-    for (size_t i = result.size(); i-- > 0;)
-        if (result[i].empty())
-            result.erase(result.begin() + i);
-    return result;
 }
 
 std::string knownMethods()

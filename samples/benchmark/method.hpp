@@ -61,9 +61,6 @@ private:
 kinds sets numeric fields of cv::usacv20::Params. An unknown name raises std::runtime_error. */
 cv::Ptr<Method> createMethod(const std::string& name);
 
-//! Splits "a,b{c=1,d=2},e" at the commas outside of braces.
-std::vector<std::string> splitNames(const std::string& names);
-
 //! All names that createMethod knows.
 std::string knownMethods();
 

@@ -25,6 +25,7 @@ const Flag FLAGS[] = {
     { "USACV20_FAST", cv::USACV20_FAST },
     { "USACV20_ACCURATE", cv::USACV20_ACCURATE },
     { "USACV20_PROSAC", cv::USACV20_PROSAC },
+    { "USACV20_MAGSAC", cv::USACV20_MAGSAC },
     { "USACV20_PARALLEL", cv::USACV20_PARALLEL },
 };
 
@@ -38,9 +39,19 @@ const Preset PRESETS[] = {
     { "preset:usacV20", &Params::usacV20 },
     { "preset:fast", &Params::fast },
     { "preset:accurate", &Params::accurate },
-    { "preset:prosac", &Params::prosac },
+    { "preset:sorted", &Params::sorted },
     { "preset:parallel", &Params::parallel },
     { "preset:ransac", &Params::ransac },
+    { "preset:msac", &Params::msac },
+    { "preset:lmeds", &Params::lmeds },
+    { "preset:mlesac", &Params::mlesac },
+    { "preset:prosac", &Params::prosac },
+    { "preset:loRansac", &Params::loRansac },
+    { "preset:floRansac", &Params::floRansac },
+    { "preset:gcRansac", &Params::gcRansac },
+    { "preset:usac2013", &Params::usac2013 },
+    { "preset:magsac", &Params::magsac },
+    { "preset:magsacPlusPlus", &Params::magsacPlusPlus },
 };
 
 Params paramsOf(const std::string& name)

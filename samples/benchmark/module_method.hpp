@@ -19,9 +19,9 @@ public:
     //! @param preset name of a flag, or of a preset behind "preset:". @param fields "name=value,...".
     ModuleMethod(const std::string& name, const std::string& preset, const std::string& fields, bool scores);
 
-    bool solves(ProblemType) const { return true; }
-    void prepare(const ImagePair& pair, const Settings& settings);
-    void run(const ImagePair& pair, Estimate& estimate);
+    bool solves(ProblemType) const CV_OVERRIDE { return true; }
+    void prepare(const ImagePair& pair, const Settings& settings) CV_OVERRIDE;
+    void run(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
 
     static std::string names();
 

@@ -26,9 +26,9 @@ public:
     //! @param flag without "cv:". @param scores USAC_PROSAC: the points are sorted by score inside of the time measured.
     OpenCVMethod(const std::string& name, const std::string& flag, bool scores);
 
-    bool solves(ProblemType problem) const;
-    void prepare(const ImagePair& pair, const Settings& settings);
-    void run(const ImagePair& pair, Estimate& estimate);
+    bool solves(ProblemType problem) const CV_OVERRIDE;
+    void prepare(const ImagePair& pair, const Settings& settings) CV_OVERRIDE;
+    void run(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
 
     static std::string names();
 

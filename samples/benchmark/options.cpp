@@ -15,8 +15,8 @@ namespace {
 const char KEYS[] =
     "{help h usage ? | | print this }"
     "{list           | | list of pairs, <dataset>.<H,F or E>.list; may be repeated }"
-    "{data           | | folder of data: all lists in its folder 'lists' }"
-    "{problem        | | H, F or E: problem of the lists whose name does not tell, or the only one to take from --data }"
+    "{data           | | folder of data: all lists in its folder 'lists'; may be repeated }"
+    "{problem        | | H, F or E: problem of all lists (default: as the name of each list tells); of --data only its lists }"
     "{methods        |USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
     "| names with commas; may be repeated; see below }"
     "{baseline       | | method that times and errors are compared with (default: the first cv: method, else the first) }"
@@ -25,7 +25,7 @@ const char KEYS[] =
     "{confidence     |0.99| confidence }"
     "{repeats        |5| runs of each method on each pair }"
     "{seed           |1| seed of the first repeat, the next ones count up }"
-    "{threads        |1| cv::setNumThreads }"
+    "{threads        |1| given to cv::setNumThreads; -1: all processors }"
     "{csv            | | file for the tables }"
     "{runs           | | file for all single runs }";
 
@@ -76,9 +76,10 @@ bool Options::parse(int argc, char** argv)
     problem = letter.empty() ? '\0' : letter[0];
 
     lists = arguments.all("list");
-    if (parser.has("data"))
+    const std::vector<std::string> folders = arguments.all("data");
+    for (size_t i = 0; i < folders.size(); ++i)
     {
-        const std::vector<std::string> more = findLists(parser.get<cv::String>("data"), problem);
+        const std::vector<std::string> more = findLists(folders[i], problem);
         lists.insert(lists.end(), more.begin(), more.end());
     }
     require(!lists.empty(), "no lists: give --list=... or --data=... (see --help)");
@@ -89,17 +90,12 @@ bool Options::parse(int argc, char** argv)
     csv = parser.get<cv::String>("csv");
     runsCsv = parser.get<cv::String>("runs");
 
-    threshold = parser.has("threshold") ? parser.get<double>("threshold") : 0;
-    maxIterations = parser.has("maxIters") ? parser.get<int>("maxIters") : 0;
-    confidence = parser.get<double>("confidence");
-    repeats = parser.get<int>("repeats");
-    seed = parser.get<int>("seed");
-    threads = parser.get<int>("threads");
-    if (!parser.check())
-    {
-        parser.printErrors();
-        throw std::runtime_error("wrong command line");
-    }
+    threshold = parser.has("threshold") ? numberOf(parser, "threshold") : 0;
+    maxIterations = parser.has("maxIters") ? integerOf(parser, "maxIters") : 0;
+    confidence = numberOf(parser, "confidence");
+    repeats = integerOf(parser, "repeats");
+    seed = integerOf(parser, "seed");
+    threads = integerOf(parser, "threads");
     require(threshold > 0 || !parser.has("threshold"), "--threshold: expected a number above 0");
     require(maxIterations > 0 || !parser.has("maxIters"), "--maxIters: expected a number above 0");
     require(confidence > 0 && confidence < 1, "--confidence: expected a number between 0 and 1");

@@ -34,8 +34,12 @@ const IntField INT_FIELDS[] = {
     { "sampler", &Params::sampler },
     { "prior", &Params::prior },
     { "scoreOrder", &Params::scoreOrder },
+    { "neighbourhood", &Params::neighbourhood },
+    { "neighbours", &Params::neighbours },
+    { "residual", &Params::residual },
     { "quality", &Params::quality },
     { "verification", &Params::verification },
+    { "tddPoints", &Params::tddPoints },
     { "localOptimization", &Params::localOptimization },
     { "localIterations", &Params::localIterations },
     { "localSampleMultiple", &Params::localSampleMultiple },
@@ -48,6 +52,7 @@ const IntField INT_FIELDS[] = {
 const DoubleField DOUBLE_FIELDS[] = {
     { "threshold", &Params::threshold },
     { "confidence", &Params::confidence },
+    { "neighbourRadius", &Params::neighbourRadius },
     { "spatialWeight", &Params::spatialWeight },
     { "relaxation", &Params::relaxation },
 };

@@ -32,12 +32,12 @@ Progress::Progress(int total_) : total(total_), done(0), active(isTerminal()), d
 
 void Progress::step(const std::string& what)
 {
-    ++done;
+    const int before = done++;
     if (!active || total <= 0)
         return;
-    const int width = 30, filled = (int)((long long)width * done / total);
+    const int width = 30, filled = (int)((long long)width * before / total);
     const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
-    std::fprintf(stderr, "\r[%s] %3d %% %-36.36s", bar.c_str(), (int)(100LL * done / total), what.c_str());
+    std::fprintf(stderr, "\r[%s] %3d %% %-36.36s", bar.c_str(), (int)(100LL * before / total), what.c_str());
     std::fflush(stderr);
     drawn = true;
 }

@@ -16,7 +16,7 @@ public:
     explicit Progress(int total);
     ~Progress() { clear(); }
 
-    //! One more of `total` is done. @param what what is being worked on.
+    //! The next of `total` begins. @param what what is being worked on.
     void step(const std::string& what);
     //! Removes the bar, so that a message can take its line.
     void clear();

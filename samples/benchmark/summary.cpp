@@ -16,11 +16,13 @@ const double NOT_KNOWN = std::numeric_limits<double>::quiet_NaN();
 
 //! All figures that averages are plain means of.
 double Summary::* const MEANS[] = {
-    &Summary::failures, &Summary::medianCpu, &Summary::meanCpu, &Summary::medianWall,
+    &Summary::failures, &Summary::medianCpu, &Summary::meanCpu, &Summary::medianWall, &Summary::meanWall,
     &Summary::auc5, &Summary::auc10, &Summary::auc20, &Summary::medianIterations
 };
 
-double Summary::* const RATIOS[] = { &Summary::errorRatio, &Summary::medianCpuRatio, &Summary::meanCpuRatio };
+double Summary::* const RATIOS[] = {
+    &Summary::errorRatio, &Summary::medianCpuRatio, &Summary::meanCpuRatio, &Summary::medianWallRatio, &Summary::meanWallRatio
+};
 
 double median(std::vector<double> values)
 {
@@ -88,13 +90,14 @@ Summary summariseRuns(const std::vector<Run>& runs)
         if (runs[i].iterations >= 0)
             iterations.push_back(runs[i].iterations);
     }
-    const std::vector<double> cpu = medianPerPair(runs, &Run::cpuMs);
+    const std::vector<double> cpu = medianPerPair(runs, &Run::cpuMs), wall = medianPerPair(runs, &Run::wallMs);
     summary.lists = summary.errorLists = 1;
     summary.medianError = median(errors);
     summary.failures = 100. * failures / runs.size();
     summary.medianCpu = median(cpu);
     summary.meanCpu = mean(cpu);
-    summary.medianWall = median(medianPerPair(runs, &Run::wallMs));
+    summary.medianWall = median(wall);
+    summary.meanWall = mean(wall);
     summary.auc5 = areaUnderCurve(runs, 5);
     summary.auc10 = areaUnderCurve(runs, 10);
     summary.auc20 = areaUnderCurve(runs, 20);
@@ -146,6 +149,8 @@ std::vector<Summary> summarise(const ListResult& result, int baseline)
         own.errorRatio = ratio(own.medianError, reference.medianError);
         own.medianCpuRatio = ratio(own.medianCpu, reference.medianCpu);
         own.meanCpuRatio = ratio(own.meanCpu, reference.meanCpu);
+        own.medianWallRatio = ratio(own.medianWall, reference.medianWall);
+        own.meanWallRatio = ratio(own.meanWall, reference.meanWall);
     }
     return summaries;
 }

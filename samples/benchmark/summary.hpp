@@ -22,12 +22,12 @@ struct Summary
     int errorLists;           //!< how many `medianError` is about
     double medianError;       //!< pixels; a failure has an infinite error
     double failures;          //!< percent
-    double medianCpu, meanCpu, medianWall;  //!< ms
+    double medianCpu, meanCpu, medianWall, meanWall;  //!< ms
     /** Mean of max(0, 1 - pose error / threshold) for 5, 10 and 20 degrees, in percent: the area under the cumulative
     distribution of the pose error from 0 to the threshold, without interpolation between its steps. */
     double auc5, auc10, auc20;
     double medianIterations;
-    double errorRatio, medianCpuRatio, meanCpuRatio;  //!< to the baseline
+    double errorRatio, medianCpuRatio, meanCpuRatio, medianWallRatio, meanWallRatio;  //!< to the baseline
 };
 
 //! Summaries of all methods on one list. @param baseline index of a method.

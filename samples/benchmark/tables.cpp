@@ -15,7 +15,7 @@ namespace {
 
 struct Column
 {
-    const char *title, *csvName, *format;
+    const char *title, *csvName, *format;  //!< no title: not in Markdown
     double Summary::*figure;
 };
 
@@ -25,6 +25,7 @@ const Column COLUMNS[] = {
     { "CPU median", "median_cpu_ms", "%.3f", &Summary::medianCpu },
     { "CPU mean", "mean_cpu_ms", "%.3f", &Summary::meanCpu },
     { "wall median", "median_wall_ms", "%.3f", &Summary::medianWall },
+    { 0, "mean_wall_ms", "%.3f", &Summary::meanWall },
     { "AUC@5", "auc5", "%.1f", &Summary::auc5 },
     { "AUC@10", "auc10", "%.1f", &Summary::auc10 },
     { "AUC@20", "auc20", "%.1f", &Summary::auc20 },
@@ -32,6 +33,8 @@ const Column COLUMNS[] = {
     { "error ratio", "error_ratio", "%.3f", &Summary::errorRatio },
     { "CPU median ratio", "median_cpu_ratio", "%.3f", &Summary::medianCpuRatio },
     { "CPU mean ratio", "mean_cpu_ratio", "%.3f", &Summary::meanCpuRatio },
+    { "wall median ratio", "median_wall_ratio", "%.3f", &Summary::medianWallRatio },
+    { 0, "mean_wall_ratio", "%.3f", &Summary::meanWallRatio },
 };
 
 //! A number as text, `unknown` if it is NaN.
@@ -58,11 +61,11 @@ std::string quoted(const std::string& text)
     return '"' + text + '"';
 }
 
-//! True if a figure is known for any method.
-bool isKnown(const std::vector<Summary>& rows, double Summary::*figure)
+//! True if Markdown has the column and its figure is known for any method.
+bool isShown(const std::vector<Summary>& rows, const Column& column)
 {
-    for (size_t m = 0; m < rows.size(); ++m)
-        if (!std::isnan(rows[m].*figure))
+    for (size_t m = 0; m < rows.size() && column.title; ++m)
+        if (!std::isnan(rows[m].*column.figure))
             return true;
     return false;
 }
@@ -140,7 +143,7 @@ void Tables::markdownTable(std::ostream& out, const Table& table) const
         rule += "---:|";
     }
     for (const Column& column : COLUMNS)
-        if (isKnown(table.rows, column.figure))
+        if (isShown(table.rows, column))
         {
             head += std::string(" ") + column.title + " |";
             rule += "---:|";
@@ -156,7 +159,7 @@ void Tables::markdownTable(std::ostream& out, const Table& table) const
         if (averages)
             out << " " << row.lists << " (" << row.errorLists << ") |";
         for (const Column& column : COLUMNS)
-            if (isKnown(table.rows, column.figure))
+            if (isShown(table.rows, column))
                 out << " " << print(row.*column.figure, column.format, "-") << " |";
         out << "\n";
     }

@@ -8,9 +8,11 @@
 #include "opencv2/ts.hpp"
 #include "opencv2/calib3d.hpp"
 #include "opencv2/usac.hpp"
+#include "scenes.hpp"
 
 namespace opencv_test {
 using namespace perf;
+using namespace cv::usacv20;
 }
 
 #endif

@@ -9,7 +9,7 @@
 namespace opencv_test { namespace {
 
 //! OpenCV's flags and ours, in one list.
-CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USACV20, USACV20_FAST, USACV20_ACCURATE)
+CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_MAGSAC, USACV20, USACV20_FAST, USACV20_ACCURATE)
 typedef TestBaseWithParam<Method> UsacMethod;
 
 //! A set of test_data/ of the project, repeated with offsets of a tenth of a pixel to `repeat` times its size.

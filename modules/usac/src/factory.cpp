@@ -64,16 +64,26 @@ Ptr<Neighbourhood> createNeighbourhood(const Params& params)
     }
 }
 
-Ptr<Residual> createResidual(ProblemType problem)
+Ptr<Residual> createResidual(ProblemType problem, int type)
 {
-    return problem == HOMOGRAPHY ? createTransferResidual() : createSampsonResidual();
+    switch (type)
+    {
+    case RESIDUAL_SYMMETRIC:
+        return problem == HOMOGRAPHY ? createSymmetricTransferResidual() : createSymmetricEpipolarResidual();
+    default:
+        return problem == HOMOGRAPHY ? createTransferResidual() : createSampsonResidual();
+    }
 }
 
-Ptr<Score> createScore(int type)
+Ptr<Score> createScore(int type, const Correspondences& points, int sampleSize)
 {
     switch (type)
     {
     case QUALITY_INLIERS: return createInlierScore();
+    case QUALITY_MLESAC: return createMlesacScore(points);
+    case QUALITY_LMEDS: return createLmedsScore(points, sampleSize);
+    case QUALITY_MAGSAC: return createMagsacScore(points);
+    case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(points.problem);
     default: return createMsacScore();
     }
 }
@@ -93,6 +103,10 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
     switch (type)
     {
     case LOCAL_OPTIMIZATION_NONE: return Ptr<LocalOptimizer>();
+    case LOCAL_OPTIMIZATION_LO_RANSAC: return createLoRansacOptimizer();
+    case LOCAL_OPTIMIZATION_FLO_RANSAC: return createFloRansacOptimizer();
+    case LOCAL_OPTIMIZATION_SIGMA_CONSENSUS: return createSigmaConsensus();
+    case LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS: return createSigmaConsensusPlusPlus();
     default: return createGraphCutOptimizer();
     }
 }
@@ -115,6 +129,8 @@ void createTerminations(int flags, const Correspondences& points, std::vector<Pt
         terminations.push_back(createPNapsacTermination());
     if (flags & TERMINATION_PROSAC)
         terminations.push_back(createProsacTermination(points));
+    if (flags & TERMINATION_MAGSAC)
+        terminations.push_back(createMagsacTermination());
 }
 
 Ptr<Polisher> createPolisher(int type)
@@ -122,6 +138,7 @@ Ptr<Polisher> createPolisher(int type)
     switch (type)
     {
     case POLISHING_NONE: return Ptr<Polisher>();
+    case POLISHING_REWEIGHTED: return createReweightedPolisher();
     case POLISHING_ROBUST: return createRobustPolisher();
     default: return createLeastSquaresPolisher();
     }
@@ -133,14 +150,14 @@ Components createComponents(const Correspondences& points, const Params& params)
 {
     const ProblemType problem = points.problem;
     Components parts;
-    parts.residual = createResidual(problem);
-    parts.score = createScore(params.quality);
+    parts.residual = createResidual(problem, params.residual);
+    parts.minimalSolver = createMinimalSolver(problem);
+    parts.score = createScore(params.quality, points, parts.minimalSolver->sampleSize());
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
         parts.prior = createPrior(params.prior, points.scores != 0);
     parts.neighbourhood = createNeighbourhood(params);
     parts.sampler = createSampler(params.sampler);
-    parts.minimalSolver = createMinimalSolver(problem);
-    parts.nonMinimalSolver = createLeastSquaresSolver(problem);
+    parts.nonMinimalSolver = createLeastSquaresSolver(problem, parts.residual->kind());
     createDegeneracies(params.degeneracy, problem, parts.degeneracies);
     parts.verifier = createVerifier(params, problem);
     parts.localOptimizer = createLocalOptimizer(params.localOptimization);

@@ -13,7 +13,7 @@ Params::Params()
       neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
       spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT), relaxation(0.03),
-      degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC), polishing(POLISHING_LEAST_SQUARES)
+      degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC), polishing(POLISHING_ROBUST)
 {
 }
 
@@ -184,7 +184,7 @@ void read(const FileNode& node, Params& params, const Params& defaults)
 
 bool isUsacV20Method(int method)
 {
-    return (method >= USACV20 && method <= USACV20_PROSAC) || method == USACV20_PARALLEL;
+    return method >= USACV20 && method <= USACV20_PARALLEL;
 }
 
 UsacV20Method methodFromInt(int method)

@@ -28,11 +28,10 @@ Params Params::accurate()
     params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
     params.localIterations = 10;
     params.localSamples = 10;
-    params.polishing = POLISHING_ROBUST;
     return params;
 }
 
-Params Params::prosac()
+Params Params::sorted()
 {
     Params params;
     params.sampler = SAMPLER_PROSAC;
@@ -56,6 +55,97 @@ Params Params::ransac()
     params.localOptimization = LOCAL_OPTIMIZATION_NONE;
     params.termination = TERMINATION_STANDARD;
     params.degeneracy = 0;
+    params.polishing = POLISHING_LEAST_SQUARES;
+    return params;
+}
+
+Params Params::msac()
+{
+    Params params = ransac();
+    params.quality = QUALITY_MSAC;
+    return params;
+}
+
+Params Params::lmeds()
+{
+    Params params = ransac();
+    params.quality = QUALITY_LMEDS;
+    return params;
+}
+
+Params Params::mlesac()
+{
+    Params params = ransac();
+    params.quality = QUALITY_MLESAC;
+    return params;
+}
+
+Params Params::prosac()
+{
+    Params params = ransac();
+    params.sampler = SAMPLER_PROSAC;
+    params.prior = PRIOR_INPUT_ORDER;
+    params.termination = TERMINATION_PROSAC;
+    return params;
+}
+
+Params Params::loRansac()
+{
+    Params params = ransac();
+    params.localOptimization = LOCAL_OPTIMIZATION_LO_RANSAC;
+    params.localSamples = 10;
+    params.localIterations = 4;
+    params.localSampleMultiple = 2;
+    return params;
+}
+
+Params Params::floRansac()
+{
+    Params params = loRansac();
+    params.quality = QUALITY_MSAC;
+    params.localOptimization = LOCAL_OPTIMIZATION_FLO_RANSAC;
+    params.localSamples = 4;
+    return params;
+}
+
+Params Params::gcRansac()
+{
+    Params params;
+    params.localSamples = 20;
+    params.localIterations = 10;
+    params.localSampleMultiple = 7;
+    params.termination = TERMINATION_STANDARD;
+    params.degeneracy = DEGENERACY_ORIENTATION;
+    params.polishing = POLISHING_LEAST_SQUARES;
+    return params;
+}
+
+Params Params::usac2013()
+{
+    Params params = loRansac();
+    params.sampler = SAMPLER_PROSAC;
+    params.verification = VERIFICATION_SPRT;
+    params.termination = TERMINATION_SPRT | TERMINATION_PROSAC;
+    params.degeneracy = DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC;
+    return params;
+}
+
+Params Params::magsac()
+{
+    Params params = ransac();
+    params.quality = QUALITY_MAGSAC;
+    params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS;
+    params.termination = TERMINATION_MAGSAC;
+    params.polishing = POLISHING_REWEIGHTED;
+    return params;
+}
+
+Params Params::magsacPlusPlus()
+{
+    Params params;
+    params.quality = QUALITY_MAGSAC_PLUS_PLUS;
+    params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
+    params.polishing = POLISHING_REWEIGHTED;
     return params;
 }
 
@@ -65,11 +155,27 @@ Params Params::fromMethod(int method)
     {
     case USACV20_FAST: return fast();
     case USACV20_ACCURATE: return accurate();
-    case USACV20_PROSAC: return prosac();
+    case USACV20_PROSAC: return sorted();
+    case USACV20_MAGSAC: return magsacPlusPlus();
     case USACV20_PARALLEL: return parallel();
     default: return usacV20();
     }
 }
+
+namespace {
+
+//! LMedS in the place of the quality, and what it rules out.
+void useLmeds(Params& params)
+{
+    const Params lmeds = Params::lmeds();
+    params.quality = lmeds.quality;
+    params.verification = lmeds.verification;
+    params.localOptimization = lmeds.localOptimization;
+    params.termination = lmeds.termination;
+    params.degeneracy = DEGENERACY_ORIENTATION;
+}
+
+} // namespace
 
 Params Params::fromUsacParams(const cv::UsacParams& other)
 {
@@ -82,13 +188,30 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     switch (other.sampler)
     {
     case SAMPLING_UNIFORM: params.sampler = SAMPLER_UNIFORM; break;
+    case SAMPLING_NAPSAC: params.sampler = SAMPLER_NAPSAC; break;
     case SAMPLING_PROSAC: params.sampler = SAMPLER_PROSAC; params.prior = PRIOR_INPUT_ORDER; break;
     default: params.sampler = SAMPLER_P_NAPSAC;
     }
-    if (other.score == SCORE_METHOD_RANSAC)
-        params.quality = QUALITY_INLIERS;
-    if (other.loMethod == LOCAL_OPTIM_NULL)
-        params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    switch (other.neighborsSearch)
+    {
+    case NEIGH_FLANN_KNN: params.neighbourhood = NEIGHBOURHOOD_KNN; break;
+    case NEIGH_FLANN_RADIUS: params.neighbourhood = NEIGHBOURHOOD_RADIUS; break;
+    default: params.neighbourhood = NEIGHBOURHOOD_GRID;
+    }
+    switch (other.loMethod)
+    {
+    case LOCAL_OPTIM_NULL: params.localOptimization = LOCAL_OPTIMIZATION_NONE; break;
+    case LOCAL_OPTIM_GC: params.localOptimization = LOCAL_OPTIMIZATION_GRAPH_CUT; break;
+    case LOCAL_OPTIM_SIGMA: params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS; break;
+    default: params.localOptimization = LOCAL_OPTIMIZATION_LO_RANSAC;
+    }
+    switch (other.score)
+    {
+    case SCORE_METHOD_RANSAC: params.quality = QUALITY_INLIERS; break;
+    case SCORE_METHOD_MAGSAC: params.quality = QUALITY_MAGSAC_PLUS_PLUS; break;
+    case SCORE_METHOD_LMEDS: useLmeds(params); break;
+    default: params.quality = QUALITY_MSAC;
+    }
     return params;
 }
 

@@ -119,12 +119,13 @@ ProblemData::ProblemData(ProblemType problem, InputArray points1, InputArray poi
     read(points1, points2);
     params.check((int)input[0].size());
     inputThreshold = params.threshold;
+    pixels = 1;
     if (problem == ESSENTIAL)
         calibrate(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
     view.problem = problem;
     view.inputSize = (int)input[0].size();
     shuffle(params);
-    scale();
+    scale(params.residual == RESIDUAL_SYMMETRIC);
 }
 
 void ProblemData::read(InputArray points1, InputArray points2)
@@ -153,7 +154,8 @@ void ProblemData::calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, 
     const int count = (int)input[0].size();
     undistort(K1, distCoeffs1, input[0].data(), input[1].data(), count);
     undistort(K2, distCoeffs2, input[2].data(), input[3].data(), count);
-    inputThreshold /= (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
+    pixels = (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
+    inputThreshold /= pixels;
 }
 
 /** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. */
@@ -189,8 +191,9 @@ void ProblemData::shuffle(const Params& params)
     view.scores = scores.empty() ? 0 : scores.data();
 }
 
-/** Moves H and F to the centre and to unit scale; E keeps the scale that its constraints need. */
-void ProblemData::scale()
+/** Moves H and F to the centre and to unit scale; E keeps the scale that its constraints need. `bothImages`: errors of both
+images are compared. */
+void ProblemData::scale(bool bothImages)
 {
     double s[2] = {1, 1};
     for (int k = 0; k < 4; ++k)
@@ -202,7 +205,7 @@ void ProblemData::scale()
             const double size = (deviation[2 * image] + deviation[2 * image + 1]) / 2;
             s[image] = size > 1e-300 ? 1 / size : 1;
         }
-        if (view.problem == FUNDAMENTAL)  // a common scale: Sampson's distance scales with it
+        if (view.problem == FUNDAMENTAL || bothImages)  // a common scale, with which the errors scale
             s[0] = s[1] = std::sqrt(s[0] * s[1]);
     }
     for (int k = 0; k < 4; ++k)
@@ -236,6 +239,14 @@ void ProblemData::scale()
     view.dy1 = doubles.ptr<double>(1);
     view.dx2 = doubles.ptr<double>(2);
     view.dy2 = doubles.ptr<double>(3);
+}
+
+//! Exact data may ask for 0, which is below the rounding of the errors.
+void ProblemData::setThreshold(double threshold)
+{
+    const double allowed = threshold == view.threshold ? threshold : std::max(threshold, 1e-6);
+    inputThreshold *= allowed / view.threshold;
+    view.threshold = allowed;
 }
 
 bool ProblemData::toInput(const Model& model, Matx33d& result) const

@@ -20,6 +20,10 @@ public:
 
     const Correspondences& points() const { return view; }
 
+    //! In pixels.
+    double threshold() const { return inputThreshold * pixels; }
+    //! Another one for the rest of the run, in the coordinates of points().
+    void setThreshold(double threshold);
     //! Model in the caller's (E: normalised) coordinates, normalised as documented; false if it is not finite.
     bool toInput(const Model& model, Matx33d& result) const;
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.
@@ -28,11 +32,12 @@ public:
 private:
     void read(InputArray points1, InputArray points2);
     void calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
-    void scale();
+    void scale(bool bothImages);
     void shuffle(const Params& params);
 
     Correspondences view;
     double inputThreshold;                //!< in the coordinates of `input`
+    double pixels;                        //!< in one unit of `input`
     std::vector<double> input[4];         //!< all rows: x1, y1, x2, y2 (E: on the normalised image plane)
     double centre[4], deviation[4];       //!< of each of them, robust
     Mat floats, doubles;                  //!< 4 rows each; cv::Mat aligns them

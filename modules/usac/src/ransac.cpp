@@ -12,6 +12,8 @@ namespace usacv20 {
 namespace {
 
 enum { FIRST_BATCH = 16, LARGEST_BATCH = 256 };
+//! This part of the inliers in common makes two models the same for the local optimisation.
+const double SAME_INLIERS = 0.95;
 //! Streams of random numbers beside those of the iterations.
 const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
@@ -147,13 +149,33 @@ void Ransac::improve(const int* sample, Model model, Quality quality)
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
     if (!recover(sample, model, quality))                                                   // 14
         return;                                                                             // 15, 16
-    if (parts.localOptimizer)
+    if (parts.localOptimizer && isNew(model))
         optimize(model, quality);                                                           // 19 - 24
     if (!quality.betterThan(state.bestQuality))                                             // 18
         return;
     state.best = model;                                                                     // 25
     state.bestQuality = quality;
     updateTermination();                                                                    // 26
+}
+
+/* The optimisation of a model most of whose inliers are those of the optimised best one would lead there again. */
+bool Ransac::isNew(const Model& model)
+{
+    if (state.bestQuality.inliers == 0)
+        return true;
+    const Correspondences& points = context.points;
+    const float limit = (float)(points.threshold * points.threshold);
+    errors.resize(points.size);
+    bestErrors.resize(points.size);
+    parts.residual->squaredErrors(points, model, 0, points.size, errors.data());
+    parts.residual->squaredErrors(points, state.best, 0, points.size, bestErrors.data());
+    int inliers = 0, common = 0;
+    for (int i = 0; i < points.size; ++i)
+    {
+        inliers += errors[i] <= limit;
+        common += errors[i] <= limit && bestErrors[i] <= limit;
+    }
+    return common < SAME_INLIERS * inliers;
 }
 
 //! Lines 19 to 24; a second time if the optimised model was degenerate and a better one took its place.

@@ -44,6 +44,7 @@ private:
     void hypothesiseBatch();
     void improve(const int* sample, Model model, Quality quality);
     void optimize(Model& model, Quality& quality);
+    bool isNew(const Model& model);
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
@@ -52,6 +53,7 @@ private:
     const Components& parts;
     State& state;
     std::vector<Hypotheses> batch;
+    std::vector<float> errors, bestErrors;
     const int threads;
     int required, requiredReason;
     double localTicks;

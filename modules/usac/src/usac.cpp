@@ -66,6 +66,7 @@ private:
         Mat result;
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
+            data.setThreshold(parts.score->threshold(context, state.best));
             if (parts.polisher)
                 parts.polisher->polish(context, state.best);
             if (data.points().problem == ESSENTIAL)  // what a minimal solver found may miss the constraints
@@ -83,6 +84,7 @@ private:
             learned.stop = STOP_NO_MODEL;
         if (mask.needed())
             Mat(inliers, false).reshape(1, context.points.inputSize).copyTo(mask);
+        learned.threshold = data.threshold();
         learned.polishMs = milliseconds(start);
         if (report)
             *report = learned;

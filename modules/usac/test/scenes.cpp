@@ -2,13 +2,25 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "test_precomp.hpp"
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include "opencv2/calib3d.hpp"
 
 namespace opencv_test {
 
+using namespace cv;
+using namespace cv::usacv20;
+
 namespace {
 
-const double WIDTH = 640, HEIGHT = 480, FOCAL = 600, MARGIN = 5;
+const double WIDTH = SCENE_WIDTH, HEIGHT = SCENE_HEIGHT, FOCAL = 600, MARGIN = 5;
+//! Of OUTLIERS_LOCAL, pixels.
+const double MIN_SHIFT = 5, MAX_SHIFT = 50;
+//! Of OUTLIERS_MANY_TO_ONE.
+const int MATCHES_OF_ONE_POINT = 10;
 
 Matx33d crossMatrix(const Vec3d& v)
 {
@@ -85,7 +97,38 @@ void seenPoint(const Scene& scene, const Vec3d& normal, bool plane, RNG& rng, Po
     while (!inside(p2));
 }
 
+//! A match as from repeated texture close by: right but for a shift in image 2.
+void shiftedPoint(const Scene& scene, const Vec3d& normal, RNG& rng, Point2d& p1, Point2d& p2)
+{
+    do
+    {
+        seenPoint(scene, normal, scene.problem == HOMOGRAPHY, rng, p1, p2);
+        const double direction = rng.uniform(0., 2 * CV_PI), length = rng.uniform(MIN_SHIFT, MAX_SHIFT);
+        p2 += Point2d(std::cos(direction), std::sin(direction)) * length;
+    }
+    while (!inside(p2) || pixelError(scene, scene.model, p1, p2) < MIN_SHIFT);
+}
+
+//! With numbers of their own, so that the points do not depend on them.
+void makeScores(Scene& scene, const SceneOptions& options)
+{
+    const double q = options.scoreInformation;
+    CV_Assert(q > 0 && q <= 1);
+    RNG rng(0x9e3779b9 + 7919 * options.seed);
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const double u = rng.uniform(0., 1.);
+        scene.scores.push_back((float)(scene.truth[i] ? 1 - std::pow(u, (1 - q) / q) : u));
+    }
+}
+
 } // namespace
+
+void SceneOptions::setSize(int size, double inlierRatio)
+{
+    inliers = cvRound(size * inlierRatio);
+    outliers = size - inliers;
+}
 
 Scene makeScene(ProblemType problem, const SceneOptions& options)
 {
@@ -95,6 +138,7 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
     const Vec3d normal = makeGeometry(scene, rng, options.angle);
     const int size = options.inliers + options.outliers, own = options.inliers - options.duplicates;
     CV_Assert(own > 0);
+    const int shared = std::min(own, options.outliers / MATCHES_OF_ONE_POINT + 1);
     const int planar = problem == HOMOGRAPHY ? own : cvRound(own * options.planeFraction);
     std::vector<int> order(size);
     for (int i = 0; i < size; ++i)
@@ -124,6 +168,13 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
         scene.onPlane[row] = i < planar;
         if (i < own)
             seenPoint(scene, normal, i < planar, rng, p1, p2);
+        else if (options.outlierModel == OUTLIERS_LOCAL)
+            shiftedPoint(scene, normal, rng, p1, p2);
+        else if (options.outlierModel == OUTLIERS_MANY_TO_ONE)
+        {
+            p1 = randomPixel(rng);
+            p2 = scene.points2[order[rng.uniform(0, shared)]];
+        }
         else
         {
             p1 = randomPixel(rng);
@@ -133,6 +184,7 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
         scene.points1[row] = p1 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
         scene.points2[row] = p2 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
     }
+    makeScores(scene, options);
     return scene;
 }
 

@@ -11,27 +11,49 @@
 
 namespace opencv_test {
 
+//! Size of both images.
+enum { SCENE_WIDTH = 640, SCENE_HEIGHT = 480 };
+
+//! Where the wrong matches are.
+enum OutlierModel
+{
+    OUTLIERS_UNIFORM,     //!< anywhere in both images
+    OUTLIERS_LOCAL,       //!< a true match (H: on the plane), displaced in image 2 by 5 to 50 pixels, at least 5 off the model
+    OUTLIERS_MANY_TO_ONE  //!< in image 2 the point of a true match, about ten with the same; anywhere in image 1
+};
+
 //! What a synthetic scene looks like.
 struct SceneOptions
 {
-    SceneOptions() : inliers(200), outliers(100), noise(0.5), seed(1), planeFraction(0), duplicates(0), angle(12) {}
+    SceneOptions()
+        : inliers(200), outliers(100), noise(0.5), seed(1), planeFraction(0), duplicates(0), angle(12),
+          outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5) {}
 
-    int inliers;           //!< true matches
-    int outliers;          //!< uniform in both images
-    double noise;          //!< standard deviation in each of the four coordinates, pixels
+    //! Sets `inliers` and `outliers`.
+    void setSize(int size, double inlierRatio);
+
+    int inliers;              //!< true matches
+    int outliers;             //!< wrong matches
+    double noise;             //!< standard deviation in each of the four coordinates, pixels
     uint64 seed;
-    double planeFraction;  //!< F, E: this part of the true matches lies on one plane; H: all do
-    int duplicates;        //!< of the true matches, this many are copies of others
-    double angle;          //!< rotation between the cameras, degrees
+    double planeFraction;     //!< F, E: this part of the true matches lies on one plane; H: all do
+    int duplicates;           //!< of the true matches, this many are copies of others
+    double angle;             //!< rotation between the cameras, degrees
+    OutlierModel outlierModel;
+    //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing, 1: all.
+    double scoreInformation;
 };
 
 /** @brief Two images of 640 x 480 pixels of points in space, with the exact model.
 
-Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0 they are as `points`. */
+Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0 they are as `points`.
+Scores lie between 0 and 1, lower is better: those of wrong matches are uniform, those of true matches are 1 - u^((1 - q) / q)
+with u uniform and q the option `scoreInformation`. H, F and E have the same cameras, F and E also the same points. */
 struct Scene
 {
     cv::usacv20::ProblemType problem;
     std::vector<cv::Point2d> points1, points2, clean1, clean2;
+    std::vector<float> scores;
     std::vector<uchar> truth;    //!< 1: a true match
     std::vector<uchar> onPlane;  //!< 1: a true match on the plane
     cv::Matx33d model;           //!< H with h33 = 1, F or E of unit Frobenius norm

@@ -148,7 +148,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacContracts, testing::Values((int)HOMOGRAPHY, (i
 
 std::vector<Params> allPresets()
 {
-    const Params presets[] = {Params::usacV20(), Params::fast(), Params::accurate(), Params::prosac(), Params::ransac(),
+    const Params presets[] = {Params::usacV20(), Params::fast(), Params::accurate(), Params::sorted(), Params::ransac(),
                               Params::parallel()};
     return std::vector<Params>(presets, presets + 6);
 }

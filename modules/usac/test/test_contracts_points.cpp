@@ -17,7 +17,7 @@ const int SAMPLE_SIZES[] = {4, 7, 5};
 Mat tryPoints(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
               double pixels = 1.5)
 {
-    const Params presets[] = {Params::fast(), Params::accurate(), Params::prosac(), Params::ransac(), Params::usacV20()};
+    const Params presets[] = {Params::fast(), Params::accurate(), Params::sorted(), Params::ransac(), Params::usacV20()};
     Mat model;
     for (int i = 0; i < 5; ++i)
     {

@@ -11,8 +11,9 @@ namespace opencv_test { namespace {
 typedef UsacProblem UsacFlags;
 INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_PARALLEL};
-const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4005}, FLAG_COUNT = 5;
+const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC,
+                               USACV20_MAGSAC, USACV20_PARALLEL};
+const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005}, FLAG_COUNT = 6;
 //! So low and so few that they show in the answer.
 const double LOW = 1e-15;
 const int FEW = 20;
@@ -21,7 +22,8 @@ const int FEW = 20;
 Params presetOf(UsacV20Method flag)
 {
     return flag == USACV20 ? Params::usacV20() : flag == USACV20_FAST ? Params::fast()
-         : flag == USACV20_ACCURATE ? Params::accurate() : flag == USACV20_PROSAC ? Params::prosac()
+         : flag == USACV20_ACCURATE ? Params::accurate() : flag == USACV20_PROSAC ? Params::sorted()
+         : flag == USACV20_MAGSAC ? Params::magsacPlusPlus()
          : Params::parallel();
 }
 
@@ -113,7 +115,7 @@ TEST_P(UsacFlags, arguments_matter_in_the_scene_of_these_tests)
     const UsacV20Method flag = USACV20_ACCURATE;
     const Wanted wanted(scene, paramsOf(flag, 2, 0.98, 1000));
     const Params others[] = {paramsOf(flag, 1, 0.98, 1000), paramsOf(flag, 2, LOW, 1000), paramsOf(flag, 2, 0.98, FEW),
-                             paramsOf(USACV20_FAST, 2, 0.98, 1000)};
+                             paramsOf(USACV20_MAGSAC, 2, 0.98, 1000)};
     for (int i = 0; i < 4; ++i)
         EXPECT_FALSE(sameBits(wanted.model, estimate(scene, others[i]))) << "change " << i;
 }

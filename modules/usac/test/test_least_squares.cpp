@@ -34,30 +34,46 @@ std::vector<double> randomWeights(int count, RNG& rng)
     return weights;
 }
 
-//! Square roots of the weights times the residuals, written down independently of the solver.
-Eigen::VectorXd residuals(const Correspondences& p, const std::vector<int>& indices, const double* weights, const Model& M)
+//! The three problems with the standard, then with the symmetric residual.
+ProblemType problemOf(int param)
 {
-    const bool transfer = p.problem == HOMOGRAPHY;
-    Eigen::VectorXd r((transfer ? 2 : 1) * indices.size());
+    return (ProblemType)(param % 3);
+}
+
+Residual::Kind kindOf(int param)
+{
+    if (problemOf(param) == HOMOGRAPHY)
+        return param < 3 ? Residual::TRANSFER : Residual::SYMMETRIC_TRANSFER;
+    return param < 3 ? Residual::SAMPSON : Residual::SYMMETRIC_EPIPOLAR;
+}
+
+//! Square roots of the weights times the residuals, written down independently of the solver.
+Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p, const std::vector<int>& indices,
+                          const double* weights, const Model& M)
+{
+    const int rows = kind == Residual::TRANSFER ? 2 : kind == Residual::SYMMETRIC_TRANSFER ? 4 : kind == Residual::SAMPSON ? 1 : 2;
+    Eigen::VectorXd r(rows * indices.size());
     for (size_t k = 0; k < indices.size(); ++k)
     {
         const int i = indices[k];
-        const Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1), y = M * x1, z = M.t() * x2;
-        const double w = std::sqrt(weights ? weights[k] : 1);
-        if (transfer)
-        {
-            r[2 * k] = w * (y[0] / y[2] - x2[0]);
-            r[2 * k + 1] = w * (y[1] / y[2] - x2[1]);
-        }
-        else
-            r[k] = w * x2.dot(y) / std::sqrt(y[0] * y[0] + y[1] * y[1] + z[0] * z[0] + z[1] * z[1]);
+        const Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1), y = M * x1;
+        const double w = std::sqrt(weights ? weights[k] : 1), n = w * x2.dot(y);
+        const Vec3d z = M.t() * x2, back = M.inv() * x2;
+        const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1];
+        const double transfer[4] = {w * (y[0] / y[2] - x2[0]), w * (y[1] / y[2] - x2[1]), w * (back[0] / back[2] - x1[0]),
+                                    w * (back[1] / back[2] - x1[1])};
+        const double lines[2] = {n / std::sqrt(first), n / std::sqrt(second)}, sampson = n / std::sqrt(first + second);
+        const double* values = kind == Residual::SAMPSON ? &sampson : kind == Residual::SYMMETRIC_EPIPOLAR ? lines : transfer;
+        for (int j = 0; j < rows; ++j)
+            r[rows * k + j] = values[j];
     }
     return r;
 }
 
-double costOf(const Correspondences& p, const std::vector<int>& indices, const double* weights, const Model& M)
+double costOf(Residual::Kind kind, const Correspondences& p, const std::vector<int>& indices, const double* weights,
+              const Model& M)
 {
-    return residuals(p, indices, weights, M).squaredNorm();
+    return residuals(kind, p, indices, weights, M).squaredNorm();
 }
 
 //! A model near the truth.
@@ -83,7 +99,8 @@ typedef testing::TestWithParam<int> Usac_LeastSquares;
 
 TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
 {
-    const ProblemType problem = (ProblemType)GetParam();
+    const ProblemType problem = problemOf(GetParam());
+    const Residual::Kind kind = kindOf(GetParam());
     const Scene scene = sceneOf(problem, 3);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Correspondences& points = usac->points();
@@ -94,7 +111,7 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
     {
         const double* w = repeat % 2 ? weights.data() : 0;
         const Model model = perturbed(toInternal(points, scene.model), 0.01, rng);
-        const Eigen::VectorXd r = residuals(points, indices, w, model);
+        const Eigen::VectorXd r = residuals(kind, points, indices, w, model);
         Eigen::MatrixXd J(r.size(), 9);
         for (int i = 0; i < 9; ++i)
         {
@@ -102,10 +119,10 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
             Model plus = model, minus = model;
             plus.val[i] += step;
             minus.val[i] -= step;
-            J.col(i) = (residuals(points, indices, w, plus) - residuals(points, indices, w, minus)) / (2 * step);
+            J.col(i) = (residuals(kind, points, indices, w, plus) - residuals(kind, points, indices, w, minus)) / (2 * step);
         }
         NormalEquations sums;
-        sums.accumulate(problem, points, indices.data(), points.size, w, model);
+        sums.accumulate(kind, PointChunks(points, indices.data(), points.size, w), model);
         EXPECT_NEAR(r.squaredNorm(), sums.cost, 1e-10 * r.squaredNorm());
         const Vector9 Jtr = J.transpose() * r;
         const Eigen::Matrix<double, 9, 9> JtJ = J.transpose() * J;
@@ -117,7 +134,8 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
 
 TEST_P(Usac_LeastSquares, normalEquationsOfSomePoints)
 {
-    const ProblemType problem = (ProblemType)GetParam();
+    const ProblemType problem = problemOf(GetParam());
+    const Residual::Kind kind = kindOf(GetParam());
     const Scene scene = sceneOf(problem, 3);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Correspondences& points = usac->points();
@@ -125,8 +143,8 @@ TEST_P(Usac_LeastSquares, normalEquationsOfSomePoints)
     const int some[] = {7, 3, 50, 12, 3};
     const std::vector<int> indices(some, some + 5);
     NormalEquations sums;
-    sums.accumulate(problem, points, some, 5, 0, model);
-    const double expected = costOf(points, indices, 0, model);
+    sums.accumulate(kind, PointChunks(points, some, 5, 0), model);
+    const double expected = costOf(kind, points, indices, 0, model);
     EXPECT_NEAR(expected, sums.cost, 1e-10 * expected);
 }
 
@@ -146,7 +164,7 @@ void expectOnManifold(ProblemType problem, const Model& model)
 
 TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
 {
-    const ProblemType problem = (ProblemType)GetParam();
+    const ProblemType problem = problemOf(GetParam());
     RNG rng(2);
     for (int repeat = 0; repeat < 50; ++repeat)
     {
@@ -177,7 +195,7 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
 //! The closest point: a step along the manifold leads away from the model.
 TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
 {
-    const ProblemType problem = (ProblemType)GetParam();
+    const ProblemType problem = problemOf(GetParam());
     RNG rng(3);
     for (int repeat = 0; repeat < 50; ++repeat)
     {
@@ -198,10 +216,11 @@ TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
 }
 
 //! Largest correlation of the residuals with a direction of the manifold; 0 at a minimum.
-double slope(const Correspondences& points, const std::vector<int>& indices, const double* weights, const Model& model)
+double slope(Residual::Kind kind, const Correspondences& points, const std::vector<int>& indices, const double* weights,
+             const Model& model)
 {
     NormalEquations sums;
-    sums.accumulate(points.problem, points, indices.data(), (int)indices.size(), weights, model);
+    sums.accumulate(kind, PointChunks(points, indices.data(), (int)indices.size(), weights), model);
     const Manifold::Basis basis = Manifold(points.problem, model).tangent();
     double largest = 0;
     for (int k = 0; k < basis.cols(); ++k)
@@ -214,8 +233,9 @@ double slope(const Correspondences& points, const std::vector<int>& indices, con
 
 TEST_P(Usac_LeastSquares, reachesTheMinimum)
 {
-    const ProblemType problem = (ProblemType)GetParam();
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const ProblemType problem = problemOf(GetParam());
+    const Residual::Kind kind = kindOf(GetParam());
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     RNG rng(4);
     int steep = 0;
     for (int repeat = 0; repeat < 60; ++repeat)
@@ -231,21 +251,22 @@ TEST_P(Usac_LeastSquares, reachesTheMinimum)
         Model model = start;
         ASSERT_TRUE(solver->fit(points, indices.data(), points.size, w, model));
         expectOnManifold(problem, model);
-        const double cost = costOf(points, indices, w, model);
-        EXPECT_LT(cost, costOf(points, indices, w, start));
-        EXPECT_LE(cost, costOf(points, indices, w, truth) * (1 + 1e-6));
-        steep += slope(points, indices, w, model) > 1e-2;
+        const double cost = costOf(kind, points, indices, w, model);
+        EXPECT_LT(cost, costOf(kind, points, indices, w, start));
+        EXPECT_LE(cost, costOf(kind, points, indices, w, truth) * (1 + 1e-6));
+        steep += slope(kind, points, indices, w, model) > 1e-2;
         Model again = model;
         ASSERT_TRUE(solver->fit(points, indices.data(), points.size, w, again));
-        EXPECT_NEAR(cost, costOf(points, indices, w, again), 1e-4 * cost);
+        EXPECT_NEAR(cost, costOf(kind, points, indices, w, again), 1e-4 * cost);
     }
     EXPECT_LE(steep, 1);
 }
 
 TEST_P(Usac_LeastSquares, exactWithoutNoise)
 {
-    const ProblemType problem = (ProblemType)GetParam();
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const ProblemType problem = problemOf(GetParam());
+    const Residual::Kind kind = kindOf(GetParam());
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     RNG rng(5);
     for (int repeat = 0; repeat < 20; ++repeat)
     {
@@ -263,8 +284,9 @@ TEST_P(Usac_LeastSquares, exactWithoutNoise)
 //! However bad the start.
 TEST_P(Usac_LeastSquares, neverRaisesTheCost)
 {
-    const ProblemType problem = (ProblemType)GetParam();
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const ProblemType problem = problemOf(GetParam());
+    const Residual::Kind kind = kindOf(GetParam());
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     const Scene scene = sceneOf(problem, 5);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Correspondences& points = usac->points();
@@ -285,8 +307,8 @@ TEST_P(Usac_LeastSquares, neverRaisesTheCost)
         fitted += done;
         if (done)
         {
-            EXPECT_LE(costOf(points, some, weights.data(), model),
-                      costOf(points, some, weights.data(), start) * (1 + 1e-9));
+            EXPECT_LE(costOf(kind, points, some, weights.data(), model),
+                      costOf(kind, points, some, weights.data(), start) * (1 + 1e-9));
         }
         else
         {
@@ -299,8 +321,9 @@ TEST_P(Usac_LeastSquares, neverRaisesTheCost)
 
 TEST_P(Usac_LeastSquares, zeroWeightsAreLikeAbsentPoints)
 {
-    const ProblemType problem = (ProblemType)GetParam();
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const ProblemType problem = problemOf(GetParam());
+    const Residual::Kind kind = kindOf(GetParam());
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     const Scene scene = sceneOf(problem, 1);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Correspondences& points = usac->points();
@@ -317,8 +340,9 @@ TEST_P(Usac_LeastSquares, zeroWeightsAreLikeAbsentPoints)
 
 TEST_P(Usac_LeastSquares, tooFewPoints)
 {
-    const ProblemType problem = (ProblemType)GetParam();
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const ProblemType problem = problemOf(GetParam());
+    const Residual::Kind kind = kindOf(GetParam());
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     const Scene scene = sceneOf(problem, 1);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const std::vector<int> indices = allOf(usac->points());
@@ -334,8 +358,9 @@ TEST_P(Usac_LeastSquares, tooFewPoints)
 
 TEST_P(Usac_LeastSquares, equalPoints)
 {
-    const ProblemType problem = (ProblemType)GetParam();
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem);
+    const ProblemType problem = problemOf(GetParam());
+    const Residual::Kind kind = kindOf(GetParam());
+    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     const OwnPoints points(problem, std::vector<Point2d>(20, Point2d(0.1, 0.2)),
                            std::vector<Point2d>(20, Point2d(0.3, -0.1)));
     const std::vector<int> indices = allOf(points.view());
@@ -344,9 +369,9 @@ TEST_P(Usac_LeastSquares, equalPoints)
     Model model = first;
     solver->fit(points.view(), indices.data(), 20, 0, model);
     EXPECT_TRUE(checkRange(Mat(model)));
-    EXPECT_LE(costOf(points.view(), indices, 0, model), costOf(points.view(), indices, 0, first) * (1 + 1e-9));
+    EXPECT_LE(costOf(kind, points.view(), indices, 0, model), costOf(kind, points.view(), indices, 0, first) * (1 + 1e-9));
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares, testing::Range(0, 6));
 
 }} // namespace

@@ -6,6 +6,8 @@
 #include "local_optimization/labelling.hpp"
 #include "local_optimization/local_optimization.hpp"
 
+#include <tuple>
+
 namespace opencv_test { namespace {
 
 //! Errors as given, whatever the model.
@@ -251,11 +253,12 @@ TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
     }
 }
 
-typedef testing::TestWithParam<int> Usac_LocalOptimization;
+//! Each problem with each kind of local optimisation.
+typedef testing::TestWithParam<std::tuple<int, int> > Usac_LocalOptimization;
 
 TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
 {
-    const ProblemType problem = (ProblemType)GetParam();
+    const ProblemType problem = (ProblemType)std::get<0>(GetParam());
     int improved = 0, tried = 0;
     for (int quality = 0; quality < 2; ++quality)
         for (uint64 seed = 1; seed <= 4; ++seed)
@@ -265,11 +268,12 @@ TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
             const Scene scene = makeScene(problem, options);
             Params params;
             params.quality = quality;
+            params.localOptimization = std::get<1>(GetParam());
             const Ptr<Usac> usac = createUsac(scene, params);
             const Context context(usac->points(), usac->components(), params);
-            const Ptr<LocalOptimizer> optimizer = createGraphCutOptimizer();
+            const Ptr<LocalOptimizer> optimizer = usac->components().localOptimizer;
             State state;
-            for (int i = 0; i < 100; ++i)
+            for (int i = 0; i < 50; ++i)
             {
                 int sample[MAX_SAMPLE_SIZE];
                 Model models[MAX_MODELS];
@@ -296,7 +300,7 @@ TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
 //! From a rough model to one that is as good as the truth.
 TEST_P(Usac_LocalOptimization, improvesRoughModels)
 {
-    const ProblemType problem = (ProblemType)GetParam();
+    const ProblemType problem = (ProblemType)std::get<0>(GetParam());
     int good = 0;
     const int SCENES = 30;
     for (uint64 seed = 1; seed <= SCENES; ++seed)
@@ -304,7 +308,13 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         SceneOptions options;
         options.seed = seed;
         const Scene scene = makeScene(problem, options);
-        const Params params;
+        Params params;
+        params.localOptimization = std::get<1>(GetParam());
+        if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS)  // whose threshold is a bound of the noise
+        {
+            params.threshold = 4;
+            params.quality = QUALITY_MAGSAC_PLUS_PLUS;
+        }
         const Ptr<Usac> usac = createUsac(scene, params);
         const Context context(usac->points(), usac->components(), params);
         const Quality truth = context.rate(toInternal(usac->points(), scene.model));
@@ -314,12 +324,13 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
             model.val[i] += rng.gaussian(problem == HOMOGRAPHY ? 2e-3 : 5e-4);
         State state;
         Quality quality = context.rate(model);
-        createGraphCutOptimizer()->optimize(context, state, model, quality);
+        usac->components().localOptimizer->optimize(context, state, model, quality);
         good += quality.cost < truth.cost * 1.02;
     }
     EXPECT_GE(good, SCENES * 8 / 10);
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization, testing::Combine(testing::Range(0, 3),
+    testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS + 1)));
 
 }} // namespace

@@ -3,58 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
+#include "params_fields.hpp"
 
 // Params: ranges, presets, conversion, storage. What each field does is in test_params_effects.cpp.
 
 namespace opencv_test { namespace {
-
-//! The fields but for the scores, by name.
-struct Fields
-{
-    static std::vector<std::pair<std::string, int Params::*> > ints()
-    {
-        std::vector<std::pair<std::string, int Params::*> > f;
-        f.push_back(std::make_pair("maxIterations", &Params::maxIterations));
-        f.push_back(std::make_pair("seed", &Params::seed));
-        f.push_back(std::make_pair("threads", &Params::threads));
-        f.push_back(std::make_pair("sampler", &Params::sampler));
-        f.push_back(std::make_pair("prior", &Params::prior));
-        f.push_back(std::make_pair("scoreOrder", &Params::scoreOrder));
-        f.push_back(std::make_pair("quality", &Params::quality));
-        f.push_back(std::make_pair("verification", &Params::verification));
-        f.push_back(std::make_pair("localOptimization", &Params::localOptimization));
-        f.push_back(std::make_pair("localIterations", &Params::localIterations));
-        f.push_back(std::make_pair("localSampleMultiple", &Params::localSampleMultiple));
-        f.push_back(std::make_pair("localSamples", &Params::localSamples));
-        f.push_back(std::make_pair("termination", &Params::termination));
-        f.push_back(std::make_pair("degeneracy", &Params::degeneracy));
-        f.push_back(std::make_pair("polishing", &Params::polishing));
-        return f;
-    }
-
-    static std::vector<std::pair<std::string, double Params::*> > doubles()
-    {
-        std::vector<std::pair<std::string, double Params::*> > f;
-        f.push_back(std::make_pair("threshold", &Params::threshold));
-        f.push_back(std::make_pair("confidence", &Params::confidence));
-        f.push_back(std::make_pair("spatialWeight", &Params::spatialWeight));
-        f.push_back(std::make_pair("relaxation", &Params::relaxation));
-        return f;
-    }
-
-    //! Names of the fields that differ, in the order above.
-    static std::string difference(const Params& a, const Params& b)
-    {
-        std::string names;
-        for (size_t i = 0; i < ints().size(); ++i)
-            if (a.*ints()[i].second != b.*ints()[i].second)
-                names += ints()[i].first + " ";
-        for (size_t i = 0; i < doubles().size(); ++i)
-            if (a.*doubles()[i].second != b.*doubles()[i].second)
-                names += doubles()[i].first + " ";
-        return names + (a.scores != b.scores ? "scores " : "");
-    }
-};
 
 struct Check
 {
@@ -66,12 +19,14 @@ TEST(Usac_Params, ranges_of_integers)
 {
     const struct { const char* name; int low, high; } ranges[] = {
         {"maxIterations", 1, INT_MAX}, {"seed", INT_MIN, INT_MAX}, {"threads", 0, 1024},
-        {"sampler", SAMPLER_UNIFORM, SAMPLER_NAPSAC}, {"prior", PRIOR_AUTO, PRIOR_NONE},
-        {"scoreOrder", SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER}, {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
-        {"verification", VERIFICATION_NONE, VERIFICATION_SPRT},
-        {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GRAPH_CUT}, {"localIterations", 1, 1000},
-        {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 7}, {"degeneracy", 0, 3},
-        {"polishing", POLISHING_NONE, POLISHING_ROBUST}};
+        {"sampler", SAMPLER_UNIFORM, SAMPLER_IMPORTANCE}, {"prior", PRIOR_AUTO, PRIOR_NONE},
+        {"scoreOrder", SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER},
+        {"neighbourhood", NEIGHBOURHOOD_GRID, NEIGHBOURHOOD_RADIUS}, {"neighbours", 1, 1000},
+        {"residual", RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC}, {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
+        {"verification", VERIFICATION_NONE, VERIFICATION_TDD}, {"tddPoints", 1, 100},
+        {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS},
+        {"localIterations", 1, 1000}, {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 63},
+        {"degeneracy", 0, 3}, {"polishing", POLISHING_NONE, POLISHING_ROBUST}};
     ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::ints().size(); ++i)
     {
@@ -81,6 +36,11 @@ TEST(Usac_Params, ranges_of_integers)
         int& field = check.params.*Fields::ints()[i].second;
         if (std::string("verification") == ranges[i].name)
             check.params.termination = TERMINATION_STANDARD;
+        if (std::string("sampler") == ranges[i].name)
+        {
+            check.params.scores.assign(1, 1.f);
+            check.params.scoreOrder = SCORES_HIGHER_IS_BETTER;
+        }
         const int right[] = {ranges[i].low, ranges[i].high};
         for (int k = 0; k < 2; ++k)
         {
@@ -103,7 +63,7 @@ TEST(Usac_Params, ranges_of_reals)
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const struct { const char* name; double right[2], wrong[3]; } ranges[] = {
         {"threshold", {1e-300, 1e300}, {0, -1, inf}}, {"confidence", {1e-300, 1 - 1e-15}, {0, 1, 2}},
-        {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}}};
+        {"neighbourRadius", {1e-300, 1e300}, {0, -1, inf}}, {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}}};
     ASSERT_EQ(Fields::doubles().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::doubles().size(); ++i)
     {
@@ -133,13 +93,62 @@ TEST(Usac_Params, message_has_the_value)
     expectException(check, "4711");
 }
 
-TEST(Usac_Params, sprt_termination_needs_sprt)
+//! Options that contradict each other raise an exception that names the field and says why.
+TEST(Usac_Params, impossible_combinations)
 {
     Check check;
     check.params.verification = VERIFICATION_NONE;
-    expectException(check, "termination");
+    expectException(check, "termination: TERMINATION_SPRT needs");
     check.params.termination = TERMINATION_STANDARD | TERMINATION_P_NAPSAC;
     EXPECT_NO_THROW(check());
+    check.params.termination = TERMINATION_EXACT;
+    expectException(check, "termination: TERMINATION_EXACT modifies");
+    check.params.termination = TERMINATION_PROSAC;
+    EXPECT_NO_THROW(check());
+    const int others[] = {SAMPLER_UNIFORM, SAMPLER_NAPSAC};
+    for (int i = 0; i < 2; ++i)
+    {
+        check.params.sampler = others[i];
+        expectException(check, "termination: TERMINATION_PROSAC needs");
+    }
+}
+
+TEST(Usac_Params, impossible_combinations_with_lmeds)
+{
+    const Params lmeds = Params::lmeds();
+    EXPECT_NO_THROW(lmeds.check());
+    const struct { int Params::* field; int value; const char* name; } wrong[] = {
+        {&Params::verification, VERIFICATION_SPRT, "verification"}, {&Params::verification, VERIFICATION_TDD, "verification"},
+        {&Params::localOptimization, LOCAL_OPTIMIZATION_GRAPH_CUT, "localOptimization"},
+        {&Params::localOptimization, LOCAL_OPTIMIZATION_LO_RANSAC, "localOptimization"},
+        {&Params::localOptimization, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS, "localOptimization"},
+        {&Params::degeneracy, DEGENERACY_DEGENSAC, "degeneracy"}, {&Params::termination, TERMINATION_MAGSAC, "termination"}};
+    for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); ++i)
+    {
+        Check check;
+        check.params = lmeds;
+        check.params.*wrong[i].field = wrong[i].value;
+        expectException(check, wrong[i].name);
+    }
+}
+
+TEST(Usac_Params, importance_sampling_needs_probabilities)
+{
+    Check check;
+    check.params.sampler = SAMPLER_IMPORTANCE;
+    check.params.scoreOrder = SCORES_HIGHER_IS_BETTER;
+    expectException(check, "sampler");
+    check.params.scores.assign(3, 0.5f);
+    EXPECT_NO_THROW(check());
+    check.params.scoreOrder = SCORES_LOWER_IS_BETTER;
+    expectException(check, "sampler");
+    check.params.scoreOrder = SCORES_HIGHER_IS_BETTER;
+    const float wrong[] = {-0.1f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
+    for (int i = 0; i < 3; ++i)
+    {
+        check.params.scores[1] = wrong[i];
+        expectException(check, "scores");
+    }
 }
 
 TEST(Usac_Params, number_of_scores)
@@ -166,83 +175,22 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ((int)PRIOR_AUTO, p.prior);
     EXPECT_TRUE(p.scores.empty());
     EXPECT_EQ((int)SCORES_LOWER_IS_BETTER, p.scoreOrder);
+    EXPECT_EQ((int)NEIGHBOURHOOD_GRID, p.neighbourhood);
+    EXPECT_EQ(10, p.neighbours);
+    EXPECT_EQ(40, p.neighbourRadius);
+    EXPECT_EQ((int)RESIDUAL_STANDARD, p.residual);
     EXPECT_EQ((int)QUALITY_MSAC, p.quality);
     EXPECT_EQ((int)VERIFICATION_SPRT, p.verification);
+    EXPECT_EQ(1, p.tddPoints);
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_GRAPH_CUT, p.localOptimization);
     EXPECT_EQ(5, p.localIterations);
     EXPECT_EQ(3, p.localSampleMultiple);
     EXPECT_EQ(4, p.localSamples);
     EXPECT_EQ(0.14, p.spatialWeight);
-    EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC, p.termination);
+    EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, p.termination);
     EXPECT_EQ(0.03, p.relaxation);
     EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC, p.degeneracy);
-    EXPECT_EQ((int)POLISHING_LEAST_SQUARES, p.polishing);
-}
-
-TEST(Usac_Params, presets)
-{
-    const Params presets[] = {Params::usacV20(), Params::fast(), Params::accurate(), Params::prosac(), Params::ransac(),
-                              Params::parallel()};
-    for (int i = 0; i < 6; ++i)
-    {
-        EXPECT_NO_THROW(presets[i].check()) << i;
-        for (int k = 0; k < i; ++k)
-            EXPECT_NE("", Fields::difference(presets[i], presets[k])) << i << " and " << k << " are the same";
-    }
-    EXPECT_EQ("", Fields::difference(Params(), presets[0]));
-    EXPECT_EQ("sampler prior ", Fields::difference(Params(), presets[3]));
-    EXPECT_EQ("threads ", Fields::difference(Params(), presets[5]));
-    EXPECT_EQ(0, presets[5].threads);
-    EXPECT_EQ((int)SAMPLER_PROSAC, presets[3].sampler);
-    EXPECT_EQ((int)PRIOR_INPUT_ORDER, presets[3].prior);
-    const Params& ransac = presets[4];
-    EXPECT_EQ((int)SAMPLER_UNIFORM, ransac.sampler);
-    EXPECT_EQ((int)QUALITY_INLIERS, ransac.quality);
-    EXPECT_EQ((int)VERIFICATION_NONE, ransac.verification);
-    EXPECT_EQ((int)LOCAL_OPTIMIZATION_NONE, ransac.localOptimization);
-    EXPECT_EQ((int)TERMINATION_STANDARD, ransac.termination);
-    EXPECT_EQ((int)POLISHING_LEAST_SQUARES, ransac.polishing);
-    EXPECT_EQ(0, ransac.degeneracy);
-}
-
-TEST(Usac_Params, from_method)
-{
-    EXPECT_EQ("", Fields::difference(Params::usacV20(), Params::fromMethod(USACV20)));
-    EXPECT_EQ("", Fields::difference(Params::fast(), Params::fromMethod(USACV20_FAST)));
-    EXPECT_EQ("", Fields::difference(Params::accurate(), Params::fromMethod(USACV20_ACCURATE)));
-    EXPECT_EQ("", Fields::difference(Params::prosac(), Params::fromMethod(USACV20_PROSAC)));
-    EXPECT_EQ("", Fields::difference(Params::parallel(), Params::fromMethod(USACV20_PARALLEL)));
-}
-
-TEST(Usac_Params, from_the_parameters_of_calib3d)
-{
-    cv::UsacParams other;
-    other.threshold = 2.25;
-    other.confidence = 0.75;
-    other.maxIterations = 321;
-    other.randomGeneratorState = 17;
-    Params params = Params::fromUsacParams(other);
-    EXPECT_NO_THROW(params.check());
-    EXPECT_EQ(2.25, params.threshold);
-    EXPECT_EQ(0.75, params.confidence);
-    EXPECT_EQ(321, params.maxIterations);
-    EXPECT_EQ(17, params.seed);
-    EXPECT_EQ(1, params.threads);
-    EXPECT_EQ((int)SAMPLER_UNIFORM, params.sampler);
-    EXPECT_EQ((int)QUALITY_MSAC, params.quality);
-    EXPECT_EQ((int)LOCAL_OPTIMIZATION_GRAPH_CUT, params.localOptimization);
-    other.isParallel = true;
-    other.score = SCORE_METHOD_RANSAC;
-    other.loMethod = LOCAL_OPTIM_NULL;
-    other.sampler = SAMPLING_PROSAC;
-    params = Params::fromUsacParams(other);
-    EXPECT_EQ(0, params.threads);
-    EXPECT_EQ((int)QUALITY_INLIERS, params.quality);
-    EXPECT_EQ((int)LOCAL_OPTIMIZATION_NONE, params.localOptimization);
-    EXPECT_EQ((int)SAMPLER_PROSAC, params.sampler);
-    EXPECT_EQ((int)PRIOR_INPUT_ORDER, params.prior) << "calib3d's PROSAC wants sorted points";
-    other.sampler = SAMPLING_PROGRESSIVE_NAPSAC;
-    EXPECT_EQ((int)SAMPLER_P_NAPSAC, Params::fromUsacParams(other).sampler);
+    EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);
 }
 
 //! All fields different from their defaults and right.
@@ -260,8 +208,13 @@ Params unusual()
     p.scores.push_back(-1e-20f);
     p.scores.push_back(3e20f);
     p.scoreOrder = SCORES_HIGHER_IS_BETTER;
+    p.neighbourhood = NEIGHBOURHOOD_KNN;
+    p.neighbours = 17;
+    p.neighbourRadius = 3.3;
+    p.residual = RESIDUAL_SYMMETRIC;
     p.quality = QUALITY_INLIERS;
     p.verification = VERIFICATION_NONE;
+    p.tddPoints = 2;
     p.localOptimization = LOCAL_OPTIMIZATION_NONE;
     p.localIterations = 9;
     p.localSampleMultiple = 11;

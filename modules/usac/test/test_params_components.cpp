@@ -84,10 +84,10 @@ public:
     explicit FitRecorder(const Ptr<NonMinimalSolver>& solver_) : solver(solver_) {}
 
     bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
-             Model& model) const CV_OVERRIDE
+             Model& model, int iterations) const CV_OVERRIDE
     {
         sizes.push_back(count);
-        return solver->fit(points, indices, count, weights, model);
+        return solver->fit(points, indices, count, weights, model, iterations);
     }
 
     mutable std::vector<int> sizes;

@@ -52,7 +52,9 @@ struct Fixture
         options.inliers = COUNT / 2;
         options.outliers = COUNT - COUNT / 2;
         options.seed = seed;
-        scene = makeScene(kind == Residual::TRANSFER ? HOMOGRAPHY : FUNDAMENTAL, options);
+        const bool homography = kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER;
+        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON ? RESIDUAL_STANDARD : RESIDUAL_SYMMETRIC;
+        scene = makeScene(homography ? HOMOGRAPHY : FUNDAMENTAL, options);
         usac = createUsac(scene, params);
         const Model truth = toInternal(usac->points(), scene.model);
         RNG rng(seed);
@@ -79,10 +81,16 @@ struct Fixture
 double directError(const Correspondences& p, Residual::Kind kind, const Model& M, int i)
 {
     const Vec3d x1(p.x1[i], p.y1[i], 1), x2(p.x2[i], p.y2[i], 1), y = M * x1;
-    if (kind == Residual::TRANSFER)
-        return (y[0] / y[2] - x2[0]) * (y[0] / y[2] - x2[0]) + (y[1] / y[2] - x2[1]) * (y[1] / y[2] - x2[1]);
-    const Vec3d z = M.t() * x2;
-    return x2.dot(y) * x2.dot(y) / (y[0] * y[0] + y[1] * y[1] + z[0] * z[0] + z[1] * z[1]);
+    const Vec3d z = M.t() * x2, back = M.inv() * x2;
+    const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1], n = x2.dot(y) * x2.dot(y);
+    const Vec2d forward(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]), backward(back[0] / back[2] - x1[0], back[1] / back[2] - x1[1]);
+    switch (kind)
+    {
+    case Residual::TRANSFER: return forward.dot(forward);
+    case Residual::SAMPSON: return n / (first + second);
+    case Residual::SYMMETRIC_TRANSFER: return forward.dot(forward) + backward.dot(backward);
+    default: return n / first + n / second;
+    }
 }
 
 struct Direct
@@ -168,7 +176,7 @@ TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
 TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
 {
     const Fixture f((Residual::Kind)GetParam(), 3);
-    const Ptr<Residual> residual = f.kind == Residual::TRANSFER ? createTransferResidual() : createSampsonResidual();
+    const Ptr<Residual> residual = f.usac->components().residual;
     ASSERT_EQ(f.kind, residual->kind());
     const Correspondences& p = f.points();
     for (size_t k = 0; k < f.models.size(); ++k)
@@ -193,7 +201,7 @@ TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
 TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
 {
     const Fixture f((Residual::Kind)GetParam(), 4);
-    const Ptr<Residual> residual = f.kind == Residual::TRANSFER ? createTransferResidual() : createSampsonResidual();
+    const Ptr<Residual> residual = f.usac->components().residual;
     const Ptr<Score> scores[] = {createMsacScore(), createInlierScore()};
     std::vector<float> errors(COUNT);
     for (int s = 0; s < 2; ++s)
@@ -212,7 +220,7 @@ TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
         }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Kernels, testing::Values(0, 1));
+INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Kernels, testing::Range(0, (int)Residual::CUSTOM));
 
 //! Where the error is not defined the point is an outlier.
 TEST(Usac_Scores, undefinedErrorsAreOutliers)

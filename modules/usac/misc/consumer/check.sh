@@ -55,6 +55,16 @@ by_pkg_config()
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/by_pkg_config"
 }
 
+# The samples of components of one's own, against the installed library.
+custom_components()
+{
+    flags=$(PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" pkg-config --cflags --libs opencv_usac opencv4) &&
+    c++ -std=c++11 "$project/samples/custom_sampler.cpp" $flags -o "$work/custom_sampler" &&
+    c++ -std=c++11 "$project/samples/custom_quality.cpp" $flags -o "$work/custom_quality" &&
+    LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_sampler" --help &&
+    LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_quality" "$project/test_data/graf.txt"
+}
+
 mkdir -p "$work"
 for directory in build staging prefix by_cmake by_pkg_config; do
     rm -rf "${work:?}/$directory"
@@ -63,5 +73,6 @@ check install install_library
 check relocatable relocatable
 check cmake by_cmake
 check pkg-config by_pkg_config
+check custom_components custom_components
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

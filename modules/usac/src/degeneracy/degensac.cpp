@@ -30,7 +30,7 @@ are drawn from the points off the plane; the best F is kept if it beats the orig
 class Degensac : public Degeneracy
 {
 public:
-    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY)) {}
+    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)), known(Matx33d::zeros()) {}
 
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {
@@ -38,16 +38,45 @@ public:
         if (sample ? !planeOfSample(context.points, sample, model, H) : !planeOfInliers(context, state, model, H))
             return true;
         state.report.degenerate = true;
+        if (isKnown(context.points, H, sample))
+        {
+            if (knownQuality.betterThan(quality))
+            {
+                model = knownModel;
+                quality = knownQuality;
+            }
+            return true;
+        }
         split(context.points, H);
-        if (onPlane.size() >= 8 && fitter->fit(context.points, onPlane.data(), (int)onPlane.size(), 0, H))
+        const int fitted = std::min<int>((int)onPlane.size(), MAX_FIT);
+        if (fitted >= 8 && fitter->fit(context.points, onPlane.data(), fitted, 0, H))
             split(context.points, H);
+        const Quality before = quality;
         planeAndParallax(context, state, H, model, quality);
+        known = H;
+        knownModel = model;
+        knownQuality = quality.betterThan(before) ? quality : Quality();
         return true;
     }
 
 private:
     //! Most points off the plane that are drawn from, in pairs; most triples and points of the test of the inliers.
-    enum { MAX_PAIRS = 300, MAX_TRIPLES = 20, MAX_TESTED = 200 };
+    enum { MAX_PAIRS = 300, MAX_TRIPLES = 20, MAX_TESTED = 200, MAX_FIT = 256 };
+
+    //! True if the plane is the last one that was dealt with: what was found then would be found again.
+    bool isKnown(const Correspondences& p, const Matx33d& H, const int* sample) const
+    {
+        if (sample)
+            return mapped(p, known, sample, 7) >= 5;
+        int both = 0, here = 0;
+        for (size_t k = 0; k < inliers.size(); ++k)
+        {
+            const bool on = error(p, H, inliers[k]) <= limit(p);
+            here += on;
+            both += on && error(p, known, inliers[k]) <= limit(p);
+        }
+        return both > 0.9 * here;
+    }
 
     //! Squared errors above this are off a plane that was found from three points: three thresholds.
     static double limit(const Correspondences& p) { return 9 * p.threshold * p.threshold; }
@@ -168,8 +197,8 @@ private:
     {
         const Correspondences& p = context.points;
         const int off = (int)offPlane.size();
-        const double logFailure = std::log(1 - context.params.confidence);
-        int needed = off >= 2 ? MAX_PAIRS : 0;
+        int support = off >= 2 ? supportOff(p, model) : 0;
+        int needed = off >= 2 ? pairsNeeded(context, support) : 0;
         for (int k = 0; k < needed; ++k)
         {
             int pair[2];
@@ -185,17 +214,43 @@ private:
             if (!(size > 1e-300 && size <= DBL_MAX))
                 continue;
             const Model candidate = F * (1 / size);
+            const int candidateSupport = supportOff(p, candidate);
+            if (candidateSupport <= support)
+                continue;
             const Quality candidateQuality = context.rate(candidate, quality.cost);
             if (!candidateQuality.betterThan(quality))
                 continue;
             model = candidate;
             quality = candidateQuality;
-            const double inliersOff = std::max(2, quality.inliers - (int)onPlane.size());
-            needed = std::min<int>(MAX_PAIRS, samplesNeeded(goodSampleProbability(inliersOff, off, 2), logFailure));
+            support = candidateSupport;
+            needed = pairsNeeded(context, support);
         }
     }
 
+    //! Inliers of F among the first points off the plane; on it all candidates agree.
+    int supportOff(const Correspondences& p, const Model& F) const
+    {
+        int support = 0;
+        for (size_t k = 0; k < offPlane.size() && k < MAX_TESTED; ++k)
+        {
+            const int i = offPlane[k];
+            support += SampsonError::squared(F.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]) <= p.threshold * p.threshold;
+        }
+        return support;
+    }
+
+    //! Pairs after which one of inliers of a better F would have been drawn.
+    int pairsNeeded(const Context& context, int support) const
+    {
+        const int tested = std::min<int>((int)offPlane.size(), MAX_TESTED);
+        return std::min<int>(MAX_PAIRS, samplesNeeded(goodSampleProbability(std::max(support, 2), tested, 2),
+                                                      std::log(1 - context.params.confidence)));
+    }
+
     Ptr<NonMinimalSolver> fitter;
+    Matx33d known;         //!< homography of the last plane
+    Model knownModel;      //!< the F found with it
+    Quality knownQuality;  //!< infinite cost: none better than what was known
     std::vector<int> inliers, onPlane, offPlane;
 };
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "local_optimization/inlier_set.hpp"
 #include "local_optimization/labelling.hpp"
 #include "local_optimization/local_optimization.hpp"
 
@@ -32,16 +33,16 @@ public:
             before = quality.cost;
             if (i > 0)
                 improved |= shrink(context, state, m, model, quality);
-            labelling.cut(context, model, inliers);
-            if ((int)inliers.size() > m)
+            labelling.cut(context, model, inliers.members);
+            if (inliers.size() > m)
                 improved |= fitInliers(context, state, m, model, quality);
         }
         return improved;
     }
 
 private:
-    //! More points than this make a fit slower, not better, while the inliers are still changing.
-    enum { MAX_FIT = 500, MAX_SHRINK = 256 };
+    //! More points or steps than this make a fit slower, not better, while the inliers are still changing.
+    enum { MAX_FIT = 500, MAX_SHRINK = 256, SHRINK_STEPS = 2, FIT_STEPS = 3 };
 
     //! Fits to the points within 3, 2 and 1 thresholds, each from the last fit.
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
@@ -50,60 +51,29 @@ private:
         bool improved = false;
         for (int multiple = 3; multiple >= 1; --multiple)
         {
-            labelling.within(context, fitted, multiple, inliers);
-            if ((int)inliers.size() <= m)
+            inliers.within(context, fitted, multiple);
+            if (inliers.size() <= m || !inliers.fit(context, inliers.select(state.rng, MAX_SHRINK), fitted, SHRINK_STEPS))
                 break;
-            const int count = select(state.rng, std::min<int>((int)inliers.size(), MAX_SHRINK));
-            if (!context.components.nonMinimalSolver->fit(context.points, inliers.data(), count, 0, fitted))
-                break;
-            const Quality fittedQuality = context.rate(fitted, quality.cost);
-            if (!fittedQuality.betterThan(quality))
-                continue;
-            model = fitted;
-            quality = fittedQuality;
-            improved = true;
+            improved |= keepBetter(context, fitted, model, quality);
         }
         return improved;
     }
 
     bool fitInliers(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
-        const int count = (int)inliers.size();
+        const int count = inliers.size();
         const int small = std::max(m + 1, std::min(m * context.params.localSampleMultiple, count / 2));
-        bool improved = tryFit(context, select(state.rng, std::min<int>(count, MAX_FIT)), model, quality);
+        bool improved = inliers.improve(context, inliers.select(state.rng, MAX_FIT), model, quality, FIT_STEPS);
         for (int i = 0; i < context.params.localSamples && small < count; ++i)
-            improved |= tryFit(context, select(state.rng, small), model, quality);
+            improved |= inliers.improve(context, inliers.select(state.rng, small), model, quality, FIT_STEPS);
         return improved;
-    }
-
-    //! Brings `count` random inliers to the front. @return count
-    int select(Rng& rng, int count)
-    {
-        const int size = (int)inliers.size();
-        for (int i = 0; i < count && count < size; ++i)
-            std::swap(inliers[i], inliers[i + rng.uniform(size - i)]);
-        return count;
-    }
-
-    //! Fits to the first `count` inliers.
-    bool tryFit(const Context& context, int count, Model& model, Quality& quality)
-    {
-        Model fitted = model;
-        if (!context.components.nonMinimalSolver->fit(context.points, inliers.data(), count, 0, fitted))
-            return false;
-        const Quality fittedQuality = context.rate(fitted, quality.cost);
-        if (!fittedQuality.betterThan(quality))
-            return false;
-        model = fitted;
-        quality = fittedQuality;
-        return true;
     }
 
     //! An alternation that lowers the cost by less than this is the last one.
     static const double WORTHWHILE;
 
     Labelling labelling;
-    std::vector<int> inliers;
+    InlierSet inliers;
 };
 
 const double GraphCutOptimizer::WORTHWHILE = 0.99;

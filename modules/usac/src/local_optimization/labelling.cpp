@@ -21,88 +21,88 @@ void Labelling::weigh(const Context& context, const Model& model)
     const int size = points.size;
     errors.resize(size);
     K.resize(size);
-    node.resize(size);
-    point.clear();
-    unary.clear();
+    unary.resize(size);
     context.components.residual->squaredErrors(points, model, 0, size, errors.data());
     const float factor = (float)(-0.5 / (points.threshold * points.threshold));
     const float reach = std::log(NEGLIGIBLE) / factor;
     for (int i = 0; i < size; ++i)
     {
-        node[i] = -1;
-        K[i] = 0;
-        if (errors[i] < reach)  // false for NaN
-        {
-            K[i] = std::exp(errors[i] * factor);
-            node[i] = (int)point.size();
-            point.push_back(i);
-            unary.push_back(1 - 2 * K[i]);
-        }
+        K[i] = errors[i] < reach ? std::exp(errors[i] * factor) : 0;  // 0 for NaN
+        unary[i] = 1 - 2 * K[i];
     }
 }
 
-void Labelling::unaryInliers(std::vector<int>& inliers) const
+/* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier and by lambda (1 - a) if
+q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets its label before any cut. */
+void Labelling::fix(const std::vector<Vec2i>& edges, float lambda)
 {
-    for (size_t v = 0; v < point.size(); ++v)
-        if (unary[v] < 0)
-            inliers.push_back(point[v]);
-}
-
-void Labelling::within(const Context& context, const Model& model, double multiple, std::vector<int>& inliers)
-{
-    const Correspondences& points = context.points;
-    const float limit = (float)(multiple * multiple * points.threshold * points.threshold);
-    errors.resize(points.size);
-    context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
-    inliers.clear();
-    for (int i = 0; i < points.size; ++i)
-        if (errors[i] <= limit)
-            inliers.push_back(i);
+    const size_t size = unary.size();
+    lowest = unary;
+    highest = unary;
+    for (size_t e = 0; e < edges.size(); ++e)
+    {
+        const int p = edges[e][0], q = edges[e][1];
+        const float a = 0.5f * (K[p] + K[q]);
+        lowest[p] -= lambda * a;
+        lowest[q] -= lambda * a;
+        highest[p] += lambda * (1 - a);
+        highest[q] += lambda * (1 - a);
+    }
+    open.clear();
+    node.resize(size);
+    for (size_t i = 0; i < size; ++i)
+    {
+        node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 || K[i] == 0 ? OUTLIER : (int)open.size();
+        if (node[i] >= 0)
+            open.push_back((int)i);
+    }
 }
 
 void Labelling::cut(const Context& context, const Model& model, std::vector<int>& inliers)
 {
     weigh(context, model);
-    inliers.clear();
     const float lambda = (float)context.params.spatialWeight;
-    /* With x = 1 for an inlier and a = (K_p + K_q) / 2, the cost of an edge is
-       a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the last term being one arc of the graph. */
-    const int nodes = (int)point.size();
-    if (lambda == 0)
-    {
-        unaryInliers(inliers);
-        return;
-    }
-    const std::vector<Vec2i>& edges = context.components.neighbourhood->edges(context);
-    bool linked = false;
+    static const std::vector<Vec2i> none;
+    const std::vector<Vec2i>& edges = lambda > 0 ? context.components.neighbourhood->edges(context) : none;
+    fix(edges, lambda);
+    label(edges, lambda);
+    inliers.clear();
+    for (size_t i = 0; i < node.size(); ++i)
+        if (node[i] == INLIER)
+            inliers.push_back((int)i);
+}
+
+/* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the last term being one arc of
+the graph. */
+void Labelling::label(const std::vector<Vec2i>& edges, float lambda)
+{
+    const int nodes = (int)open.size();
     detail::GCGraph<float> graph((unsigned)nodes, (unsigned)edges.size());
     for (int v = 0; v < nodes; ++v)
         graph.addVtx();
+    bool linked = false;
     for (size_t e = 0; e < edges.size(); ++e)
     {
         const int p = edges[e][0], q = edges[e][1];
         const float a = 0.5f * (K[p] + K[q]);
         if (node[p] >= 0 && node[q] >= 0)
         {
-            unary[node[p]] += lambda * (1 - a);
-            unary[node[q]] -= lambda * a;
+            unary[p] += lambda * (1 - a);
+            unary[q] -= lambda * a;
             graph.addEdges(node[q], node[p], lambda, 0);
             linked = true;
         }
-        else if (node[p] >= 0 || node[q] >= 0)
-            unary[std::max(node[p], node[q])] += lambda * (1 - a);
+        else if (node[p] >= 0)
+            unary[p] += lambda * (node[q] == INLIER ? -a : 1 - a);
+        else if (node[q] >= 0)
+            unary[q] += lambda * (node[p] == INLIER ? -a : 1 - a);
     }
     for (int v = 0; v < nodes; ++v)  // the source side are the inliers
-        graph.addTermWeights(v, std::max(-unary[v], 0.f), std::max(unary[v], 0.f));
-    if (!linked)  // which GCGraph does not accept
-    {
-        unaryInliers(inliers);
-        return;
-    }
-    graph.maxFlow();
+        graph.addTermWeights(v, std::max(-unary[open[v]], 0.f), std::max(unary[open[v]], 0.f));
+    if (linked)  // GCGraph does not accept a graph without edges
+        graph.maxFlow();
     for (int v = 0; v < nodes; ++v)
-        if (graph.inSourceSegment(v))
-            inliers.push_back(point[v]);
+        node[open[v]] = (linked ? graph.inSourceSegment(v) : unary[open[v]] < 0) ? INLIER : OUTLIER;
 }
 
 } // namespace usacv20

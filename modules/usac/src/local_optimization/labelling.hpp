@@ -17,27 +17,30 @@ With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as inlier 
 lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are outliers, 1 - (K_p + K_q) / 2 if both are inliers. The
 sum over edges is submodular, so a minimal cut is the exact minimum.
 
-Points far from the model (K_p below #NEGLIGIBLE) are outliers in any minimum as long as lambda is not excessive; they
-are not made nodes of the graph, their edges become costs of their neighbours. So the graph has the size of the inlier
-set. O(N) time to set up; the cut is linear in practice. */
+Points that no labelling of their neighbours can turn, most of them in practice, get their label before and are no nodes of the
+graph; those far from the model (K_p below #NEGLIGIBLE) are always outliers. O(N) time to set up; the cut is linear
+in practice. */
 class Labelling
 {
 public:
     //! Writes the inliers to `inliers`.
     void cut(const Context& context, const Model& model, std::vector<int>& inliers);
-    //! Writes the points with errors up to a multiple of the threshold to `inliers`.
-    void within(const Context& context, const Model& model, double multiple, std::vector<int>& inliers);
 
 private:
+    enum { INLIER = -1, OUTLIER = -2 };
+
     void weigh(const Context& context, const Model& model);
-    //! The labelling without edges.
-    void unaryInliers(std::vector<int>& inliers) const;
+    //! Labels the points that the edges cannot turn; the others become nodes.
+    void fix(const std::vector<Vec2i>& edges, float lambda);
+    //! Labels the nodes.
+    void label(const std::vector<Vec2i>& edges, float lambda);
 
     std::vector<float> errors;
     std::vector<float> K;
-    std::vector<int> node;   //!< of each point, -1: fixed outlier
-    std::vector<int> point;  //!< of each node
-    std::vector<float> unary;  //!< cost of being an inlier minus that of being an outlier, of each node
+    std::vector<float> unary;  //!< cost of being an inlier minus that of being an outlier
+    std::vector<float> lowest, highest;  //!< the same with the edges, whatever the labels of the neighbours
+    std::vector<int> node;     //!< of each point in the graph, or its label
+    std::vector<int> open;     //!< point of each node
 };
 
 } // namespace usacv20

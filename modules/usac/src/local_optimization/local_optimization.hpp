@@ -12,6 +12,14 @@ namespace usacv20 {
 
 //! See GraphCutOptimizer.
 Ptr<LocalOptimizer> createGraphCutOptimizer();
+//! See LoRansacOptimizer: fits to all inliers.
+Ptr<LocalOptimizer> createLoRansacOptimizer();
+//! See LoRansacOptimizer: fits to a bounded number of inliers.
+Ptr<LocalOptimizer> createFloRansacOptimizer();
+//! See SigmaConsensus.
+Ptr<LocalOptimizer> createSigmaConsensus();
+//! See SigmaConsensusPlusPlus.
+Ptr<LocalOptimizer> createSigmaConsensusPlusPlus();
 
 } // namespace usacv20
 } // namespace cv

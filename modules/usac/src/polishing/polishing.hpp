@@ -12,6 +12,8 @@ namespace usacv20 {
 
 //! See LeastSquaresPolisher.
 Ptr<Polisher> createLeastSquaresPolisher();
+//! See ReweightedPolisher.
+Ptr<Polisher> createReweightedPolisher();
 //! See RobustPolisher.
 Ptr<Polisher> createRobustPolisher();
 

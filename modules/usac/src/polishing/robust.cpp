@@ -37,13 +37,14 @@ public:
                 near.push_back(k);
                 weights.push_back(1 / ((1 + relative) * (1 + relative)));
             }
-            if (!parts.nonMinimalSolver->fit(p, near.data(), (int)near.size(), weights.data(), model))
+            if (!parts.nonMinimalSolver->fit(p, near.data(), (int)near.size(), weights.data(), model, STEPS))
                 return;
         }
     }
 
 private:
-    enum { REACH = 3, ITERATIONS = 5 };
+    //! The weights are renewed before a fit with the old ones has converged.
+    enum { REACH = 3, ITERATIONS = 5, STEPS = 2 };
 };
 
 } // namespace

@@ -42,6 +42,37 @@ struct SampsonError
     }
 };
 
+/** Symmetric transfer error, squared: that of H in image 2 plus that of its inverse in image 1 @cite hartley2003multiple. The
+adjugate serves as the inverse, since a factor cancels; it is the same for all points. */
+struct SymmetricTransferError
+{
+    template <typename T>
+    static inline T squared(const T* m, T x1, T y1, T x2, T y2)
+    {
+        const T a[9] = {m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8], m[1] * m[5] - m[2] * m[4],
+                        m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
+                        m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]};
+        return TransferError::squared(m, x1, y1, x2, y2) + TransferError::squared(a, x2, y2, x1, y1);
+    }
+};
+
+/** Symmetric epipolar distance, squared: (x2^T F x1)^2 (1 / |(F x1)_{1,2}|^2 + 1 / |(F^T x2)_{1,2}|^2)
+@cite hartley2003multiple. */
+struct SymmetricEpipolarError
+{
+    template <typename T>
+    static inline T squared(const T* m, T x1, T y1, T x2, T y2)
+    {
+        const T a = m[0] * x1 + m[1] * y1 + m[2];
+        const T b = m[3] * x1 + m[4] * y1 + m[5];
+        const T c = m[6] * x1 + m[7] * y1 + m[8];
+        const T d = m[0] * x2 + m[3] * y2 + m[6];
+        const T e = m[1] * x2 + m[4] * y2 + m[7];
+        const T r = x2 * a + y2 * b + c;
+        return r * r * (T(1) / (a * a + b * b) + T(1) / (d * d + e * e));
+    }
+};
+
 } // namespace
 
 } // namespace usacv20

@@ -15,9 +15,11 @@ typedef void (*ErrorKernel)(const Correspondences& points, const float* model, i
 
 //! Points of one call of a SumsKernel. Fewer are filled up with points of weight 0.
 enum { SUMS_CHUNK = 64 };
+//! Each sum is kept in so many parts, to be added at the end.
+enum { SUMS_LANES = 8 };
 /** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, see sums.inl.hpp.
 @param chunk x1, y1, x2, y2 and the weight of the points: 5 rows of #SUMS_CHUNK */
-typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double* sums);
+typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double (*sums)[SUMS_LANES]);
 //! Length of `sums` for the transfer error and Sampson's distance.
 enum { TRANSFER_SUMS = 34, SAMPSON_SUMS = 55 };
 
@@ -25,10 +27,10 @@ enum { TRANSFER_SUMS = 34, SAMPSON_SUMS = 55 };
 the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind. */
 struct Kernels
 {
-    ErrorKernel errors[2];
-    FusedKernel msac[2];
-    FusedKernel inliers[2];
-    SumsKernel sums[2];
+    ErrorKernel errors[Residual::CUSTOM];
+    FusedKernel msac[Residual::CUSTOM];
+    FusedKernel inliers[Residual::CUSTOM];
+    SumsKernel transferSums, sampsonSums, symmetricEpipolarSums;
 };
 
 Kernels baselineKernels();

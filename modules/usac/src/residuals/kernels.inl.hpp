@@ -23,6 +23,7 @@ void errorKernel(const Correspondences& points, const float* model, int begin, i
 {
     const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
     const float *x1 = points.x1 + begin, *y1 = points.y1 + begin, *x2 = points.x2 + begin, *y2 = points.y2 + begin;
+    USAC_SIMD
     for (int i = 0; i < end - begin; ++i)
         errors[i] = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
 }
@@ -85,12 +86,24 @@ void scoreKernel(const Correspondences& points, const float* model, float limit,
     sum.inliers += inliers[0];
 }
 
+template <class Error>
+void addKernels(Residual::Kind kind, Kernels& all)
+{
+    all.errors[kind] = errorKernel<Error>;
+    all.msac[kind] = scoreKernel<Error, MsacCost>;
+    all.inliers[kind] = scoreKernel<Error, InlierCost>;
+}
+
 Kernels allKernels()
 {
-    const Kernels all = {{errorKernel<TransferError>, errorKernel<SampsonError>},
-                         {scoreKernel<TransferError, MsacCost>, scoreKernel<SampsonError, MsacCost>},
-                         {scoreKernel<TransferError, InlierCost>, scoreKernel<SampsonError, InlierCost>},
-                         {transferSums, sampsonSums}};
+    Kernels all;
+    addKernels<TransferError>(Residual::TRANSFER, all);
+    addKernels<SampsonError>(Residual::SAMPSON, all);
+    addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, all);
+    addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, all);
+    all.transferSums = transferSums;
+    all.sampsonSums = sampsonSums;
+    all.symmetricEpipolarSums = symmetricEpipolarSums;
     return all;
 }
 

@@ -47,5 +47,15 @@ Ptr<Residual> createSampsonResidual()
     return makePtr<FormulaResidual<SampsonError, Residual::SAMPSON> >();
 }
 
+Ptr<Residual> createSymmetricTransferResidual()
+{
+    return makePtr<FormulaResidual<SymmetricTransferError, Residual::SYMMETRIC_TRANSFER> >();
+}
+
+Ptr<Residual> createSymmetricEpipolarResidual()
+{
+    return makePtr<FormulaResidual<SymmetricEpipolarError, Residual::SYMMETRIC_EPIPOLAR> >();
+}
+
 } // namespace usacv20
 } // namespace cv

@@ -14,6 +14,10 @@ namespace usacv20 {
 Ptr<Residual> createTransferResidual();
 //! F, E: Sampson distance, see SampsonError.
 Ptr<Residual> createSampsonResidual();
+//! H: transfer errors in both images, see SymmetricTransferError.
+Ptr<Residual> createSymmetricTransferResidual();
+//! F, E: distances to both epipolar lines, see SymmetricEpipolarError.
+Ptr<Residual> createSymmetricEpipolarResidual();
 
 } // namespace usacv20
 } // namespace cv

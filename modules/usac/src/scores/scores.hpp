@@ -14,6 +14,14 @@ namespace usacv20 {
 Ptr<Score> createInlierScore();
 //! MSAC @cite torr2000mlesac; the cost of a point is min(error^2 / threshold^2, 1).
 Ptr<Score> createMsacScore();
+//! See MlesacScore.
+Ptr<Score> createMlesacScore(const Correspondences& points);
+//! See LmedsScore. @param points, sampleSize the correspondences, and how many of them the minimal solver takes
+Ptr<Score> createLmedsScore(const Correspondences& points, int sampleSize);
+//! See MagsacScore.
+Ptr<Score> createMagsacScore(const Correspondences& points);
+//! See MagsacPlusPlusScore.
+Ptr<Score> createMagsacPlusPlusScore(ProblemType problem);
 
 //! What rating one model found out.
 struct Rating

@@ -11,36 +11,31 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Null space of a matrix with more columns than rows, by Gauss-Jordan elimination with full pivoting.
+/** @brief Null space of a matrix with more columns than rows, by Gauss-Jordan elimination; the pivot of a row is its largest
+element @cite golub2013matrix. All loops over columns have a fixed length and become vector code.
 
 @param A the matrix; destroyed
 @param basis output, COLS - ROWS vectors; each has a 1 where the others have a 0
-@return false if the rank is lower than ROWS: no pivot above 1e-9 times the first one. @cite golub2013matrix */
+@return false if the rank is lower than ROWS: a pivot is not above 1e-9 times the largest element. */
 template <int ROWS, int COLS>
 bool nullSpace(double (&A)[ROWS][COLS], double (&basis)[COLS - ROWS][COLS])
 {
     int column[COLS];
     for (int j = 0; j < COLS; ++j)
         column[j] = j;
-    double first = 0;
+    double least = 0;
+    for (int i = 0; i < ROWS; ++i)
+        for (int j = 0; j < COLS; ++j)
+            least = std::max(least, std::abs(A[i][j]));
+    least *= 1e-9;
     for (int k = 0; k < ROWS; ++k)
     {
-        int row = k, col = k;
-        double largest = -1;
-        for (int i = k; i < ROWS; ++i)
-            for (int j = k; j < COLS; ++j)
-                if (std::abs(A[i][j]) > largest)
-                {
-                    largest = std::abs(A[i][j]);
-                    row = i;
-                    col = j;
-                }
-        if (k == 0)
-            first = largest;
-        if (!(largest > 1e-9 * first))  // also for NaN
+        int col = k;
+        for (int j = k + 1; j < COLS; ++j)
+            if (std::abs(A[k][j]) > std::abs(A[k][col]))
+                col = j;
+        if (!(std::abs(A[k][col]) > least))  // also for NaN
             return false;
-        if (row != k)
-            std::swap_ranges(A[row], A[row] + COLS, A[k]);
         if (col != k)
         {
             for (int i = 0; i < ROWS; ++i)
@@ -48,14 +43,14 @@ bool nullSpace(double (&A)[ROWS][COLS], double (&basis)[COLS - ROWS][COLS])
             std::swap(column[col], column[k]);
         }
         const double inverse = 1 / A[k][k];
-        for (int j = k + 1; j < COLS; ++j)
+        for (int j = 0; j < COLS; ++j)
             A[k][j] *= inverse;
         for (int i = 0; i < ROWS; ++i)
         {
             if (i == k)
                 continue;
             const double factor = A[i][k];
-            for (int j = k + 1; j < COLS; ++j)
+            for (int j = 0; j < COLS; ++j)
                 A[i][j] -= factor * A[k][j];
         }
     }

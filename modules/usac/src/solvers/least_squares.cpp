@@ -16,32 +16,34 @@ namespace {
 
 /** @brief Least squares of the geometric error by Levenberg and Marquardt's method @cite more1978levenberg.
 
-Minimises the sum of (weighted) squared transfer errors (H) or Sampson distances (F, E) over the manifold of the model,
+Minimises the sum of (weighted) squared errors of one of the kinds of Residual over the manifold of the model,
 from the given one. Starting from a model, not from nothing, it needs no linear estimate and is not confused by planar
-scenes, on which the eight-point method fails. About 40 (H) or 100 (F, E) operations a point and iteration. */
+scenes, on which the eight-point method fails. About 40 (H) or 100 (F, E) operations a point and iteration, twice that for the
+symmetric errors. */
 class LeastSquaresSolver : public NonMinimalSolver
 {
 public:
-    explicit LeastSquaresSolver(ProblemType problem_) : problem(problem_) {}
+    LeastSquaresSolver(ProblemType problem_, Residual::Kind kind_) : problem(problem_), kind(kind_) {}
 
     bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
-             Model& model) const CV_OVERRIDE
+             Model& model, int iterations) const CV_OVERRIDE
     {
         Manifold here(problem, model);
         if (residuals(count) < here.dimension())
             return false;
+        const PointChunks chunks(points, indices, count, weights);
         NormalEquations sums, trialSums;
-        sums.accumulate(problem, points, indices, count, weights, here.model());
+        sums.accumulate(kind, chunks, here.model());
         if (!(sums.cost <= DBL_MAX))
             return false;
         double damping = 1e-4;
-        for (int iteration = 0; iteration < MAX_ITERATIONS && sums.cost > 0; ++iteration)
+        for (int iteration = 0; iteration < iterations && sums.cost > 0; ++iteration)
         {
             Manifold::Step step;
             if (!solve(here, sums, damping, step))
                 return false;
             const Manifold trial = here.moved(step);
-            trialSums.accumulate(problem, points, indices, count, weights, trial.model());
+            trialSums.accumulate(kind, chunks, trial.model());
             const bool better = trialSums.cost < sums.cost;  // false for NaN
             const double gain = sums.cost - trialSums.cost;
             if (better)
@@ -60,34 +62,45 @@ public:
     }
 
 private:
-    enum { MAX_ITERATIONS = 10 };
-
     int residuals(int count) const { return problem == HOMOGRAPHY ? 2 * count : count; }
 
     //! Step of the damped normal equations on the tangent space; false if they are singular or not finite.
     static bool solve(const Manifold& here, const NormalEquations& sums, double damping, Manifold::Step& step)
     {
-        typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 8, 8> Small;
-        const Manifold::Basis basis = here.tangent();
-        Small A = basis.transpose() * sums.JtJ * basis;
-        const double mean = A.trace() / A.rows();
-        for (int i = 0; i < A.rows(); ++i)
+        switch (here.dimension())
+        {
+        case 8: return solveFixed<8>(here, sums, damping, step);
+        case 7: return solveFixed<7>(here, sums, damping, step);
+        default: return solveFixed<5>(here, sums, damping, step);
+        }
+    }
+
+    template <int DIMENSION>
+    static bool solveFixed(const Manifold& here, const NormalEquations& sums, double damping, Manifold::Step& step)
+    {
+        typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Small;
+        const Eigen::Matrix<double, 9, DIMENSION> basis = here.tangent();
+        const Eigen::Matrix<double, 9, DIMENSION> image = sums.JtJ.lazyProduct(basis);
+        Small A = basis.transpose().lazyProduct(image);
+        const double mean = A.trace() / DIMENSION;
+        for (int i = 0; i < DIMENSION; ++i)
             A(i, i) += damping * A(i, i) + 1e-12 * mean;
         const Eigen::LDLT<Small> ldlt(A);
         if (ldlt.info() != Eigen::Success)
             return false;
-        step = ldlt.solve(-(basis.transpose() * sums.Jtr));
+        step = ldlt.solve(-(basis.transpose().lazyProduct(sums.Jtr)));
         return step.allFinite();
     }
 
-    ProblemType problem;
+    const ProblemType problem;
+    const Residual::Kind kind;
 };
 
 } // namespace
 
-Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType problem)
+Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType problem, Residual::Kind kind)
 {
-    return makePtr<LeastSquaresSolver>(problem);
+    return makePtr<LeastSquaresSolver>(problem, kind);
 }
 
 } // namespace usacv20

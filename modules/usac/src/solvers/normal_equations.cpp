@@ -26,10 +26,11 @@ void fromTransferSums(const double* sums, NormalEquations& equations)
         }
     for (int i = 0; i < 9; ++i)
         equations.Jtr[i] = sums[24 + i];
+    equations.JtJ.triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
     equations.cost = sums[33];
 }
 
-//! The residual is the tenth column of J: the last row of the triangle holds the gradient and the cost.
+//! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of the triangle holds the gradient and the cost.
 void fromSampsonSums(const double* sums, NormalEquations& equations)
 {
     for (int row = 0, n = 0; row < 9; ++row)
@@ -37,34 +38,47 @@ void fromSampsonSums(const double* sums, NormalEquations& equations)
             equations.JtJ(row, col) = sums[n++];
     for (int i = 0; i < 9; ++i)
         equations.Jtr[i] = sums[45 + i];
+    equations.JtJ.triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
     equations.cost = sums[54];
+}
+
+/** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG = -G dH G the derivatives
+by H, entries row by row, are those by G times -G (x) G^T. */
+void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
+{
+    Eigen::Matrix<double, 9, 9, Eigen::RowMajor> L;
+    for (int i = 0; i < 9; ++i)
+        for (int j = 0; j < 9; ++j)
+            L(i, j) = -G(i / 3, j / 3) * G(j % 3, i % 3);
+    equations.JtJ += L.transpose() * inverse.JtJ * L;
+    equations.Jtr += L.transpose() * inverse.Jtr;
+    equations.cost += inverse.cost;
 }
 
 } // namespace
 
-void NormalEquations::accumulate(ProblemType problem, const Correspondences& points, const int* indices, int count,
-                                 const double* weights, const Model& model)
+void NormalEquations::accumulate(Residual::Kind kind, const PointChunks& points, const Model& model)
 {
-    double chunk[5][SUMS_CHUNK], sums[SAMPSON_SUMS] = {0};
-    const SumsKernel add = kernels().sums[problem == HOMOGRAPHY ? Residual::TRANSFER : Residual::SAMPSON];
-    for (int start = 0; start < count; start += SUMS_CHUNK)
+    const Kernels& k = kernels();
+    double sums[SAMPSON_SUMS];
+    if (kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER)
     {
-        for (int k = 0; k < SUMS_CHUNK; ++k)
-        {
-            const int at = std::min(start + k, count - 1), i = indices[at];
-            chunk[0][k] = points.dx1[i];
-            chunk[1][k] = points.dy1[i];
-            chunk[2][k] = points.dx2[i];
-            chunk[3][k] = points.dy2[i];
-            chunk[4][k] = start + k >= count ? 0 : weights ? weights[at] : 1;
-        }
-        add(chunk, model.val, sums);
-    }
-    if (problem == HOMOGRAPHY)
+        points.sum(k.transferSums, model.val, false, sums);
         fromTransferSums(sums, *this);
+    }
     else
+    {
+        points.sum(kind == Residual::SAMPSON ? k.sampsonSums : k.symmetricEpipolarSums, model.val, false, sums);
         fromSampsonSums(sums, *this);
-    JtJ.triangularView<Eigen::StrictlyUpper>() = JtJ.transpose();
+    }
+    if (kind == Residual::SYMMETRIC_TRANSFER)
+    {
+        const Matx33d G = model.inv();
+        NormalEquations inverse;
+        points.sum(k.transferSums, G.val, true, sums);
+        fromTransferSums(sums, inverse);
+        addInverse(inverse, G, *this);
+    }
 }
 
 } // namespace usacv20

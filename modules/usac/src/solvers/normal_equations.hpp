@@ -6,12 +6,12 @@
 #define OPENCV_USACV20_NORMAL_EQUATIONS_HPP
 
 #include <Eigen/Core>
-#include "opencv2/usac/components.hpp"
+#include "solvers/point_chunks.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-/** Gauss-Newton sums of the geometric error in the nine entries of the model: JtJ (lower triangle), Jtr and the cost
+/** Gauss-Newton sums of the geometric error in the nine entries of the model: JtJ, Jtr and the cost
 r^T r. A manifold projects them onto its tangent space afterwards, so that the work of a point is the same for all. */
 struct NormalEquations
 {
@@ -19,9 +19,8 @@ struct NormalEquations
     Eigen::Matrix<double, 9, 1> Jtr;
     double cost;
 
-    //! Sums over `count` points; `weights` may be null.
-    void accumulate(ProblemType problem, const Correspondences& points, const int* indices, int count,
-                    const double* weights, const Model& model);
+    //! Sums over the points. All kinds but CUSTOM.
+    void accumulate(Residual::Kind kind, const PointChunks& points, const Model& model);
 };
 
 } // namespace usacv20

@@ -190,6 +190,43 @@ int rootsNearZero(const double* c, int degree, double* roots)
     return isolate(p, sturm, LOWEST, HIGHEST, sturm.changes(LOWEST), sturm.changes(HIGHEST), 40, roots);
 }
 
+//! One of Newton's steps towards a root, where it helps.
+double polish(const Polynomial& p, double x)
+{
+    double value, slope, newValue, newSlope;
+    p.evaluate(x, value, slope);
+    const double next = x - value / slope;
+    p.evaluate(next, newValue, newSlope);
+    return std::abs(newValue) < std::abs(value) ? next : x;
+}
+
+/** Roots of a cubic in closed form, by Viete's cosines or Cardano's cube root @cite press2007numerical; double roots once. The
+leading coefficient must not be small. */
+int cubicRoots(const double* c, double* roots)
+{
+    const Polynomial p = {c, 3};
+    const double a = c[2] / c[3], b = c[1] / c[3], d = c[0] / c[3];
+    const double Q = (a * a - 3 * b) / 9, R = (2 * a * a * a - 9 * a * b + 27 * d) / 54, excess = R * R - Q * Q * Q;
+    const bool twice = std::abs(excess) <= 1e-13 * R * R;
+    int count = 1;
+    if (excess < 0 && !twice)
+    {
+        const double angle = std::acos(R / std::sqrt(Q * Q * Q)), size = -2 * std::sqrt(Q);
+        for (count = 0; count < 3; ++count)
+            roots[count] = size * std::cos((angle + (count - 1) * 2 * CV_PI) / 3) - a / 3;
+    }
+    else
+    {
+        const double A = (R > 0 ? -1 : 1) * std::cbrt(std::abs(R) + std::sqrt(std::max(excess, 0.))), B = A != 0 ? Q / A : 0;
+        roots[0] = A + B - a / 3;
+        if (twice && A != 0)
+            roots[count++] = -0.5 * (A + B) - a / 3;
+    }
+    for (int i = 0; i < count; ++i)
+        roots[i] = polish(p, polish(p, roots[i]));
+    return std::abs(roots[0]) <= DBL_MAX ? count : 0;  // 0 if a coefficient is NaN
+}
+
 } // namespace
 
 int realRoots(const double* coefficients, int degree, double* roots)
@@ -205,6 +242,8 @@ int realRoots(const double* coefficients, int degree, double* roots)
         return 0;
     for (int i = 0; i <= degree; ++i)
         c[i] = reversed[degree - i] = coefficients[i] / largest;
+    if (degree == 3 && std::abs(c[3]) > 1e-3)
+        return cubicRoots(c, roots);
     int count = rootsNearZero(c, degree, roots);
     int lowest = 0;  // roots at 0 make the reversed polynomial lose degrees
     while (std::abs(c[lowest]) <= 1e-14)

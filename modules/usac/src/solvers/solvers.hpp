@@ -16,8 +16,8 @@ Ptr<MinimalSolver> createHomography4Solver();
 Ptr<MinimalSolver> createFundamental7Solver();
 //! Essential matrices from 5 points, see Essential5Solver.
 Ptr<MinimalSolver> createEssential5Solver();
-//! Least squares of the geometric error from a starting model, see LeastSquaresSolver.
-Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType problem);
+//! Least squares of a geometric error from a starting model, see LeastSquaresSolver.
+Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType problem, Residual::Kind kind);
 
 } // namespace usacv20
 } // namespace cv

@@ -3,29 +3,32 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* Gauss-Newton sums of the geometric errors over a chunk of points, in vector code. No include guard: compiled once for each
-instruction set by residuals/kernels.inl.hpp. The sums run in eight lanes that are added in a fixed order. */
+instruction set by residuals/kernels.inl.hpp. The sums run in lanes that the caller adds in a fixed order. */
 
 namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Sum of a[i] b[i] over the chunk.
-inline double dotChunk(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b)
+//! Adds a[i] b[i] to the lanes.
+inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b, double* USAC_RESTRICT lanes)
 {
-    double lane[8] = {0};
-    for (int i = 0; i < SUMS_CHUNK; i += 8)
+    double sum[SUMS_LANES];
+    for (int k = 0; k < SUMS_LANES; ++k)
+        sum[k] = lanes[k];
+    for (int i = 0; i < SUMS_CHUNK; i += SUMS_LANES)
     {
         USAC_SIMD
-        for (int k = 0; k < 8; ++k)
-            lane[k] += a[i + k] * b[i + k];
+        for (int k = 0; k < SUMS_LANES; ++k)
+            sum[k] += a[i + k] * b[i + k];
     }
-    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+    for (int k = 0; k < SUMS_LANES; ++k)
+        lanes[k] = sum[k];
 }
 
 /** Transfer error: residuals (u - x2, v - y2) with (u, v) = p(H x1). The derivatives by the rows of H are p / w times
 (1, 0, -u) and (0, 1, -v), with p = (x1, y1, 1): all blocks of JtJ are multiples of p p^T / w^2.
 sums: p p^T as 6 numbers times 1, u, v, u^2 + v^2 (24); the gradient (9); the cost. */
-void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sums)
+void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     const double *x = chunk[0], *y = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
     double pp[6][SUMS_CHUNK], factor[4][SUMS_CHUNK], p[3][SUMS_CHUNK], g[3][SUMS_CHUNK], cost[SUMS_CHUNK];
@@ -55,28 +58,32 @@ void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* su
     }
     for (int f = 0; f < 4; ++f)
         for (int j = 0; j < 6; ++j)
-            sums[6 * f + j] += dotChunk(factor[f], pp[j]);
+            addProducts(factor[f], pp[j], sums[6 * f + j]);
     for (int row = 0; row < 3; ++row)
         for (int j = 0; j < 3; ++j)
-            sums[24 + 3 * row + j] += dotChunk(g[row], p[j]);
-    sums[33] += dotChunk(cost, p[2]);
+            addProducts(g[row], p[j], sums[24 + 3 * row + j]);
+    addProducts(cost, p[2], sums[33]);
 }
 
-/** Sampson distance: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2, where (a, b) are the
-first two entries of F x1 and (d, e) those of F^T x2. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D).
+/** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2 for Sampson's distance, where
+(a, b) are the first two entries of F x1 (FIRST) and (d, e) those of F^T x2 (SECOND); one pair alone gives the distance to
+the line in one image. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D).
 sums: the lower triangle of JtJ row by row (45); the gradient (9); the cost. */
-void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sums)
+template <bool FIRST, bool SECOND>
+void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     const double *x1 = chunk[0], *y1 = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
     double J[10][SUMS_CHUNK], weighted[10][SUMS_CHUNK];  // the last row is the residual
     USAC_SIMD
     for (int i = 0; i < SUMS_CHUNK; ++i)
     {
-        const double a = m[0] * x1[i] + m[1] * y1[i] + m[2], b = m[3] * x1[i] + m[4] * y1[i] + m[5];
-        const double d = m[0] * x2[i] + m[3] * y2[i] + m[6], e = m[1] * x2[i] + m[4] * y2[i] + m[7];
-        const double N = x2[i] * a + y2[i] * b + m[6] * x1[i] + m[7] * y1[i] + m[8];
+        const double l0 = m[0] * x1[i] + m[1] * y1[i] + m[2], l1 = m[3] * x1[i] + m[4] * y1[i] + m[5];
+        const double N = x2[i] * l0 + y2[i] * l1 + m[6] * x1[i] + m[7] * y1[i] + m[8];
+        const double a = FIRST ? l0 : 0, b = FIRST ? l1 : 0;
+        const double d = SECOND ? m[0] * x2[i] + m[3] * y2[i] + m[6] : 0;
+        const double e = SECOND ? m[1] * x2[i] + m[4] * y2[i] + m[7] : 0;
         const double D = a * a + b * b + d * d + e * e + 1e-200;  // 0 where both points are epipoles, as is N
-        const double s = 1 / std::sqrt(D), q = N / D;
+        const double s = 1 / std::sqrt(D), q = N * s * s;
         const double left0 = s * (x2[i] - q * a), left1 = s * (y2[i] - q * b);
         const double right0 = s * q * d, right1 = s * q * e;
         J[0][i] = left0 * x1[i] - x2[i] * right0;
@@ -98,7 +105,18 @@ void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double* sum
     }
     for (int row = 0, n = 0; row < 10; ++row)
         for (int col = 0; col <= row; ++col)
-            sums[n++] += dotChunk(weighted[row], J[col]);
+            addProducts(weighted[row], J[col], sums[n++]);
+}
+
+void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+{
+    epipolarSums<true, true>(chunk, m, sums);
+}
+
+void symmetricEpipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+{
+    epipolarSums<true, false>(chunk, m, sums);
+    epipolarSums<false, true>(chunk, m, sums);
 }
 
 } // namespace

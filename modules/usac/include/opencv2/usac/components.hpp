@@ -198,16 +198,17 @@ public:
     @param count number of indices
     @param weights one per index, or null for ones
     @param model input: where to start; output: the fit
+    @param iterations an iterative solver may stop after as many steps; >= 1
     @return false if the points do not determine a model; `model` is then as before. */
     virtual bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
-                     Model& model) const = 0;
+                     Model& model, int iterations = 10) const = 0;
 };
 
 //! Error of points under a model.
 class CV_EXPORTS Residual
 {
 public:
-    enum Kind { TRANSFER, SAMPSON, CUSTOM };
+    enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, CUSTOM };
 
     virtual ~Residual();
     //! Squared errors of the points begin .. end-1. Where the error is not defined the value is NaN or infinite.

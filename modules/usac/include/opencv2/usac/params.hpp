@@ -26,7 +26,8 @@ enum UsacV20Method
     USACV20          = 0x4000, //!< the configuration chosen in @cite ivashechkin2021usacv20; usacv20::Params::usacV20()
     USACV20_FAST     = 0x4001, //!< early stop and a short local optimisation; usacv20::Params::fast()
     USACV20_ACCURATE = 0x4002, //!< late stop and a long local optimisation; usacv20::Params::accurate()
-    USACV20_PROSAC   = 0x4003, //!< the caller's points are sorted, best first; usacv20::Params::prosac()
+    USACV20_PROSAC   = 0x4003, //!< the caller's points are sorted, best first; usacv20::Params::sorted()
+    USACV20_MAGSAC   = 0x4004, //!< quality and fits marginalised over the noise, to a wide threshold; usacv20::Params::magsacPlusPlus()
     USACV20_PARALLEL = 0x4005  //!< USACV20 with cv::getNumThreads() threads, the same result; usacv20::Params::parallel()
 };
 
@@ -196,7 +197,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double relaxation;
     //! Set of @ref DegeneracyFlags. Default all.
     CV_PROP_RW int degeneracy;
-    //! @ref PolishingType. Default #POLISHING_LEAST_SQUARES.
+    //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
 
     //! The configuration chosen in the paper; the same as Params().
@@ -205,14 +206,35 @@ struct CV_EXPORTS_W_SIMPLE Params
     whose local optimisation has no graph cut, no inner samples and at most two alternations. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with the standard termination, up to ten alternations of ten inner samples in
-    the local optimisation, and re-weighted polishing. */
+    the local optimisation. */
     CV_WRAP static Params accurate();
-    //! PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses.
-    CV_WRAP static Params prosac();
+    //! As usacV20(), with PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses.
+    CV_WRAP static Params sorted();
     //! As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses.
     CV_WRAP static Params parallel();
-    //! RANSAC of 1981: uniform samples, inlier count, standard termination, least squares @cite fischler1981random.
+    //! RANSAC of 1981: uniform samples, number of inliers, standard termination, least squares @cite fischler1981random.
     CV_WRAP static Params ransac();
+    //! As ransac(), with truncated squared errors @cite torr2000mlesac.
+    CV_WRAP static Params msac();
+    //! As ransac(), with the median of the squared errors; `threshold` is not used @cite rousseeuw1984least.
+    CV_WRAP static Params lmeds();
+    //! As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac.
+    CV_WRAP static Params mlesac();
+    //! As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first @cite chum2005matching.
+    CV_WRAP static Params prosac();
+    //! LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally.
+    CV_WRAP static Params loRansac();
+    //! FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size @cite lebeda2012fixing.
+    CV_WRAP static Params floRansac();
+    //! GC-RANSAC: P-NAPSAC samples, MSAC, SPRT, graph-cut local optimisation, standard termination @cite barath2018graph.
+    CV_WRAP static Params gcRansac();
+    //! USAC of 2013: PROSAC samples, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac.
+    CV_WRAP static Params usac2013();
+    //! MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac.
+    CV_WRAP static Params magsac();
+    /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac. What
+    #USACV20_MAGSAC uses. `threshold` is where the loss ends, and may be several times the noise. */
+    CV_WRAP static Params magsacPlusPlus();
     //! The preset behind a flag. @param method one of #UsacV20Method; anything else raises cv::Exception.
     CV_WRAP static Params fromMethod(int method);
 

@@ -85,7 +85,7 @@ class RouteTest(unittest.TestCase):
         self.assertEqual(calledKwargs, kwargs)
 
     def test_forms(self):
-        for method in (0, cv.RANSAC, cv.LMEDS, cv.RHO, cv.USAC_DEFAULT, cv.USAC_MAGSAC, 0x3fff, 0x4004, max(FLAGS.values()) + 1, -1,
+        for method in (0, cv.RANSAC, cv.LMEDS, cv.RHO, cv.USAC_DEFAULT, cv.USAC_MAGSAC, 0x3fff, max(FLAGS.values()) + 1, -1,
                        2**40, True, None, "RANSAC", 16384.0):
             for _, function, _, args, kwargs in forms(method):
                 self.check("opencv", function, *args, **kwargs)
@@ -124,13 +124,14 @@ class RouteTest(unittest.TestCase):
 class FlagTest(unittest.TestCase):
 
     def test_names_and_values(self):
-        self.assertLessEqual({"USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC", "USACV20_PARALLEL"}, set(FLAGS))
+        self.assertLessEqual({"USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC", "USACV20_MAGSAC",
+                              "USACV20_PARALLEL"}, set(FLAGS))
         self.assertEqual(len(set(FLAGS.values())), len(FLAGS))
         self.assertTrue(all(0x4000 <= value < 0x4100 for value in FLAGS.values()))
         for name, value in FLAGS.items():
             self.assertEqual(getattr(cv, name), value)
             self.assertTrue(usac.isUsacV20Method(value))
-        for value in (-1, 0, cv.LMEDS, cv.RANSAC, cv.RHO, cv.USAC_DEFAULT, cv.USAC_MAGSAC, 0x3fff, 0x4004, max(FLAGS.values()) + 1):
+        for value in (-1, 0, cv.LMEDS, cv.RANSAC, cv.RHO, cv.USAC_DEFAULT, cv.USAC_MAGSAC, 0x3fff, max(FLAGS.values()) + 1):
             self.assertFalse(usac.isUsacV20Method(value))
 
     def test_every_flag_in_every_form(self):

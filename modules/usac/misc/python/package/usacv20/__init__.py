@@ -7,7 +7,7 @@
 Three levels of use:
 
 1. A flag in the place of cv2.RANSAC: cv2.USACV20, cv2.USACV20_FAST, cv2.USACV20_ACCURATE, cv2.USACV20_PROSAC,
-   cv2.USACV20_PARALLEL.
+   cv2.USACV20_MAGSAC, cv2.USACV20_PARALLEL.
 
        H, mask = cv2.findHomography(points1, points2, cv2.USACV20, 3.0)
 

@@ -1,0 +1,14 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# The programs of samples/benchmark, the same inside OpenCV and stand-alone. The caller defines usac_add_program(name sources).
+
+set(_benchmark "${USAC_PROJECT_DIR}/samples/benchmark")
+file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp")
+usac_add_program(usac_benchmark ${_sources})
+
+# Its scenes are those of the tests.
+file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/synthetic/*.cpp" "${_benchmark}/synthetic/*.hpp")
+usac_add_program(usac_synthetic ${_sources} "${_benchmark}/arguments.cpp" "${USAC_MODULE_DIR}/test/scenes.cpp")
+target_include_directories(usac_synthetic PRIVATE "${_benchmark}" "${USAC_MODULE_DIR}/test")

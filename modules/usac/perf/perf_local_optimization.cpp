@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "perf_precomp.hpp"
+#include "perf_scene.hpp"
+#include "local_optimization/labelling.hpp"
+
+namespace opencv_test { namespace {
+
+CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL)
+typedef TestBaseWithParam<tuple<Problem, int> > UsacGraphCut;
+
+//! The best model of a sample of right matches: what the local optimisation starts from.
+Model modelOfSample(const PerfScene& scene, int stream)
+{
+    const Context& context = scene.context;
+    const MinimalSolver& solver = *context.components.minimalSolver;
+    Rng rng(1, stream);
+    int sample[MAX_SAMPLE_SIZE];
+    bool right;
+    do
+    {
+        rng.distinct(context.points.size, solver.sampleSize(), sample);
+        right = true;
+        for (int i = 0; i < solver.sampleSize(); ++i)
+            right = right && scene.isRight(sample[i]);
+    }
+    while (!right);
+    Model models[MAX_MODELS], best;
+    Quality bestQuality;
+    const int count = solver.solve(context.points, sample, models);
+    for (int i = 0; i < count; ++i)
+    {
+        const Quality quality = context.rate(models[i]);
+        if (!quality.betterThan(bestQuality))
+            continue;
+        best = models[i];
+        bestQuality = quality;
+    }
+    return best;
+}
+
+//! Full local optimisations of 20 models, each as of the first model of a run.
+PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), testing::Values(1000, 10000)))
+{
+    const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
+    std::vector<Model> models;
+    for (int k = 0; k < 20; ++k)
+        models.push_back(modelOfSample(scene, k));
+    int improved = 0;
+    TEST_CYCLE()
+    {
+        improved = 0;
+        for (int k = 0; k < 20; ++k)
+        {
+            State state;
+            state.rng = Rng(2, k);
+            Model model = models[k];
+            Quality quality = scene.context.rate(model);
+            improved += scene.context.components.localOptimizer->optimize(scene.context, state, model, quality);
+        }
+    }
+    EXPECT_GT(improved, 10);
+    SANITY_CHECK_NOTHING();
+}
+
+//! The cut alone, 20 times, at the true model; the graph is there already.
+PERF_TEST_P(UsacGraphCut, cut_20times, testing::Combine(Problem::all(), testing::Values(1000, 10000)))
+{
+    const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
+    Labelling labelling;
+    std::vector<int> inliers;
+    labelling.cut(scene.context, scene.model, inliers);
+    TEST_CYCLE()
+    {
+        for (int k = 0; k < 20; ++k)
+            labelling.cut(scene.context, scene.model, inliers);
+    }
+    EXPECT_GT((int)inliers.size(), get<1>(GetParam()) / 3);
+    SANITY_CHECK_NOTHING();
+}
+
+}} // namespace

@@ -1,0 +1,62 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "perf_precomp.hpp"
+#include "perf_scene.hpp"
+#include "neighbourhood/neighbourhood.hpp"
+#include "prior/prior.hpp"
+
+namespace opencv_test { namespace {
+
+typedef TestBaseWithParam<int> UsacSize;
+
+// What is done once a run, before the first sample. As many runs a call as make 1 000 000 points: a millisecond of a call is
+// a nanosecond of a point.
+
+const int POINTS = 1000000;
+
+PERF_TEST_P(UsacSize, grid_1000000points, testing::Values(100, 1000, 10000, 100000))
+{
+    const PerfScene scene(FUNDAMENTAL, GetParam());
+    int found = 0;
+    TEST_CYCLE()
+    {
+        for (int k = 0; k < POINTS / GetParam(); ++k)
+        {
+            const int* members = 0;
+            found = createGridNeighbourhood()->members(scene.context, 0, 0, members);  // builds the grid
+        }
+    }
+    EXPECT_GT(found, 0);
+    SANITY_CHECK_NOTHING();
+}
+
+PERF_TEST_P(UsacSize, gridWithEdges_1000000points, testing::Values(100, 1000, 10000, 100000))
+{
+    const PerfScene scene(FUNDAMENTAL, GetParam());
+    size_t edges = 0;
+    TEST_CYCLE()
+    {
+        for (int k = 0; k < POINTS / GetParam(); ++k)
+            edges = createGridNeighbourhood()->edges(scene.context).size();
+    }
+    EXPECT_GT(edges, 0u);
+    SANITY_CHECK_NOTHING();
+}
+
+PERF_TEST_P(UsacSize, densityPrior_1000000points, testing::Values(100, 1000, 10000, 100000))
+{
+    const PerfScene scene(FUNDAMENTAL, GetParam());
+    std::vector<int> order(GetParam());
+    TEST_CYCLE()
+    {
+        for (int k = 0; k < POINTS / GetParam(); ++k)
+            createDensityPrior()->sort(scene.context, order);
+    }
+    std::sort(order.begin(), order.end());
+    EXPECT_TRUE(order.front() == 0 && order.back() == GetParam() - 1);
+    SANITY_CHECK_NOTHING();
+}
+
+}} // namespace

@@ -1,0 +1,75 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "perf_precomp.hpp"
+#include "perf_scene.hpp"
+
+namespace opencv_test { namespace {
+
+//! How a model is rated: by the fused kernel, errors first and then the score, or a wrong model up to the cost of the right one.
+enum Way { FUSED, NOT_FUSED, EARLY_EXIT };
+
+enum { TRANSFER = Residual::TRANSFER, SAMPSON = Residual::SAMPSON };
+
+CV_ENUM(ResidualKind, TRANSFER, SAMPSON)
+CV_ENUM(ScoreKind, QUALITY_INLIERS, QUALITY_MSAC)
+CV_ENUM(RatingWay, FUSED, NOT_FUSED, EARLY_EXIT)
+typedef TestBaseWithParam<tuple<ResidualKind, ScoreKind, RatingWay, int> > UsacScore;
+
+//! A residual that no score has a fused kernel for.
+class UnknownResidual : public Residual
+{
+public:
+    explicit UnknownResidual(const Ptr<Residual>& known_) : known(known_) {}
+
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
+    {
+        known->squaredErrors(points, model, begin, end, errors);
+    }
+    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
+                       int count, double* errors) const CV_OVERRIDE
+    {
+        known->squaredErrors(model, x1, y1, x2, y2, count, errors);
+    }
+
+private:
+    const Ptr<Residual> known;
+};
+
+//! As many models a call as make 1 000 000 points: a millisecond of a call is a nanosecond of a point.
+PERF_TEST_P(UsacScore, rate_1000000points,
+            testing::Combine(ResidualKind::all(), ScoreKind::all(), RatingWay::all(),
+                             testing::Values(100, 1000, 10000, 100000)))
+{
+    const ProblemType problem = get<0>(GetParam()) == TRANSFER ? HOMOGRAPHY : FUNDAMENTAL;
+    const int way = get<2>(GetParam()), size = get<3>(GetParam()), models = 1000000 / size;
+    Params params;
+    params.quality = get<1>(GetParam());
+    const PerfScene scene(problem, size, params);
+    Ptr<Residual>& residual = scene.usac->components().residual;
+    if (way == NOT_FUSED)
+        residual = makePtr<UnknownResidual>(residual);
+    const Context& context = scene.context;
+    const Quality right = context.rate(scene.model);
+    const Model wrong = scene.model + Model::eye() * 0.5;
+    Quality sum;
+    TEST_CYCLE()
+    {
+        sum = Quality(0, 0);
+        for (int k = 0; k < models; ++k)
+        {
+            const Quality quality = way == EARLY_EXIT ? context.rate(wrong, right.cost) : context.rate(scene.model);
+            sum.cost += quality.cost;
+            sum.inliers += quality.inliers;
+        }
+    }
+    if (way == EARLY_EXIT)
+        EXPECT_GE(sum.cost, right.cost * models);
+    else
+        EXPECT_EQ(right.inliers * models, sum.inliers);
+    SANITY_CHECK_NOTHING();
+}
+
+}} // namespace

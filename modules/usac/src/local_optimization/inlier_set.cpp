@@ -1,0 +1,53 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "local_optimization/inlier_set.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+void InlierSet::within(const Context& context, const Model& model, double multiple)
+{
+    const Correspondences& points = context.points;
+    const float limit = (float)(multiple * multiple * points.threshold * points.threshold);
+    errors.resize(points.size);
+    context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
+    members.clear();
+    for (int i = 0; i < points.size; ++i)
+        if (errors[i] <= limit)
+            members.push_back(i);
+}
+
+int InlierSet::select(Rng& rng, int count)
+{
+    count = std::min(count, size());
+    for (int i = 0; i < count && count < size(); ++i)
+        std::swap(members[i], members[i + rng.uniform(size() - i)]);
+    return count;
+}
+
+bool InlierSet::fit(const Context& context, int count, Model& model, int iterations) const
+{
+    return context.components.nonMinimalSolver->fit(context.points, members.data(), count, 0, model, iterations);
+}
+
+bool InlierSet::improve(const Context& context, int count, Model& model, Quality& quality, int iterations) const
+{
+    Model fitted = model;
+    return fit(context, count, fitted, iterations) && keepBetter(context, fitted, model, quality);
+}
+
+bool keepBetter(const Context& context, const Model& candidate, Model& model, Quality& quality)
+{
+    const Quality rated = context.rate(candidate, quality.cost);
+    if (!rated.betterThan(quality))
+        return false;
+    model = candidate;
+    quality = rated;
+    return true;
+}
+
+} // namespace usacv20
+} // namespace cv

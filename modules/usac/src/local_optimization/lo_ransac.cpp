@@ -1,0 +1,91 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "local_optimization/inlier_set.hpp"
+#include "local_optimization/local_optimization.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief Local optimisation of LO-RANSAC @cite chum2003locally, also in the form that "Fixing the locally optimized RANSAC"
+@cite lebeda2012fixing gave it (FLO-RANSAC).
+
+The model is fitted to its inliers within a wide threshold. Then an inner RANSAC draws Params::localSamples samples of
+Params::localSampleMultiple times the minimal size, at most half of them all, from the inliers of that fit; each is fitted and then
+refined by least squares over the points within a threshold that shrinks from #WIDE times to the threshold itself in
+Params::localIterations steps. The best of all these fits replaces the model if it is better.
+
+LO-RANSAC fits to all the points that are selected. FLO-RANSAC fits to at most 7 times as many as a minimal sample has, random
+ones: the fits cost the same for any number of points, and vary more. */
+class LoRansacOptimizer : public LocalOptimizer
+{
+public:
+    //! @param fitMultiple most points of one fit, as a multiple of a minimal sample
+    explicit LoRansacOptimizer(int fitMultiple_) : fitMultiple(fitMultiple_) {}
+
+    bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        const int largest = fitMultiple < INT_MAX / m ? fitMultiple * m : INT_MAX;
+        Model start = model;
+        inliers.within(context, model, WIDE);
+        if (inliers.size() <= m || !inliers.fit(context, inliers.select(state.rng, largest), start))
+            return false;
+        bool improved = keepBetter(context, start, model, quality);
+        base.within(context, start, 1);
+        const int small = std::min(m * context.params.localSampleMultiple, base.size() / 2);
+        if (small <= m)
+            return improved;
+        for (int i = 0; i < context.params.localSamples; ++i)
+        {
+            Model inner = start;
+            if (!base.fit(context, base.select(state.rng, small), inner))
+                continue;
+            improved |= keepBetter(context, inner, model, quality);
+            improved |= shrink(context, state, m, largest, inner, model, quality);
+        }
+        return improved;
+    }
+
+private:
+    //! The first threshold of the shrinking ones, in thresholds.
+    enum { WIDE = 3 };
+
+    //! Least squares over the points within a shrinking threshold, each from the last fit.
+    bool shrink(const Context& context, State& state, int m, int largest, Model fitted, Model& model, Quality& quality)
+    {
+        bool improved = false;
+        const int steps = context.params.localIterations;
+        for (int step = 0; step < steps; ++step)
+        {
+            const double multiple = steps > 1 ? WIDE - (WIDE - 1.) * step / (steps - 1) : 1;
+            inliers.within(context, fitted, multiple);
+            if (inliers.size() <= m || !inliers.fit(context, inliers.select(state.rng, largest), fitted))
+                break;
+            improved |= keepBetter(context, fitted, model, quality);
+        }
+        return improved;
+    }
+
+    const int fitMultiple;
+    InlierSet base, inliers;
+};
+
+} // namespace
+
+Ptr<LocalOptimizer> createLoRansacOptimizer()
+{
+    return makePtr<LoRansacOptimizer>(INT_MAX);
+}
+
+Ptr<LocalOptimizer> createFloRansacOptimizer()
+{
+    return makePtr<LoRansacOptimizer>(7);
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_MARGINALIZED_FIT_HPP
+#define OPENCV_USACV20_MARGINALIZED_FIT_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief One step of re-weighted least squares with the weights of MAGSAC++ @cite barath2020magsac, in two parts.
+
+As the weights fall with the error, a fit to all weighted points never raises the loss that they belong to. */
+class MarginalizedFit
+{
+public:
+    //! Weighs the points within the threshold of the model. @return the loss of all points, see MarginalizedWeights
+    double weigh(const Context& context, double threshold, const Model& model);
+    //! Points with a weight.
+    int size() const { return (int)indices.size(); }
+    //! Keeps `most` of the weighted points, a random choice.
+    void reduce(int most, Rng& rng);
+    //! Fits to the weighted points, starting from `model`. False if they are too few or determine none.
+    bool fit(const Context& context, Model& model) const;
+
+private:
+    std::vector<float> errors;
+    std::vector<int> indices;
+    std::vector<double> weights;
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,130 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "local_optimization/local_optimization.hpp"
+#include "local_optimization/sigma_consensus.hpp"
+#include "statistics/marginalized_weights.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! The points within the threshold, nearest first, at most #MAX_FIT.
+void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model)
+{
+    const Correspondences& p = context.points;
+    const float scale = (float)(1 / (p.threshold * p.threshold));
+    errors.resize(p.size);
+    context.components.residual->squaredErrors(p, model, 0, p.size, errors.data());
+    near.clear();
+    for (int i = 0; i < p.size; ++i)
+    {
+        const Near point = {errors[i] * scale, i};
+        if (point.error < 1)  // false for NaN
+            near.push_back(point);
+    }
+    const int size = (int)near.size(), count = std::min<int>(size, MAX_FIT);
+    for (int i = 0; i < count && count < size; ++i)
+        std::swap(near[i], near[i + rng.uniform(size - i)]);
+    near.resize(count);
+    std::sort(near.begin(), near.end());
+    const double* const from[4] = {p.dx1, p.dy1, p.dx2, p.dy2};
+    indices.resize(count);
+    for (int k = 0; k < 4; ++k)
+        coordinates[k].resize(count);
+    for (int i = 0; i < count; ++i)
+    {
+        indices[i] = near[i].index;
+        for (int k = 0; k < 4; ++k)
+            coordinates[k][i] = from[k][indices[i]];
+    }
+}
+
+void SigmaConsensus::marginalize(const Context& context, const Model& model, int part)
+{
+    const MarginalizedWeights& table = MarginalizedWeights::of(context.points.problem);
+    const int count = (int)indices.size();
+    squared.resize(count);
+    context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(), coordinates[2].data(),
+                                               coordinates[3].data(), count, squared.data());
+    const double scale = 1 / (context.points.threshold * context.points.threshold);
+    const double end = (double)part / partitions, begin = (part - 1.0) / partitions;
+    for (int i = 0; i < count; ++i)
+    {
+        const double u = std::max(squared[i] * scale, 1.0 / MarginalizedWeights::SIZE);
+        if (u < end * end)  // false for NaN
+            weights[i] += table.tabulatedWeight((float)(u / (end * end))) -
+                          (part > 1 ? table.tabulatedWeight((float)(u / (begin * begin))) : 0.f);
+    }
+}
+
+bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
+{
+    select(context, rng, model);
+    const int size = (int)indices.size(), m = context.components.minimalSolver->sampleSize();
+    if (size <= m)
+        return false;
+    const NonMinimalSolver& solver = *context.components.nonMinimalSolver;
+    weights.assign(size, 0.0);
+    Model fitted = model;
+    for (int part = 1, count = 0, last = 0; part <= partitions; ++part, last = count)
+    {
+        const double reach = (double)part / partitions;
+        while (count < size && near[count].error < reach * reach)
+            ++count;
+        Model next = model;
+        if (count > m && count != last && solver.fit(context.points, indices.data(), count, 0, next))
+            fitted = next;
+        marginalize(context, fitted, part);
+    }
+    int kept = 0;
+    for (int i = 0; i < size; ++i)
+        if (weights[i] > 0)
+        {
+            indices[kept] = indices[i];
+            weights[kept++] = weights[i];
+        }
+    indices.resize(kept);
+    weights.resize(kept);
+    return kept > m && solver.fit(context.points, indices.data(), kept, weights.data(), model);
+}
+
+namespace {
+
+/** Local optimisation by SigmaConsensus: the marginalised fit, again from its result, Params::localIterations times at most.
+A fit that is better replaces the model; the first that is not is the last. */
+class SigmaConsensusOptimizer : public LocalOptimizer
+{
+public:
+    bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        bool improved = false;
+        for (int i = 0; i < context.params.localIterations; ++i)
+        {
+            Model fitted = model;
+            if (!consensus.fit(context, state.rng, fitted))
+                break;
+            const Quality fittedQuality = context.rate(fitted, quality.cost);
+            if (!fittedQuality.betterThan(quality))
+                break;
+            model = fitted;
+            quality = fittedQuality;
+            improved = true;
+        }
+        return improved;
+    }
+
+private:
+    SigmaConsensus consensus;
+};
+
+} // namespace
+
+Ptr<LocalOptimizer> createSigmaConsensus()
+{
+    return makePtr<SigmaConsensusOptimizer>();
+}
+
+} // namespace usacv20
+} // namespace cv

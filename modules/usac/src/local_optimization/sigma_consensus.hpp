@@ -1,0 +1,63 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_SIGMA_CONSENSUS_HPP
+#define OPENCV_USACV20_SIGMA_CONSENSUS_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief sigma-consensus @cite barath2019magsac: one fit that is marginalised over the scale of the noise.
+
+The scales 0 .. sigma_max are cut into #PARTITIONS equal parts. For the scales of one part the model is the least
+squares fit to the points that are within thresholdInSigmas times its largest sigma of the given model; if they are too
+few, it is the given model. A point's weight is its likelihood under the model of each scale, marginalised over the
+scale as in MarginalizedWeights: within a part the integral is that class's formula, taken between the ends of the part.
+The result is the fit with these weights.
+
+The points are those within the threshold of the given model, or #MAX_FIT random ones of them. So the cost of the fits, one
+for each part and the last, is bounded; besides there is one pass over all points. */
+class SigmaConsensus
+{
+public:
+    enum { PARTITIONS = 5, MAX_FIT = 500 };
+
+    explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_) {}
+
+    //! Replaces the model by the marginalised fit; false if the points do not determine one.
+    bool fit(const Context& context, Rng& rng, Model& model);
+
+    //! Of the last fit: points of positive weight, nearest first, and their weights.
+    const std::vector<int>& points() const { return indices; }
+    const std::vector<double>& pointWeights() const { return weights; }
+
+private:
+    //! A point and its squared error in units of the squared threshold.
+    struct Near
+    {
+        float error;
+        int index;
+        bool operator<(const Near& other) const
+        {
+            return error < other.error || (error == other.error && index < other.index);
+        }
+    };
+
+    void select(const Context& context, Rng& rng, const Model& model);
+    //! Adds the likelihoods under the model for the scales of a part.
+    void marginalize(const Context& context, const Model& model, int part);
+
+    const int partitions;
+    std::vector<float> errors;
+    std::vector<Near> near;
+    std::vector<int> indices;
+    std::vector<double> weights, coordinates[4], squared;
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

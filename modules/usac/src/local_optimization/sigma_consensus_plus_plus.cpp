@@ -1,0 +1,60 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "local_optimization/local_optimization.hpp"
+#include "local_optimization/marginalized_fit.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief The local optimisation of MAGSAC++ @cite barath2020magsac: re-weighted least squares with the weights of
+MarginalizedWeights.
+
+Params::localIterations re-weightings at most. Each takes all points within the threshold of the last fit, or #MAX_FIT
+random ones if there are more: enough while the weights still change. The best of the fits is kept if it is better than
+the model; the second fit in a row that is no better is the last. */
+class SigmaConsensusPlusPlus : public LocalOptimizer
+{
+public:
+    bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        bool improved = false;
+        Model fitted = model;
+        int failures = 0;
+        for (int i = 0; i < context.params.localIterations && failures < 2; ++i)
+        {
+            reweighted.weigh(context, context.points.threshold, fitted);
+            reweighted.reduce(MAX_FIT, state.rng);
+            if (!reweighted.fit(context, fitted))
+                break;
+            const Quality fittedQuality = context.rate(fitted, quality.cost);
+            ++failures;
+            if (!fittedQuality.betterThan(quality))
+                continue;
+            model = fitted;
+            quality = fittedQuality;
+            improved = true;
+            failures = 0;
+        }
+        return improved;
+    }
+
+private:
+    enum { MAX_FIT = 500 };
+
+    MarginalizedFit reweighted;
+};
+
+} // namespace
+
+Ptr<LocalOptimizer> createSigmaConsensusPlusPlus()
+{
+    return makePtr<SigmaConsensusPlusPlus>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "local_optimization/marginalized_fit.hpp"
+#include "polishing/polishing.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Re-weighted least squares over all points with the weights of MAGSAC++ @cite barath2020magsac, within the threshold
+of the score. A fit is taken while it lowers the loss of these weights, which the theory promises of each: that loss is
+what it minimises, so not the cost of the run's own quality but this decides. */
+class ReweightedPolisher : public Polisher
+{
+public:
+    void polish(const Context& context, Model& model) CV_OVERRIDE
+    {
+        MarginalizedFit reweighted;
+        const double threshold = context.components.score->threshold(context, model);
+        double loss = reweighted.weigh(context, threshold, model);
+        for (int i = 0; i < MAX_ITERATIONS; ++i)
+        {
+            Model fitted = model;
+            if (!reweighted.fit(context, fitted))
+                return;
+            const double before = loss;
+            loss = reweighted.weigh(context, threshold, fitted);
+            if (!(loss < before))
+                return;
+            model = fitted;
+            if (before - loss < SETTLED * before)
+                return;
+        }
+    }
+
+private:
+    enum { MAX_ITERATIONS = 10 };
+    static const double SETTLED;
+};
+
+const double ReweightedPolisher::SETTLED = 1e-5;
+
+} // namespace
+
+Ptr<Polisher> createReweightedPolisher()
+{
+    return makePtr<ReweightedPolisher>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,43 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "scores/scores.hpp"
+#include "statistics/marginalized_weights.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss of the weights that are marginalised over
+the scale of the noise, see MarginalizedWeights. A look-up for each inlier. */
+class MagsacPlusPlusScore : public Score
+{
+public:
+    explicit MagsacPlusPlusScore(ProblemType problem) : table(MarginalizedWeights::of(problem)) {}
+
+    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    {
+        const int near = keepInliers(squaredErrors, count, squaredThreshold);
+        const float factor = 1 / squaredThreshold;
+        for (int i = 0; i < near; ++i)
+            squaredErrors[i] *= factor;
+        sum.inliers += near;
+        sum.cost += count - near + table.sumOfLosses(squaredErrors, near);
+    }
+
+private:
+    const MarginalizedWeights& table;
+};
+
+} // namespace
+
+Ptr<Score> createMagsacPlusPlusScore(ProblemType problem)
+{
+    return makePtr<MagsacPlusPlusScore>(problem);
+}
+
+} // namespace usacv20
+} // namespace cv

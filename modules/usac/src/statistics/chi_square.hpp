@@ -1,0 +1,32 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_CHI_SQUARE_HPP
+#define OPENCV_USACV20_CHI_SQUARE_HPP
+
+#include "opencv2/usac/params.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** Degrees of freedom of the error of an inlier, that is the codimension of the manifold on which exact matches lie in the
+4-D joint space: H 2, F and E 1. So it is for the symmetric errors also: their terms are functions of each other (both
+distances to an epipolar line are multiples of x2^T F x1, both transfer errors of the other by H's derivative), so the
+second term changes the scale of the error only. */
+int degreesOfFreedom(ProblemType problem);
+
+//! Probability that the squared error of an inlier, in units of the variance, is at most x.
+double chiSquareDistribution(double x, int degrees);
+//! The x at which chiSquareDistribution is p; 0 <= p < 1.
+double chiSquareQuantile(double p, int degrees);
+
+/** The threshold in units of the largest standard deviation of the noise, sigma_max: the root of the 0.99 quantile, as
+in @cite barath2019magsac. So Params::threshold says what sigma_max is, and losses that are marginalised over the noise
+up to sigma_max end at the threshold. */
+double thresholdInSigmas(int degrees);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,22 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_GAMMA_HPP
+#define OPENCV_USACV20_GAMMA_HPP
+
+namespace cv {
+namespace usacv20 {
+
+/* Incomplete gamma functions by their power series below x = a + 1 and by their continued fraction above
+@cite press2007numerical; relative error about 1e-14. */
+
+//! Integral of t^(a-1) exp(-t) over 0 .. x; a > 0, x >= 0.
+double lowerGamma(double a, double x);
+//! The same over x .. infinity; a >= 0, x >= 0. For a = 0 this is the exponential integral, infinite at x = 0.
+double upperGamma(double a, double x);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

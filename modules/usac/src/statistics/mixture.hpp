@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_MIXTURE_HPP
+#define OPENCV_USACV20_MIXTURE_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** Side of the square (H, in image 2) or of the mean square of both images (F, E) that has the area on which the points
+lie. Outliers are taken to be uniform on it: the vector of their transfer error has the density extent^-2, their distance
+to an epipolar line about 1 / extent. */
+double outlierExtent(const Correspondences& points);
+
+/** Log of how much more likely an inlier without error is than an outlier, divided by the degrees of freedom:
+log(extent / (sqrt(2 pi) sigma)). Not less than what makes both equally likely at the threshold, thresholdInSigmas: wide
+thresholds on points that hardly differ would ask for more. */
+double logDensityRatio(double extent, double sigma, int degrees);
+
+/** The part of inliers among `count` points that makes them most likely, by expectation and maximisation. The density
+as an inlier of the first `near` points is `ratios` times that as an outlier; that of the others is 0. */
+double mixingWeight(const float* ratios, int near, int count);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,75 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** MAGSAC @cite barath2019magsac: the samples that the standard criterion asks for, averaged over the scale of the
+noise, uniform in 0 .. sigma_max. For the scales i sigma_max / #PARTITIONS the inliers of the best model are the points
+within i / #PARTITIONS of the threshold.
+
+The finest scale has the fewest inliers and asks for the most samples, so the criterion is stricter than the standard one. It
+suits a threshold that is several times that of the noise; where it is about that of the noise, the finest scale
+leaves too few inliers for an end before Params::maxIterations. One pass over the points. */
+class MagsacTermination : public Termination
+{
+public:
+    int iterations(const Context& context, const State& state) const CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        if (state.bestQuality.inliers < m)
+            return INT_MAX;
+        int inliers[PARTITIONS] = {0};
+        count(context, state.best, inliers);
+        const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
+        const double logFailure = std::log(1 - context.params.confidence);
+        const double kept = keptProbability(context, state.bestQuality.inliers);
+        double sum = 0;
+        for (int i = 0, within = 0; i < PARTITIONS; ++i)
+        {
+            within += inliers[i];
+            const double good = goodSampleProbability(within, context.points.size, m, exact) * kept;
+            if (!(good > 0))
+                return INT_MAX;
+            sum += good < 1 ? logFailure / std::log1p(-good) : 0;
+        }
+        const double mean = std::max(std::ceil(sum / PARTITIONS), 1.0);
+        return mean < INT_MAX ? (int)mean : INT_MAX;
+    }
+
+    int reason() const CV_OVERRIDE { return STOP_MAGSAC; }
+
+private:
+    enum { PARTITIONS = 5 };
+
+    //! How many points lie between the (i-1)-th and the i-th part of the threshold.
+    static void count(const Context& context, const Model& model, int* inliers)
+    {
+        const Correspondences& p = context.points;
+        const float scale = (float)(PARTITIONS / p.threshold);
+        std::vector<float> errors(p.size);
+        context.components.residual->squaredErrors(p, model, 0, p.size, errors.data());
+        for (int i = 0; i < p.size; ++i)
+        {
+            const float error = std::sqrt(errors[i]) * scale;
+            if (error <= PARTITIONS)  // false for NaN
+                ++inliers[std::max((int)std::ceil(error) - 1, 0)];
+        }
+    }
+};
+
+} // namespace
+
+Ptr<Termination> createMagsacTermination()
+{
+    return makePtr<MagsacTermination>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,35 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_REAL_SET_HPP
+#define OPENCV_USACV20_TEST_REAL_SET_HPP
+
+#include <string>
+#include <vector>
+#include "opencv2/core.hpp"
+#include "opencv2/usac.hpp"
+
+namespace opencv_test {
+
+//! One set of test_data/; its README.md says where the numbers come from.
+struct RealSet
+{
+    explicit RealSet(const std::string& name);
+
+    //! Mean error in pixels of the check points: transfer distance in image 2, or Sampson's.
+    double error(const cv::Mat& estimated) const;
+    cv::Mat find(cv::UsacV20Method flag, double pixels, cv::OutputArray mask) const;
+    cv::Mat estimateWith(const cv::usacv20::Params& params, cv::OutputArray mask, cv::usacv20::Report& report) const;
+    //! A part of the matches, those of the best scores, best first.
+    RealSet sorted(double part = 1) const;
+
+    cv::usacv20::ProblemType problem;
+    std::vector<cv::Point2d> points1, points2, check1, check2;
+    std::vector<float> scores;
+    cv::Mat model, K1, K2, d1, d2;
+};
+
+} // namespace opencv_test
+
+#endif

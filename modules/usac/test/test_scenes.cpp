@@ -1,0 +1,199 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+#include <map>
+
+// The synthetic scenes keep what their options promise: the other tests and the benchmark rely on it.
+
+namespace opencv_test { namespace {
+
+const ProblemType PROBLEMS[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
+const OutlierModel OUTLIER_MODELS[] = {OUTLIERS_UNIFORM, OUTLIERS_LOCAL, OUTLIERS_MANY_TO_ONE};
+
+bool samePoints(const Scene& a, const Scene& b)
+{
+    return a.points1 == b.points1 && a.points2 == b.points2 && a.clean1 == b.clean1 && a.clean2 == b.clean2;
+}
+
+int countTrue(const Scene& scene)
+{
+    return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
+}
+
+//! Part of the pairs of a true and a wrong match in which the true one has the better score.
+double rankedRight(const Scene& scene)
+{
+    double right = 0, pairs = 0;
+    for (int i = 0; i < scene.size(); ++i)
+        for (int j = 0; j < scene.size(); ++j)
+            if (scene.truth[i] && !scene.truth[j])
+            {
+                right += scene.scores[i] < scene.scores[j];
+                ++pairs;
+            }
+    return right / pairs;
+}
+
+//! Wrong matches by their point of image 2, and how many a point has.
+std::map<std::pair<double, double>, int> targetsOfOutliers(const Scene& scene)
+{
+    std::map<std::pair<double, double>, int> result;
+    for (int i = 0; i < scene.size(); ++i)
+        if (!scene.truth[i])
+            ++result[std::make_pair(scene.points2[i].x, scene.points2[i].y)];
+    return result;
+}
+
+//! The random numbers behind scores that tell nothing.
+std::vector<float> randomNumbers(const Scene& scene)
+{
+    std::vector<float> result = scene.scores;
+    for (int i = 0; i < scene.size(); ++i)
+        if (scene.truth[i])
+            result[i] = 1 - result[i];
+    return result;
+}
+
+TEST(Usac_Scenes, sizeAndInlierRatio)
+{
+    for (int size = 20; size <= 500; size += 96)
+        for (int percent = 10; percent <= 100; percent += 30)
+        {
+            SceneOptions options;
+            options.setSize(size, 0.01 * percent);
+            const Scene scene = makeScene(FUNDAMENTAL, options);
+            EXPECT_EQ(size, scene.size());
+            EXPECT_EQ(cvRound(0.01 * percent * size), countTrue(scene));
+            EXPECT_EQ((size_t)size, scene.scores.size());
+        }
+}
+
+TEST(Usac_Scenes, modelIsExactForPointsWithoutNoise)
+{
+    for (ProblemType problem : PROBLEMS)
+        for (OutlierModel outliers : OUTLIER_MODELS)
+            for (int seed = 1; seed <= 5; ++seed)
+            {
+                SceneOptions options;
+                options.outlierModel = outliers;
+                options.planeFraction = 0.25 * (seed % 4);
+                options.seed = seed;
+                options.noise = 1;
+                const Scene scene = makeScene(problem, options);
+                EXPECT_LT(modelError(scene, Mat(scene.model)), 1e-9) << "problem " << (int)problem << ", seed " << seed;
+                EXPECT_EQ(problem == HOMOGRAPHY ? options.inliers : cvRound(options.inliers * options.planeFraction),
+                          (int)std::count(scene.onPlane.begin(), scene.onPlane.end(), (uchar)1));
+                double sum = 0;
+                for (int i = 0; i < scene.size(); ++i)
+                {
+                    const Point2d d = scene.points2[i] - scene.clean2[i];
+                    sum += d.dot(d);
+                    EXPECT_TRUE(scene.truth[i] || d.dot(d) == 0);
+                }
+                EXPECT_NEAR(options.noise, std::sqrt(sum / 2 / options.inliers), 0.18);  // five standard deviations
+            }
+}
+
+TEST(Usac_Scenes, fundamentalAndEssentialShareThePoints)
+{
+    SceneOptions options;
+    options.outlierModel = OUTLIERS_MANY_TO_ONE;
+    options.planeFraction = 0.5;
+    const Scene F = makeScene(FUNDAMENTAL, options), E = makeScene(ESSENTIAL, options);
+    EXPECT_TRUE(samePoints(F, E));
+    EXPECT_EQ(F.scores, E.scores);
+}
+
+TEST(Usac_Scenes, deterministic)
+{
+    for (ProblemType problem : PROBLEMS)
+        for (OutlierModel outliers : OUTLIER_MODELS)
+        {
+            SceneOptions options;
+            options.outlierModel = outliers;
+            const Scene first = makeScene(problem, options), again = makeScene(problem, options);
+            EXPECT_TRUE(samePoints(first, again));
+            EXPECT_EQ(first.truth, again.truth);
+            EXPECT_EQ(first.scores, again.scores);
+            EXPECT_EQ(first.model, again.model);
+            ++options.seed;
+            const Scene other = makeScene(problem, options);
+            EXPECT_FALSE(samePoints(first, other));
+            EXPECT_GT(cv::norm(randomNumbers(first), randomNumbers(other)), 1);
+        }
+}
+
+TEST(Usac_Scenes, scoresAreAsInformativeAsAskedFor)
+{
+    const double informations[] = {0.3, 0.5, 0.7, 0.9, 1};
+    SceneOptions options;
+    options.setSize(3000, 0.4);
+    const Scene plain = makeScene(HOMOGRAPHY, options);
+    for (double information : informations)
+    {
+        options.scoreInformation = information;
+        const Scene scene = makeScene(HOMOGRAPHY, options);
+        EXPECT_NEAR(information, rankedRight(scene), 0.04);  // four standard deviations at 0.5
+        EXPECT_GE(*std::min_element(scene.scores.begin(), scene.scores.end()), 0.f);
+        EXPECT_LE(*std::max_element(scene.scores.begin(), scene.scores.end()), 1.f);
+        EXPECT_TRUE(samePoints(plain, scene)) << "the points depend on the scores";
+    }
+    for (double wrong : {-0.1, 0., 1.1})
+    {
+        options.scoreInformation = wrong;
+        EXPECT_THROW(makeScene(HOMOGRAPHY, options), cv::Exception);
+    }
+}
+
+TEST(Usac_Scenes, localOutliersAreCloseAndWrong)
+{
+    for (ProblemType problem : PROBLEMS)
+    {
+        SceneOptions options;
+        options.outlierModel = OUTLIERS_LOCAL;
+        const Scene scene = makeScene(problem, options);
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            if (scene.truth[i])
+                continue;
+            const double error = pixelError(scene, scene.model, scene.points1[i], scene.points2[i]);
+            EXPECT_GE(error, 5);
+            EXPECT_LE(error, 50 + 1e-9);
+        }
+        EXPECT_EQ((size_t)options.outliers, targetsOfOutliers(scene).size());
+    }
+}
+
+TEST(Usac_Scenes, manyToOneOutliersShareAPointWithATrueMatch)
+{
+    SceneOptions options;
+    options.outlierModel = OUTLIERS_MANY_TO_ONE;
+    options.setSize(1000, 0.5);
+    const Scene scene = makeScene(FUNDAMENTAL, options);
+    const std::map<std::pair<double, double>, int> targets = targetsOfOutliers(scene);
+    EXPECT_LE(targets.size(), 51u);
+    EXPECT_GE(targets.size(), 40u);
+    int ofTrueMatches = 0;
+    for (int i = 0; i < scene.size(); ++i)
+        ofTrueMatches += scene.truth[i] && targets.count(std::make_pair(scene.points2[i].x, scene.points2[i].y));
+    EXPECT_EQ((int)targets.size(), ofTrueMatches);
+}
+
+TEST(Usac_Scenes, uniformOutliersFillBothImages)
+{
+    SceneOptions options;
+    options.setSize(2000, 0.1);
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    int cells[16] = {0};
+    for (int i = 0; i < scene.size(); ++i)
+        if (!scene.truth[i])
+            ++cells[(scene.points1[i].x > SCENE_WIDTH / 2) + 2 * (scene.points1[i].y > SCENE_HEIGHT / 2) +
+                    4 * (scene.points2[i].x > SCENE_WIDTH / 2) + 8 * (scene.points2[i].y > SCENE_HEIGHT / 2)];
+    for (int k = 0; k < 16; ++k)
+        EXPECT_NEAR(options.outliers / 16., cells[k], 50);  // about five standard deviations
+}
+
+}} // namespace

@@ -1,0 +1,194 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Reads and writes the pairs and lists that usac_benchmark reads; doc/benchmark.md describes the format."""
+
+import json
+import os
+
+import numpy as np
+
+PROBLEMS = ("H", "F", "E")
+KINDS = ("annotated", "labels", "homography", "pose", "exact")
+_MATRICES = ("H", "K1", "K2", "R")
+
+
+class PairError(ValueError):
+    """A pair or a list that breaks the rules of the format; the message names file and line where there is one."""
+
+
+class Pair:
+    """Tentative correspondences of two images and the truth about them.
+
+    points1, points2: N x 2, pixels, the centre of the first pixel is 0,0. scores: N, lower is better.
+    size1, size2: width, height. H: image 1 -> 2. R, t: x2 ~ R x1 + t. gt_points: M x 4, correspondences that are
+    right. What is not known is None. extra: further members of the description."""
+
+    def __init__(self, problems, points1, points2, scores, size1, size2, gt_points, gt_kind,
+                 H=None, K1=None, K2=None, R=None, t=None, extra=None):
+        self.problems = list(problems)
+        self.points1, self.points2 = _array(points1, (-1, 2), "points1"), _array(points2, (-1, 2), "points2")
+        self.scores = _array(scores, (-1,), "scores")
+        self.size1, self.size2 = _array(size1, (2,), "size1"), _array(size2, (2,), "size2")
+        self.gt_points, self.gt_kind = _array(gt_points, (-1, 4), "gt_points"), gt_kind
+        self.H, self.K1, self.K2 = _array(H, (3, 3), "H"), _array(K1, (3, 3), "K1"), _array(K2, (3, 3), "K2")
+        self.R, self.t = _array(R, (3, 3), "R"), _array(t, (3,), "t")
+        self.extra = dict(extra or {})
+
+    def check(self):
+        """Raises PairError if the program could not use the pair, or would measure nonsense."""
+        _require(self.problems and set(self.problems) <= set(PROBLEMS), "problem: expected some of H, F, E")
+        _require(len(self.points1) > 0, "no correspondences")
+        _require(len(self.points1) == len(self.points2) == len(self.scores), "points and scores differ in number")
+        for name in ("points1", "points2", "scores", "size1", "size2", "gt_points", "H", "K1", "K2", "R", "t"):
+            value = getattr(self, name)
+            _require(value is None or np.isfinite(value).all(), name + ": not finite")
+        _require((self.size1 > 0).all() and (self.size2 > 0).all(), "size1, size2: expected positive numbers")
+        _require(self.gt_kind in KINDS, "gt_kind: expected one of " + ", ".join(KINDS))
+        _require(len(self.gt_points) > 0, "gt_points: none, the error cannot be measured")
+        self._check_models()
+
+    def _check_models(self):
+        _require("E" not in self.problems or (self.K1 is not None and self.K2 is not None), "K1, K2: needed for E")
+        _require(self.gt_kind != "homography" or self.H is not None, "H: needed where gt_kind is homography")
+        _require((self.R is None) == (self.t is None), "R and t come together")
+        for name in ("H", "K1", "K2"):
+            value = getattr(self, name)
+            _require(value is None or abs(np.linalg.det(value)) > 0, name + ": singular")
+        if self.R is not None:
+            _require(np.abs(self.R @ self.R.T - np.eye(3)).max() < 1e-3 and np.linalg.det(self.R) > 0, "R: no rotation")
+            _require(np.linalg.norm(self.t) > 0, "t: zero, there is no epipolar geometry")
+
+
+def _require(condition, what):
+    if not condition:
+        raise PairError(what)
+
+
+def _array(value, shape, name):
+    if value is None:
+        return None
+    try:
+        return np.asarray(value, np.float64).reshape(shape)
+    except (ValueError, TypeError):
+        raise PairError("%s: expected %s numbers" % (name, " x ".join("N" if n < 0 else str(n) for n in shape))) from None
+
+
+def write_pair(path, pair):
+    """Writes <path>.corr and <path>.json; creates the folder."""
+    try:
+        pair.check()
+    except PairError as error:
+        raise PairError("%s: not written: %s" % (path, error)) from None
+    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+    description = {"problem": pair.problems, "size1": _sizes(pair.size1), "size2": _sizes(pair.size2)}
+    for name in _MATRICES + ("t",):
+        value = getattr(pair, name)
+        description[name] = None if value is None else value.tolist()
+    description["gt_points"] = np.round(pair.gt_points, 3).tolist()
+    description["gt_kind"] = pair.gt_kind
+    description.update(pair.extra)
+    text = json.dumps(description, separators=(",", ":"), allow_nan=False)
+    rows = np.column_stack((pair.points1, pair.points2))
+    with open(path + ".corr", "w") as out:
+        for row, score in zip(rows, pair.scores):
+            out.write(" ".join("%.3f" % v for v in row) + " %.4f\n" % score)
+    with open(path + ".json", "w") as out:
+        out.write(text + "\n")
+
+
+def _sizes(size):
+    return [int(v) if v == int(v) else float(v) for v in size]
+
+
+def _read_correspondences(file):
+    rows = []
+    with open(file) as lines:
+        for number, line in enumerate(lines, 1):
+            if not line.strip():
+                continue
+            try:
+                values = [float(v) for v in line.split()]
+            except ValueError:
+                values = []
+            if len(values) not in (4, 5):
+                raise PairError("%s:%d: expected 'x1 y1 x2 y2 score'" % (file, number))
+            rows.append(values if len(values) == 5 else values + [1.0])
+    if not rows:
+        raise PairError(file + ":1: no correspondences")
+    return np.array(rows)
+
+
+def _read_description(file):
+    with open(file) as text:
+        try:
+            description = json.load(text)
+        except json.JSONDecodeError as error:
+            raise PairError("%s:%d: %s" % (file, error.lineno, error.msg)) from None
+    if not isinstance(description, dict):
+        raise PairError(file + ":1: expected an object")
+    return description
+
+
+def read_pair(path):
+    """The pair of <path>.corr and <path>.json, checked."""
+    rows = _read_correspondences(path + ".corr")
+    file = path + ".json"
+    known = _read_description(file)
+    try:
+        problems = known.pop("problem", None)
+        models = {name: known.pop(name, None) for name in _MATRICES + ("t",)}
+        sizes = [known.pop(name, None) for name in ("size1", "size2")]
+        _require(None not in sizes, "size1, size2: missing")
+        if problems is None:  # as the program has it: any that the rest allows
+            problems = PROBLEMS if models["K1"] and models["K2"] else PROBLEMS[:2]
+        problems = [problems] if isinstance(problems, str) else problems
+        pair = Pair(problems, rows[:, :2], rows[:, 2:4], rows[:, 4], sizes[0], sizes[1],
+                    known.pop("gt_points", None) or [], known.pop("gt_kind", None), extra=known, **models)
+        pair.check()
+    except PairError as error:
+        raise PairError("%s: %s" % (file, error)) from None
+    return pair
+
+
+def list_file(folder, dataset, problem):
+    """Where the list of a data set and a problem belongs."""
+    _require(problem in PROBLEMS, "problem: expected H, F or E")
+    return os.path.join(folder, "lists", "%s.%s.list" % (dataset, problem))
+
+
+def write_list(file, paths):
+    """Writes a list of pairs, `paths` without extension. They are stored relative to the folder that the program takes
+    them from: that of the list, or its parent if that is called `lists`."""
+    split_name(file)
+    base = _base(file)
+    os.makedirs(os.path.dirname(file) or ".", exist_ok=True)
+    with open(file, "w") as out:
+        for path in paths:
+            out.write(os.path.relpath(path, base).replace(os.sep, "/") + "\n")
+
+
+def read_list(file):
+    """Paths of the pairs of a list, without extension."""
+    split_name(file)
+    paths = []
+    with open(file) as lines:
+        for line in lines:
+            line = line.strip()
+            if line and not line.startswith("#"):
+                paths.append(os.path.join(_base(file), line))
+    return paths
+
+
+def split_name(file):
+    """("homogr", "H") of "lists/homogr.H.list"."""
+    parts = os.path.basename(file).rsplit(".", 2)
+    if len(parts) != 3 or parts[2] != "list" or parts[1] not in PROBLEMS or not parts[0]:
+        raise PairError(file + ": expected a name that ends in .H.list, .F.list or .E.list")
+    return parts[0], parts[1]
+
+
+def _base(file):
+    folder = os.path.dirname(os.path.abspath(file))
+    return os.path.dirname(folder) if os.path.basename(folder) == "lists" else folder

@@ -1,0 +1,95 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// A component of one's own: another quality function takes the place of MSAC. The matches come from a text file with a row
+// "x1 y1 x2 y2" each (what follows in a row is ignored), such as test_data/graf.txt.
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include "opencv2/core.hpp"
+#include "opencv2/usac.hpp"
+
+namespace {
+
+/** Tukey's biweight: the cost of a point is 1 - (1 - e^2 / t^2)^3 for an error e within the threshold t, 1 outside. It rises
+faster than MSAC's e^2 / t^2, so that a few exact points are worth more than many that are just within the threshold. */
+class TukeyScore : public cv::usacv20::Score
+{
+public:
+    void accumulate(float* squaredErrors, int count, float squaredThreshold, cv::usacv20::Quality& sum) const CV_OVERRIDE
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            const bool inlier = squaredErrors[i] <= squaredThreshold;  // false for NaN
+            const double rest = inlier ? 1 - squaredErrors[i] / squaredThreshold : 0;
+            sum.cost += 1 - rest * rest * rest;
+            sum.inliers += inlier;
+        }
+    }
+};
+
+void readMatches(const std::string& file, std::vector<cv::Point2d>& points1, std::vector<cv::Point2d>& points2)
+{
+    std::ifstream in(file.c_str());
+    if (!in)
+        CV_Error(cv::Error::StsObjectNotFound, file + " cannot be read");
+    std::string line;
+    while (std::getline(in, line))
+    {
+        std::istringstream row(line);
+        cv::Point2d p1, p2;
+        if (row >> p1.x >> p1.y >> p2.x >> p2.y)
+        {
+            points1.push_back(p1);
+            points2.push_back(p2);
+        }
+    }
+}
+
+//! Runs the estimator with the components of `params`, or with another quality function among them. @return the homography
+cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std::vector<cv::Point2d>& points2,
+            const cv::usacv20::UsacParams& params, const cv::Ptr<cv::usacv20::Score>& score)
+{
+    using namespace cv::usacv20;
+    cv::Ptr<Usac> usac = Usac::create(HOMOGRAPHY, points1, points2, params);
+    if (score)
+        usac->components().score = score;
+    Report report;
+    const cv::Mat H = usac->run(cv::noArray(), &report);
+    std::cout << cv::format("%-6s %s\n", name, report.describe().c_str());
+    return H;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    cv::CommandLineParser parser(argc, argv,
+        "{help h usage ? |     | print this help}"
+        "{@matches       |     | text file with a match x1 y1 x2 y2 a row, test_data/graf.txt for example}"
+        "{threshold      | 2   | inlier threshold in pixels}");
+    parser.about("Homography with a quality function of one's own.");
+    if (parser.has("help") || !parser.has("@matches"))
+    {
+        parser.printMessage();
+        return parser.has("help") ? 0 : 1;
+    }
+    try
+    {
+        std::vector<cv::Point2d> points1, points2;
+        readMatches(parser.get<std::string>("@matches"), points1, points2);
+        cv::usacv20::UsacParams params;
+        params.threshold = parser.get<double>("threshold");
+        std::cout << points1.size() << " matches\n";
+        const cv::Mat H = run("MSAC", points1, points2, params, cv::Ptr<cv::usacv20::Score>());
+        const cv::Mat tukey = run("Tukey", points1, points2, params, cv::makePtr<TukeyScore>());
+        return H.empty() || tukey.empty() ? 1 : 0;
+    }
+    catch (const cv::Exception& error)
+    {
+        std::cerr << error.what() << std::endl;
+        return 1;
+    }
+}
