@@ -127,10 +127,10 @@ void createTerminations(int flags, const Correspondences& points, std::vector<Pt
         terminations.push_back(createSprtTermination());
     if (flags & TERMINATION_P_NAPSAC)
         terminations.push_back(createPNapsacTermination());
-    if (flags & TERMINATION_PROSAC)
-        terminations.push_back(createProsacTermination(points));
     if (flags & TERMINATION_MAGSAC)
         terminations.push_back(createMagsacTermination());
+    if (flags & TERMINATION_PROSAC)
+        terminations.push_back(createProsacTermination(points));
 }
 
 Ptr<Polisher> createPolisher(int type)

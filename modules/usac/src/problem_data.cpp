@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "problem_data.hpp"
+#include "termination/non_randomness.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -272,6 +273,12 @@ bool ProblemData::toInput(const Model& model, Matx33d& result) const
         result(2, 2) = 1;  // which the product may miss by a bit
     }
     return true;
+}
+
+int ProblemData::independentInliers(const std::vector<uchar>& mask) const
+{
+    return usacv20::independentInliers(input[0].data(), input[1].data(), input[2].data(), input[3].data(), mask.data(),
+                                       view.inputSize, inputThreshold, inputThreshold);
 }
 
 int ProblemData::mask(const Residual& residual, const Matx33d& model, std::vector<uchar>& mask) const

@@ -11,9 +11,11 @@ namespace usacv20 {
 
 namespace {
 
-enum { FIRST_BATCH = 16, LARGEST_BATCH = 256 };
+enum { FIRST_BATCH = 16, LARGEST_BATCH = 256, CONFIRMATIONS = 2 };
 //! This part of the inliers in common makes two models the same for the local optimisation.
 const double SAME_INLIERS = 0.95;
+//! A cost below this part of the best one is clearly better.
+const double CLEAR_GAIN = 0.99;
 //! Streams of random numbers beside those of the iterations.
 const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
@@ -22,7 +24,7 @@ const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 <<
 Ransac::Ransac(const Context& context_, State& state_)
     : context(context_), parts(context_.components), state(state_),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
-      required(INT_MAX), requiredReason(STOP_NOT_RUN), localTicks(0), firstInliers(0), firstTested(0)
+      required(INT_MAX), requiredReason(STOP_NOT_RUN), confirmations(0), localTicks(0), firstInliers(0), firstTested(0)
 {
 }
 
@@ -149,8 +151,11 @@ void Ransac::improve(const int* sample, Model model, Quality quality)
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
     if (!recover(sample, model, quality))                                                   // 14
         return;                                                                             // 15, 16
-    if (parts.localOptimizer && isNew(model))
+    const bool known = parts.localOptimizer && isKnown(model);
+    if (parts.localOptimizer && !(known && confirmations >= CONFIRMATIONS))
         optimize(model, quality);                                                           // 19 - 24
+    const bool clear = quality.cost < CLEAR_GAIN * state.bestQuality.cost;
+    confirmations = clear ? 0 : confirmations + known;
     if (!quality.betterThan(state.bestQuality))                                             // 18
         return;
     state.best = model;                                                                     // 25
@@ -158,11 +163,12 @@ void Ransac::improve(const int* sample, Model model, Quality quality)
     updateTermination();                                                                    // 26
 }
 
-/* The optimisation of a model most of whose inliers are those of the optimised best one would lead there again. */
-bool Ransac::isNew(const Model& model)
+/* The optimisation of a model whose inliers are nearly all those of the optimised best one mostly leads there again. When it
+has done so #CONFIRMATIONS times, there are no more. */
+bool Ransac::isKnown(const Model& model)
 {
     if (state.bestQuality.inliers == 0)
-        return true;
+        return false;
     const Correspondences& points = context.points;
     const float limit = (float)(points.threshold * points.threshold);
     errors.resize(points.size);
@@ -175,7 +181,7 @@ bool Ransac::isNew(const Model& model)
         inliers += errors[i] <= limit;
         common += errors[i] <= limit && bestErrors[i] <= limit;
     }
-    return common < SAME_INLIERS * inliers;
+    return common >= SAME_INLIERS * inliers;
 }
 
 //! Lines 19 to 24; a second time if the optimised model was degenerate and a better one took its place.

@@ -44,7 +44,7 @@ private:
     void hypothesiseBatch();
     void improve(const int* sample, Model model, Quality quality);
     void optimize(Model& model, Quality& quality);
-    bool isNew(const Model& model);
+    bool isKnown(const Model& model);
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
@@ -56,6 +56,7 @@ private:
     std::vector<float> errors, bestErrors;
     const int threads;
     int required, requiredReason;
+    int confirmations;  //!< local optimisations that led to the best model again
     double localTicks;
     double firstInliers, firstTested;
 };

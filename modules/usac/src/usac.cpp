@@ -7,6 +7,7 @@
 #include "problem_data.hpp"
 #include "ransac.hpp"
 #include "solvers/manifold.hpp"
+#include "termination/non_randomness.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -25,7 +26,7 @@ public:
              InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
         : created(getTickCount()), params(params_),
           data(problem, points1, points2, params_, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2),
-          parts(createComponents(data.points(), params_))
+          parts(createComponents(data.points(), params_)), randomRatio(1)
     {
     }
 
@@ -53,8 +54,19 @@ private:
         if (parts.prior)
             parts.prior->sort(context, state.order);
         state.report.setupMs = milliseconds(created);
-        Ransac(context, state).run();
+        Ransac ransac(context, state);
+        ransac.run();
         state.report.iterations = state.iteration;
+        randomRatio = ransac.randomInlierRatio();
+    }
+
+    //! Could the inliers agree by chance?
+    void judge(int points, const std::vector<uchar>& inliers, Report& learned) const
+    {
+        learned.independentInliers = data.independentInliers(inliers);
+        const int repeated = learned.inliers - learned.independentInliers;
+        learned.chance = chanceOf(learned.independentInliers, std::max(points - repeated, 1), parts.minimalSolver->sampleSize(),
+                                  randomRatio);
     }
 
     //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
@@ -85,6 +97,8 @@ private:
         if (mask.needed())
             Mat(inliers, false).reshape(1, context.points.inputSize).copyTo(mask);
         learned.threshold = data.threshold();
+        if (report && !result.empty())
+            judge(context.points.size, inliers, learned);
         learned.polishMs = milliseconds(start);
         if (report)
             *report = learned;
@@ -95,6 +109,7 @@ private:
     const Params params;
     ProblemData data;
     Components parts;
+    double randomRatio;  //!< of the points, agree with a wrong model
 };
 
 } // namespace

@@ -71,6 +71,7 @@ struct Arena
         Params params;
         params.threshold = threshold;
         params.maxIterations = set.problem == HOMOGRAPHY ? 5000 : 2000;
+        params.confidence = 0.9999;
         params.scores = probabilities;
         params.scoreOrder = SCORES_HIGHER_IS_BETTER;
         for (int i = 0; i < OPTION_COUNT; ++i)

@@ -10,13 +10,20 @@ namespace usacv20 {
 
 namespace {
 
+//! True if the order of the points is nobody's knowledge. H needs so few samples that a wrong guess is soon left behind.
+bool isGuess(const Context& context)
+{
+    const int prior = context.params.prior;
+    return context.points.problem != HOMOGRAPHY && prior != PRIOR_INPUT_ORDER && (prior != PRIOR_AUTO || !context.points.scores);
+}
+
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
 The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood: the
 finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
 that is everything and the sample is PROSAC's. One sample in four is local. With more, small groups of wrong matches that agree
-with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner; so a
-model without local support is found at most a third later than by PROSAC. */
+with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order
+is a guess (the density), every second sample is uniform: where the guess misleads, the model is found at most twice as late. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -31,9 +38,14 @@ public:
         growth->next();
         const int n = growth->size();
         state.subsetSize = n;
+        if (isGuess(context) && state.iteration % 2 == 0)
+        {
+            state.rng.distinct(context.points.size, m, sample);
+            return;
+        }
         const int centre = state.order[growth->newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = centre;
-        if (state.iteration % P_NAPSAC_LOCAL_PERIOD != P_NAPSAC_LOCAL_PERIOD - 1 || !local(context, state, m, sample))
+        if (state.iteration % 4 != 3 || !local(context, state, m, sample))
             global(state, m, n, sample);
     }
 
@@ -63,6 +75,11 @@ private:
 };
 
 } // namespace
+
+double prosacShare(const Context& context)
+{
+    return isGuess(context) ? 0.25 : 0.75;
+}
 
 Ptr<Sampler> createPNapsacSampler()
 {

@@ -11,8 +11,9 @@
 namespace cv {
 namespace usacv20 {
 
-//! One sample of P-NAPSAC in this many is local, the others are PROSAC's.
-enum { P_NAPSAC_LOCAL_PERIOD = 4 };
+/** Of four samples of P-NAPSAC one is local and three are PROSAC's. If nobody has given an order, the local density is only a
+guess, and wrong where a pattern is repeated: then two of the three are uniform. @return the part that is PROSAC's */
+double prosacShare(const Context& context);
 
 //! All samples equally likely, see UniformSampler.
 Ptr<Sampler> createUniformSampler();

@@ -66,18 +66,35 @@ double upperTail(int k, int n, double p)
     return std::max(1 - sum, 0.);
 }
 
-//! An inlier, and the cell that it lies in. Sorted by cell.
-struct Place
+//! Cells of a plane that something lies in: a hash table with linear probing.
+class Cells
 {
-    double column, row;  // doubles, as small sides make large numbers
-    int inlier;
-
-    bool operator<(const Place& other) const
+public:
+    explicit Cells(int capacity) : mask(1)
     {
-        if (column != other.column)
-            return column < other.column;
-        return row < other.row || (row == other.row && inlier < other.inlier);
+        while (mask < 2 * capacity)
+            mask *= 2;
+        slots.assign(mask, Vec2d(NAN, NAN));
+        --mask;
     }
+
+    //! False if the cell is there already. Doubles, as small sides make large numbers.
+    bool insert(const Vec2d& cell)
+    {
+        uint64 bits[2];
+        std::memcpy(bits, cell.val, sizeof(bits));
+        uint64 h = (bits[0] ^ (bits[1] << 1 | bits[1] >> 63)) * 0x9e3779b97f4a7c15ULL;
+        int at = (int)(h >> 40) & mask;
+        for (; slots[at][0] == slots[at][0]; at = (at + 1) & mask)
+            if (slots[at] == cell)
+                return false;
+        slots[at] = cell;
+        return true;
+    }
+
+private:
+    std::vector<Vec2d> slots;  //!< NaN: free
+    int mask;
 };
 
 } // namespace
@@ -105,18 +122,15 @@ int independentInliers(const double* x1, const double* y1, const double* x2, con
 
 int markRepeated(const double* x, const double* y, const int* order, const uchar* mask, int count, double side, uchar* repeated)
 {
-    std::vector<Place> places;
+    Cells cells(countNonZero(Mat(1, count, CV_8U, const_cast<uchar*>(mask))));
     for (int i = 0; i < count; ++i)
         if (mask[i])
         {
             const int point = order ? order[i] : i;
-            const Place place = {std::floor(x[point] / side), std::floor(y[point] / side), i};
-            places.push_back(place);
+            const Vec2d cell(std::floor(x[point] / side) + 0., std::floor(y[point] / side) + 0.);  // no -0
+            if (!cells.insert(cell))
+                repeated[i] = 1;
         }
-    std::sort(places.begin(), places.end());
-    for (size_t k = 1; k < places.size(); ++k)
-        if (places[k].column == places[k - 1].column && places[k].row == places[k - 1].row)
-            repeated[places[k].inlier] = 1;
     int sum = 0;
     for (int i = 0; i < count; ++i)
         sum += repeated[i];

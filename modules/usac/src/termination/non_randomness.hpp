@@ -22,7 +22,7 @@ double chanceOf(int inliers, int n, int m, double randomRatio);
 
 A place is a cell of side `threshold1` in image 1 and `threshold2` in image 2; the smaller of the numbers of places counts, so that
 neither repeated matches nor many points that match one give a model support. `mask` marks the inliers among the `count` points.
-O(count log count). */
+O(count). */
 int independentInliers(const double* x1, const double* y1, const double* x2, const double* y2, const uchar* mask, int count,
                        double threshold1, double threshold2);
 

@@ -16,10 +16,10 @@ Ptr<Termination> createStandardTermination();
 Ptr<Termination> createSprtTermination();
 //! See PNapsacTermination.
 Ptr<Termination> createPNapsacTermination();
-//! See ProsacTermination.
-Ptr<Termination> createProsacTermination(const Correspondences& points);
 //! See MagsacTermination.
 Ptr<Termination> createMagsacTermination();
+//! See ProsacTermination.
+Ptr<Termination> createProsacTermination(const Correspondences& points);
 
 /** Probability that a sample of m of n points has inliers only, if there are `inliers` of them. `exact`: no point is drawn
 twice, C(inliers, m) / C(n, m); else (inliers / n)^m. */
