@@ -157,7 +157,9 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 TEST(Usac_Samplers, pNapsacCentresGrowLikeProsac)
 {
     const int N = 300;
-    Draw draw(FUNDAMENTAL, N, createPNapsacSampler());
+    Params params;
+    params.prior = PRIOR_INPUT_ORDER;  // an order that is no guess
+    Draw draw(FUNDAMENTAL, N, createPNapsacSampler(), 0, params);
     const std::vector<double> limit = publishedGrowth(N, draw.m);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0;
     for (int t = 1; t <= 20000; ++t)
