@@ -77,6 +77,26 @@ inline double deviation(const std::vector<int>& counts, double total)
     return (sum - freedom) / std::sqrt(2 * freedom);
 }
 
+/** T'_n of PROSAC's algorithm as published for n = 0 .. N, from the product that defines T_n, which goes to `uniform`. T_N: no more
+samples than there are. */
+inline std::vector<double> publishedGrowth(int N, int m, std::vector<double>* uniform = 0)
+{
+    long double subsets = 1;
+    for (int i = 0; i < m; ++i)
+        subsets = subsets * (N - i) / (i + 1);
+    std::vector<long double> T(N + 1, std::min(subsets, 200000.L));
+    for (int n = 0; n <= N; ++n)
+        for (int i = 0; i < m; ++i)
+            T[n] *= (long double)std::max(n - i, 0) / (N - i);
+    std::vector<double> limit(N + 1, 0.);
+    limit[m] = 1;
+    for (int n = m; n < N; ++n)
+        limit[n + 1] = limit[n] + (double)std::ceil((T[n + 1] - T[n]) * (1 - 1e-12L));
+    if (uniform)
+        uniform->assign(T.begin(), T.end());
+    return limit;
+}
+
 } // namespace opencv_test
 
 #endif

@@ -2,40 +2,11 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "test_precomp.hpp"
+#include "draw.hpp"
 #include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 
 namespace opencv_test { namespace {
-
-//! T'_n of the published algorithm for n = 0 .. N, and T_n.
-std::vector<double> publishedLimits(int N, int m, std::vector<double>* expected = 0)
-{
-    long double subsets = 1;
-    for (int i = 0; i < m; ++i)
-        subsets = subsets * (N - i) / (i + 1);
-    const long double T_N = std::min(subsets, 200000.L);
-    for (int n = 0; expected && n <= N; ++n)
-    {
-        long double T_n = T_N;
-        for (int i = 0; i < m; ++i)
-            T_n *= (long double)std::max(n - i, 0) / (N - i);
-        expected->push_back((double)T_n);
-    }
-    std::vector<double> limit(N + 1, 0.);
-    limit[m] = 1;
-    for (int n = m; n < N; ++n)
-    {
-        long double low = T_N, high = T_N;
-        for (int i = 0; i < m; ++i)
-        {
-            low *= (long double)(n - i) / (N - i);
-            high *= (long double)(n + 1 - i) / (N - i);
-        }
-        limit[n + 1] = limit[n] + (double)std::ceil((high - low) * (1 - 1e-12L));
-    }
-    return limit;
-}
 
 //! P(Binomial(n, p) >= k) from the recurrence of Pascal's triangle, no logarithms.
 double tailBySum(int k, int n, double p)
@@ -71,7 +42,7 @@ struct Case
     {
         const int N = (int)inliers.size();
         std::vector<double> uniform;
-        const std::vector<double> limit = publishedLimits(N, m, &uniform);
+        const std::vector<double> limit = publishedGrowth(N, m, &uniform);
         int best = INT_MAX;
         length = 0;
         for (int n = m; n <= N; ++n)
@@ -153,7 +124,7 @@ TEST(Usac_TerminationProsac, minimalSupport)
             for (int kind = 0; kind < 2; ++kind)
             {
                 // All inliers come last, so that no smaller set has better odds; the confidence needs next to no samples.
-                const double samples = kind ? publishedLimits(n, 4)[n] : 1;
+                const double samples = kind ? publishedGrowth(n, 4)[n] : 1;
                 int quantile = 5, accepted = 5;  // the least I with P(Binomial(n - 4, ratio) >= I - 4) < 5 % / samples
                 while (quantile <= n && tailBySum(quantile - 4, n - 4, ratio) * samples >= 0.05)
                     ++quantile;
@@ -175,7 +146,7 @@ TEST(Usac_TerminationProsac, minimalSupport)
 int firstEvidence(int N, int repeated, double ratio)
 {
     std::vector<double> uniform;
-    const std::vector<double> limit = publishedLimits(N, 4, &uniform);
+    const std::vector<double> limit = publishedGrowth(N, 4, &uniform);
     int n = 5 + repeated;
     while (uniform[n] < 1 || limit[n] * std::pow(ratio, n - repeated - 4) >= 0.05)
         ++n;
@@ -189,7 +160,7 @@ TEST(Usac_TerminationProsac, allInliers)
     int length;
     const int samples = prosacSamples(inliers, none, 4, 1, 0.01, std::log(0.01), true, length);
     EXPECT_EQ(firstEvidence(100, 0, 0.01), length);
-    EXPECT_EQ((int)publishedLimits(100, 4)[length], samples);
+    EXPECT_EQ((int)publishedGrowth(100, 4)[length], samples);
     prosacSamples(inliers, none, 4, 1, 0.3, std::log(0.01), true, length);
     EXPECT_EQ(firstEvidence(100, 0, 0.3), length);
     std::vector<uchar> twins(100, 0);
@@ -322,7 +293,8 @@ TEST(Usac_TerminationProsac, heedsTheOptions)
         tdd.tddPoints = 3;
         local.sampler = SAMPLER_P_NAPSAC;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const int inliers = Context(usac->points(), usac->components(), params).rate(toInternal(usac->points(), scene.model)).inliers;
+        const Context context(usac->points(), usac->components(), params);
+        const int inliers = context.rate(toInternal(usac->points(), scene.model)).inliers;
         sums[0] += iterationsFor(scene, params, 1);
         sums[1] += iterationsFor(scene, exact, 1);
         sums[2] += iterationsFor(scene, tdd, std::pow(inliers / 100., 3));

@@ -60,7 +60,7 @@ struct Reach
 
 Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbours have k, 2 k, 4 k and 8 k
 of them, those of a radius r have the points within r, 2 r, 4 r and 8 r. P-NAPSAC needs layers that grow, as it asks for ever
-more members; what the parameters say is the finest one, of which NAPSAC and the graph cut take what they can. More than #WIDEST
+more members; the finest one is what the parameters say. The graph cut uses that one, NAPSAC the coarsest. More than #WIDEST
 neighbours are kept only if k itself is larger; of more points within a radius, the nearest ones. So memory is O(N) whatever
 the radius. Edges link each point to its nearest neighbours in the finest layer, at most #LINKS of them: with more, the
 spatial coherence would outweigh the error of a point.

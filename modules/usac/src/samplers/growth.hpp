@@ -10,8 +10,9 @@ namespace usacv20 {
 
 /** @brief How PROSAC's set of the best points grows @cite chum2005matching.
 
-Of T_N = 200 000 uniform samples of N points, or of as many as there are different ones, T_n = T_N prod_{i<m} (n - i)/(N - i) would lie within the n best. The set
-grows from n to n + 1 when the ceiling of that many samples has been drawn: T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
+Of T_N = 200 000 uniform samples of N points, or of as many as there are different ones, T_n = T_N prod_{i<m} (n - i)/(N - i)
+would lie within the n best. The set grows from n to n + 1 when the ceiling of that many samples has been drawn:
+T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
 class Growth
 {
 public:

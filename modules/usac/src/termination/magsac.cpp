@@ -29,11 +29,12 @@ public:
         count(context, state.best, inliers);
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
         const double logFailure = std::log(1 - context.params.confidence);
+        const double kept = keptProbability(context, state.bestQuality.inliers);
         double sum = 0;
         for (int i = 0, within = 0; i < PARTITIONS; ++i)
         {
             within += inliers[i];
-            const double good = goodSampleProbability(within, context.points.size, m, exact);
+            const double good = goodSampleProbability(within, context.points.size, m, exact) * kept;
             if (!(good > 0))
                 return INT_MAX;
             sum += good < 1 ? logFailure / std::log1p(-good) : 0;
