@@ -97,16 +97,27 @@ in_build()  # where findDataFile looks for test data, and where the tests may le
     cd "$build" && "$@"
 }
 
-python_tests()
-{
-    cd "$module/misc/python/test" &&
-    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" /usr/bin/python3 -c '
+run_unittests='
 import sys, unittest
-tests = unittest.defaultTestLoader.discover(".", "test_usac*.py")
+tests = unittest.defaultTestLoader.discover(".", sys.argv[1])
 result = unittest.TextTestRunner(verbosity=2).run(tests)
 bad = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses)
 print("%d passed, %d failed" % (max(result.testsRun - len(result.skipped) - bad, 0), bad))
 sys.exit(bad)'
+
+python_tests()
+{
+    cd "$module/misc/python/test" &&
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" \
+        /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
+}
+
+# The readers of the data sets and the plots of the benchmark; without matplotlib and scipy some tests are skipped.
+benchmark_tests()
+{
+    cd "$project/samples/benchmark" &&
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader" USAC_BENCHMARK="$work/consumer/build/bin/usac_benchmark" \
+        /usr/bin/python3 -c "$run_unittests" "test_*.py"
 }
 
 install_packages
@@ -121,5 +132,6 @@ run cpp "$gtest_passed" "$gtest_failed" in_build bin/opencv_test_usac
 run perf "$gtest_passed" "$gtest_failed" in_build bin/opencv_perf_usac --perf_min_samples=1 --perf_force_samples=1
 run python '^\([0-9]*\) passed, .*' '^.* passed, \([0-9]*\) failed$' python_tests
 run consumer '^\([0-9]*\) passed, .*' '^.* passed, \([0-9]*\) failed$' sh "$module/misc/consumer/check.sh" "$work/consumer"
+run benchmark '^\([0-9]*\) passed, .*' '^.* passed, \([0-9]*\) failed$' benchmark_tests
 
 [ "$failed" = 0 ]

@@ -40,6 +40,10 @@ void checkCombinations(const Params& p)
     checkCombination((criteria & TERMINATION_PROSAC) && p.sampler != SAMPLER_PROSAC && p.sampler != SAMPLER_P_NAPSAC,
                      "termination: TERMINATION_PROSAC needs a sampler with a growing set of points, SAMPLER_PROSAC or "
                      "SAMPLER_P_NAPSAC");
+    checkCombination((criteria & TERMINATION_PROSAC) &&
+                     !(p.prior == PRIOR_INPUT_ORDER || (p.prior == PRIOR_AUTO && !p.scores.empty())),
+                     "termination: TERMINATION_PROSAC needs points in an order, by scores or by PRIOR_INPUT_ORDER; many wrong "
+                     "models fit the densest places");
     checkCombination(p.termination == TERMINATION_EXACT,
                      "termination: TERMINATION_EXACT modifies another criterion and stands alone");
     checkCombination(p.sampler == SAMPLER_IMPORTANCE && (p.scores.empty() || p.scoreOrder != SCORES_HIGHER_IS_BETTER),

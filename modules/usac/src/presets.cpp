@@ -124,6 +124,7 @@ Params Params::usac2013()
 {
     Params params = loRansac();
     params.sampler = SAMPLER_PROSAC;
+    params.prior = PRIOR_INPUT_ORDER;
     params.verification = VERIFICATION_SPRT;
     params.termination = TERMINATION_SPRT | TERMINATION_PROSAC;
     params.degeneracy = DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC;

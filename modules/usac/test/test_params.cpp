@@ -36,6 +36,8 @@ TEST(Usac_Params, ranges_of_integers)
         int& field = check.params.*Fields::ints()[i].second;
         if (std::string("verification") == ranges[i].name)
             check.params.termination = TERMINATION_STANDARD;
+        if (std::string("termination") == ranges[i].name)
+            check.params.prior = PRIOR_INPUT_ORDER;
         if (std::string("sampler") == ranges[i].name)
         {
             check.params.scores.assign(1, 1.f);
@@ -104,6 +106,16 @@ TEST(Usac_Params, impossible_combinations)
     check.params.termination = TERMINATION_EXACT;
     expectException(check, "termination: TERMINATION_EXACT modifies");
     check.params.termination = TERMINATION_PROSAC;
+    const int guesses[] = {PRIOR_AUTO, PRIOR_DENSITY, PRIOR_NONE};
+    for (int i = 0; i < 3; ++i)
+    {
+        check.params.prior = guesses[i];
+        expectException(check, "termination: TERMINATION_PROSAC needs points in an order");
+    }
+    check.params.prior = PRIOR_INPUT_ORDER;
+    EXPECT_NO_THROW(check());
+    check.params.prior = PRIOR_AUTO;
+    check.params.scores.assign(3, 0.5f);
     EXPECT_NO_THROW(check());
     const int others[] = {SAMPLER_UNIFORM, SAMPLER_NAPSAC};
     for (int i = 0; i < 2; ++i)

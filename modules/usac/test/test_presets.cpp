@@ -34,7 +34,7 @@ TEST(Usac_Presets, change_what_they_say)
         {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
         {"gcRansac", Params::gcRansac(), v20, "localIterations localSampleMultiple localSamples termination degeneracy polishing "},
-        {"usac2013", Params::usac2013(), lo, "sampler verification termination degeneracy "},
+        {"usac2013", Params::usac2013(), lo, "sampler prior verification termination degeneracy "},
         {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing "}};
     const int count = sizeof(all) / sizeof(all[0]);

@@ -170,9 +170,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int scoreOrder;
     //! @ref NeighbourhoodType. Default #NEIGHBOURHOOD_GRID.
     CV_PROP_RW int neighbourhood;
-    //! Neighbours of a point for #NEIGHBOURHOOD_KNN; 1..1000. Default 10.
+    //! Neighbours of a point for #NEIGHBOURHOOD_KNN in the finest of four layers, each of twice as many; 1..1000. Default 10.
     CV_PROP_RW int neighbours;
-    //! Radius for #NEIGHBOURHOOD_RADIUS, pixels in the joint space; > 0. Default 40.
+    //! Radius for #NEIGHBOURHOOD_RADIUS in the finest of four layers, each twice as wide, pixels in the joint space; > 0. Default 40.
     CV_PROP_RW double neighbourRadius;
     //! @ref ResidualType. Default #RESIDUAL_STANDARD.
     CV_PROP_RW int residual;
@@ -229,7 +229,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params floRansac();
     //! GC-RANSAC: P-NAPSAC samples, MSAC, SPRT, graph-cut local optimisation, standard termination @cite barath2018graph.
     CV_WRAP static Params gcRansac();
-    //! USAC of 2013: PROSAC samples, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac.
+    //! USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac.
     CV_WRAP static Params usac2013();
     //! MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac.
     CV_WRAP static Params magsac();
