@@ -127,14 +127,19 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_LE(r.iterations, params.maxIterations);
             EXPECT_LE(r.rejectedSamples, r.iterations);
             EXPECT_LE(r.models, (r.iterations - r.rejectedSamples) * (int)MAX_MODELS);
-            EXPECT_GE(r.models, r.iterations - r.rejectedSamples);
-            EXPECT_LE(r.rejectedModels + r.droppedModels, r.models);
+            EXPECT_GE(r.models, r.iterations - r.rejectedSamples - r.degenerateSamples);
+            EXPECT_LE(r.rejectedSamples + r.degenerateSamples, r.iterations);
+            EXPECT_LE(r.rejectedModels + r.refusedModels + r.droppedModels, r.models);
+            EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
             EXPECT_LE(r.localImprovements, r.localOptimizations);
             // each model that was kept, and again after an improvement
             EXPECT_LE(r.localOptimizations, r.models - r.rejectedModels - r.droppedModels + r.localImprovements);
             EXPECT_EQ(params.localOptimization == LOCAL_OPTIMIZATION_NONE, r.localOptimizations == 0);
             EXPECT_EQ(countNonZero(found.mask), r.inliers);
             EXPECT_TRUE(r.cost >= 0 && r.cost <= 1);
+            EXPECT_EQ(params.threshold, r.threshold);
+            EXPECT_TRUE(r.independentInliers > 0 && r.independentInliers <= r.inliers);
+            EXPECT_LT(r.chance, 1e-10) << "half of the matches are right";
             EXPECT_TRUE(r.setupMs >= 0 && r.searchMs >= 0 && r.localMs >= 0 && r.polishMs >= 0);
             EXPECT_FALSE(r.describe().empty());
         }
@@ -284,6 +289,48 @@ TEST(Usac_Ransac_Stop, standardNumberOfSamples)
         }
         EXPECT_GE(exact, 12);
     }
+}
+
+//! Random matches: what support there is can arise by chance. The same match many times is one.
+TEST(Usac_Ransac_Report, nonRandomness)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        SceneOptions options;
+        options.inliers = 1;
+        options.outliers = 200;
+        const Answer random = answer(makeScene((ProblemType)problem, options), Params());
+        EXPECT_GT(random.report.chance, 1e-6) << problem;
+        options.inliers = 30;
+        options.outliers = 0;
+        Scene repeated = makeScene((ProblemType)problem, options);
+        for (int k = 0; k < 100; ++k)
+        {
+            repeated.points1.push_back(repeated.points1[0]);
+            repeated.points2.push_back(repeated.points2[0]);
+        }
+        Params params;
+        params.threshold = 3;
+        const Report report = answer(repeated, params).report;
+        EXPECT_GE(report.inliers, 125) << problem;
+        EXPECT_LE(report.independentInliers, 30) << problem;
+        EXPECT_GE(report.independentInliers, 20) << problem;
+    }
+}
+
+//! LMedS finds its threshold; the mask belongs to it.
+TEST(Usac_Ransac_Report, thresholdOfLmeds)
+{
+    const Scene scene = sceneOf(HOMOGRAPHY, 0.7, 1);
+    Params params = Params::lmeds();
+    params.threshold = 1e-3;
+    const Answer found = answer(scene, params);
+    EXPECT_GT(found.report.threshold, 0.5);
+    EXPECT_LT(found.report.threshold, 8);
+    const Matx33d H(found.model.ptr<double>());
+    for (int i = 0; i < scene.size(); ++i)
+        EXPECT_EQ(pixelError(scene, H, scene.points1[i], scene.points2[i]) <= found.report.threshold,
+                  found.mask.at<uchar>(i) != 0);
 }
 
 //! Whichever fires first: two criteria never need more samples than one of them.

@@ -8,6 +8,7 @@
 #include "statistics/gamma.hpp"
 #include "statistics/marginalized_weights.hpp"
 #include "statistics/mixture.hpp"
+#include "statistics/noise_scale.hpp"
 
 namespace opencv_test { namespace {
 
@@ -243,6 +244,30 @@ TEST(Usac_Statistics, outlierExtent)
         const double k = thresholdInSigmas(degrees);
         EXPECT_NEAR(1, std::exp(degrees * logDensityRatio(0, 0.5, degrees) - k * k / 2), 1e-12);
     }
+}
+
+//! Gaussian noise of known size among uniform outliers.
+TEST(Usac_Statistics, noiseScale)
+{
+    for (int degrees = 1; degrees <= 2; ++degrees)
+        for (int k = 0; k < 4; ++k)
+        {
+            const double sigma = 0.2 * (k + 1);  // in thresholds of 3 pixels
+            RNG rng(1 + k);
+            std::vector<double> errors;
+            for (int i = 0; i < 400; ++i)
+            {
+                const double a = rng.gaussian(3 * sigma), b = degrees == 2 ? rng.gaussian(3 * sigma) : 0;
+                const double far = rng.uniform(0., 1.), reach = 3 * NoiseScale::REACH;
+                errors.push_back(i % 4 ? a * a + b * b : reach * reach * (degrees == 2 ? far : far * far));
+            }
+            EXPECT_NEAR(sigma, NoiseScale::estimate(errors.data(), 400, 3, degrees), 0.2 * sigma) << degrees << " " << sigma;
+        }
+    const std::vector<double> few(NoiseScale::LEAST - 1, 0.01);
+    EXPECT_EQ(1 / thresholdInSigmas(1), NoiseScale::estimate(few.data(), (int)few.size(), 1, 1));
+    const std::vector<double> exact(100, 0.), nothing(100, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_LT(NoiseScale::estimate(exact.data(), 100, 1, 1), 1e-2);
+    EXPECT_EQ(1 / thresholdInSigmas(2), NoiseScale::estimate(nothing.data(), 100, 1, 2));
 }
 
 }} // namespace

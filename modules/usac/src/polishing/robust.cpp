@@ -4,6 +4,8 @@
 
 #include "precomp.hpp"
 #include "polishing/polishing.hpp"
+#include "statistics/chi_square.hpp"
+#include "statistics/noise_scale.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -11,9 +13,10 @@ namespace usacv20 {
 namespace {
 
 /** Levenberg and Marquardt's method on the geometric error under the robust loss of Geman and McClure
-@cite geman1987statistical, by weights that are renewed,
-w = 1 / (1 + error^2 / threshold^2)^2, over the points within #REACH thresholds. The weights fall off smoothly where a
-threshold cuts, so the result depends less on it: the points just outside still speak, those far outside do not. */
+@cite geman1987statistical, by weights w = 1 / (1 + error^2 / scale^2)^2 that are renewed, over the points within #REACH thresholds.
+The weights fall off smoothly where a threshold cuts, so the result depends less on it: the points just outside still
+speak, those far outside do not. The scale is the threshold that would suit the noise of the inliers (NoiseScale), as far as it is not
+less than 0.7 and not more than 1.5 times the one given. */
 class RobustPolisher : public Polisher
 {
 public:
@@ -21,18 +24,20 @@ public:
     {
         const Correspondences& p = context.points;
         const Components& parts = context.components;
-        const double scale = 1 / (p.threshold * p.threshold);
+        double scale = 1 / (p.threshold * p.threshold);
         std::vector<double> errors(p.size), weights;
         std::vector<int> near;
         for (int i = 0; i < ITERATIONS; ++i)
         {
             parts.residual->squaredErrors(model, p.dx1, p.dy1, p.dx2, p.dy2, p.size, errors.data());
+            if (i == 0 || i == ITERATIONS / 2)
+                scale = scaleOf(p, errors);
             near.clear();
             weights.clear();
             for (int k = 0; k < p.size; ++k)
             {
                 const double relative = errors[k] * scale;
-                if (!(relative <= REACH * REACH))
+                if (!(errors[k] <= REACH * REACH * p.threshold * p.threshold))
                     continue;
                 near.push_back(k);
                 weights.push_back(1 / ((1 + relative) * (1 + relative)));
@@ -43,6 +48,15 @@ public:
     }
 
 private:
+    //! One over the square of the scale.
+    static double scaleOf(const Correspondences& p, const std::vector<double>& errors)
+    {
+        const int degrees = degreesOfFreedom(p.problem);
+        const double sigma = NoiseScale::estimate(errors.data(), p.size, p.threshold, degrees);
+        const double scale = std::min(std::max(sigma * thresholdInSigmas(degrees), 0.7), 1.5) * p.threshold;
+        return 1 / (scale * scale);
+    }
+
     //! The weights are renewed before a fit with the old ones has converged.
     enum { REACH = 3, ITERATIONS = 5, STEPS = 2 };
 };

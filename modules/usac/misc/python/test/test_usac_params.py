@@ -118,7 +118,8 @@ class EstimateTest(unittest.TestCase):
             self.assertIn(report.stop, (usac.STOP_MAX_ITERATIONS, usac.STOP_STANDARD, usac.STOP_SPRT, usac.STOP_P_NAPSAC))
             self.assertGreater(report.cost, 0)
             self.assertLess(report.cost, 1)
-            for name in ("rejectedSamples", "rejectedModels", "droppedModels", "localOptimizations", "localImprovements",
+            for name in ("rejectedSamples", "degenerateSamples", "rejectedModels", "refusedModels", "droppedModels",
+                         "localOptimizations", "localImprovements", "independentInliers", "chance", "threshold",
                          "setupMs", "searchMs", "localMs", "polishMs"):
                 self.assertGreaterEqual(getattr(report, name), 0, name)
             self.assertIsInstance(report.degenerate, bool)

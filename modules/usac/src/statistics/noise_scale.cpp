@@ -1,0 +1,44 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "statistics/chi_square.hpp"
+#include "statistics/noise_scale.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+double NoiseScale::estimate(const double* squaredErrors, int count, double threshold, int degrees)
+{
+    double near[MOST];  // squared, in units of the threshold
+    int size = 0;
+    const double scale = 1 / (threshold * threshold), limit = REACH * REACH;
+    for (int i = 0; i < count && size < MOST; ++i)
+    {
+        near[size] = squaredErrors[i] * scale;
+        size += near[size] <= limit;  // false for NaN
+    }
+    if (size < LEAST)
+        return 1 / thresholdInSigmas(degrees);
+    const double outlier = degrees == 1 ? 1. / REACH : 1 / limit;  // densities; of the square for two degrees of freedom
+    double variance = 0.15, part = 0.7;
+    for (int step = 0; step < 8; ++step)
+    {
+        const double peak = degrees == 1 ? std::sqrt(2 / (CV_PI * variance)) : 1 / (2 * variance);
+        double sum = 0, squares = 0;
+        for (int i = 0; i < size; ++i)
+        {
+            const double inlier = part * peak * std::exp(-near[i] / (2 * variance));
+            const double weight = inlier / (inlier + (1 - part) * outlier);
+            sum += weight;
+            squares += weight * near[i];
+        }
+        part = std::min(std::max(sum / size, 0.01), 0.99);
+        variance = std::max(squares / (degrees * std::max(sum, 1e-9)), 1e-6);
+    }
+    return std::sqrt(variance);
+}
+
+} // namespace usacv20
+} // namespace cv

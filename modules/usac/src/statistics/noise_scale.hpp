@@ -1,0 +1,28 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_NOISE_SCALE_HPP
+#define OPENCV_USACV20_NOISE_SCALE_HPP
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief Standard deviation of the noise of the inliers in units of the threshold, by expectation and maximisation.
+
+The errors within #REACH thresholds are a mixture of those of inliers (half normal for one degree of freedom, Rayleigh's
+distribution for two) and of outliers (uniform in the same sense) @cite torr2000mlesac. At most #MOST errors are looked at, the
+first ones. With fewer than #LEAST of them the noise that the threshold stands for is returned, 1 / thresholdInSigmas(degrees). */
+class NoiseScale
+{
+public:
+    enum { REACH = 4, LEAST = 20, MOST = 400 };
+
+    //! @param squaredErrors `count` squared errors @param threshold not squared @param degrees 1 or 2
+    static double estimate(const double* squaredErrors, int count, double threshold, int degrees);
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif
