@@ -7,6 +7,8 @@
 #include "neighbourhood/neighbourhood.hpp"
 #include "prior/prior.hpp"
 
+#include <set>
+
 namespace opencv_test { namespace {
 
 //! Cell of a point along each axis of a layer with `divisions` cells.
@@ -259,6 +261,36 @@ TEST(Usac_Priors, inputOrder)
         while (row == 3 || row == 17)
             ++row;
         ASSERT_EQ(row, usac->points().inputIndex[order[i]]);
+    }
+}
+
+//! Matches that are the same as an earlier one go to the end, in either order of the points.
+TEST(Usac_Priors, repeatedMatchesAreLast)
+{
+    SceneOptions options;
+    Scene scene = makeScene(HOMOGRAPHY, options);
+    const int size = scene.size();
+    for (int k = 0; k < 40; ++k)  // one match 31 times, ten others twice
+    {
+        scene.points1.push_back(scene.points1[k < 30 ? 7 : k]);
+        scene.points2.push_back(scene.points2[k < 30 ? 7 : k]);
+    }
+    Params params;
+    for (int i = 0; i < 2; ++i)
+    {
+        params.scores.assign(i == 0 ? 0 : size + 40, 0.5f);
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Correspondences& p = usac->points();
+        std::vector<int> order(p.size);
+        for (int k = 0; k < p.size; ++k)
+            order[k] = k;
+        usac->components().prior->sort(Context(p, usac->components(), params), order);
+        std::set<std::pair<double, double> > seen;
+        for (int k = 0; k < p.size; ++k)
+            EXPECT_EQ(k < size, seen.insert(std::make_pair(p.dx1[order[k]], p.dy1[order[k]])).second) << k;
+        std::sort(order.begin(), order.end());
+        for (int k = 0; k < p.size; ++k)
+            ASSERT_EQ(k, order[k]);
     }
 }
 

@@ -27,10 +27,10 @@ class UsacReal : public testing::TestWithParam<RealCase>
 protected:
     UsacReal() : real(GetParam()), set(real.name) {}
 
-    void verify(const char* what, const Mat& model, const Mat& mask) const
+    void verify(const char* what, const Mat& model, const Mat& mask, double slack = 1) const
     {
-        EXPECT_LT(set.error(model), real.error) << what;
-        EXPECT_GT(countNonZero(mask), real.inliers) << what;
+        EXPECT_LT(set.error(model), slack * real.error) << what;
+        EXPECT_GT(countNonZero(mask), real.inliers / slack) << what;
         if (cvtest::debugLevel > 0)
             printf("%-12s %-16s error %.3f px, %d inliers\n", real.name, what, set.error(model), countNonZero(mask));
     }
@@ -56,8 +56,9 @@ TEST_P(UsacReal, every_flag)
 {
     Mat mask;
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
-    verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask);
+    verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, 1.5);
     verify("USACV20_ACCURATE", set.find(USACV20_ACCURATE, real.threshold, mask), mask);
+    verify("USACV20_MAGSAC", set.find(USACV20_MAGSAC, 2 * real.threshold, mask), mask, 1.5);
     verify("USACV20_PROSAC", set.sorted().find(USACV20_PROSAC, real.threshold, mask), mask);
 }
 

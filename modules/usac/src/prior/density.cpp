@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "prior/prior.hpp"
+#include "prior/repeated_last.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -16,7 +17,7 @@ features").
 Right matches come in groups: of the points that share a point's cell in image 1 or image 2, most also share its cell in
 the other image. Points are ordered by this fraction, s / (s + n + #PRIOR_OTHERS) with s points in both cells and on average n
 more in one of them. The absolute density alone would put the one most crowded place of the images first, right or wrong.
-Counts and a bucket sort; points of equal rank keep their pseudo-random order. O(N). */
+Counts and a bucket sort; points of equal rank keep their pseudo-random order, repeated matches are last. O(N). */
 class DensityPrior : public Prior
 {
 public:
@@ -46,6 +47,7 @@ public:
             start[b + 1] += start[b];
         for (int i = 0; i < p.size; ++i)
             order[start[bucket[i]]++] = i;
+        repeatedLast(p, order);
     }
 
 private:

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "prior/prior.hpp"
+#include "prior/repeated_last.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -17,7 +18,8 @@ struct ByValue
     const float* values;
 };
 
-/** Given scores, best first; points of equal score keep their pseudo-random order. O(N log N). */
+/** Given scores, best first; points of equal score keep their pseudo-random order, repeated matches are
+last. O(N log N). */
 class ScorePrior : public Prior
 {
 public:
@@ -26,6 +28,7 @@ public:
         for (size_t i = 0; i < order.size(); ++i)
             order[i] = (int)i;
         std::sort(order.begin(), order.end(), ByValue(context.points.scores));
+        repeatedLast(context.points, order);
     }
 };
 
