@@ -254,18 +254,18 @@ TEST(Usac_Statistics, noiseScale)
         {
             const double sigma = 0.2 * (k + 1);  // in thresholds of 3 pixels
             RNG rng(1 + k);
-            std::vector<double> errors;
+            std::vector<float> errors;
             for (int i = 0; i < 400; ++i)
             {
                 const double a = rng.gaussian(3 * sigma), b = degrees == 2 ? rng.gaussian(3 * sigma) : 0;
                 const double far = rng.uniform(0., 1.), reach = 3 * NoiseScale::REACH;
-                errors.push_back(i % 4 ? a * a + b * b : reach * reach * (degrees == 2 ? far : far * far));
+                errors.push_back((float)(i % 4 ? a * a + b * b : reach * reach * (degrees == 2 ? far : far * far)));
             }
             EXPECT_NEAR(sigma, NoiseScale::estimate(errors.data(), 400, 3, degrees), 0.2 * sigma) << degrees << " " << sigma;
         }
-    const std::vector<double> few(NoiseScale::LEAST - 1, 0.01);
+    const std::vector<float> few(NoiseScale::LEAST - 1, 0.01f);
     EXPECT_EQ(1 / thresholdInSigmas(1), NoiseScale::estimate(few.data(), (int)few.size(), 1, 1));
-    const std::vector<double> exact(100, 0.), nothing(100, std::numeric_limits<double>::quiet_NaN());
+    const std::vector<float> exact(100, 0.f), nothing(100, std::numeric_limits<float>::quiet_NaN());
     EXPECT_LT(NoiseScale::estimate(exact.data(), 100, 1, 1), 1e-2);
     EXPECT_EQ(1 / thresholdInSigmas(2), NoiseScale::estimate(nothing.data(), 100, 1, 2));
 }

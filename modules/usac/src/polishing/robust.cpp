@@ -25,11 +25,12 @@ public:
         const Correspondences& p = context.points;
         const Components& parts = context.components;
         double scale = 1 / (p.threshold * p.threshold);
-        std::vector<double> errors(p.size), weights;
+        std::vector<float> errors(p.size);
+        std::vector<double> weights;
         std::vector<int> near;
         for (int i = 0; i < ITERATIONS; ++i)
         {
-            parts.residual->squaredErrors(model, p.dx1, p.dy1, p.dx2, p.dy2, p.size, errors.data());
+            parts.residual->squaredErrors(p, model, 0, p.size, errors.data());
             if (i == 0 || i == ITERATIONS / 2)
                 scale = scaleOf(p, errors);
             near.clear();
@@ -49,7 +50,7 @@ public:
 
 private:
     //! One over the square of the scale.
-    static double scaleOf(const Correspondences& p, const std::vector<double>& errors)
+    static double scaleOf(const Correspondences& p, const std::vector<float>& errors)
     {
         const int degrees = degreesOfFreedom(p.problem);
         const double sigma = NoiseScale::estimate(errors.data(), p.size, p.threshold, degrees);
@@ -58,7 +59,7 @@ private:
     }
 
     //! The weights are renewed before a fit with the old ones has converged.
-    enum { REACH = 3, ITERATIONS = 5, STEPS = 2 };
+    enum { REACH = 3, ITERATIONS = 4, STEPS = 1 };
 };
 
 } // namespace

@@ -16,10 +16,10 @@ first ones. With fewer than #LEAST of them the noise that the threshold stands f
 class NoiseScale
 {
 public:
-    enum { REACH = 4, LEAST = 20, MOST = 400 };
+    enum { REACH = 4, LEAST = 20, MOST = 200 };
 
     //! @param squaredErrors `count` squared errors @param threshold not squared @param degrees 1 or 2
-    static double estimate(const double* squaredErrors, int count, double threshold, int degrees);
+    static double estimate(const float* squaredErrors, int count, double threshold, int degrees);
 };
 
 } // namespace usacv20
