@@ -73,7 +73,10 @@ ModuleMethod::ModuleMethod(const std::string& name, const std::string& preset, c
     if (useScores)
         base.prior = cv::usacv20::PRIOR_AUTO;
     setFields(base, fields);  // wrong names and values are told before anything runs
-    base.check();
+    Params checked = base;
+    if (useScores)
+        checked.scores.assign(1, 1.f);  // some options need them
+    checked.check();
 }
 
 void ModuleMethod::prepare(const ImagePair& pair, const Settings& settings)

@@ -53,6 +53,7 @@ const DoubleField DOUBLE_FIELDS[] = {
     { "threshold", &Params::threshold },
     { "confidence", &Params::confidence },
     { "neighbourRadius", &Params::neighbourRadius },
+    { "reach", &Params::reach },
     { "spatialWeight", &Params::spatialWeight },
     { "relaxation", &Params::relaxation },
 };

@@ -10,7 +10,7 @@ namespace usacv20 {
 Params::Params()
     : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
       prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighbourhood(NEIGHBOURHOOD_GRID), neighbours(10),
-      neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), verification(VERIFICATION_SPRT), tddPoints(1),
+      neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
       spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT), relaxation(0.03),
       degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED), polishing(POLISHING_ROBUST)
@@ -51,6 +51,7 @@ void checkCombinations(const Params& p)
                      "SCORES_HIGHER_IS_BETTER");
     if (p.quality != QUALITY_LMEDS)
         return;
+    checkCombination(p.reach != 1, "reach: QUALITY_LMEDS has no threshold to multiply");
     checkCombination(p.verification != VERIFICATION_NONE,
                      "verification: SPRT and T(d,d) count inliers, for which QUALITY_LMEDS has no threshold yet");
     checkCombination(p.localOptimization != LOCAL_OPTIMIZATION_NONE,
@@ -95,6 +96,7 @@ void Params::check(int count) const
         CV_Error_(Error::StsOutOfRange, ("neighbourRadius: a positive number of pixels is expected, not %g", neighbourRadius));
     checkRange("residual", residual, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC);
     checkRange("quality", quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS);
+    checkRange("reach", reach, 1, 10);
     checkRange("verification", verification, VERIFICATION_NONE, VERIFICATION_TDD);
     checkRange("tddPoints", tddPoints, 1, 100);
     checkRange("localOptimization", localOptimization, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS);
@@ -130,6 +132,7 @@ void visitFields(P& params, Visitor& visit)
     visit("neighbourRadius", params.neighbourRadius);
     visit("residual", params.residual);
     visit("quality", params.quality);
+    visit("reach", params.reach);
     visit("verification", params.verification);
     visit("tddPoints", params.tddPoints);
     visit("localOptimization", params.localOptimization);

@@ -138,6 +138,7 @@ Params Params::magsac()
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS;
     params.termination = TERMINATION_MAGSAC;
     params.polishing = POLISHING_REWEIGHTED;
+    params.reach = 3;
     return params;
 }
 
@@ -145,6 +146,7 @@ Params Params::magsacPlusPlus()
 {
     Params params;
     params.quality = QUALITY_MAGSAC_PLUS_PLUS;
+    params.reach = 3;
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
     params.polishing = POLISHING_REWEIGHTED;
     return params;
@@ -209,7 +211,7 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     switch (other.score)
     {
     case SCORE_METHOD_RANSAC: params.quality = QUALITY_INLIERS; break;
-    case SCORE_METHOD_MAGSAC: params.quality = QUALITY_MAGSAC_PLUS_PLUS; break;
+    case SCORE_METHOD_MAGSAC: params.quality = QUALITY_MAGSAC_PLUS_PLUS; params.reach = magsacPlusPlus().reach; break;
     case SCORE_METHOD_LMEDS: useLmeds(params); break;
     default: params.quality = QUALITY_MSAC;
     }

@@ -119,7 +119,7 @@ ProblemData::ProblemData(ProblemType problem, InputArray points1, InputArray poi
     CV_Assert(problem == HOMOGRAPHY || problem == FUNDAMENTAL || problem == ESSENTIAL);
     read(points1, points2);
     params.check((int)input[0].size());
-    inputThreshold = params.threshold;
+    inputThreshold = params.threshold * params.reach;
     pixels = 1;
     if (problem == ESSENTIAL)
         calibrate(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);

@@ -83,11 +83,12 @@ private:
                 parts.polisher->polish(context, state.best);
             if (data.points().problem == ESSENTIAL)  // what a minimal solver found may miss the constraints
                 state.best = Manifold(ESSENTIAL, state.best).model();
+            learned.cost = context.rate(state.best).cost / context.points.size;
+            data.setThreshold(context.points.threshold / params.reach);
             Matx33d model;
             if (data.toInput(state.best, model))
             {
                 learned.inliers = data.mask(*parts.residual, model, inliers);
-                learned.cost = context.rate(state.best).cost / context.points.size;
                 if (learned.inliers > 0)
                     result = Mat(model, true);
             }

@@ -48,6 +48,7 @@ struct Fields
         f.push_back(std::make_pair("threshold", &Params::threshold));
         f.push_back(std::make_pair("confidence", &Params::confidence));
         f.push_back(std::make_pair("neighbourRadius", &Params::neighbourRadius));
+        f.push_back(std::make_pair("reach", &Params::reach));
         f.push_back(std::make_pair("spatialWeight", &Params::spatialWeight));
         f.push_back(std::make_pair("relaxation", &Params::relaxation));
         return f;

@@ -65,7 +65,7 @@ TEST(Usac_Params, ranges_of_reals)
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const struct { const char* name; double right[2], wrong[3]; } ranges[] = {
         {"threshold", {1e-300, 1e300}, {0, -1, inf}}, {"confidence", {1e-300, 1 - 1e-15}, {0, 1, 2}},
-        {"neighbourRadius", {1e-300, 1e300}, {0, -1, inf}}, {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}}};
+        {"neighbourRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}}, {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}}};
     ASSERT_EQ(Fields::doubles().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::doubles().size(); ++i)
     {
@@ -192,6 +192,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(40, p.neighbourRadius);
     EXPECT_EQ((int)RESIDUAL_STANDARD, p.residual);
     EXPECT_EQ((int)QUALITY_MSAC, p.quality);
+    EXPECT_EQ(1, p.reach);
     EXPECT_EQ((int)VERIFICATION_SPRT, p.verification);
     EXPECT_EQ(1, p.tddPoints);
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_GRAPH_CUT, p.localOptimization);
@@ -225,6 +226,7 @@ Params unusual()
     p.neighbourRadius = 3.3;
     p.residual = RESIDUAL_SYMMETRIC;
     p.quality = QUALITY_INLIERS;
+    p.reach = 1.7;
     p.verification = VERIFICATION_NONE;
     p.tddPoints = 2;
     p.localOptimization = LOCAL_OPTIMIZATION_NONE;

@@ -304,4 +304,22 @@ TEST_P(UsacEffects, quality)
     EXPECT_GT(std::abs(report.cost - counted.cost), 0.01);
 }
 
+//! The mask is that of the threshold, whatever the reach; the model is another one.
+TEST_P(UsacEffects, reach)
+{
+    const Scene scene = sceneOf(problem(), 200, 100);
+    Params params = Params::magsacPlusPlus();
+    Mat masks[2], models[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        params.reach = i == 0 ? 1 : 4;
+        Report report;
+        models[i] = estimate(scene, params, masks[i], &report);
+        EXPECT_EQ(params.threshold, report.threshold);
+        EXPECT_LT(modelError(scene, models[i]), 0.8);
+        checkResult(scene, params.threshold, models[i], masks[i], report);
+    }
+    EXPECT_FALSE(sameBits(models[0], models[1]));
+}
+
 }} // namespace

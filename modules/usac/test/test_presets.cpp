@@ -35,8 +35,8 @@ TEST(Usac_Presets, change_what_they_say)
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
         {"gcRansac", Params::gcRansac(), v20, "localIterations localSampleMultiple localSamples termination degeneracy polishing "},
         {"usac2013", Params::usac2013(), lo, "sampler prior verification termination degeneracy "},
-        {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing "},
-        {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing "}};
+        {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing reach "},
+        {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing reach "}};
     const int count = sizeof(all) / sizeof(all[0]);
     for (int i = 0; i < count; ++i)
     {

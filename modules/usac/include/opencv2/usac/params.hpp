@@ -23,11 +23,11 @@ these by usacv20::methodFromInt.
 */
 enum UsacV20Method
 {
-    USACV20          = 0x4000, //!< the configuration chosen in @cite ivashechkin2021usacv20; usacv20::Params::usacV20()
+    USACV20          = 0x4000, //!< the configuration chosen in @cite ivashechkin2021usacv20, with robust polishing; usacv20::Params::usacV20()
     USACV20_FAST     = 0x4001, //!< early stop and a short local optimisation; usacv20::Params::fast()
     USACV20_ACCURATE = 0x4002, //!< late stop and a long local optimisation; usacv20::Params::accurate()
     USACV20_PROSAC   = 0x4003, //!< the caller's points are sorted, best first; usacv20::Params::sorted()
-    USACV20_MAGSAC   = 0x4004, //!< quality and fits marginalised over the noise, to a wide threshold; usacv20::Params::magsacPlusPlus()
+    USACV20_MAGSAC   = 0x4004, //!< quality and fits marginalised over the noise; usacv20::Params::magsacPlusPlus()
     USACV20_PARALLEL = 0x4005  //!< USACV20 with cv::getNumThreads() threads, the same result; usacv20::Params::parallel()
 };
 
@@ -142,7 +142,7 @@ enum PolishingType
 
 /** @brief All options of the estimator; each has an effect.
 
-A default-constructed object is the configuration of the paper (Params::usacV20). Wrong values raise a
+A default-constructed object is Params::usacV20. Wrong values raise a
 cv::Exception that names the field when the estimator is created.
 */
 struct CV_EXPORTS_W_SIMPLE Params
@@ -178,6 +178,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int residual;
     //! @ref QualityType. Default #QUALITY_MSAC.
     CV_PROP_RW int quality;
+    /** Search, local optimisation and polishing work with so many times `threshold`, the mask with `threshold` itself; 1..10. For
+    qualities and fits that are marginalised over the noise. Default 1. */
+    CV_PROP_RW double reach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;
     //! Points that must be inliers for #VERIFICATION_TDD; 1..100. Default 1.
@@ -201,7 +204,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
 
-    //! The configuration chosen in the paper; the same as Params().
+    /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
     /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers would have been found, and
     whose local optimisation has no graph cut, no inner samples and at most two alternations. */
@@ -209,40 +212,40 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief What #USACV20_ACCURATE uses: usacV20() with the standard termination, up to ten alternations of ten inner samples in
     the local optimisation. */
     CV_WRAP static Params accurate();
-    //! As usacV20(), with PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses.
+    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
-    //! As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses.
+    /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
-    //! RANSAC of 1981: uniform samples, number of inliers, standard termination, least squares @cite fischler1981random.
+    /** @brief RANSAC of 1981: uniform samples, number of inliers, standard termination, least squares @cite fischler1981random. */
     CV_WRAP static Params ransac();
-    //! As ransac(), with truncated squared errors @cite torr2000mlesac.
+    /** @brief As ransac(), with truncated squared errors @cite torr2000mlesac. */
     CV_WRAP static Params msac();
-    //! As ransac(), with the median of the squared errors; `threshold` is not used @cite rousseeuw1984least.
+    /** @brief As ransac(), with the median of the squared errors; `threshold` is not used @cite rousseeuw1984least. */
     CV_WRAP static Params lmeds();
-    //! As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac.
+    /** @brief As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac. */
     CV_WRAP static Params mlesac();
-    //! As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first @cite chum2005matching.
+    /** @brief As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first @cite chum2005matching. */
     CV_WRAP static Params prosac();
-    //! LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally.
+    /** @brief LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally. */
     CV_WRAP static Params loRansac();
-    //! FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size @cite lebeda2012fixing.
+    /** @brief FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size @cite lebeda2012fixing. */
     CV_WRAP static Params floRansac();
-    //! GC-RANSAC: P-NAPSAC samples, MSAC, SPRT, graph-cut local optimisation, standard termination @cite barath2018graph.
+    /** @brief GC-RANSAC: P-NAPSAC samples, MSAC, SPRT, graph-cut local optimisation, standard termination @cite barath2018graph. */
     CV_WRAP static Params gcRansac();
-    //! USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac.
+    /** @brief USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac. */
     CV_WRAP static Params usac2013();
-    //! MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac.
+    /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac. What
-    #USACV20_MAGSAC uses. `threshold` is where the loss ends, and may be several times the noise. */
+    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`. */
     CV_WRAP static Params magsacPlusPlus();
-    //! The preset behind a flag. @param method one of #UsacV20Method; anything else raises cv::Exception.
+    /** @brief The preset behind a flag. @param method one of #UsacV20Method; anything else raises cv::Exception. */
     CV_WRAP static Params fromMethod(int method);
 
     //! The nearest configuration to one of OpenCV's own USAC; `threshold`, `confidence`, `maxIterations` are taken as they are.
     static Params fromUsacParams(const cv::UsacParams& params);
 
-    //! Raises a cv::Exception that names the first field with a wrong value. @param count number of correspondences, -1 if unknown.
+    /** @brief Raises a cv::Exception that names the first field with a wrong value. @param count number of correspondences, -1 if unknown. */
     CV_WRAP void check(int count = -1) const;
 
     //! Writes all fields into an open map of a cv::FileStorage.

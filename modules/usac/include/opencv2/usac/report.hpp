@@ -74,7 +74,7 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Milliseconds: final polishing and the mask.
     CV_PROP_RW double polishMs;
 
-    //! One sentence for a log.
+    /** @brief One sentence for a log. */
     CV_WRAP String describe() const;
 };
 
