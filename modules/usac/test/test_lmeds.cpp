@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "given_residual.hpp"
 #include "scores/scores.hpp"
 #include "statistics/chi_square.hpp"
 #include "statistics/mixture.hpp"
@@ -23,23 +24,6 @@ Params searchParams()
     return params;
 }
 
-//! Residuals as given.
-class GivenErrors : public Residual
-{
-public:
-    void squaredErrors(const Correspondences&, const Model&, int begin, int end, float* errors) const CV_OVERRIDE
-    {
-        std::copy(given.begin() + begin, given.begin() + end, errors);
-    }
-    void squaredErrors(const Model&, const double*, const double*, const double*, const double*, int count,
-                       double* errors) const CV_OVERRIDE
-    {
-        std::copy(given.begin(), given.begin() + count, errors);
-    }
-
-    std::vector<float> given;
-};
-
 typedef testing::TestWithParam<int> Usac_Lmeds_Problem;
 
 TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
@@ -59,7 +43,7 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
         const Ptr<Score> score = createLmedsScore(points.view(), m);
         EXPECT_TRUE(score->wholeModel());
         Components parts;
-        const Ptr<GivenErrors> residual = makePtr<GivenErrors>();
+        const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
         parts.residual = residual;
         const Params params;
         const Context context(points.view(), parts, params);
@@ -85,7 +69,7 @@ TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
     const std::vector<Point2d> corners(COUNT, Point2d(0, 0));
     const OwnPoints points(problem, corners, corners);
     Components parts;
-    const Ptr<GivenErrors> residual = makePtr<GivenErrors>();
+    const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
     parts.residual = residual;
     const Params params;
     const Context context(points.view(), parts, params);

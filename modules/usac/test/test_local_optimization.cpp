@@ -3,29 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "given_residual.hpp"
 #include "local_optimization/labelling.hpp"
 #include "local_optimization/local_optimization.hpp"
 
 #include <tuple>
 
 namespace opencv_test { namespace {
-
-//! Errors as given, whatever the model.
-class GivenResidual : public Residual
-{
-public:
-    void squaredErrors(const Correspondences&, const Model&, int begin, int end, float* errors) const CV_OVERRIDE
-    {
-        std::copy(given.begin() + begin, given.begin() + end, errors);
-    }
-    void squaredErrors(const Model&, const double*, const double*, const double*, const double*, int count,
-                       double* errors) const CV_OVERRIDE
-    {
-        std::copy(given.begin(), given.begin() + count, errors);
-    }
-
-    std::vector<float> given;
-};
 
 //! Edges as given.
 class GivenEdges : public Neighbourhood

@@ -26,19 +26,26 @@ struct TransferError
     }
 };
 
+//! First two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.
+template <typename T>
+struct EpipolarLines
+{
+    EpipolarLines(const T* m, T x1, T y1, T x2, T y2)
+        : a(m[0] * x1 + m[1] * y1 + m[2]), b(m[3] * x1 + m[4] * y1 + m[5]), d(m[0] * x2 + m[3] * y2 + m[6]),
+          e(m[1] * x2 + m[4] * y2 + m[7]), r(x2 * a + y2 * b + (m[6] * x1 + m[7] * y1 + m[8]))
+    {
+    }
+    T a, b, d, e, r;
+};
+
 /** Sampson distance, squared: (x2^T F x1)^2 / (|(F x1)_{1,2}|^2 + |(F^T x2)_{1,2}|^2) @cite hartley2003multiple. */
 struct SampsonError
 {
     template <typename T>
     static inline T squared(const T* m, T x1, T y1, T x2, T y2)
     {
-        const T a = m[0] * x1 + m[1] * y1 + m[2];
-        const T b = m[3] * x1 + m[4] * y1 + m[5];
-        const T c = m[6] * x1 + m[7] * y1 + m[8];
-        const T d = m[0] * x2 + m[3] * y2 + m[6];
-        const T e = m[1] * x2 + m[4] * y2 + m[7];
-        const T r = x2 * a + y2 * b + c;
-        return r * r / (a * a + b * b + d * d + e * e);
+        const EpipolarLines<T> l(m, x1, y1, x2, y2);
+        return l.r * l.r / (l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e);
     }
 };
 
@@ -63,13 +70,8 @@ struct SymmetricEpipolarError
     template <typename T>
     static inline T squared(const T* m, T x1, T y1, T x2, T y2)
     {
-        const T a = m[0] * x1 + m[1] * y1 + m[2];
-        const T b = m[3] * x1 + m[4] * y1 + m[5];
-        const T c = m[6] * x1 + m[7] * y1 + m[8];
-        const T d = m[0] * x2 + m[3] * y2 + m[6];
-        const T e = m[1] * x2 + m[4] * y2 + m[7];
-        const T r = x2 * a + y2 * b + c;
-        return r * r * (T(1) / (a * a + b * b) + T(1) / (d * d + e * e));
+        const EpipolarLines<T> l(m, x1, y1, x2, y2);
+        return l.r * l.r * (T(1) / (l.a * l.a + l.b * l.b) + T(1) / (l.d * l.d + l.e * l.e));
     }
 };
 
