@@ -12,6 +12,8 @@ namespace usacv20 {
 namespace {
 
 enum { FIRST_BATCH = 16, LARGEST_BATCH = 256, CONFIRMATIONS = 2 };
+//! Smaller batches are not worth the threads: many runs end in the middle of one.
+const size_t PARALLEL_BATCH = 64;
 //! This part of the inliers in common makes two models the same for the local optimisation.
 const double SAME_INLIERS = 0.95;
 //! A cost below this part of the best one is clearly better.
@@ -37,12 +39,13 @@ void Ransac::run()
     while (!terminate())                                                                    // 2
     {
         drawBatch();                                                                        // 3
-        if (threads > 1)
+        const bool together = threads > 1 && batch.size() >= PARALLEL_BATCH;
+        if (together)
             hypothesiseBatch();
         for (size_t i = 0; i < batch.size() && !terminate(); ++i)
         {
-            if (threads == 1)
-                hypothesise((int)i);
+            if (!together)
+                hypothesise((int)i, state.iteration);
             ++state.iteration;
             account(batch[i]);
             for (int k = 0; k < batch[i].count; ++k)                                        // 7
@@ -89,15 +92,14 @@ void Ransac::hypothesiseBatch()
 {
     parallel_for_(Range(0, (int)batch.size()), [this](const Range& range) {
         for (int i = range.start; i < range.end; ++i)
-            hypothesise(i);
+            hypothesise(i, state.iteration + i);
     }, threads);
 }
 
 //! Called by several threads at once: writes to its own element of the batch only.
-void Ransac::hypothesise(int index)
+void Ransac::hypothesise(int index, int position)
 {
     Hypotheses& h = batch[index];
-    const int position = threads == 1 ? state.iteration : state.iteration + index;
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = 0;
     h.rejectedSample = false;
     for (size_t d = 0; d < parts.degeneracies.size(); ++d)                                  // 4

@@ -40,7 +40,8 @@ public:
 private:
     bool terminate();
     void drawBatch();
-    void hypothesise(int index);
+    //! @param position number of the sample
+    void hypothesise(int index, int position);
     void hypothesiseBatch();
     void improve(const int* sample, Model model, Quality quality);
     void optimize(Model& model, Quality& quality);
