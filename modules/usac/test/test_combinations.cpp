@@ -85,9 +85,9 @@ struct Arena
         Mat mask;
         Report report;
         const Mat model = set.estimateWith(params, mask, report);
-        // without local optimisation the points of one place, which NAPSAC draws, determine a model badly
-        const bool local = params.sampler == SAMPLER_NAPSAC;
-        EXPECT_LT(set.error(model), local ? 4 * error : error) << describe(choice) << report.describe();
+        // the points of one place, which NAPSAC draws, determine a model badly, and so does a sample that nothing follows
+        const double slack = (params.sampler == SAMPLER_NAPSAC ? 4 : 1) * (params.polishing == POLISHING_NONE ? 3 : 1);
+        EXPECT_LT(set.error(model), slack * error) << describe(choice) << report.describe();
         EXPECT_EQ(countNonZero(mask), report.inliers);
     }
 
