@@ -119,14 +119,14 @@ ProblemData::ProblemData(ProblemType problem, InputArray points1, InputArray poi
     CV_Assert(problem == HOMOGRAPHY || problem == FUNDAMENTAL || problem == ESSENTIAL);
     read(points1, points2);
     params.check((int)input[0].size());
-    inputThreshold = params.threshold * params.reach;
+    inputThreshold = params.threshold;
     pixels = 1;
     if (problem == ESSENTIAL)
         calibrate(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
     view.problem = problem;
     view.inputSize = (int)input[0].size();
     shuffle(params);
-    scale(params.residual == RESIDUAL_SYMMETRIC);
+    scale(params);
 }
 
 void ProblemData::read(InputArray points1, InputArray points2)
@@ -192,9 +192,8 @@ void ProblemData::shuffle(const Params& params)
     view.scores = scores.empty() ? 0 : scores.data();
 }
 
-/** Moves H and F to the centre and to unit scale; E keeps the scale that its constraints need. `bothImages`: errors of both
-images are compared. */
-void ProblemData::scale(bool bothImages)
+/** Moves H and F to the centre and to unit scale; E keeps the scale that its constraints need. */
+void ProblemData::scale(const Params& params)
 {
     double s[2] = {1, 1};
     for (int k = 0; k < 4; ++k)
@@ -206,7 +205,7 @@ void ProblemData::scale(bool bothImages)
             const double size = (deviation[2 * image] + deviation[2 * image + 1]) / 2;
             s[image] = size > 1e-300 ? 1 / size : 1;
         }
-        if (view.problem == FUNDAMENTAL || bothImages)  // a common scale, with which the errors scale
+        if (view.problem == FUNDAMENTAL || params.residual == RESIDUAL_SYMMETRIC)  // a common scale, with which the errors scale
             s[0] = s[1] = std::sqrt(s[0] * s[1]);
     }
     for (int k = 0; k < 4; ++k)
@@ -231,7 +230,7 @@ void ProblemData::scale(bool bothImages)
         view.T1 = Matx33d(s[0], 0, -s[0] * centre[0], 0, s[0], -s[0] * centre[1], 0, 0, 1);
         view.T2 = Matx33d(s[1], 0, -s[1] * centre[2], 0, s[1], -s[1] * centre[3], 0, 0, 1);
     }
-    view.threshold = inputThreshold * s[1];
+    view.threshold = inputThreshold * params.reach * s[1];
     view.x1 = floats.ptr<float>(0);
     view.y1 = floats.ptr<float>(1);
     view.x2 = floats.ptr<float>(2);

@@ -34,11 +34,11 @@ public:
 private:
     void read(InputArray points1, InputArray points2);
     void calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
-    void scale(bool bothImages);
+    void scale(const Params& params);
     void shuffle(const Params& params);
 
     Correspondences view;
-    double inputThreshold;                //!< in the coordinates of `input`
+    double inputThreshold;                //!< of the mask, in the coordinates of `input`
     double pixels;                        //!< in one unit of `input`
     std::vector<double> input[4];         //!< all rows: x1, y1, x2, y2 (E: on the normalised image plane)
     double centre[4], deviation[4];       //!< of each of them, robust

@@ -84,7 +84,6 @@ private:
             if (data.points().problem == ESSENTIAL)  // what a minimal solver found may miss the constraints
                 state.best = Manifold(ESSENTIAL, state.best).model();
             learned.cost = context.rate(state.best).cost / context.points.size;
-            data.setThreshold(context.points.threshold / params.reach);
             Matx33d model;
             if (data.toInput(state.best, model))
             {

@@ -346,4 +346,26 @@ TEST(Usac_NeighbourhoodFlann, parametersHaveAnEffect)
         }
 }
 
+//! The radius is in pixels, whatever multiple of the threshold the search works with.
+TEST(Usac_Neighbourhood_Flann, radiusDoesNotDependOnTheReach)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    int counts[2] = {0, 0};
+    for (int r = 0; r < 2; ++r)
+    {
+        Params params;
+        params.neighbourhood = NEIGHBOURHOOD_RADIUS;
+        params.reach = r == 0 ? 1 : 4;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            const int* members;
+            counts[r] += usac->components().neighbourhood->members(context, 0, i, members);
+        }
+    }
+    EXPECT_GT(counts[0], scene.size());  // more than the points themselves
+    EXPECT_NEAR(counts[0], counts[1], 2);
+}
+
 }} // namespace

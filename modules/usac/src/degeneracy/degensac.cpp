@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "degeneracy/degeneracy.hpp"
 #include "degeneracy/epipole.hpp"
+#include "degeneracy/share_a_point.hpp"
 #include "residuals/formulas.hpp"
 #include "solvers/solvers.hpp"
 #include "termination/termination.hpp"
@@ -81,16 +82,10 @@ private:
     //! Squared errors above this are off a plane that was found from three points: three thresholds.
     static double limit(const Correspondences& p) { return 9 * p.threshold * p.threshold; }
 
-    //! True if two matches share a point: their plane would map everything to it, or it would be the epipole.
-    static bool shareAPoint(const Correspondences& p, int i, int j)
-    {
-        return (p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j]) || (p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j]);
-    }
-
     //! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F.
     static bool planeOf(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e, Matx33d& H)
     {
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k)  // their plane would map everything to that point
             if (shareAPoint(p, triple[k], triple[(k + 1) % 3]))
                 return false;
         Matx33d M;
@@ -213,7 +208,7 @@ private:
             int pair[2];
             state.rng.distinct(off, 2, pair);
             if (shareAPoint(p, offPlane[pair[0]], offPlane[pair[1]]))
-                continue;
+                continue;  // which would be the epipole
             Vec3d lines[2];
             for (int j = 0; j < 2; ++j)
             {

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "degeneracy/degeneracy.hpp"
+#include "degeneracy/share_a_point.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -24,11 +25,8 @@ public:
         const int m = context.components.minimalSolver->sampleSize();
         for (int i = 1; i < m; ++i)
             for (int k = 0; k < i; ++k)
-            {
-                const int a = sample[i], b = sample[k];
-                if ((p.x1[a] == p.x1[b] && p.y1[a] == p.y1[b]) || (p.x2[a] == p.x2[b] && p.y2[a] == p.y2[b]))
+                if (shareAPoint(p, sample[i], sample[k]))
                     return false;
-            }
         return true;
     }
 };

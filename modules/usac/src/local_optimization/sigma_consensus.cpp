@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "local_optimization/inlier_set.hpp"
 #include "local_optimization/local_optimization.hpp"
 #include "local_optimization/sigma_consensus.hpp"
 #include "statistics/marginalized_weights.hpp"
@@ -105,11 +106,8 @@ public:
             Model fitted = model;
             if (!consensus.fit(context, state.rng, fitted))
                 break;
-            const Quality fittedQuality = context.rate(fitted, quality.cost);
-            if (!fittedQuality.betterThan(quality))
+            if (!keepBetter(context, fitted, model, quality))
                 break;
-            model = fitted;
-            quality = fittedQuality;
             improved = true;
         }
         return improved;

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "local_optimization/inlier_set.hpp"
 #include "local_optimization/local_optimization.hpp"
 #include "local_optimization/marginalized_fit.hpp"
 
@@ -31,14 +32,9 @@ public:
             reweighted.reduce(MAX_FIT, state.rng);
             if (!reweighted.fit(context, fitted))
                 break;
-            const Quality fittedQuality = context.rate(fitted, quality.cost);
-            ++failures;
-            if (!fittedQuality.betterThan(quality))
-                continue;
-            model = fitted;
-            quality = fittedQuality;
-            improved = true;
-            failures = 0;
+            const bool better = keepBetter(context, fitted, model, quality);
+            improved |= better;
+            failures = better ? 0 : failures + 1;
         }
         return improved;
     }

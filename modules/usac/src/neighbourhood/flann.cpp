@@ -133,7 +133,7 @@ private:
         if (tree || p.size == 0)
             return;
         // internal units of a pixel; E: of a pixel of a camera with the mean focal length
-        const double unit2 = p.threshold / context.params.threshold, unit1 = unit2 * p.T1(0, 0) / p.T2(0, 0);
+        const double unit2 = p.threshold / (context.params.threshold * context.params.reach), unit1 = unit2 * p.T1(0, 0) / p.T2(0, 0);
         const double LARGEST = 1e18;  // its square is a float
         const double *from[4] = {p.dx1, p.dy1, p.dx2, p.dy2}, unit[4] = {unit1, unit1, unit2, unit2};
         coordinates.create(p.size, 4, CV_32F);

@@ -24,7 +24,7 @@ public:
     {
         const Correspondences& p = context.points;
         const Components& parts = context.components;
-        double scale = 1 / (p.threshold * p.threshold);
+        double scale = 0;
         std::vector<float> errors(p.size);
         std::vector<double> weights;
         std::vector<int> near;

@@ -49,7 +49,7 @@ struct Correspondences
     const double *dx1, *dy1, *dx2, *dy2;        //!< for solving and refinement
     const int* inputIndex;                      //!< row of the caller's arrays
     const float* scores;                        //!< Params::scores in this order, lower is better; null if none were given
-    double threshold;                           //!< Params::threshold in these coordinates, not squared
+    double threshold;                           //!< Params::threshold times Params::reach in these coordinates, not squared
     Matx33d T1, T2;                             //!< from the caller's (E: normalised) coordinates to these
     float lower[4], upper[4];                   //!< where nearly all of x1, y1, x2, y2 lie
 };
