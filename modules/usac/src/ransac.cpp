@@ -39,6 +39,8 @@ void Ransac::run()
     while (!terminate())                                                                    // 2
     {
         drawBatch();                                                                        // 3
+        const bool first = state.iteration == 0;
+        int bi = -1, bk = 0;
         const bool together = threads > 1 && batch.size() >= PARALLEL_BATCH;
         if (together)
             hypothesiseBatch();
@@ -50,8 +52,18 @@ void Ransac::run()
             account(batch[i]);
             for (int k = 0; k < batch[i].count; ++k)                                        // 7
                 if (batch[i].qualities[k].betterThan(state.sampleQuality))                  // 13
+                {
+                    if (first)
+                    {
+                        state.sampleQuality = batch[i].qualities[k];
+                        bi = (int)i; bk = k;
+                    }
+                    else
                     improve(batch[i].sample, batch[i].models[k], batch[i].qualities[k]);
+                }
         }
+        if (first && bi >= 0)
+            improve(batch[bi].sample, batch[bi].models[bk], batch[bi].qualities[bk]);
         if (parts.verifier)
         {
             parts.verifier->adapt(context, state);

@@ -61,8 +61,8 @@ public:
     }
 
 private:
-    //! Most points off the plane that are drawn from, in pairs; most triples and points of the test of the inliers.
-    enum { MAX_PAIRS = 300, MAX_TRIPLES = 20, MAX_TESTED = 200, MAX_FIT = 256 };
+    //! Most points off the plane that are drawn from, in pairs; most triples and points of the test of the inliers, and of its beginning.
+    enum { MAX_PAIRS = 300, MAX_TRIPLES = 20, MAX_TESTED = 200, FIRST_TESTED = 20, MAX_FIT = 256 };
 
     //! True if the plane is the last one that was dealt with: what was found then would be found again.
     bool isKnown(const Correspondences& p, const Matx33d& H, const int* sample) const
@@ -161,6 +161,7 @@ private:
         const int count = (int)inliers.size();
         if (count < 8 || !epipolar(F, e, A))
             return false;
+        const int first = std::min<int>(count, FIRST_TESTED);
         int most = count / 2;
         bool found = false;
         for (int t = 0; t < MAX_TRIPLES; ++t)
@@ -171,6 +172,8 @@ private:
                 triple[k] = inliers[triple[k]];
             Matx33d candidate;
             if (!planeOf(p, triple, A, e, candidate))
+                continue;
+            if (4 * mapped(p, candidate, inliers.data(), first) < first)  // improbably few for half of all
                 continue;
             const int support = mapped(p, candidate, inliers.data(), count);
             if (support > most)

@@ -23,43 +23,58 @@ public:
     void polish(const Context& context, Model& model) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
-        const Components& parts = context.components;
         double scale = 0;
-        std::vector<float> errors(p.size);
-        std::vector<double> weights;
-        std::vector<int> near;
+        errors.resize(p.size);
         for (int i = 0; i < ITERATIONS; ++i)
         {
-            parts.residual->squaredErrors(p, model, 0, p.size, errors.data());
+            const int looked = look(context, model, i + 2 < ITERATIONS ? FEW : p.size);
             if (i == 0 || i == ITERATIONS / 2)
-                scale = scaleOf(p, errors);
-            near.clear();
-            weights.clear();
-            for (int k = 0; k < p.size; ++k)
+                scale = scaleOf(p, errors.data(), looked);
+            weights.resize(near.size());
+            for (size_t k = 0; k < near.size(); ++k)
             {
-                const double relative = errors[k] * scale;
-                if (!(errors[k] <= REACH * REACH * p.threshold * p.threshold))
-                    continue;
-                near.push_back(k);
-                weights.push_back(1 / ((1 + relative) * (1 + relative)));
+                const double relative = 1 + errors[near[k]] * scale;
+                weights[k] = 1 / (relative * relative);
             }
-            if (!parts.nonMinimalSolver->fit(p, near.data(), (int)near.size(), weights.data(), model, STEPS))
+            if (!context.components.nonMinimalSolver->fit(p, near.data(), (int)near.size(), weights.data(), model, STEPS))
                 return;
         }
     }
 
 private:
+    //! Finds the first points within #REACH thresholds, `wanted` or a block more. @return how many points it took
+    int look(const Context& context, const Model& model, int wanted)
+    {
+        const Correspondences& p = context.points;
+        const float limit = (float)(REACH * REACH * p.threshold * p.threshold);
+        near.clear();
+        int begin = 0;
+        while (begin < p.size && (int)near.size() < wanted)
+        {
+            const int end = std::min(begin + BLOCK, p.size);
+            context.components.residual->squaredErrors(p, model, begin, end, errors.data() + begin);
+            for (; begin < end; ++begin)
+                if (errors[begin] <= limit)
+                    near.push_back(begin);
+        }
+        return begin;
+    }
+
     //! One over the square of the scale.
-    static double scaleOf(const Correspondences& p, const std::vector<float>& errors)
+    static double scaleOf(const Correspondences& p, const float* errors, int count)
     {
         const int degrees = degreesOfFreedom(p.problem);
-        const double sigma = NoiseScale::estimate(errors.data(), p.size, p.threshold, degrees);
+        const double sigma = NoiseScale::estimate(errors, count, p.threshold, degrees);
         const double scale = std::min(std::max(sigma * thresholdInSigmas(degrees), 0.7), 1.5) * p.threshold;
         return 1 / (scale * scale);
     }
 
-    //! The weights are renewed before a fit with the old ones has converged.
-    enum { REACH = 3, ITERATIONS = 4, STEPS = 1 };
+    //! The weights are renewed before a fit with the old ones has converged; all points are needed for the last two.
+    enum { REACH = 3, ITERATIONS = 4, STEPS = 1, FEW = 500, BLOCK = 256 };
+
+    std::vector<float> errors;
+    std::vector<int> near;  //!< the points that take part
+    std::vector<double> weights;
 };
 
 } // namespace

@@ -17,20 +17,22 @@ typedef void (*ErrorKernel)(const Correspondences& points, const float* model, i
 enum { SUMS_CHUNK = 64 };
 //! Each sum is kept in so many parts, to be added at the end.
 enum { SUMS_LANES = 8 };
-/** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, see sums.inl.hpp.
+/** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors alone; see sums.inl.hpp.
 @param chunk x1, y1, x2, y2 and the weight of the points: 5 rows of #SUMS_CHUNK */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double (*sums)[SUMS_LANES]);
-//! Length of `sums` for the transfer error and Sampson's distance.
-enum { TRANSFER_SUMS = 34, SAMPSON_SUMS = 55 };
+//! Length of `sums` for the transfer error and the epipolar distances.
+enum { TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55 };
 
 /** The loops over points, compiled once for each instruction set. All versions return the same bits: the sums run in
-the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind. */
+the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind; the sums and the
+costs of the symmetric transfer error are those in image 2 alone. */
 struct Kernels
 {
     ErrorKernel errors[Residual::CUSTOM];
     FusedKernel msac[Residual::CUSTOM];
     FusedKernel inliers[Residual::CUSTOM];
-    SumsKernel transferSums, sampsonSums, symmetricEpipolarSums;
+    SumsKernel sums[Residual::CUSTOM];
+    SumsKernel costs[Residual::CUSTOM];
 };
 
 Kernels baselineKernels();

@@ -87,23 +87,22 @@ void scoreKernel(const Correspondences& points, const float* model, float limit,
 }
 
 template <class Error>
-void addKernels(Residual::Kind kind, Kernels& all)
+void addKernels(Residual::Kind kind, SumsKernel sums, SumsKernel cost, Kernels& all)
 {
     all.errors[kind] = errorKernel<Error>;
     all.msac[kind] = scoreKernel<Error, MsacCost>;
     all.inliers[kind] = scoreKernel<Error, InlierCost>;
+    all.sums[kind] = sums;
+    all.costs[kind] = cost;
 }
 
 Kernels allKernels()
 {
     Kernels all;
-    addKernels<TransferError>(Residual::TRANSFER, all);
-    addKernels<SampsonError>(Residual::SAMPSON, all);
-    addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, all);
-    addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, all);
-    all.transferSums = transferSums;
-    all.sampsonSums = sampsonSums;
-    all.symmetricEpipolarSums = symmetricEpipolarSums;
+    addKernels<TransferError>(Residual::TRANSFER, transferSums, transferCost, all);
+    addKernels<SampsonError>(Residual::SAMPSON, sampsonSums, sampsonCost, all);
+    addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost, all);
+    addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums, symmetricEpipolarCost, all);
     return all;
 }
 

@@ -43,7 +43,10 @@ public:
             if (!solve(here, sums, damping, step))
                 return false;
             const Manifold trial = here.moved(step);
-            trialSums.accumulate(kind, chunks, trial.model());
+            if (iteration + 1 < iterations)
+                trialSums.accumulate(kind, chunks, trial.model());
+            else
+                trialSums.cost = NormalEquations::costOf(kind, chunks, trial.model());
             const bool better = trialSums.cost < sums.cost;  // false for NaN
             const double gain = sums.cost - trialSums.cost;
             if (better)
@@ -78,17 +81,16 @@ private:
     template <int DIMENSION>
     static bool solveFixed(const Manifold& here, const NormalEquations& sums, double damping, Manifold::Step& step)
     {
-        typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Small;
-        const Eigen::Matrix<double, 9, DIMENSION> basis = here.tangent();
-        const Eigen::Matrix<double, 9, DIMENSION> image = sums.JtJ.lazyProduct(basis);
-        Small A = basis.transpose().lazyProduct(image);
+        Eigen::Matrix<double, DIMENSION, DIMENSION> A;
+        Eigen::Matrix<double, DIMENSION, 1> b;
+        here.project(sums.JtJ, sums.Jtr, A, b);
         const double mean = A.trace() / DIMENSION;
         for (int i = 0; i < DIMENSION; ++i)
             A(i, i) += damping * A(i, i) + 1e-12 * mean;
-        const Eigen::LDLT<Small> ldlt(A);
-        if (ldlt.info() != Eigen::Success)
+        const Eigen::LLT<Eigen::Matrix<double, DIMENSION, DIMENSION> > llt(A);
+        if (llt.info() != Eigen::Success)
             return false;
-        step = ldlt.solve(-(basis.transpose().lazyProduct(sums.Jtr)));
+        step = -llt.solve(b);
         return step.allFinite();
     }
 

@@ -45,11 +45,8 @@ Manifold::Basis Manifold::tangent() const
     Basis basis(9, dimension());
     if (problem == HOMOGRAPHY)
     {
-        // Householder's reflection that takes h to an axis takes the other axes to the complement of h
-        Eigen::Matrix<double, 9, 1> v = h;
-        const double sign = h[8] < 0 ? -1 : 1;
-        v[8] += sign;
-        const double factor = 2 / v.squaredNorm();
+        Eigen::Matrix<double, 9, 1> v;
+        const double factor = reflection(v);
         for (int k = 0; k < 8; ++k)
         {
             basis.col(k) = -factor * v[k] * v;
@@ -76,7 +73,12 @@ Manifold Manifold::moved(const Step& step) const
     Manifold result(*this);
     if (problem == HOMOGRAPHY)
     {
-        result.h = (h + tangent() * step).normalized();
+        Eigen::Matrix<double, 9, 1> v;
+        const double factor = reflection(v);
+        const Eigen::Matrix<double, 8, 1> s = step;
+        result.h = h - (factor * v.head<8>().dot(s)) * v;
+        result.h.head<8>() += s;
+        result.h.normalize();
         return result;
     }
     const bool essential = problem == ESSENTIAL;

@@ -28,16 +28,52 @@ public:
     int dimension() const { return problem == HOMOGRAPHY ? 8 : problem == FUNDAMENTAL ? 7 : 5; }
     //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
     Basis tangent() const;
+    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T Jtr with B = tangent().
+    template <int DIMENSION>
+    void project(const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>& JtJ, const Eigen::Matrix<double, 9, 1>& Jtr,
+                 Eigen::Matrix<double, DIMENSION, DIMENSION>& A, Eigen::Matrix<double, DIMENSION, 1>& b) const;
     //! The point reached by a step from here.
     Manifold moved(const Step& step) const;
     Model model() const;
 
 private:
+    /** Householder's reflection I - factor v v^T that takes the axis of h33 to h or -h. It takes the other axes to the complement of h. */
+    double reflection(Eigen::Matrix<double, 9, 1>& v) const
+    {
+        v = h;
+        v[8] += h[8] < 0 ? -1 : 1;
+        return 2 / v.squaredNorm();
+    }
+
     ProblemType problem;
     Eigen::Matrix<double, 9, 1> h;  //!< H
     Eigen::Matrix3d U, V;           //!< F, E
     double angle;                   //!< F: a. E: pi / 4
 };
+
+template <int DIMENSION>
+void Manifold::project(const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>& JtJ, const Eigen::Matrix<double, 9, 1>& Jtr,
+                       Eigen::Matrix<double, DIMENSION, DIMENSION>& A, Eigen::Matrix<double, DIMENSION, 1>& b) const
+{
+    if (DIMENSION == 8)
+    {
+        Eigen::Matrix<double, 9, 1> v;
+        const double factor = reflection(v);
+        const Eigen::Matrix<double, 9, 1> image = JtJ.lazyProduct(v);
+        const Eigen::Matrix<double, 9, 1> r = factor * image - (0.5 * factor * factor * v.dot(image)) * v;
+        for (int j = 0; j < DIMENSION; ++j)
+            for (int i = 0; i < DIMENSION; ++i)
+                A(i, j) = JtJ(j, i) - (v[i] * r[j] + r[i] * v[j]);
+        b = (Jtr - (factor * v.dot(Jtr)) * v).template head<DIMENSION>();
+        return;
+    }
+    const Eigen::Matrix<double, 9, DIMENSION> basis = tangent();
+    const Eigen::Matrix<double, 9, DIMENSION> image = JtJ.lazyProduct(basis);
+    for (int j = 0; j < DIMENSION; ++j)
+        for (int i = j; i < DIMENSION; ++i)
+            A(i, j) = A(j, i) = basis.col(i).dot(image.col(j));
+    b = basis.transpose().lazyProduct(Jtr);
+}
 
 } // namespace usacv20
 } // namespace cv

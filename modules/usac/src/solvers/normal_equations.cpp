@@ -31,7 +31,7 @@ void fromTransferSums(const double* sums, NormalEquations& equations)
 }
 
 //! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of the triangle holds the gradient and the cost.
-void fromSampsonSums(const double* sums, NormalEquations& equations)
+void fromEpipolarSums(const double* sums, NormalEquations& equations)
 {
     for (int row = 0, n = 0; row < 9; ++row)
         for (int col = 0; col <= row; ++col)
@@ -59,26 +59,34 @@ void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquation
 
 void NormalEquations::accumulate(Residual::Kind kind, const PointChunks& points, const Model& model)
 {
-    const Kernels& k = kernels();
-    double sums[SAMPSON_SUMS];
-    if (kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER)
+    const SumsKernel kernel = kernels().sums[kind];
+    double sums[EPIPOLAR_SUMS];
+    if (kind == Residual::SAMPSON || kind == Residual::SYMMETRIC_EPIPOLAR)
     {
-        points.sum(k.transferSums, model.val, false, sums);
-        fromTransferSums(sums, *this);
+        points.sum(kernel, EPIPOLAR_SUMS, model.val, false, sums);
+        fromEpipolarSums(sums, *this);
+        return;
     }
-    else
-    {
-        points.sum(kind == Residual::SAMPSON ? k.sampsonSums : k.symmetricEpipolarSums, model.val, false, sums);
-        fromSampsonSums(sums, *this);
-    }
+    points.sum(kernel, TRANSFER_SUMS, model.val, false, sums);
+    fromTransferSums(sums, *this);
     if (kind == Residual::SYMMETRIC_TRANSFER)
     {
         const Matx33d G = model.inv();
         NormalEquations inverse;
-        points.sum(k.transferSums, G.val, true, sums);
+        points.sum(kernel, TRANSFER_SUMS, G.val, true, sums);
         fromTransferSums(sums, inverse);
         addInverse(inverse, G, *this);
     }
+}
+
+double NormalEquations::costOf(Residual::Kind kind, const PointChunks& points, const Model& model)
+{
+    const SumsKernel kernel = kernels().costs[kind];
+    double cost, back = 0;
+    points.sum(kernel, 1, model.val, false, &cost);
+    if (kind == Residual::SYMMETRIC_TRANSFER)
+        points.sum(kernel, 1, model.inv().val, true, &back);
+    return cost + back;
 }
 
 } // namespace usacv20

@@ -21,6 +21,9 @@ struct NormalEquations
 
     //! Sums over the points. All kinds but CUSTOM.
     void accumulate(Residual::Kind kind, const PointChunks& points, const Model& model);
+
+    //! The cost alone, for a fraction of the time.
+    static double costOf(Residual::Kind kind, const PointChunks& points, const Model& model);
 };
 
 } // namespace usacv20

@@ -27,9 +27,10 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
     }
 }
 
-void PointChunks::sum(SumsKernel kernel, const double* model, bool swapped, double* sums) const
+void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const
 {
-    double lanes[SAMPSON_SUMS][SUMS_LANES] = {{0}};
+    double lanes[EPIPOLAR_SUMS][SUMS_LANES];
+    std::fill(lanes[0], lanes[count], 0.);
     for (int c = 0; c < chunks; ++c)
     {
         const Row* chunk = (const Row*)rows.data() + c * ROWS;
@@ -43,10 +44,13 @@ void PointChunks::sum(SumsKernel kernel, const double* model, bool swapped, doub
         }
         kernel(chunk, model, lanes);
     }
-    for (int i = 0; i < SAMPSON_SUMS; ++i)
+    for (int i = 0; i < count; ++i)
     {
-        const double* l = lanes[i];
-        sums[i] = ((l[0] + l[4]) + (l[2] + l[6])) + ((l[1] + l[5]) + (l[3] + l[7]));
+        double* l = lanes[i];
+        for (int width = SUMS_LANES / 2; width > 0; width /= 2)
+            for (int k = 0; k < width; ++k)
+                l[k] += l[k + width];
+        sums[i] = l[0];
     }
 }
 

@@ -18,8 +18,8 @@ public:
     //! `weights` may be null for ones.
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights);
 
-    //! Sums of all chunks. `swapped`: images 1 and 2 change roles.
-    void sum(SumsKernel kernel, const double* model, bool swapped, double* sums) const;
+    //! The first `count` sums of a kernel over all chunks. `swapped`: images 1 and 2 change roles.
+    void sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const;
 
 private:
     typedef double Row[SUMS_CHUNK];

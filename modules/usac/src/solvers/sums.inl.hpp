@@ -65,6 +65,21 @@ void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     addProducts(cost, p[2], sums[33]);
 }
 
+//! The cost alone, in the first sum.
+void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+{
+    const double *x = chunk[0], *y = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
+    double cost[SUMS_CHUNK];
+    USAC_SIMD
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+    {
+        const double w = 1 / (m[6] * x[i] + m[7] * y[i] + m[8]);
+        const double ru = (m[0] * x[i] + m[1] * y[i] + m[2]) * w - x2[i], rv = (m[3] * x[i] + m[4] * y[i] + m[5]) * w - y2[i];
+        cost[i] = ru * ru + rv * rv;
+    }
+    addProducts(cost, weight, sums[0]);
+}
+
 /** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2 for Sampson's distance, where
 (a, b) are the first two entries of F x1 (FIRST) and (d, e) those of F^T x2 (SECOND); one pair alone gives the distance to
 the line in one image. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D).
@@ -108,15 +123,44 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
             addProducts(weighted[row], J[col], sums[n++]);
 }
 
+//! Their cost alone, in the first sum.
+template <bool FIRST, bool SECOND>
+void epipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+{
+    const double *x1 = chunk[0], *y1 = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
+    double cost[SUMS_CHUNK];
+    USAC_SIMD
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+    {
+        const double a = m[0] * x1[i] + m[1] * y1[i] + m[2], b = m[3] * x1[i] + m[4] * y1[i] + m[5];
+        const double d = m[0] * x2[i] + m[3] * y2[i] + m[6], e = m[1] * x2[i] + m[4] * y2[i] + m[7];
+        const double N = x2[i] * a + y2[i] * b + m[6] * x1[i] + m[7] * y1[i] + m[8];
+        const double D = (FIRST ? a * a + b * b : 0) + (SECOND ? d * d + e * e : 0) + 1e-200;
+        cost[i] = N * N / D;
+    }
+    addProducts(cost, weight, sums[0]);
+}
+
 void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     epipolarSums<true, true>(chunk, m, sums);
+}
+
+void sampsonCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+{
+    epipolarCost<true, true>(chunk, m, sums);
 }
 
 void symmetricEpipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     epipolarSums<true, false>(chunk, m, sums);
     epipolarSums<false, true>(chunk, m, sums);
+}
+
+void symmetricEpipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+{
+    epipolarCost<true, false>(chunk, m, sums);
+    epipolarCost<false, true>(chunk, m, sums);
 }
 
 } // namespace
