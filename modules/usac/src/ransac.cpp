@@ -64,11 +64,11 @@ void Ransac::run()
         }
         if (first && bi >= 0)
             improve(batch[bi].sample, batch[bi].models[bk], batch[bi].qualities[bk]);
+        const size_t tests = state.tests.size();
         if (parts.verifier)
-        {
             parts.verifier->adapt(context, state);
+        if (state.tests.size() != tests)
             updateTermination();
-        }
     }
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
     state.report.searchMs = (getTickCount() - start) / getTickFrequency() * 1e3 - state.report.localMs;

@@ -204,7 +204,7 @@ private:
     {
         const Correspondences& p = context.points;
         const int off = (int)offPlane.size();
-        int support = off >= 2 ? supportOff(p, model) : 0;
+        int support = off >= 2 ? supportOff(p, model, 0) : 0;
         int needed = off >= 2 ? pairsNeeded(context, support) : 0;
         for (int k = 0; k < needed; ++k)
         {
@@ -223,7 +223,7 @@ private:
             if (!(size > 1e-300 && size <= DBL_MAX))
                 continue;
             const Model candidate = F * (1 / size);
-            const int candidateSupport = supportOff(p, candidate);
+            const int candidateSupport = supportOff(p, candidate, support);
             if (candidateSupport <= support)
                 continue;
             const Quality candidateQuality = context.rate(candidate, quality.cost);
@@ -236,11 +236,14 @@ private:
         }
     }
 
-    //! Inliers of F among the first points off the plane; on it all candidates agree.
-    int supportOff(const Correspondences& p, const Model& F) const
+    /** Inliers of F among the first points off the plane; on it all candidates agree. Ends early with clearly less than a third
+    of what `wanted` inliers of all make likely. */
+    int supportOff(const Correspondences& p, const Model& F, int wanted) const
     {
+        const int tested = std::min<int>((int)offPlane.size(), MAX_TESTED);
+        const double rate = (double)wanted / tested;
         int support = 0;
-        for (size_t k = 0; k < offPlane.size() && k < MAX_TESTED; ++k)
+        for (int k = 0; k < tested && !(k % 8 == 7 && 3 * support < rate * k - 2); ++k)
         {
             const int i = offPlane[k];
             support += SampsonError::squared(F.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]) <= p.threshold * p.threshold;

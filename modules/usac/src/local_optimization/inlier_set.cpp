@@ -14,10 +14,14 @@ void InlierSet::within(const Context& context, const Model& model, double multip
     const float limit = (float)(multiple * multiple * points.threshold * points.threshold);
     errors.resize(points.size);
     context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
-    members.clear();
-    for (int i = 0; i < points.size; ++i)
-        if (errors[i] <= limit)
-            members.push_back(i);
+    members.resize(points.size);
+    size_t count = 0;
+    for (int i = 0; i < points.size; ++i)  // no branches, which could not be foretold
+    {
+        members[count] = i;
+        count += errors[i] <= limit;
+    }
+    members.resize(count);
 }
 
 int InlierSet::select(Rng& rng, int count)

@@ -24,13 +24,18 @@ public:
     int members(const Context& context, int layer, int point, const int*& members) CV_OVERRIDE
     {
         build(context.points);
-        const int shift = 4 * layer, cell = codes[point] >> shift;
-        const std::vector<ushort>::const_iterator first =
-            std::lower_bound(sortedCodes.begin(), sortedCodes.end(), cell << shift, lessCode);
-        const std::vector<ushort>::const_iterator last =
-            std::lower_bound(first, sortedCodes.cend(), (cell + 1) << shift, lessCode);
-        members = sorted.data() + (first - sortedCodes.begin());
-        return (int)(last - first);
+        const int shift = 4 * layer, cell = codes[point] >> shift, size = (int)sorted.size();
+        int first = rank[point], last = first + 1;  // in the cell; bounds double their distance until they are outside
+        for (int step = 1; first > 0 && sortedCodes[first - 1] >> shift == cell; step *= 2)
+            first = std::max(first - step, 0);
+        first = (int)(std::lower_bound(sortedCodes.begin() + first, sortedCodes.begin() + rank[point], cell << shift, lessCode) -
+                      sortedCodes.begin());
+        for (int step = 1; last < size && sortedCodes[last] >> shift == cell; step *= 2)
+            last = std::min(last + step, size);
+        last = (int)(std::lower_bound(sortedCodes.begin() + rank[point], sortedCodes.begin() + last, (cell + 1) << shift, lessCode) -
+                     sortedCodes.begin());
+        members = sorted.data() + first;
+        return last - first;
     }
 
     const std::vector<Vec2i>& edges(const Context& context) CV_OVERRIDE
@@ -96,12 +101,17 @@ private:
             sorted.swap(half);
         }
         sortedCodes.resize(size);
+        rank.resize(size);
         for (int i = 0; i < size; ++i)
+        {
             sortedCodes[i] = codes[sorted[i]];
+            rank[sorted[i]] = i;
+        }
     }
 
     std::vector<ushort> codes;        //!< of each point
     std::vector<int> sorted;          //!< points by code
+    std::vector<int> rank;            //!< of each point in `sorted`
     std::vector<ushort> sortedCodes;  //!< their codes
     std::vector<Vec2i> links;
 };

@@ -43,21 +43,26 @@ bool nullSpace(double (&A)[ROWS][COLS], double (&basis)[COLS - ROWS][COLS])
             std::swap(column[col], column[k]);
         }
         const double inverse = 1 / A[k][k];
-        for (int j = 0; j < COLS; ++j)
+        for (int j = k + 1; j < COLS; ++j)
             A[k][j] *= inverse;
-        for (int i = 0; i < ROWS; ++i)
+        for (int i = k + 1; i < ROWS; ++i)
         {
-            if (i == k)
-                continue;
             const double factor = A[i][k];
-            for (int j = 0; j < COLS; ++j)
+            for (int j = k + 1; j < COLS; ++j)
                 A[i][j] -= factor * A[k][j];
         }
     }
     for (int v = 0; v < COLS - ROWS; ++v)
     {
+        double x[ROWS];
+        for (int i = ROWS - 1; i >= 0; --i)
+        {
+            x[i] = -A[i][ROWS + v];
+            for (int j = i + 1; j < ROWS; ++j)
+                x[i] -= A[i][j] * x[j];
+        }
         for (int j = 0; j < ROWS; ++j)
-            basis[v][column[j]] = -A[j][ROWS + v];
+            basis[v][column[j]] = x[j];
         for (int j = ROWS; j < COLS; ++j)
             basis[v][column[j]] = j == ROWS + v;
     }

@@ -118,7 +118,7 @@ bool eliminate(double (&C)[10][20])
             if (i == k)
                 continue;
             const double factor = C[i][k];
-            for (int j = k + 1; j < 20; ++j)
+            for (int j = (k + 1) & ~1; j < 20; ++j)  // in pairs
                 C[i][j] -= factor * C[k][j];
         }
     }
@@ -180,29 +180,45 @@ bool backSubstitute(const double (&B)[3][3][5], double z, double& x, double& y)
     return best > 0 && std::abs(x) < 1e12 && std::abs(y) < 1e12;
 }
 
+//! sums[i] += the i-th of ten constraints, or a part of it: their coefficients of the monomials first..last-1 times those values.
+inline void addRows(const double (&T)[20][10], const double* values, int first, int last, double* sums)
+{
+    for (int k = first; k < last; ++k)
+        for (int i = 0; i < 10; ++i)
+            sums[i] += values[k] * T[k][i];
+}
+
 /** One step of Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots
-are small; the step brings them back. */
-void correct(const double (&C)[10][20], double& x, double& y, double& z)
+are small; the step brings them back. T: coefficients of the constraints, a row for each monomial. */
+void correct(const double (&T)[20][10], double& x, double& y, double& z)
 {
     const double m[20] = {x * x * x, y * y * y, x * x * y, x * y * y, x * x * z, x * x, y * y * z, y * y, x * y * z, x * y,
                           x * z * z, x * z, x, y * z * z, y * z, y, z * z * z, z * z, z, 1};
     const double mx[20] = {3 * x * x, 0, 2 * x * y, y * y, 2 * x * z, 2 * x, 0, 0, y * z, y, z * z, z, 1};
     const double my[20] = {0, 3 * y * y, x * x, 2 * x * y, 0, 0, 2 * y * z, 2 * y, x * z, x, 0, 0, 0, z * z, z, 1};
     const double mz[20] = {0, 0, 0, 0, x * x, 0, y * y, 0, x * y, 0, 2 * x * z, x, 0, 2 * y * z, y, 0, 3 * z * z, 2 * z, 1};
+    double r[10] = {0}, gx[10] = {0}, gy[10] = {0}, gz[10] = {0};
+    addRows(T, m, 0, 20, r);
+    addRows(T, mx, 0, 13, gx);
+    addRows(T, my, 1, 16, gy);
+    addRows(T, mz, 4, 19, gz);
     Matx33d A = Matx33d::zeros();
     Vec3d b;
     for (int i = 0; i < 10; ++i)
     {
-        double r = 0;
-        Vec3d g;
-        for (int k = 0; k < 20; ++k)
-        {
-            r += C[i][k] * m[k];
-            g += C[i][k] * Vec3d(mx[k], my[k], mz[k]);
-        }
-        A += g * g.t();
-        b += r * g;
+        A(0, 0) += gx[i] * gx[i];
+        A(0, 1) += gx[i] * gy[i];
+        A(0, 2) += gx[i] * gz[i];
+        A(1, 1) += gy[i] * gy[i];
+        A(1, 2) += gy[i] * gz[i];
+        A(2, 2) += gz[i] * gz[i];
+        b[0] += gx[i] * r[i];
+        b[1] += gy[i] * r[i];
+        b[2] += gz[i] * r[i];
     }
+    A(1, 0) = A(0, 1);
+    A(2, 0) = A(0, 2);
+    A(2, 1) = A(1, 2);
     const Vec3d step = A.inv() * b;  // zero if A is singular
     const double size = step.dot(step);
     if (!(size < 1e-2 * (1 + x * x + y * y + z * z)))  // also for NaN
@@ -223,7 +239,7 @@ public:
 
     int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
     {
-        double A[5][9], basis[4][9], C[10][20], original[10][20], B[3][3][5];
+        double A[5][9], basis[4][9], C[10][20], transposed[20][10], B[3][3][5];
         for (int i = 0; i < 5; ++i)
         {
             const double x1 = p.dx1[sample[i]], y1 = p.dy1[sample[i]], x2 = p.dx2[sample[i]], y2 = p.dy2[sample[i]];
@@ -233,7 +249,9 @@ public:
         if (!nullSpace(A, basis))
             return 0;
         constraints(basis, C);
-        std::copy(&C[0][0], &C[0][0] + 200, &original[0][0]);
+        for (int k = 0; k < 20; ++k)
+            for (int i = 0; i < 10; ++i)
+                transposed[k][i] = C[i][k];
         if (!eliminate(C))
             return 0;
         linkRows(C[4], C[5], B[0]);
@@ -253,7 +271,7 @@ public:
             double x, y, z = roots[r], squares = 0;
             if (!backSubstitute(B, z, x, y))
                 continue;
-            correct(original, x, y, z);
+            correct(transposed, x, y, z);
             for (int i = 0; i < 9; ++i)
             {
                 const double e = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];

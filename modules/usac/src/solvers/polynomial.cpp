@@ -112,9 +112,10 @@ double refine(const Polynomial& p, double low, double high, double atLow)
             return x;
         ((value < 0) == (atLow < 0) ? low : high) = x;
         double next = x - value / slope;
-        if (!(next > low && next < high))
+        const bool inside = next > low && next < high;
+        if (!inside)
             next = 0.5 * (low + high);
-        if (std::abs(next - x) <= 4e-16 * std::abs(x))
+        if (std::abs(next - x) <= (inside ? 1e-9 : 4e-16) * std::abs(x))  // the error of a step of Newton is that of the last one squared
             return next;
         x = next;
     }
