@@ -22,8 +22,9 @@ Mat readPoints(InputArray array, const char* name)
                   "not as %dx%d with %d channel(s)", name, points.rows, points.cols, points.channels()));
     if (points.depth() > CV_64F)
         CV_Error_(Error::StsUnsupportedFormat, ("%s: depth %d is not supported", name, points.depth()));
-    Mat result;
-    points.convertTo(result, CV_64F);  // continuous from here on
+    Mat result = points;
+    if (points.depth() != CV_64F || !points.isContinuous())
+        points.convertTo(result, CV_64F);  // continuous from here on
     if (result.checkVector(2) < 0)
     {
         Mat plane;
@@ -81,20 +82,25 @@ double median(std::vector<double>& values)
     return values[values.size() / 2];
 }
 
+//! Sums are kept in so many parts, which do not wait for each other.
+enum { LANES = 4 };
+
 /** Centre and mean deviation of values. Mean values where the data are sane, medians where single points lie
 so far out that they would dominate the means. */
 void robustFrame(const double* values, int count, double& centre, double& deviation)
 {
-    centre = deviation = 0;
+    const double part = 1. / std::max(count, 1);
+    double sums[LANES] = {0}, deviations[LANES] = {0}, largest = 0;
     for (int i = 0; i < count; ++i)
-        centre += values[i] / count;
-    double largest = 0;
+        sums[i % LANES] += values[i] * part;
+    centre = (sums[0] + sums[1]) + (sums[2] + sums[3]);
     for (int i = 0; i < count; ++i)
     {
         const double d = std::abs(values[i] - centre);
-        deviation += d / count;
-        largest = std::max(largest, d);
+        deviations[i % LANES] += d * part;
+        largest = d > largest ? d : largest;
     }
+    deviation = (deviations[0] + deviations[1]) + (deviations[2] + deviations[3]);
     if (!(largest <= 20 * deviation))
     {
         std::vector<double> copy(values, values + count);
@@ -136,14 +142,11 @@ void ProblemData::read(InputArray points1, InputArray points2)
         CV_Error_(Error::StsUnmatchedSizes, ("points1 and points2: lists of the same length are expected, not of %d and %d",
                   p1.rows, p2.rows));
     for (int k = 0; k < 4; ++k)
-        input[k].resize(p1.rows);
-    for (int i = 0; i < p1.rows; ++i)
     {
-        const Vec2d a = p1.at<Vec2d>(i), b = p2.at<Vec2d>(i);
-        input[0][i] = a[0];
-        input[1][i] = a[1];
-        input[2][i] = b[0];
-        input[3][i] = b[1];
+        const double* const from = (k < 2 ? p1 : p2).ptr<double>() + k % 2;
+        input[k].resize(p1.rows);
+        for (int i = 0; i < p1.rows; ++i)
+            input[k][i] = from[2 * i];
     }
 }
 
@@ -217,8 +220,8 @@ void ProblemData::scale(const Params& params)
         {
             from[i] = (from[i] - shift) * factor;
             to[i] = (float)from[i];
-            low = std::min(low, from[i]);
-            high = std::max(high, from[i]);
+            low = from[i] < low ? from[i] : low;
+            high = from[i] > high ? from[i] : high;
         }
         const double middle = (centre[k] - shift) * factor, reach = 5 * deviation[k] * factor;
         view.lower[k] = (float)std::max(low, middle - reach);

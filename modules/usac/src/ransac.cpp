@@ -26,7 +26,7 @@ const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 <<
 Ransac::Ransac(const Context& context_, State& state_)
     : context(context_), parts(context_.components), state(state_),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
-      required(INT_MAX), requiredReason(STOP_NOT_RUN), confirmations(0), localTicks(0), firstInliers(0), firstTested(0)
+      firstOfBatch(0), required(INT_MAX), requiredReason(STOP_NOT_RUN), confirmations(0), localTicks(0), firstInliers(0), firstTested(0)
 {
 }
 
@@ -39,31 +39,29 @@ void Ransac::run()
     while (!terminate())                                                                    // 2
     {
         drawBatch();                                                                        // 3
-        const bool first = state.iteration == 0;
-        int bi = -1, bk = 0;
-        const bool together = threads > 1 && batch.size() >= PARALLEL_BATCH;
+        const bool first = state.iteration == 0, together = threads > 1 && samples.size() >= PARALLEL_BATCH;
+        batch.resize(together ? samples.size() : 1);
         if (together)
             hypothesiseBatch();
-        for (size_t i = 0; i < batch.size() && !terminate(); ++i)
+        Candidate best;
+        for (size_t i = 0; i < samples.size() && !terminate(); ++i)
         {
+            Hypotheses& h = batch[together ? i : 0];
             if (!together)
-                hypothesise((int)i, state.iteration);
+                hypothesise((int)i, h);
             ++state.iteration;
-            account(batch[i]);
-            for (int k = 0; k < batch[i].count; ++k)                                        // 7
-                if (batch[i].qualities[k].betterThan(state.sampleQuality))                  // 13
+            account(h);
+            for (int k = 0; k < h.count; ++k)                                               // 7
+                if (h.qualities[k].betterThan(state.sampleQuality))                         // 13
                 {
-                    if (first)
-                    {
-                        state.sampleQuality = batch[i].qualities[k];
-                        bi = (int)i; bk = k;
-                    }
-                    else
-                    improve(batch[i].sample, batch[i].models[k], batch[i].qualities[k]);
+                    best.set(samples[i], h.models[k], h.qualities[k]);
+                    state.sampleQuality = best.quality;
+                    if (!first)
+                        improve(best);
                 }
         }
-        if (first && bi >= 0)
-            improve(batch[bi].sample, batch[bi].models[bk], batch[bi].qualities[bk]);
+        if (first && best.sample)
+            improve(best);
         const size_t tests = state.tests.size();
         if (parts.verifier)
             parts.verifier->adapt(context, state);
@@ -89,43 +87,43 @@ bool Ransac::terminate()
 void Ransac::drawBatch()
 {
     const int left = context.params.maxIterations - state.iteration;
-    const int size = batch.empty() ? FIRST_BATCH : std::min<int>(2 * (int)batch.size(), LARGEST_BATCH);
-    batch.resize(std::min(size, left));
-    const int first = state.iteration;
-    for (size_t i = 0; i < batch.size(); ++i, ++state.iteration)
+    const int size = samples.empty() ? FIRST_BATCH : std::min<int>(2 * (int)samples.size(), LARGEST_BATCH);
+    samples.resize(std::min(size, left));
+    firstOfBatch = state.iteration;
+    for (size_t i = 0; i < samples.size(); ++i, ++state.iteration)
     {
         state.rng = Rng(context.params.seed, state.iteration);
-        parts.sampler->sample(context, state, batch[i].sample);
+        parts.sampler->sample(context, state, samples[i].val);
     }
-    state.iteration = first;
+    state.iteration = firstOfBatch;
 }
 
 void Ransac::hypothesiseBatch()
 {
     parallel_for_(Range(0, (int)batch.size()), [this](const Range& range) {
         for (int i = range.start; i < range.end; ++i)
-            hypothesise(i, state.iteration + i);
+            hypothesise(i, batch[i]);
     }, threads);
 }
 
-//! Called by several threads at once: writes to its own element of the batch only.
-void Ransac::hypothesise(int index, int position)
+//! Called by several threads at once: writes to its own hypotheses only.
+void Ransac::hypothesise(int index, Hypotheses& h) const
 {
-    Hypotheses& h = batch[index];
+    const int* sample = samples[index].val;
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = 0;
     h.rejectedSample = false;
     for (size_t d = 0; d < parts.degeneracies.size(); ++d)                                  // 4
-        h.rejectedSample |= !parts.degeneracies[d]->validSample(context, h.sample);
+        h.rejectedSample |= !parts.degeneracies[d]->validSample(context, sample);
     if (h.rejectedSample)
         return;                                                                             // 5
     Model models[MAX_MODELS];
-    h.computed = parts.minimalSolver->solve(context.points, h.sample, models);              // 6
-    Rng rotation(context.params.seed, ROTATION_STREAM + position);
+    h.computed = parts.minimalSolver->solve(context.points, sample, models);              // 6
+    Rng rotation(context.params.seed, ROTATION_STREAM + firstOfBatch + index);
     for (int k = 0; k < h.computed; ++k)                                                    // 7
     {
         bool valid = true;
         for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)                     // 8
-            valid = parts.degeneracies[d]->validModel(context, h.sample, models[k]);
+            valid = parts.degeneracies[d]->validModel(context, sample, models[k]);
         if (!valid)
         {
             ++h.rejected;
@@ -159,11 +157,12 @@ void Ransac::hypothesise(int index, int position)
 
 /* A model that is better than the models of all samples before. Here the paper compares with the optimised best model;
 but a good model from a noisy sample is often worse than a bad one after its optimisation, and would never be optimised. */
-void Ransac::improve(const int* sample, Model model, Quality quality)
+void Ransac::improve(const Candidate& candidate)
 {
-    state.sampleQuality = quality;
+    Model model = candidate.model;
+    Quality quality = candidate.quality;
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
-    if (!recover(sample, model, quality))                                                   // 14
+    if (!recover(candidate.sample->val, model, quality))                                                   // 14
         return;                                                                             // 15, 16
     const bool known = parts.localOptimizer && isKnown(model);
     if (parts.localOptimizer && !(known && confirmations >= CONFIRMATIONS))

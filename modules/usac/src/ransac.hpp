@@ -10,10 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! A sample and those of its models that beat the best model known when they were computed (lines 3 to 14).
+typedef Vec<int, MAX_SAMPLE_SIZE> Sample;
+
+//! The models of a sample that beat the best one known when they were computed (lines 4 to 14).
 struct Hypotheses
 {
-    int sample[MAX_SAMPLE_SIZE];
     int count;
     Model models[MAX_MODELS];
     Quality qualities[MAX_MODELS];
@@ -22,11 +23,28 @@ struct Hypotheses
     int firstInliers, firstTested;         //!< of their first blocks, for the verifier
 };
 
+//! A model that beats those of all samples before.
+struct Candidate
+{
+    Candidate() : sample(0) {}
+    void set(const Sample& sample_, const Model& model_, const Quality& quality_)
+    {
+        sample = &sample_;
+        model = model_;
+        quality = quality_;
+    }
+
+    const Sample* sample;
+    Model model;
+    Quality quality;
+};
+
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
 
 Samples are drawn in batches. Their models are computed and rated one after the other, or by several threads, and in
 either case looked at in the order of the samples. What decides (samples, verification, the best model at the time of the
-look) is the same in both cases, so the number of threads does not change a bit of the result. */
+look) is the same in both cases, so the number of threads does not change a bit of the result. Of the first batch, only the best
+model is optimised: the first models are soon beaten @cite lebeda2012fixing. */
 class Ransac
 {
 public:
@@ -40,10 +58,10 @@ public:
 private:
     bool terminate();
     void drawBatch();
-    //! @param position number of the sample
-    void hypothesise(int index, int position);
+    //! @param index of the sample in the batch
+    void hypothesise(int index, Hypotheses& hypotheses) const;
     void hypothesiseBatch();
-    void improve(const int* sample, Model model, Quality quality);
+    void improve(const Candidate& candidate);
     void optimize(Model& model, Quality& quality);
     bool isKnown(const Model& model);
     bool recover(const int* sample, Model& model, Quality& quality);
@@ -53,9 +71,11 @@ private:
     const Context& context;
     const Components& parts;
     State& state;
-    std::vector<Hypotheses> batch;
+    std::vector<Sample> samples;    //!< of the batch
+    std::vector<Hypotheses> batch;  //!< theirs, or those of the present sample
     std::vector<float> errors, bestErrors;
     const int threads;
+    int firstOfBatch;   //!< number of its first sample
     int required, requiredReason;
     int confirmations;  //!< local optimisations that led to the best model again
     double localTicks;

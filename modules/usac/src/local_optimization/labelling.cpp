@@ -32,16 +32,38 @@ void Labelling::weigh(const Context& context, const Model& model)
     }
 }
 
+//! Most edges of a point.
+int Labelling::degreeOf(const std::vector<Vec2i>& edges)
+{
+    node.assign(K.size(), 0);
+    int most = 0;
+    for (size_t e = 0; e < edges.size(); ++e)
+        most = std::max(most, std::max(++node[edges[e][0]], ++node[edges[e][1]]));
+    return most;
+}
+
 /* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier and by lambda (1 - a) if
-q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets its label before any cut. */
+q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets its label before any cut: most points at
+first sight, as lambda times the number of edges is not enough. */
 void Labelling::fix(const std::vector<Vec2i>& edges, float lambda)
 {
     const size_t size = unary.size();
-    lowest = unary;
-    highest = unary;
+    if (degree < 0)
+        degree = degreeOf(edges);
+    const float turn = lambda * degree;
+    node.resize(size);
+    lowest.resize(size);
+    highest.resize(size);
+    for (size_t i = 0; i < size; ++i)
+    {
+        node[i] = unary[i] + turn < 0 ? INLIER : unary[i] >= turn || K[i] == 0 ? OUTLIER : 0;
+        lowest[i] = highest[i] = unary[i];
+    }
     for (size_t e = 0; e < edges.size(); ++e)
     {
         const int p = edges[e][0], q = edges[e][1];
+        if (node[p] < 0 && node[q] < 0)
+            continue;
         const float a = 0.5f * (K[p] + K[q]);
         lowest[p] -= lambda * a;
         lowest[q] -= lambda * a;
@@ -49,13 +71,13 @@ void Labelling::fix(const std::vector<Vec2i>& edges, float lambda)
         highest[q] += lambda * (1 - a);
     }
     open.clear();
-    node.resize(size);
     for (size_t i = 0; i < size; ++i)
-    {
-        node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 || K[i] == 0 ? OUTLIER : (int)open.size();
-        if (node[i] >= 0)
-            open.push_back((int)i);
-    }
+        if (node[i] == 0)
+        {
+            node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 ? OUTLIER : (int)open.size();
+            if (node[i] >= 0)
+                open.push_back((int)i);
+        }
 }
 
 void Labelling::cut(const Context& context, const Model& model, std::vector<int>& inliers)
@@ -77,29 +99,34 @@ the graph. */
 void Labelling::label(const std::vector<Vec2i>& edges, float lambda)
 {
     const int nodes = (int)open.size();
-    detail::GCGraph<float> graph((unsigned)nodes, (unsigned)edges.size());
-    for (int v = 0; v < nodes; ++v)
-        graph.addVtx();
-    bool linked = false;
+    arcs.clear();
     for (size_t e = 0; e < edges.size(); ++e)
     {
         const int p = edges[e][0], q = edges[e][1];
+        if (node[p] < 0 && node[q] < 0)
+            continue;
         const float a = 0.5f * (K[p] + K[q]);
         if (node[p] >= 0 && node[q] >= 0)
         {
             unary[p] += lambda * (1 - a);
             unary[q] -= lambda * a;
-            graph.addEdges(node[q], node[p], lambda, 0);
-            linked = true;
+            arcs.push_back(Vec2i(node[q], node[p]));
         }
         else if (node[p] >= 0)
             unary[p] += lambda * (node[q] == INLIER ? -a : 1 - a);
-        else if (node[q] >= 0)
+        else
             unary[q] += lambda * (node[p] == INLIER ? -a : 1 - a);
     }
-    for (int v = 0; v < nodes; ++v)  // the source side are the inliers
+    const bool linked = !arcs.empty();  // GCGraph does not accept a graph without edges
+    detail::GCGraph<float> graph(linked ? (unsigned)nodes : 0, (unsigned)arcs.size());
+    for (int v = 0; linked && v < nodes; ++v)  // the source side are the inliers
+    {
+        graph.addVtx();
         graph.addTermWeights(v, std::max(-unary[open[v]], 0.f), std::max(unary[open[v]], 0.f));
-    if (linked)  // GCGraph does not accept a graph without edges
+    }
+    for (size_t k = 0; k < arcs.size(); ++k)
+        graph.addEdges(arcs[k][0], arcs[k][1], lambda, 0);
+    if (linked)
         graph.maxFlow();
     for (int v = 0; v < nodes; ++v)
         node[open[v]] = (linked ? graph.inSourceSegment(v) : unary[open[v]] < 0) ? INLIER : OUTLIER;

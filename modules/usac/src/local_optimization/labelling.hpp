@@ -23,12 +23,15 @@ in practice. */
 class Labelling
 {
 public:
+    Labelling() : degree(-1) {}
+
     //! Writes the inliers to `inliers`.
     void cut(const Context& context, const Model& model, std::vector<int>& inliers);
 
 private:
     enum { INLIER = -1, OUTLIER = -2 };
 
+    int degreeOf(const std::vector<Vec2i>& edges);
     void weigh(const Context& context, const Model& model);
     //! Labels the points that the edges cannot turn; the others become nodes.
     void fix(const std::vector<Vec2i>& edges, float lambda);
@@ -41,6 +44,8 @@ private:
     std::vector<float> lowest, highest;  //!< the same with the edges, whatever the labels of the neighbours
     std::vector<int> node;     //!< of each point in the graph, or its label
     std::vector<int> open;     //!< point of each node
+    std::vector<Vec2i> arcs;   //!< between nodes
+    int degree;                //!< most edges of a point
 };
 
 } // namespace usacv20

@@ -53,17 +53,23 @@ public:
 private:
     enum { DIVISIONS = 8, CELLS = DIVISIONS * DIVISIONS, BUCKETS = 64, PRIOR_OTHERS = 3 };
 
-    static int division(float value, float low, float high)
+    static int division(float value, float low, float scale)
     {
-        const float cell = high > low ? (value - low) * DIVISIONS / (high - low) : 0;
+        const float cell = (value - low) * scale;
         return cell > 0 ? (int)std::min(cell, DIVISIONS - 1.f) : 0;
     }
 
     static void assignCells(const float* x, const float* y, const Correspondences& p, int axis, std::vector<ushort>& cells)
     {
+        float scale[2];
+        for (int k = 0; k < 2; ++k)
+        {
+            const float range = p.upper[axis + k] - p.lower[axis + k];
+            scale[k] = range > 0 ? DIVISIONS / range : 0;
+        }
         for (int i = 0; i < p.size; ++i)
-            cells[i] = (ushort)(division(x[i], p.lower[axis], p.upper[axis]) * DIVISIONS +
-                                division(y[i], p.lower[axis + 1], p.upper[axis + 1]));
+            cells[i] = (ushort)(division(x[i], p.lower[axis], scale[0]) * DIVISIONS +
+                                division(y[i], p.lower[axis + 1], scale[1]));
     }
 };
 

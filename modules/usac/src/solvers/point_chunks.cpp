@@ -15,15 +15,18 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
     for (int c = 0; c < chunks; ++c)
     {
         Row* const chunk = (Row*)rows.data() + c * ROWS;
-        for (int k = 0; k < SUMS_CHUNK; ++k)
+        const int first = c * SUMS_CHUNK, here = std::min(count - first, (int)SUMS_CHUNK);
+        for (int k = 0; k < here; ++k)
         {
-            const int wanted = c * SUMS_CHUNK + k, at = std::min(wanted, count - 1), i = indices[at];
+            const int i = indices[first + k];
             chunk[0][k] = points.dx1[i];
             chunk[1][k] = points.dy1[i];
             chunk[2][k] = points.dx2[i];
             chunk[3][k] = points.dy2[i];
-            chunk[4][k] = wanted >= count ? 0 : weights ? weights[at] : 1;
+            chunk[4][k] = weights ? weights[first + k] : 1;
         }
+        for (int row = 0; row < ROWS; ++row)  // the last point again, without weight
+            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK, row < 4 ? chunk[row][here - 1] : 0.);
     }
 }
 

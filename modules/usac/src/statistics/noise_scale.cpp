@@ -23,7 +23,7 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
         return 1 / thresholdInSigmas(degrees);
     const double outlier = degrees == 1 ? 1. / REACH : 1 / limit;  // densities; of the square for two degrees of freedom
     double variance = 0.15, part = 0.7;
-    for (int step = 0; step < 6; ++step)
+    for (int step = 0; step < 4; ++step)
     {
         const double peak = degrees == 1 ? std::sqrt(2 / (CV_PI * variance)) : 1 / (2 * variance);
         double sum = 0, squares = 0;
