@@ -82,14 +82,29 @@ double median(std::vector<double>& values)
     return values[values.size() / 2];
 }
 
+//! Median of values and median of their distances from it, but for those that are equal to it.
+void medianFrame(const double* values, int count, double& centre, double& deviation)
+{
+    std::vector<double> copy(values, values + count), distances;
+    centre = median(copy);
+    for (int i = 0; i < count; ++i)
+        if (values[i] != centre)
+            distances.push_back(std::abs(values[i] - centre));
+    deviation = distances.empty() ? 0 : median(distances);
+}
+
 //! Sums are kept in so many parts, which do not wait for each other.
 enum { LANES = 4 };
 
-/** Centre and mean deviation of values. Mean values where the data are sane, medians where single points lie
-so far out that they would dominate the means. */
+/** Centre and mean deviation of values in random order. Mean values where the data are sane, medians where points lie so
+far out that they would dominate the means: single points, or so many of the first ones that most points are next to nothing. */
 void robustFrame(const double* values, int count, double& centre, double& deviation)
 {
-    const double part = 1. / std::max(count, 1);
+    enum { SAMPLE = 101 };
+    centre = deviation = 0;
+    if (count == 0)
+        return;
+    const double part = 1. / count;
     double sums[LANES] = {0}, deviations[LANES] = {0}, largest = 0;
     for (int i = 0; i < count; ++i)
         sums[i % LANES] += values[i] * part;
@@ -101,14 +116,10 @@ void robustFrame(const double* values, int count, double& centre, double& deviat
         largest = d > largest ? d : largest;
     }
     deviation = (deviations[0] + deviations[1]) + (deviations[2] + deviations[3]);
-    if (!(largest <= 20 * deviation))
-    {
-        std::vector<double> copy(values, values + count);
-        centre = median(copy);
-        for (int i = 0; i < count; ++i)
-            copy[i] = std::abs(values[i] - centre);
-        deviation = median(copy);
-    }
+    double sampleCentre, sampleDeviation;
+    medianFrame(values, std::min<int>(count, SAMPLE), sampleCentre, sampleDeviation);
+    if (!(largest <= 20 * deviation) || (sampleDeviation > 0 && deviation > 100 * sampleDeviation))
+        medianFrame(values, count, centre, deviation);
 }
 
 bool finite(double value)
