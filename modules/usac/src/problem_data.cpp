@@ -11,6 +11,9 @@ namespace usacv20 {
 
 namespace {
 
+//! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of the mask is the caller's.
+const double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
+
 //! An Nx2 or 2-channel list of points as Nx1 CV_64FC2, whatever its layout and depth.
 Mat readPoints(InputArray array, const char* name)
 {
@@ -136,7 +139,7 @@ ProblemData::ProblemData(ProblemType problem, InputArray points1, InputArray poi
     CV_Assert(problem == HOMOGRAPHY || problem == FUNDAMENTAL || problem == ESSENTIAL);
     read(points1, points2);
     params.check((int)input[0].size());
-    inputThreshold = params.threshold;
+    pixelThreshold = inputThreshold = params.threshold;
     pixels = 1;
     if (problem == ESSENTIAL)
         calibrate(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
@@ -170,7 +173,7 @@ void ProblemData::calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, 
     undistort(K1, distCoeffs1, input[0].data(), input[1].data(), count);
     undistort(K2, distCoeffs2, input[2].data(), input[3].data(), count);
     pixels = (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
-    inputThreshold /= pixels;
+    inputThreshold = std::min(inputThreshold / pixels, DBL_MAX);
 }
 
 /** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. */
@@ -244,7 +247,7 @@ void ProblemData::scale(const Params& params)
         view.T1 = Matx33d(s[0], 0, -s[0] * centre[0], 0, s[0], -s[0] * centre[1], 0, 0, 1);
         view.T2 = Matx33d(s[1], 0, -s[1] * centre[2], 0, s[1], -s[1] * centre[3], 0, 0, 1);
     }
-    view.threshold = inputThreshold * params.reach * s[1];
+    view.threshold = std::min(std::max(inputThreshold * params.reach * s[1], SMALLEST_THRESHOLD), LARGEST_THRESHOLD);
     view.x1 = floats.ptr<float>(0);
     view.y1 = floats.ptr<float>(1);
     view.x2 = floats.ptr<float>(2);
@@ -258,9 +261,11 @@ void ProblemData::scale(const Params& params)
 //! Exact data may ask for 0, which is below the rounding of the errors.
 void ProblemData::setThreshold(double threshold)
 {
-    const double allowed = threshold == view.threshold ? threshold : std::max(threshold, 1e-6);
-    inputThreshold *= allowed / view.threshold;
-    view.threshold = allowed;
+    if (threshold == view.threshold)
+        return;
+    view.threshold = std::max(threshold, 1e-6);
+    inputThreshold = view.threshold / view.T2(0, 0);
+    pixelThreshold = inputThreshold * pixels;
 }
 
 bool ProblemData::toInput(const Model& model, Matx33d& result) const

@@ -21,7 +21,7 @@ public:
     const Correspondences& points() const { return view; }
 
     //! In pixels.
-    double threshold() const { return inputThreshold * pixels; }
+    double threshold() const { return pixelThreshold; }
     //! Another one for the rest of the run, in the coordinates of points().
     void setThreshold(double threshold);
     //! Model in the caller's (E: normalised) coordinates, normalised as documented; false if it is not finite.
@@ -39,6 +39,7 @@ private:
 
     Correspondences view;
     double inputThreshold;                //!< of the mask, in the coordinates of `input`
+    double pixelThreshold;                //!< the same in pixels
     double pixels;                        //!< in one unit of `input`
     std::vector<double> input[4];         //!< all rows: x1, y1, x2, y2 (E: on the normalised image plane)
     double centre[4], deviation[4];       //!< of each of them, robust
