@@ -268,6 +268,19 @@ void ProblemData::setThreshold(double threshold)
     pixelThreshold = inputThreshold * pixels;
 }
 
+/** Of unit norm. T2^T F T1 has rank 2 up to the rounding of its largest terms; where these cancel, as with both epipoles at
+the origin of large coordinates, that is not small against what is left. */
+static Matx33d toRankTwo(const Matx33d& F)
+{
+    Vec3d w;
+    Matx33d U, Vt;
+    SVD::compute(F, w, U, Vt);
+    if (w[2] <= 1e-12)
+        return F;
+    const Matx33d closest = F - w[2] * U.col(2) * Vt.row(2);
+    return closest * (1 / norm(closest));
+}
+
 bool ProblemData::toInput(const Model& model, Matx33d& result) const
 {
     if (view.problem == HOMOGRAPHY)
@@ -284,6 +297,8 @@ bool ProblemData::toInput(const Model& model, Matx33d& result) const
     if (!(size > 0) || !finite(size))
         return false;
     result *= 1 / size;
+    if (view.problem == FUNDAMENTAL)
+        result = toRankTwo(result);
     // In units of the image, h33 is the weight of the origin relative to the weights elsewhere.
     if (view.problem == HOMOGRAPHY && std::abs(result(2, 2)) > 1e-12)
     {

@@ -81,8 +81,8 @@ private:
             data.setThreshold(parts.score->threshold(context, state.best));
             if (parts.polisher)
                 parts.polisher->polish(context, state.best);
-            if (data.points().problem == ESSENTIAL)  // what a minimal solver found may miss the constraints
-                state.best = Manifold(ESSENTIAL, state.best).model();
+            if (data.points().problem != HOMOGRAPHY)  // what a minimal solver found may miss the constraints
+                state.best = Manifold(data.points().problem, state.best).model();
             learned.cost = context.rate(state.best).cost / context.points.size;
             Matx33d model;
             if (data.toInput(state.best, model))

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "solvers/manifold.hpp"
 #include "solvers/elimination.hpp"
 #include "solvers/polynomial.hpp"
 #include "solvers/solvers.hpp"
@@ -36,7 +37,7 @@ double dot9(const double* a, const double* b)
 /** @brief One to three fundamental matrices from seven points @cite hartley2003multiple.
 
 The epipolar constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated points lower the rank
-of the constraints: the sample is degenerate. */
+of the constraints: the sample is degenerate. Points on a line fit l2 l1^T, which has rank 1 and is no epipolar geometry. */
 class Fundamental7Solver : public MinimalSolver
 {
 public:
@@ -77,8 +78,12 @@ public:
                 models[found].val[i] = roots[r] * F[s][i] + F[t][i];
                 squares += models[found].val[i] * models[found].val[i];
             }
-            if (squares > 0 && squares <= DBL_MAX)
-                models[found++] *= 1 / std::sqrt(squares);
+            if (!(squares > 0 && squares <= DBL_MAX))
+                continue;
+            models[found] *= 1 / std::sqrt(squares);
+            double c[9];
+            cofactors(models[found].val, c);
+            found += dot9(c, c) > LEAST_RATIO * LEAST_RATIO;  // the product of the singular values
         }
         return found;
     }

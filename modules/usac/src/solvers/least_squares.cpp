@@ -60,6 +60,8 @@ public:
             if ((better && gain < 1e-4 * sums.cost) || damping > 1e6)
                 break;
         }
+        if (!here.hasFullRank())
+            return false;
         model = here.model();
         return true;
     }

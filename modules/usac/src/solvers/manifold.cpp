@@ -40,6 +40,13 @@ Manifold::Manifold(ProblemType problem_, const Model& model) : problem(problem_)
         angle = std::atan2(svd.singularValues()[1], svd.singularValues()[0]);
 }
 
+bool Manifold::hasFullRank() const
+{
+    if (problem == HOMOGRAPHY)
+        return std::abs(determinant(model())) > LEAST_DETERMINANT;
+    return problem == ESSENTIAL || std::abs(std::sin(2 * angle)) > 2 * LEAST_RATIO;
+}
+
 Manifold::Basis Manifold::tangent() const
 {
     Basis basis(9, dimension());

@@ -11,6 +11,9 @@
 namespace cv {
 namespace usacv20 {
 
+//! Smallest ratio of the two singular values of F, and smallest determinant of H of unit norm, that count as rank 2 and 3.
+const double LEAST_RATIO = 1e-6, LEAST_DETERMINANT = 1e-9;
+
 /** @brief A model as a point of the manifold of its kind, with a minimal parameterisation around it.
 
 - H: unit 9-vectors; 8 directions orthogonal to it.
@@ -25,6 +28,8 @@ public:
     //! The point of the manifold closest to `model`.
     Manifold(ProblemType problem, const Model& model);
 
+    //! False for H that maps the plane to a line or a point, and for F of rank 1.
+    bool hasFullRank() const;
     int dimension() const { return problem == HOMOGRAPHY ? 8 : problem == FUNDAMENTAL ? 7 : 5; }
     //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
     Basis tangent() const;
