@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "ransac.hpp"
 #include "scores/scores.hpp"
+#include "termination/termination.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -21,12 +22,28 @@ const double CLEAR_GAIN = 0.99;
 //! Streams of random numbers beside those of the iterations.
 const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
+//! So many samples without a single model: the points are degenerate.
+const int HOPELESS = 1000000;
+//! Each sample has been drawn but for this probability.
+const double MISSED = 1e-6;
+
+/** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where no model has
+more inliers than its own sample. */
+int exhaustiveSamples(const Context& context)
+{
+    const int n = context.points.size, m = context.components.minimalSolver->sampleSize();
+    if (context.components.terminations.empty())
+        return INT_MAX;
+    return std::max(samplesNeeded(goodSampleProbability(m, n, m, true) * keptProbability(context, m), std::log(MISSED)), 100);
+}
+
 } // namespace
 
 Ransac::Ransac(const Context& context_, State& state_)
     : context(context_), parts(context_.components), state(state_),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
-      firstOfBatch(0), required(INT_MAX), requiredReason(STOP_NOT_RUN), confirmations(0), localTicks(0), firstInliers(0), firstTested(0)
+      firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+      confirmations(0), localTicks(0), firstInliers(0), firstTested(0)
 {
 }
 
@@ -78,6 +95,8 @@ bool Ransac::terminate()
         state.report.stop = STOP_MAX_ITERATIONS;
     else if (state.iteration >= required)
         state.report.stop = requiredReason;
+    else if (state.iteration >= HOPELESS && state.report.models == 0 && !parts.terminations.empty())
+        state.report.stop = STOP_NO_MODEL;
     else
         return false;
     return true;
@@ -252,7 +271,8 @@ double Ransac::randomInlierRatio() const
 
 void Ransac::updateTermination()
 {
-    required = INT_MAX;
+    required = exhaustive;
+    requiredReason = STOP_STANDARD;
     for (size_t t = 0; t < parts.terminations.size(); ++t)
     {
         const int iterations = parts.terminations[t]->iterations(context, state);

@@ -76,6 +76,7 @@ private:
     std::vector<float> errors, bestErrors;
     const int threads;
     int firstOfBatch;   //!< number of its first sample
+    const int exhaustive;
     int required, requiredReason;
     int confirmations;  //!< local optimisations that led to the best model again
     double localTicks;
