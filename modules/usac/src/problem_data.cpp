@@ -32,6 +32,10 @@ Mat readPoints(InputArray array, const char* name)
     {
         Mat plane;
         convertPointsFromHomogeneous(result, plane);
+        result = result.reshape(3, result.checkVector(3));
+        for (int i = 0; i < plane.rows; ++i)
+            if (result.at<Vec3d>(i)[2] == 0)
+                plane.at<Vec2d>(i) = Vec2d(INFINITY, INFINITY);  // which OpenCV takes for a finite point
         result = plane;
     }
     return result.reshape(2, result.checkVector(2));
@@ -46,32 +50,43 @@ Matx33d readCamera(InputArray array, const char* name)
     Matx33d K;
     camera.convertTo(Mat(3, 3, CV_64F, K.val), CV_64F);
     const double focalProduct = K(0, 0) * K(1, 1);
-    if (!checkRange(Mat(3, 3, CV_64F, K.val)) || K(0, 0) == 0 || K(1, 1) == 0 ||
-        !(std::abs(determinant(K)) > 1e-12 * std::abs(focalProduct)))
-        CV_Error_(Error::StsBadArg, ("%s: an invertible matrix with focal lengths is expected, fx = %g, fy = %g, "
-                  "determinant = %g", name, K(0, 0), K(1, 1), determinant(K)));
-    return K;
+    if (!checkRange(Mat(3, 3, CV_64F, K.val)) || K(0, 0) == 0 || K(1, 1) == 0 || K(2, 0) != 0 || K(2, 1) != 0 ||
+        !(std::abs(determinant(K)) > 1e-12 * std::abs(focalProduct * K(2, 2))))
+        CV_Error_(Error::StsBadArg, ("%s: an invertible matrix with focal lengths and the last row 0 0 1 is expected, fx = %g, "
+                  "fy = %g, determinant = %g, last row %g %g %g", name, K(0, 0), K(1, 1), determinant(K), K(2, 0), K(2, 1),
+                  K(2, 2)));
+    return K * (1 / K(2, 2));  // a multiple is the same camera
 }
 
-//! From pixels to the normalised image plane, in place.
-void undistort(const Matx33d& K, InputArray distCoeffs, double* x, double* y, int count)
+//! Coefficients as cv::undistortPoints takes them; empty where there is no distortion.
+Mat readDistortion(InputArray array, const char* name)
 {
-    if (distCoeffs.empty() || countNonZero(distCoeffs.getMat().reshape(1)) == 0)
-    {
-        const Matx33d inverse = K.inv();
-        for (int i = 0; i < count; ++i)
-        {
-            const Vec3d p = inverse * Vec3d(x[i], y[i], 1);
-            x[i] = p[0] / p[2];
-            y[i] = p[1] / p[2];
-        }
-        return;
-    }
+    const Mat coefficients = array.getMat();
+    if (coefficients.empty())
+        return Mat();
+    const size_t count = coefficients.total();
+    const bool known = count == 4 || count == 5 || count == 8 || count == 12 || count == 14;
+    if (!known || coefficients.dims > 2 || (coefficients.rows != 1 && coefficients.cols != 1) || coefficients.channels() != 1)
+        CV_Error_(Error::StsBadArg, ("%s: 4, 5, 8, 12 or 14 coefficients are expected, not %dx%d with %d channel(s)", name,
+                  coefficients.rows, coefficients.cols, coefficients.channels()));
+    if (!checkRange(coefficients))
+        CV_Error_(Error::StsBadArg, ("%s: finite coefficients are expected", name));
+    return countNonZero(coefficients) ? coefficients : Mat();
+}
+
+/** From pixels to the normalised image plane, in place. cv::undistortPoints knows no skew, so that the camera matrix is taken off
+before. */
+void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, int count)
+{
+    const Matx33d inverse = K.inv();
     std::vector<Point2d> points(count);
     for (int i = 0; i < count; ++i)
-        points[i] = Point2d(x[i], y[i]);
-    if (count > 0)
-        undistortPoints(points, points, K, distCoeffs);
+    {
+        const Vec3d p = inverse * Vec3d(x[i], y[i], 1);
+        points[i] = Point2d(p[0] / p[2], p[1] / p[2]);
+    }
+    if (count > 0 && !distCoeffs.empty())
+        undistortPoints(points, points, Matx33d::eye(), distCoeffs);
     for (int i = 0; i < count; ++i)
     {
         x[i] = points[i].x;
@@ -170,8 +185,8 @@ void ProblemData::calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, 
     const Matx33d K1 = readCamera(cameraMatrix1, "cameraMatrix1");
     const Matx33d K2 = cameraMatrix2.empty() ? K1 : readCamera(cameraMatrix2, "cameraMatrix2");
     const int count = (int)input[0].size();
-    undistort(K1, distCoeffs1, input[0].data(), input[1].data(), count);
-    undistort(K2, distCoeffs2, input[2].data(), input[3].data(), count);
+    undistort(K1, readDistortion(distCoeffs1, "distCoeffs1"), input[0].data(), input[1].data(), count);
+    undistort(K2, readDistortion(distCoeffs2, "distCoeffs2"), input[2].data(), input[3].data(), count);
     pixels = (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
     inputThreshold = std::min(inputThreshold / pixels, DBL_MAX);
 }
@@ -299,8 +314,10 @@ bool ProblemData::toInput(const Model& model, Matx33d& result) const
     result *= 1 / size;
     if (view.problem == FUNDAMENTAL)
         result = toRankTwo(result);
-    // In units of the image, h33 is the weight of the origin relative to the weights elsewhere.
-    if (view.problem == HOMOGRAPHY && std::abs(result(2, 2)) > 1e-12)
+    // the weight of the origin, against the weights where the points are
+    const double weights = std::abs(result(2, 0)) * (std::abs(centre[0]) + deviation[0]) +
+                           std::abs(result(2, 1)) * (std::abs(centre[1]) + deviation[1]);
+    if (view.problem == HOMOGRAPHY && std::abs(result(2, 2)) > 1e-12 * weights)
     {
         result *= 1 / result(2, 2);
         result(2, 2) = 1;  // which the product may miss by a bit
