@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_CONTRACTS_HPP
 #define OPENCV_USACV20_TEST_CONTRACTS_HPP
 
-// What test_contracts*.cpp, test_flags.cpp, test_params.cpp and test_real.cpp share.
+// What test_contracts*.cpp, test_flags.cpp, test_params.cpp and test_real.cpp share; in contracts.cpp.
 
 #include "test_precomp.hpp"
 
@@ -26,6 +26,19 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
                  double pixels, const Mat& model, const Mat& mask, const Report& report,
                  const Matx33d& K = sceneCamera());
+
+struct NamedPreset
+{
+    const char* name;
+    Params params;
+};
+
+std::vector<NamedPreset> allPresets();
+
+/** Every preset on the points, by the estimate function and by Usac::create, and every flag by the find functions: no exception, the
+same bits by each way, and whatever comes back is what is promised. @return the models of the presets */
+std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
+                               double pixels = 1.5, int maxIterations = 200, const Matx33d& K = sceneCamera());
 
 //! Same type, same size, same bits.
 bool sameBits(const Mat& a, const Mat& b);

@@ -1,0 +1,167 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+
+// The answer belongs to the points, not to their order, and the caller's arrays stay as they are.
+
+namespace opencv_test { namespace {
+
+typedef UsacProblem UsacTruth;
+INSTANTIATE_TEST_CASE_P(/**/, UsacTruth, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+
+//! The scene with its rows in another order; row i was order[i].
+Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
+{
+    Scene result = scene;
+    RNG rng(seed);
+    order.resize(scene.size());
+    for (int i = 0; i < scene.size(); ++i)
+        order[i] = i;
+    for (int i = scene.size() - 1; i > 0; --i)
+        std::swap(order[i], order[rng.uniform(0, i + 1)]);
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        result.points1[i] = scene.points1[order[i]];
+        result.points2[i] = scene.points2[order[i]];
+        result.scores[i] = scene.scores[order[i]];
+    }
+    return result;
+}
+
+/** Samples are drawn by position in a pseudo-random order that depends on the number of points alone. Other points come together
+then, so the model of noisy points differs within their noise, and the masks where an error is about the threshold. Where all
+good samples agree, on exact points, the mask moves with the points. */
+int rowsThatDiffer(const Scene& scene, Params params, uint64 seed)
+{
+    std::vector<int> order;
+    const Scene other = permuted(scene, seed, order);
+    Mat mask, otherMask;
+    if (!params.scores.empty())
+        params.scores = scene.scores;
+    const Mat model = estimate(scene, params, mask);
+    if (!params.scores.empty())
+        params.scores = other.scores;
+    EXPECT_FALSE(model.empty());
+    EXPECT_FALSE(estimate(other, params, otherMask).empty());
+    int different = 0;
+    for (int i = 0; i < scene.size(); ++i)
+        different += otherMask.at<uchar>(i) != mask.at<uchar>(order[i]);
+    return different;
+}
+
+TEST_P(UsacTruth, permuting_exact_points_permutes_the_mask)
+{
+    SceneOptions options;
+    options.noise = 0;
+    options.outliers = 60;
+    options.scoreInformation = 0.8;
+    const Scene scene = makeScene(problem(), options);
+    const std::vector<NamedPreset> presets = allPresets();
+    for (size_t i = 0; i < presets.size(); ++i)
+    {
+        Params params = presets[i].params;
+        params.threshold = 0.5;
+        if (params.prior == PRIOR_INPUT_ORDER)  // the order of the rows has a meaning: scores carry it along
+        {
+            params.prior = PRIOR_AUTO;
+            params.scores = scene.scores;
+        }
+        for (uint64 seed = 1; seed <= 3; ++seed)
+            EXPECT_EQ(0, rowsThatDiffer(scene, params, seed)) << presets[i].name << ", seed " << seed;
+    }
+}
+
+TEST_P(UsacTruth, permuting_noisy_points_changes_few_rows)
+{
+    const Scene scene = makeScene(problem());
+    for (uint64 seed = 1; seed <= 10; ++seed)
+        EXPECT_LE(rowsThatDiffer(scene, Params(), seed), 0.04 * scene.size()) << "seed " << seed;
+}
+
+//! A row's own answer depends on the model alone, wherever the row is.
+TEST_P(UsacTruth, copies_of_a_row_have_its_answer)
+{
+    const Scene scene = makeScene(problem());
+    std::vector<Point2d> points1 = scene.points1, points2 = scene.points2;
+    points1.insert(points1.end(), scene.points1.begin(), scene.points1.end());
+    points2.insert(points2.end(), scene.points2.begin(), scene.points2.end());
+    const std::vector<NamedPreset> presets = allPresets();
+    for (size_t i = 0; i < presets.size(); ++i)
+    {
+        Params params = presets[i].params;
+        params.maxIterations = 300;
+        Mat mask;
+        Report report;
+        ASSERT_FALSE(estimatePoints(problem(), points1, points2, params, mask, report).empty()) << presets[i].name;
+        EXPECT_TRUE(sameBits(mask.rowRange(0, scene.size()), mask.rowRange(scene.size(), 2 * scene.size()))) << presets[i].name;
+    }
+}
+
+//! The mask under the symmetric residuals, with formulas of the test's own.
+TEST_P(UsacTruth, mask_of_the_symmetric_residual)
+{
+    for (uint64 seed = 1; seed <= 5; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        const Scene scene = makeScene(problem(), options);
+        Params params;
+        params.residual = RESIDUAL_SYMMETRIC;
+        Mat mask;
+        const Mat model = estimate(scene, params, mask);
+        ASSERT_FALSE(model.empty());
+        const Matx33d M(model.ptr<double>()), Ki = scene.K.inv(), N = M.inv(DECOMP_SVD);
+        const Matx33d F = problem() == ESSENTIAL ? Ki.t() * M * Ki : M;
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            const Vec3d x1(scene.points1[i].x, scene.points1[i].y, 1), x2(scene.points2[i].x, scene.points2[i].y, 1);
+            const Vec3d y = F * x1, z = problem() == HOMOGRAPHY ? N * x2 : F.t() * x2;
+            const double error = problem() == HOMOGRAPHY
+                ? std::hypot(std::hypot(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]),
+                             std::hypot(z[0] / z[2] - x1[0], z[1] / z[2] - x1[1]))
+                : std::abs(x2.dot(y)) * std::hypot(1 / std::hypot(y[0], y[1]), 1 / std::hypot(z[0], z[1]));
+            if (std::abs(error - params.threshold) > 1e-7)
+            {
+                EXPECT_EQ(error < params.threshold, mask.at<uchar>(i) != 0) << "row " << i << ", error " << error;
+            }
+        }
+    }
+}
+
+//! Every array of the caller, and what lies around it in memory.
+TEST_P(UsacTruth, all_input_is_unchanged_to_the_bit)
+{
+    const Scene scene = makeScene(problem());
+    const int count = scene.size();
+    const int depths[] = {CV_16S, CV_32S, CV_32F, CV_64F};
+    for (int d = 0; d < 4; ++d)
+    {
+        Mat wide(count, 6, depths[d], Scalar(7)), points1 = wide.colRange(1, 3), points2 = wide.colRange(3, 5);
+        Mat(scene.points1).reshape(1).convertTo(points1, depths[d]);
+        Mat(scene.points2).reshape(1).convertTo(points2, depths[d]);
+        Mat K(4, 5, CV_32F, Scalar(3)), view = K(Rect(1, 1, 3, 3)), distortion(5, 1, CV_64F, Scalar(1e-5));
+        Mat(scene.K).convertTo(view, CV_32F);
+        const Mat wideBefore = wide.clone(), KBefore = K.clone(), distortionBefore = distortion.clone();
+        const std::vector<NamedPreset> presets = allPresets();
+        for (size_t i = 0; i < presets.size(); ++i)
+        {
+            Params params = presets[i].params;
+            params.maxIterations = 100;
+            params.scores = scene.scores;
+            Mat mask;
+            Report report;
+            if (problem() == ESSENTIAL)
+                estimateEssential(points1, points2, view, view, distortion, distortion, params, mask, report);
+            else
+                estimatePoints(problem(), points1, points2, params, mask, report);
+            EXPECT_EQ(scene.scores, params.scores);
+        }
+        EXPECT_TRUE(sameBits(wideBefore, wide)) << "depth " << depths[d];
+        EXPECT_TRUE(sameBits(KBefore, K));
+        EXPECT_TRUE(sameBits(distortionBefore, distortion));
+    }
+}
+
+}} // namespace
