@@ -51,9 +51,10 @@ CV_EXPORTS Mat estimateFundamental(InputArray points1, InputArray points2, const
 
 @param points1 N points of image 1 in pixels, as in #estimateHomography.
 @param points2 their N counterparts in image 2.
-@param cameraMatrix1 3x3 camera matrix of image 1, CV_32F or CV_64F.
+@param cameraMatrix1 3x3 camera matrix of image 1, of any depth, with the last row 0 0 1 or a multiple of such a matrix; skew is
+allowed. A transposed one is refused.
 @param cameraMatrix2 3x3 camera matrix of image 2; empty: that of image 1.
-@param distCoeffs1 distortion of camera 1, as in cv::undistortPoints; empty: none.
+@param distCoeffs1 4, 5, 8, 12 or 14 coefficients of the distortion of camera 1, as in cv::undistortPoints; empty: none.
 @param distCoeffs2 distortion of camera 2; empty: none.
 @param params options; `threshold` is the Sampson distance in pixels: it is divided by the mean of the four focal lengths.
 @param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalised points under the returned E is at most

@@ -153,7 +153,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double threshold;
     //! Probability that the returned model is the best one; in (0, 1). Default 0.99.
     CV_PROP_RW double confidence;
-    //! Upper bound of the number of minimal samples; >= 1. Default 5000.
+    /** Upper bound of the number of minimal samples; >= 1. Default 5000. With any criterion of `termination` a run also ends when
+    no sample is left to be drawn, or when none of the first million gave a model. */
     CV_PROP_RW int maxIterations;
     //! Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.
     CV_PROP_RW int seed;
