@@ -30,9 +30,8 @@ bool isHelp(const std::string& name)
 }
 
 template <class Number>
-Number convert(const cv::CommandLineParser& parser, const std::string& name, const char* expected)
+Number convert(const std::string& text, const std::string& name, const char* expected)
 {
-    const std::string text = parser.get<cv::String>(name);
     std::istringstream in(text);
     Number value = 0;
     if (!(in >> value) || in.peek() != std::istringstream::traits_type::eof())
@@ -60,14 +59,30 @@ std::vector<std::string> splitNames(const std::string& names)
     return result;
 }
 
+void require(bool condition, const std::string& what)
+{
+    if (!condition)
+        throw std::runtime_error(what);
+}
+
+double toNumber(const std::string& text, const std::string& name)
+{
+    return convert<double>(text, name, "a number");
+}
+
+int toInteger(const std::string& text, const std::string& name)
+{
+    return convert<int>(text, name, "an integer");
+}
+
 double numberOf(const cv::CommandLineParser& parser, const std::string& name)
 {
-    return convert<double>(parser, name, "a number");
+    return toNumber(parser.get<cv::String>(name), name);
 }
 
 int integerOf(const cv::CommandLineParser& parser, const std::string& name)
 {
-    return convert<int>(parser, name, "an integer");
+    return toInteger(parser.get<cv::String>(name), name);
 }
 
 Arguments::Arguments(int argc, char** argv, const cv::CommandLineParser& parser)

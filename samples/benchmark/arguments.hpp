@@ -14,10 +14,16 @@ namespace benchmark {
 //! Splits "a,b{c=1,d=2},e" at the commas outside of braces.
 std::vector<std::string> splitNames(const std::string& names);
 
+//! Raises std::runtime_error with the text if the condition does not hold.
+void require(bool condition, const std::string& what);
+
 /** The value of an option as a number. cv::CommandLineParser takes "1.5" for the integer 1; here what is not a number all
 through raises std::runtime_error. */
 double numberOf(const cv::CommandLineParser& parser, const std::string& name);
 int integerOf(const cv::CommandLineParser& parser, const std::string& name);
+//! The same for a text that was given with an option.
+double toNumber(const std::string& text, const std::string& name);
+int toInteger(const std::string& text, const std::string& name);
 
 /** What cv::CommandLineParser does not do: it keeps only one of repeated options and ignores unknown ones. */
 class Arguments

@@ -10,9 +10,9 @@
 
 #include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include "options.hpp"
 #include "pair_list.hpp"
+#include "program.hpp"
 #include "progress.hpp"
 #include "runner.hpp"
 #include "tables.hpp"
@@ -20,12 +20,6 @@
 using namespace benchmark;
 
 namespace {
-
-//! Keeps OpenCV from printing each exception that a method throws; the runner tells of them.
-int keepQuiet(int, const char*, const char*, const char*, int, void*)
-{
-    return 0;
-}
 
 std::vector<PairList> readLists(const Options& options)
 {
@@ -43,24 +37,14 @@ std::vector<cv::Ptr<Method> > createMethods(const Options& options)
     return methods;
 }
 
-//! Opened before the run, so that a wrong path is found early.
-void open(std::ofstream& out, const std::string& file)
-{
-    if (file.empty())
-        return;
-    out.open(file.c_str());
-    if (!out)
-        throw std::runtime_error(file + ": cannot be written");
-}
-
 //! @return the exit code: 0, or 2 if some pairs could not be read.
 int run(const Options& options)
 {
     const std::vector<PairList> lists = readLists(options);
     const std::vector<cv::Ptr<Method> > methods = createMethods(options);
     std::ofstream csv, runsCsv;
-    open(csv, options.csv);
-    open(runsCsv, options.runsCsv);
+    openOutput(csv, options.csv);
+    openOutput(runsCsv, options.runsCsv);
     cv::setNumThreads(options.threads);
 
     int pairs = 0;
@@ -82,24 +66,15 @@ int run(const Options& options)
     return runner.unreadable() ? 2 : 0;
 }
 
+int program(int argc, char** argv)
+{
+    Options options;
+    return options.parse(argc, argv) ? run(options) : 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        cv::redirectError(keepQuiet);
-        Options options;
-        return options.parse(argc, argv) ? run(options) : 0;
-    }
-    catch (const cv::Exception& error)
-    {
-        std::cerr << error.err << std::endl;
-        return 1;
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << error.what() << std::endl;
-        return 1;
-    }
+    return runProgram(program, argc, argv);
 }

@@ -38,6 +38,12 @@ std::string cutFields(std::string& name)
 
 } // namespace
 
+Settings::Settings(ProblemType problem_)
+    : problem(problem_), threshold(problem_ == cv::usacv20::HOMOGRAPHY ? 2 : 1), confidence(0.99),
+      maxIterations(problem_ == cv::usacv20::HOMOGRAPHY ? 10000 : 1000), seed(1)
+{
+}
+
 cv::Ptr<Method> createMethod(const std::string& name)
 {
     std::string base = name;

@@ -11,9 +11,12 @@
 
 namespace benchmark {
 
-//! What all methods are given alike.
+//! What all methods are given alike. Defaults are the paper's: confidence 0.99; H: 2 pixels, 10 000 iterations; F and E: 1 pixel,
+//! 1000 iterations.
 struct Settings
 {
+    explicit Settings(ProblemType problem = cv::usacv20::HOMOGRAPHY);
+
     ProblemType problem;
     double threshold;    //!< pixels
     double confidence;

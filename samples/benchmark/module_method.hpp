@@ -23,6 +23,9 @@ public:
     void prepare(const ImagePair& pair, const Settings& settings) CV_OVERRIDE;
     void run(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
 
+    //! Those of the run that is prepared.
+    const cv::usacv20::Params& parameters() const { return params; }
+
     static std::string names();
 
 private:

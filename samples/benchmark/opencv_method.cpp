@@ -66,7 +66,7 @@ cv::Mat toCamera(const Points& points, const cv::Matx33d& K, const cv::Matx33d& 
 } // namespace
 
 OpenCVMethod::OpenCVMethod(const std::string& name, const std::string& flagName, bool scores)
-    : Method(name), flag(-1), sortPoints(scores), settings()
+    : Method(name), flag(-1), sortPoints(scores)
 {
     for (const Flag& candidate : FLAGS)
         if (flagName == candidate.name)

@@ -4,7 +4,6 @@
 
 #include "options.hpp"
 
-#include <stdexcept>
 #include "arguments.hpp"
 #include "pair_list.hpp"
 
@@ -37,22 +36,16 @@ std::string defaultBaseline(const std::vector<std::string>& methods)
     return methods.empty() ? std::string() : methods[0];
 }
 
-void require(bool condition, const std::string& what)
-{
-    if (!condition)
-        throw std::runtime_error(what);
-}
-
 } // namespace
 
 Settings Options::settings(ProblemType of) const
 {
-    const bool homography = of == cv::usacv20::HOMOGRAPHY;
-    Settings result;
-    result.problem = of;
-    result.threshold = threshold > 0 ? threshold : homography ? 2 : 1;
+    Settings result(of);
+    if (threshold > 0)
+        result.threshold = threshold;
+    if (maxIterations > 0)
+        result.maxIterations = maxIterations;
     result.confidence = confidence;
-    result.maxIterations = maxIterations > 0 ? maxIterations : homography ? 10000 : 1000;
     result.seed = seed;
     return result;
 }

@@ -20,8 +20,7 @@ struct Options
     char problem;              //!< H, F, E or '\0': as the name of each list says
     int repeats, seed, threads;
 
-    //! What the methods are given; what the command line leaves open is that of the paper: confidence 0.99;
-    //! H: 2 pixels, 10 000 iterations; F and E: 1 pixel, 1000 iterations.
+    //! What the methods are given; what the command line leaves open is that of the paper.
     Settings settings(ProblemType of) const;
 
     /** Reads the command line. @return false if only help was asked for, which has been printed then.

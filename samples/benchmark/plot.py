@@ -51,25 +51,36 @@ class Runs:
         return float(np.mean(np.isinf(self.errors)))
 
 
+def read_rows(file, columns, option, take):
+    """Calls take(row) for each row of a CSV file. What lacks a column, or what `take` raises an error for, is named with file and
+    line. option: of the program that writes such files."""
+    with open(file, newline="") as lines:
+        rows = csv.DictReader(lines)
+        missing = [name for name in columns if name not in (rows.fieldnames or ())]
+        if missing:
+            raise ValueError("%s:1: no column %s; expected the file of %s" % (file, ", ".join(missing), option))
+        for row in rows:
+            try:
+                take(row)
+            except (TypeError, ValueError):
+                raise ValueError("%s:%d: not a line of %s" % (file, rows.line_num, option)) from None
+
+
+def choose(results, methods):
+    """{key: {method: ...}} with only these methods, in this order; without any, all."""
+    if not methods:
+        return results
+    return {key: {m: runs[m] for m in methods if m in runs} for key, runs in results.items()}
+
+
 def read_runs(files, time, methods):
     """{(list, problem): {method: Runs}} in the order of the files. `methods`: only these, in this order; empty: all."""
     results = {}
     for file in files:
-        with open(file, newline="") as lines:
-            rows = csv.DictReader(lines)
-            missing = [name for name in COLUMNS if name not in (rows.fieldnames or ())]
-            if missing:
-                raise ValueError("%s:1: no column %s; expected the file of --runs" % (file, ", ".join(missing)))
-            for row in rows:
-                try:
-                    _add(results, row, time, methods)
-                except (TypeError, ValueError):
-                    raise ValueError("%s:%d: not a line of runs" % (file, rows.line_num)) from None
+        read_rows(file, COLUMNS, "usac_benchmark --runs", lambda row: _add(results, row, time, methods))
     if not results:
         raise ValueError(", ".join(files) + ": no runs" + (" of the methods asked for" if methods else ""))
-    if methods:
-        results = {key: {m: runs[m] for m in methods if m in runs} for key, runs in results.items()}
-    return results
+    return choose(results, methods)
 
 
 def _add(results, row, time, methods):
@@ -134,14 +145,14 @@ def _number(value, _=None):
     return "%g" % value
 
 
-def _log(axis):
+def log_axis(axis):
     axis.axes.set(**{axis.axis_name + "scale": "log"})
     axis.set_major_locator(LogLocator(10, subs=(1, 2, 5)))
     axis.set_major_formatter(FuncFormatter(_number))
     axis.set_minor_formatter(NullFormatter())
 
 
-def _thin(axis, low, high):
+def thin(axis, low, high):
     """Labels at 1, 2, 5 only where they have room."""
     if math.log10(max(high / max(low, 1e-9), 1)) > 1.7:
         axis.set_major_locator(LogLocator(10))
@@ -155,15 +166,15 @@ def _distribution(axes, samples, look, xlabel):
     low, high = low / 1.1, max(high, low * 2) * 1.1
     for method, (values, weights) in samples.items():
         _curve(axes, values, weights, high, look.line(method))
-    _log(axes.xaxis)
-    _thin(axes.xaxis, low, high)
+    log_axis(axes.xaxis)
+    thin(axes.xaxis, low, high)
     axes.set_xlim(low, high)
     axes.set_ylim(0, 1.02)
     axes.yaxis.set_major_formatter(PercentFormatter(1))
     axes.set_xlabel(xlabel)
 
 
-def _time_label(time):
+def time_label(time):
     return "%s time of a run, ms" % ("CPU" if time == "cpu" else "wall")
 
 
@@ -173,7 +184,7 @@ def draw_list(name, problem, runs, look, time):
     pairs = len({pair for r in runs.values() for pair in r.pairs})
     figure.suptitle("%s: %s, %d pairs" % (name, TITLES.get(problem, problem), pairs), fontsize=10.5)
     _distribution(left, {m: (r.errors, None) for m, r in runs.items()}, look, "error, pixels")
-    _distribution(right, {m: (r.times, None) for m, r in runs.items()}, look, _time_label(time))
+    _distribution(right, {m: (r.times, None) for m, r in runs.items()}, look, time_label(time))
     left.set_ylabel("runs")
     look.legend(figure, list(runs))
     return figure
@@ -183,7 +194,7 @@ def _problems(results):
     return [p for p in TITLES if any(key[1] == p for key in results)]
 
 
-def _geometric_mean(values):
+def geometric_mean(values):
     return float(np.exp(np.mean(np.log(values)))) if len(values) else math.nan
 
 
@@ -201,13 +212,13 @@ def draw_scatter(results, look, time):
             _scatter(axes, [r[method] for r in lists if method in r], dict(style, markersize=3.5, alpha=0.45, markeredgewidth=0.7))
             good = [r[method] for r in solved if method in r]
             if good:
-                axes.plot(_geometric_mean([r.median_time() for r in good]), _geometric_mean([r.median_error() for r in good]),
+                axes.plot(geometric_mean([r.median_time() for r in good]), geometric_mean([r.median_error() for r in good]),
                           markersize=8, markeredgewidth=1.7, zorder=3, **style)
         for axis in (axes.xaxis, axes.yaxis):
-            _log(axis)
-            _thin(axis, *axis.get_view_interval())
+            log_axis(axis)
+            thin(axis, *axis.get_view_interval())
         axes.set_title("%s, %d of %d lists" % (TITLES[problem], len(solved), len(lists)))
-        axes.set_xlabel("median " + _time_label(time))
+        axes.set_xlabel("median " + time_label(time))
     panels[0][0].set_ylabel("median error, pixels")
     look.legend(figure, look.methods, markers=True)
     return figure
@@ -239,7 +250,7 @@ def draw_summary(results, look, time):
         lists = sum(key[1] == problem for key in results)
         panels[0][column].set_title("%s, %d lists" % (TITLES[problem], lists))
         _distribution(panels[0][column], _pooled(results, problem, look, "errors"), look, "error, pixels")
-        _distribution(panels[1][column], _pooled(results, problem, look, "times"), look, _time_label(time))
+        _distribution(panels[1][column], _pooled(results, problem, look, "times"), look, time_label(time))
     for row in panels:
         row[0].set_ylabel("runs")
     look.legend(figure, look.methods)
@@ -266,21 +277,31 @@ def draw_all(results, folder, form, time):
     return files
 
 
-def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("runs", nargs="+", metavar="FILE", help="of usac_benchmark --runs; several are taken together")
+def add_options(parser):
+    """What all programs that draw have in common."""
     parser.add_argument("--out", required=True, metavar="DIR", help="folder for the pictures")
     parser.add_argument("--format", choices=("png", "svg"), default="png")
     parser.add_argument("--time", choices=("cpu", "wall"), default="cpu", help="of the process, or of the clock")
     parser.add_argument("--method", action="append", metavar="NAME", help="only this one; may be repeated, gives the order")
-    args = parser.parse_args(arguments)
+
+
+def run(draw):
+    """Prints the files that draw() returns, or what was wrong; returns the exit code."""
     try:
-        for file in draw_all(read_runs(args.runs, args.time, args.method or []), args.out, args.format, args.time):
+        for file in draw():
             print(file)
     except (OSError, ValueError) as error:
         print(error, file=sys.stderr)
         return 1
     return 0
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("runs", nargs="+", metavar="FILE", help="of usac_benchmark --runs; several are taken together")
+    add_options(parser)
+    args = parser.parse_args(arguments)
+    return run(lambda: draw_all(read_runs(args.runs, args.time, args.method or []), args.out, args.format, args.time))
 
 
 if __name__ == "__main__":

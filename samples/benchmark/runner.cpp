@@ -5,13 +5,11 @@
 #include "runner.hpp"
 
 #include <iostream>
-#include "measures.hpp"
-#include "stopwatch.hpp"
 
 namespace benchmark {
 
 Runner::Runner(const std::vector<cv::Ptr<Method> >& methods_, const Options& options_, Progress& progress_)
-    : methods(methods_), options(options_), progress(progress_), unreadablePairs(0)
+    : methods(methods_), options(options_), progress(progress_), meter(progress_), unreadablePairs(0)
 {
 }
 
@@ -37,7 +35,7 @@ ListResult Runner::run(const PairList& list)
             {
                 if (!methods[m]->solves(list.problem))
                     continue;
-                Run run = measure(*methods[m], pair, settings, repeat);
+                Run run = meter.measure(*methods[m], pair, settings, repeat);
                 run.pair = (int)result.pairs.size() - 1;
                 if (repeat >= 0)
                     result.runs[m].push_back(run);
@@ -60,46 +58,6 @@ bool Runner::read(const PairList& list, const PairList::Entry& entry, ImagePair&
         ++unreadablePairs;
         return false;
     }
-}
-
-Run Runner::measure(Method& method, const ImagePair& pair, Settings settings, int repeat)
-{
-    Run run = Run();
-    Estimate estimate;
-    settings.seed += repeat;
-    method.prepare(pair, settings);
-    const Stopwatch watch;
-    try
-    {
-        method.run(pair, estimate);
-        run.cpuMs = watch.cpuMs();
-        run.wallMs = watch.wallMs();
-    }
-    catch (const std::exception& error)
-    {
-        run.cpuMs = watch.cpuMs();
-        run.wallMs = watch.wallMs();
-        estimate = Estimate();
-        complain(method, settings.problem, pair, error.what());
-    }
-    run.repeat = repeat;
-    run.error = modelError(pair, settings.problem, estimate.model);
-    run.failed = !(run.error <= failureLimit(pair, settings.problem));
-    const bool posed = pair.hasPose && settings.problem != cv::usacv20::HOMOGRAPHY;
-    run.poseError = posed ? poseError(pair, settings.problem, estimate) : -1;
-    run.iterations = estimate.iterations;
-    run.inliers = estimate.mask.empty() ? 0 : cv::countNonZero(estimate.mask);
-    return run;
-}
-
-void Runner::complain(const Method& method, ProblemType problem, const ImagePair& pair, const std::string& what)
-{
-    if (!complaints.insert(method.name() + letterOf(problem)).second)
-        return;
-    progress.clear();
-    std::cerr << method.name() << " threw on " << pair.name << " (" << letterOf(problem)
-              << "), which counts as a failure; not told again: "
-              << what.substr(0, what.find_last_not_of(" \n") + 1) << std::endl;
 }
 
 } // namespace benchmark

@@ -5,27 +5,13 @@
 #ifndef OPENCV_USACV20_BENCHMARK_RUNNER_HPP
 #define OPENCV_USACV20_BENCHMARK_RUNNER_HPP
 
-#include <set>
 #include <string>
 #include <vector>
-#include "method.hpp"
+#include "meter.hpp"
 #include "options.hpp"
 #include "pair_list.hpp"
-#include "progress.hpp"
 
 namespace benchmark {
-
-//! One call of one method.
-struct Run
-{
-    int pair, repeat;    //!< pair: index into ListResult::pairs
-    double error;        //!< pixels, infinite without a model
-    bool failed;
-    double poseError;    //!< degrees, negative where the pair has no pose
-    double cpuMs, wallMs;
-    int iterations;      //!< negative where the method does not tell
-    int inliers;
-};
 
 //! All runs on one list.
 struct ListResult
@@ -45,8 +31,8 @@ struct ListResult
 /** Runs all methods on the pairs of a list.
 
 For each pair and each repeat all methods run one after the other, so that a disturbance of the machine hurts all alike.
-Each method runs once on the first pair before anything is measured. Messages about pairs that cannot be read and
-methods that throw go to the standard error, the latter once a method and problem. */
+Each method runs once on the first pair before anything is measured. Messages about pairs that cannot be read go to the
+standard error. */
 class Runner
 {
 public:
@@ -58,13 +44,11 @@ public:
 
 private:
     bool read(const PairList& list, const PairList::Entry& entry, ImagePair& pair);
-    Run measure(Method& method, const ImagePair& pair, Settings settings, int repeat);
-    void complain(const Method& method, ProblemType problem, const ImagePair& pair, const std::string& what);
 
     const std::vector<cv::Ptr<Method> >& methods;
     const Options& options;
     Progress& progress;
-    std::set<std::string> complaints;
+    Meter meter;
     int unreadablePairs;
 };
 

@@ -206,7 +206,7 @@ class PlotTest(FolderTest):
     def test_mistakes(self):
         file = self.runs()
         for contents, complaint in (("list,problem\n", "runs.csv:1: no column pair"),
-                                    (None, "runs.csv:74: not a line of runs")):
+                                    (None, "runs.csv:74: not a line of usac_benchmark --runs")):
             if contents is None:
                 self.runs()
                 with open(file, "a") as out:

@@ -5,10 +5,17 @@
 # The programs of samples/benchmark, the same inside OpenCV and stand-alone. The caller defines usac_add_program(name sources).
 
 set(_benchmark "${USAC_PROJECT_DIR}/samples/benchmark")
-file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp")
-usac_add_program(usac_benchmark ${_sources})
+file(GLOB _shared CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp")
+usac_add_program(usac_benchmark ${_shared})
 
 # Its scenes are those of the tests.
 file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/synthetic/*.cpp" "${_benchmark}/synthetic/*.hpp")
-usac_add_program(usac_synthetic ${_sources} "${_benchmark}/arguments.cpp" "${USAC_MODULE_DIR}/test/scenes.cpp")
+usac_add_program(usac_synthetic ${_sources} "${_benchmark}/arguments.cpp" "${_benchmark}/program.cpp"
+  "${USAC_MODULE_DIR}/test/scenes.cpp")
 target_include_directories(usac_synthetic PRIVATE "${_benchmark}" "${USAC_MODULE_DIR}/test")
+
+# The same scenes, the methods and measures of usac_benchmark.
+list(FILTER _shared EXCLUDE REGEX "/(main|options|pair_list|runner|tables)\\.cpp$")
+file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/scale/*.cpp" "${_benchmark}/scale/*.hpp")
+usac_add_program(usac_scale ${_sources} ${_shared} "${USAC_MODULE_DIR}/test/scenes.cpp")
+target_include_directories(usac_scale PRIVATE "${_benchmark}" "${USAC_MODULE_DIR}/test")

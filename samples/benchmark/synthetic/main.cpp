@@ -7,10 +7,9 @@
 //     usac_synthetic --out=<folder> --scene=plane --planeFraction=0.9 --pairs=20 --size=2000 --inliers=0.3
 //     usac_benchmark --data=<folder>
 
-#include <iostream>
-#include <stdexcept>
 #include "arguments.hpp"
 #include "pair_writer.hpp"
+#include "program.hpp"
 
 using namespace benchmark;
 using namespace opencv_test;
@@ -42,12 +41,6 @@ struct Command
     int pairs;
     SceneOptions options;
 };
-
-void require(bool condition, const std::string& what)
-{
-    if (!condition)
-        throw std::runtime_error(what);
-}
 
 bool isPart(double value)
 {
@@ -103,23 +96,20 @@ bool parse(int argc, char** argv, Command& command)
     return true;
 }
 
+int run(int argc, char** argv)
+{
+    Command command;
+    if (!parse(argc, argv, command))
+        return 0;
+    PairWriter writer(command.folder, command.name, command.planar ? "H" : "FE");
+    for (int i = 0; i < command.pairs; ++i, ++command.options.seed)
+        writer.write(makeScene(command.planar ? cv::usacv20::HOMOGRAPHY : cv::usacv20::FUNDAMENTAL, command.options));
+    return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        Command command;
-        if (!parse(argc, argv, command))
-            return 0;
-        PairWriter writer(command.folder, command.name, command.planar ? "H" : "FE");
-        for (int i = 0; i < command.pairs; ++i, ++command.options.seed)
-            writer.write(makeScene(command.planar ? cv::usacv20::HOMOGRAPHY : cv::usacv20::FUNDAMENTAL, command.options));
-        return 0;
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << error.what() << std::endl;
-        return 1;
-    }
+    return runProgram(run, argc, argv);
 }

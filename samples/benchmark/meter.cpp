@@ -1,0 +1,53 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "meter.hpp"
+
+#include <iostream>
+#include "measures.hpp"
+#include "stopwatch.hpp"
+
+namespace benchmark {
+
+Run Meter::measure(Method& method, const ImagePair& pair, Settings settings, int repeat)
+{
+    Run run = Run();
+    Estimate estimate;
+    settings.seed += repeat;
+    method.prepare(pair, settings);
+    const Stopwatch watch;
+    try
+    {
+        method.run(pair, estimate);
+        run.cpuMs = watch.cpuMs();
+        run.wallMs = watch.wallMs();
+    }
+    catch (const std::exception& error)
+    {
+        run.cpuMs = watch.cpuMs();
+        run.wallMs = watch.wallMs();
+        estimate = Estimate();
+        complain(method, settings.problem, pair, error.what());
+    }
+    run.repeat = repeat;
+    run.error = modelError(pair, settings.problem, estimate.model);
+    run.failed = !(run.error <= failureLimit(pair, settings.problem));
+    const bool posed = pair.hasPose && settings.problem != cv::usacv20::HOMOGRAPHY;
+    run.poseError = posed ? poseError(pair, settings.problem, estimate) : -1;
+    run.iterations = estimate.iterations;
+    run.inliers = estimate.mask.empty() ? 0 : cv::countNonZero(estimate.mask);
+    return run;
+}
+
+void Meter::complain(const Method& method, ProblemType problem, const ImagePair& pair, const std::string& what)
+{
+    if (!complaints.insert(method.name() + letterOf(problem)).second)
+        return;
+    progress.clear();
+    std::cerr << method.name() << " threw on " << pair.name << " (" << letterOf(problem)
+              << "), which counts as a failure; not told again: "
+              << what.substr(0, what.find_last_not_of(" \n") + 1) << std::endl;
+}
+
+} // namespace benchmark

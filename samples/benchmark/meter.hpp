@@ -1,0 +1,47 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_METER_HPP
+#define OPENCV_USACV20_BENCHMARK_METER_HPP
+
+#include <set>
+#include <string>
+#include "method.hpp"
+#include "progress.hpp"
+
+namespace benchmark {
+
+//! One call of one method.
+struct Run
+{
+    int pair, repeat;    //!< pair: index into ListResult::pairs
+    double error;        //!< pixels, infinite without a model
+    bool failed;
+    double poseError;    //!< degrees, negative where the pair has no pose
+    double cpuMs, wallMs;
+    int iterations;      //!< negative where the method does not tell
+    int inliers;
+};
+
+/** Measures time and error of single calls.
+
+A method that throws has failed; it is told on the standard error, once a method and problem. */
+class Meter
+{
+public:
+    explicit Meter(Progress& progress_) : progress(progress_) {}
+
+    //! @param repeat added to the seed. @return all but Run::pair.
+    Run measure(Method& method, const ImagePair& pair, Settings settings, int repeat);
+
+private:
+    void complain(const Method& method, ProblemType problem, const ImagePair& pair, const std::string& what);
+
+    Progress& progress;
+    std::set<std::string> complaints;
+};
+
+} // namespace benchmark
+
+#endif

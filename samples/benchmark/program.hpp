@@ -1,0 +1,22 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_PROGRAM_HPP
+#define OPENCV_USACV20_BENCHMARK_PROGRAM_HPP
+
+#include <fstream>
+#include <string>
+
+namespace benchmark {
+
+//! Opens a file to write unless the name is empty. Raises std::runtime_error; called before a run, so that a wrong path is found early.
+void openOutput(std::ofstream& out, const std::string& file);
+
+/** The body of a main(): exceptions become a message on the standard error and the exit code 1. OpenCV prints no exceptions of
+its own, as the programs tell of them. */
+int runProgram(int (*program)(int argc, char** argv), int argc, char** argv);
+
+} // namespace benchmark
+
+#endif

@@ -1,0 +1,110 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// How the time of robust estimators grows with the number of matches and with the part of wrong ones, on synthetic scenes; and
+// how near the search of the module's methods is to what its solver and its kernel need alone.
+//
+//     usac_scale --csv=scale.csv --boundCsv=bound.csv > scale.md
+//     python3 samples/benchmark/plot_scale.py scale.csv --out=pictures
+
+#include <iostream>
+#include "module_method.hpp"
+#include "program.hpp"
+#include "scale_options.hpp"
+#include "scene_pair.hpp"
+#include "search_bound.hpp"
+#include "sweep.hpp"
+
+using namespace benchmark;
+
+namespace {
+
+void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method> >& methods)
+{
+    std::ofstream csv;
+    openOutput(csv, options.csv);
+    std::vector<Sweep> sweeps;
+    size_t scenes = 0;
+    for (size_t p = 0; p < options.problems.size(); ++p)
+    {
+        if (options.sweepSizes)
+            sweeps.push_back(Sweep(Sweep::OVER_SIZE, options.problems[p], options));
+        if (options.sweepInliers)
+            sweeps.push_back(Sweep(Sweep::OVER_INLIERS, options.problems[p], options));
+    }
+    for (size_t i = 0; i < sweeps.size(); ++i)
+        scenes += sweeps[i].size();
+    if (csv.is_open())
+        Sweep::csvHeader(csv);
+    Progress progress((int)scenes);
+    Meter meter(progress);
+    for (size_t i = 0; i < sweeps.size(); ++i)
+    {
+        sweeps[i].run(methods, meter, progress);
+        progress.clear();
+        sweeps[i].markdown(std::cout);
+        std::cout.flush();
+        if (csv.is_open())
+            sweeps[i].csv(csv);
+    }
+}
+
+//! Of the methods of the module; OpenCV's do not tell what they have done.
+void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method> >& methods)
+{
+    std::ofstream csv;
+    openOutput(csv, options.boundCsv);
+    SearchBound::markdownHeader(std::cout);
+    if (csv.is_open())
+        SearchBound::csvHeader(csv);
+    for (size_t p = 0; p < options.problems.size(); ++p)
+        for (size_t m = 0; m < methods.size(); ++m)
+        {
+            ModuleMethod* const method = dynamic_cast<ModuleMethod*>(methods[m].get());
+            for (size_t i = 0; method && i < options.boundInliers.size(); ++i)
+            {
+                const ProblemType problem = options.problems[p];
+                method->prepare(toImagePair(options.scene(problem, options.size, options.boundInliers[i], 0)),
+                                options.settings(problem));
+                SearchBound bound(options.methods[m], problem, options.boundInliers[i], options);
+                bound.run(method->parameters());
+                bound.markdown(std::cout);
+                std::cout.flush();
+                if (csv.is_open())
+                    bound.csv(csv);
+            }
+        }
+}
+
+void run(const ScaleOptions& options)
+{
+    std::vector<cv::Ptr<Method> > methods;
+    for (size_t i = 0; i < options.methods.size(); ++i)
+        methods.push_back(createMethod(options.methods[i]));
+    cv::setNumThreads(options.threads);
+    std::cout << "# Scale\n\nOpenCV " << cv::getVersionString() << "; synthetic scenes, noise " << options.noise << " px, "
+              << options.repeats << " of each kind, seed " << options.seed << ", threads " << options.threads
+              << ".\n\nTimes over size and part of right matches: median CPU time of a call, ms / median error, px / failures, %; -: "
+                 "not run, as the call before took more than "
+              << options.limit << " ms.\n";
+    if (options.sweepSizes || options.sweepInliers)
+        runSweeps(options, methods);
+    if (options.bound)
+        runBounds(options, methods);
+}
+
+int program(int argc, char** argv)
+{
+    ScaleOptions options;
+    if (options.parse(argc, argv))
+        run(options);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return runProgram(program, argc, argv);
+}

@@ -1,0 +1,50 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_SEARCH_BOUND_HPP
+#define OPENCV_USACV20_BENCHMARK_SEARCH_BOUND_HPP
+
+#include <ostream>
+#include <string>
+#include "opencv2/usac.hpp"
+#include "scale_options.hpp"
+
+namespace benchmark {
+
+/** What the search of a run costs (Report::searchMs: all but reading the points, local optimisation and polishing), and what it
+would cost at least: the minimal solver alone for the samples that it got, and the kernel alone for the points that the models
+were tested with.
+
+The solver is timed on the samples of the run, the kernel on models of the run over all points. A run of counting components
+tells how many there are; the same run without them is timed. All times are the least of several, as the same instructions
+run each time. One thread. */
+class SearchBound
+{
+public:
+    SearchBound(const std::string& method, ProblemType problem, double part, const ScaleOptions& options);
+
+    //! Measures on all scenes. Raises std::runtime_error if what the method does with points cannot be counted.
+    void run(const cv::usacv20::Params& params);
+
+    static void markdownHeader(std::ostream& out);
+    void markdown(std::ostream& out) const;
+    static void csvHeader(std::ostream& out);
+    void csv(std::ostream& out) const;
+
+private:
+    void addScene(const opencv_test::Scene& scene, const cv::usacv20::Params& params);
+    double boundMs() const { return solverMs + kernelMs; }
+
+    const std::string method;
+    const ProblemType problem;
+    const double part;
+    const ScaleOptions& options;
+    // sums over the scenes
+    int64 samples, solved, models, points;
+    double searchMs, solverMs, kernelMs, allSolverMs;  //!< the last one: as if all samples had been solved
+};
+
+} // namespace benchmark
+
+#endif

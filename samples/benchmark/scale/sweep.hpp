@@ -1,0 +1,56 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_SWEEP_HPP
+#define OPENCV_USACV20_BENCHMARK_SWEEP_HPP
+
+#include <ostream>
+#include <string>
+#include <vector>
+#include "meter.hpp"
+#include "scale_options.hpp"
+#include "summary.hpp"
+
+namespace benchmark {
+
+/** Times of all methods on scenes of growing hardness: more matches, or a smaller part of right ones.
+
+On each scene all methods run one after the other. A method whose median time is above ScaleOptions::limit does not run on the
+harder ones. */
+class Sweep
+{
+public:
+    enum Kind { OVER_SIZE, OVER_INLIERS };
+
+    Sweep(Kind kind, ProblemType problem, const ScaleOptions& options);
+
+    void run(const std::vector<cv::Ptr<Method> >& methods, Meter& meter, Progress& progress);
+
+    //! Scenes of different hardness, for Progress.
+    size_t size() const { return points.size(); }
+    void markdown(std::ostream& out) const;
+    static void csvHeader(std::ostream& out);
+    void csv(std::ostream& out) const;
+
+private:
+    struct Point
+    {
+        int size;
+        double part;
+        std::vector<Summary> rows;  //!< one a method; Summary::lists is 0 where it did not run
+    };
+
+    //! @param active which methods run; those that were too slow are taken out.
+    void measure(Point& point, const std::vector<cv::Ptr<Method> >& methods, std::vector<bool>& active, Meter& meter) const;
+    std::string label(const Point& point) const;
+
+    const Kind kind;
+    const ProblemType problem;
+    const ScaleOptions& options;
+    std::vector<Point> points;
+};
+
+} // namespace benchmark
+
+#endif

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Times over the size of the scenes, and the sensitivity to the threshold.
+
+USAC_BENCHMARK: path of that C++ program; usac_scale is taken from the same folder. What needs matplotlib is skipped without
+it."""
+
+import contextlib
+import csv
+import io
+import math
+import os
+import subprocess
+import sys
+import unittest
+
+from test_benchmark import FolderTest
+import threshold
+
+try:
+    import plot_scale
+except ImportError:
+    plot_scale = None
+
+SCALE = os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "usac_scale")
+HEAD = "sweep,problem,size,inliers,method,runs,median_cpu_ms,median_wall_ms,median_error,failures_percent,median_iterations\n"
+
+# Stands in for usac_benchmark: errors that grow with the threshold as the list says.
+PROGRAM = """#!%s
+import sys
+options = dict(a.lstrip("-").split("=", 1) for a in sys.argv[1:])
+lists = [a.split("=", 1)[1] for a in sys.argv[1:] if a.startswith("--list=")]
+with open(options["csv"], "w") as out:
+    out.write("list,problem,pairs,method,median_error\\n")
+    for file in lists:
+        name, problem = file.split("/")[-1].split(".")[:2]
+        factor = float(options["threshold"]) / {"H": 2, "F": 1}[problem]
+        for power, method in enumerate(options["methods"].split(",")):
+            fails = power and name == "hard" and factor > 2
+            out.write('"%%s",%%s,3,"%%s",%%s\\n' %% (name, problem, method, "inf" if fails else 0.5 * factor ** power))
+    out.write('"average",,3,"a",1\\n"average.H",H,3,"a",1\\n')
+"""
+
+
+@unittest.skipUnless(plot_scale, "matplotlib is missing")
+class ScaleTest(FolderTest):
+
+    def table(self):
+        rows = [HEAD]
+        for problem in "HE":
+            for i, method in enumerate(("USACV20", "cv:USAC_FAST")):
+                rows += ['size,%s,%d,0.5,"%s",9,%g,%g,0.3,0,50\n' % (problem, n, method, n * 1e-3 * (i + 1), n * 2e-3)
+                         for n in (50, 500, 5000)]
+                rows += ['inliers,%s,2000,%g,"%s",9,%g,%g,%s,%g,\n' % (problem, p, method, 1 / p, 2 / p, "inf" if p < 0.3 else 0.4,
+                                                                     60 if p < 0.6 else 0) for p in (0.9, 0.5, 0.2)]
+        return self.put("scale.csv", "".join(rows))
+
+    def test_reads_and_selects(self):
+        results = plot_scale.read_scale(self.table())
+        self.assertEqual(list(results), [("size", "H"), ("inliers", "H"), ("size", "E"), ("inliers", "E")])
+        self.assertEqual([p["median_cpu_ms"] for p in results["size", "H"]["cv:USAC_FAST"]], [0.1, 1, 10])
+        results = plot_scale.read_scale(self.table(), ["cv:USAC_FAST", "USACV20"])
+        self.assertEqual(list(results["inliers", "E"]), ["cv:USAC_FAST", "USACV20"])
+
+    def test_failures_are_crosses(self):
+        points = plot_scale.read_scale(self.table())["inliers", "H"]["USACV20"]
+        curve, failed = plot_scale.split_failed(points, "inliers", "median_error")
+        self.assertEqual((curve, failed), ([(0.9, 0.4), (0.5, 0.4)], [(0.5, 0.4)]))
+        curve, failed = plot_scale.split_failed(points, "inliers", "median_cpu_ms")
+        self.assertEqual(([x for x, _ in curve], [x for x, _ in failed]), ([0.9, 0.5, 0.2], [0.5, 0.2]))
+
+    def test_pictures(self):
+        table = self.table()
+        for name in "ab":
+            with contextlib.redirect_stdout(io.StringIO()) as out:
+                self.assertEqual(plot_scale.main([table, "--out", self.path(name), "--format", "svg"]), 0)
+            self.assertEqual(out.getvalue().split(), [self.path(name, "scale_%s.svg" % what) for what in ("time", "error")])
+        for what in ("time", "error"):
+            pictures = []
+            for name in "ab":
+                with open(self.path(name, "scale_%s.svg" % what)) as picture:
+                    pictures.append(picture.read())
+            self.assertIn("<svg", pictures[0])
+            self.assertEqual(pictures[0], pictures[1])
+
+    def test_mistakes(self):
+        for contents, arguments, complaint in (
+                ("sweep,problem\n", [], "scale.csv:1: no column size"),
+                (HEAD + 'size,H,many,0.5,"a",9,1,1,1,0,5\n', [], "scale.csv:2: not a line"),
+                (HEAD + 'depth,H,50,0.5,"a",9,1,1,1,0,5\n', [], "scale.csv:2: not a line"),
+                (HEAD, [], "scale.csv: nothing"), (None, ["--method=c"], "nothing of the methods asked for")):
+            file = self.table() if contents is None else self.put("scale.csv", contents)
+            with contextlib.redirect_stderr(io.StringIO()) as err:
+                self.assertEqual(plot_scale.main([file, "--out", self.path("none")] + arguments), 1)
+            self.assertIn(complaint, err.getvalue())
+        self.assertFalse(os.path.exists(self.path("none")))
+
+    @unittest.skipUnless(os.path.isfile(SCALE), "there is no usac_scale beside USAC_BENCHMARK")
+    def test_program_writes_what_is_read(self):
+        table, bound = self.path("scale.csv"), self.path("bound.csv")
+        done = subprocess.run([SCALE, "--problems=H,F", "--methods=USACV20,cv:RANSAC", "--sizes=50,200", "--parts=0.5,0.9",
+                               "--size=200", "--boundParts=0.3", "--repeats=2", "--csv=" + table, "--boundCsv=" + bound],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        results = plot_scale.read_scale(table)
+        self.assertEqual(list(results), [("size", "H"), ("inliers", "H"), ("size", "F"), ("inliers", "F")])
+        for (sweep, _), runs in results.items():
+            self.assertEqual(list(runs), ["USACV20", "cv:RANSAC"])
+            for points in runs.values():
+                self.assertEqual([p[sweep] for p in points], [50, 200] if sweep == "size" else [0.9, 0.5])
+            self.assertTrue(all(0 < p["median_error"] < 1.5 for p in runs["USACV20"]), runs)
+        with open(bound, newline="") as lines:
+            rows = list(csv.DictReader(lines))
+        self.assertEqual([(row["problem"], row["method"]) for row in rows], [("H", "USACV20"), ("F", "USACV20")])
+        for row in rows:
+            self.assertTrue(0 < int(row["solved"]) <= int(row["samples"]), row)
+            self.assertTrue(0 < int(row["points"]) <= 200 * int(row["models"]), row)
+            self.assertAlmostEqual(float(row["ratio"]) * (float(row["solver_ms"]) + float(row["kernel_ms"])), float(row["search_ms"]),
+                                   delta=1e-3 * float(row["search_ms"]))
+
+
+class ThresholdTest(FolderTest):
+
+    def program(self):
+        file = self.put("program", PROGRAM % sys.executable)
+        os.chmod(file, 0o755)
+        return file
+
+    def test_ratios(self):
+        ratios = threshold.Ratios([1, 2, math.inf, 3], [2, 16, 1, math.inf])
+        self.assertEqual((ratios.values, ratios.broken), ([2, 8], 1))
+        self.assertAlmostEqual(ratios.mean(), 4)
+        self.assertEqual(str(ratios), "4.000 (2, 1 broken)")
+        self.assertTrue(math.isnan(threshold.Ratios([math.inf], [1]).mean()))
+
+    def test_table(self):
+        for name in ("easy.H", "hard.H", "easy.F"):
+            self.put("lists/%s.list" % name)
+        self.put("lists/notes.list")
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            self.assertEqual(threshold.main(["--program", self.program(), "--data", self.folder, "--methods=a,b"]), 0)
+        text = out.getvalue()
+        self.assertIn("| H hard | 0.500 / 0.500 / 0.500 | 0.500 / 1.000 / inf |\n", text)
+        self.assertIn("| x 2 | H, F | 1.000 (3) | 2.000 (3) |\n", text)
+        self.assertIn("| x 4 | H | 1.000 (2) | 4.000 (1, 1 broken) |\n", text)
+        self.assertIn("| x 4 | F | 1.000 (1) | 4.000 (1) |\n", text)
+
+    def test_mistakes(self):
+        self.put("lists/a.H.list")
+        for arguments, complaint in ((["--data", self.path("none")], "no lists"), (["--list", self.path("a.list")], "expected a name"),
+                                     (["--data", self.folder, "--factors=4"], "--factors"),
+                                     (["--data", self.folder, "--program=" + self.path("none")], "none")):
+            with contextlib.redirect_stderr(io.StringIO()) as err:
+                self.assertEqual(threshold.main(arguments), 1)
+            self.assertIn(complaint, err.getvalue())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""How much worse a method gets with too wide a threshold: runs usac_benchmark on the same lists with multiples of the right
+threshold and compares the median errors. Tables go to the standard output, in Markdown."""
+
+import argparse
+import csv
+import glob
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+import pairs
+
+RIGHT = {"H": 2.0, "F": 1.0, "E": 1.0}  # pixels, the defaults of usac_benchmark
+METHODS = "USACV20_MAGSAC,USACV20,cv:USAC_MAGSAC"
+
+
+def find_lists(folders, files):
+    """{problem: [file, ...]} in the order H, F, E."""
+    found = list(files)
+    for folder in folders:
+        found += sorted(glob.glob(os.path.join(folder, "lists", "*.[HFE].list")))
+    by_problem = {problem: [f for f in found if pairs.split_name(f)[1] == problem] for problem in RIGHT}
+    return {problem: lists for problem, lists in by_problem.items() if lists}
+
+
+def read_errors(file):
+    """{(list, method): median error} of a file of usac_benchmark --csv, without its averages."""
+    with open(file, newline="") as lines:
+        return {(row["list"], row["method"]): float(row["median_error"]) for row in csv.DictReader(lines)
+                if row["list"] != "average" and not row["list"].startswith("average.")}
+
+
+def measure(program, lists, problem, factor, methods, more):
+    """Runs the program with a multiple of the right threshold; the errors as read_errors gives them."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "tables.csv")
+        command = [program] + ["--list=" + name for name in lists] + more + [
+            "--methods=" + methods, "--threshold=%g" % (factor * RIGHT[problem]), "--csv=" + file]
+        done = subprocess.run(command, stdout=subprocess.DEVNULL)
+        if done.returncode not in (0, 2):  # 2: some pairs could not be read, which it has told
+            raise ValueError("%s: exit code %d" % (program, done.returncode))
+        return read_errors(file)
+
+
+class Ratios:
+    """Of one method: error with the wide threshold over error with the right one, list by list. Lists on which it fails with the
+    right one on half of the runs tell nothing; those where it does only with the wide one are counted as broken."""
+
+    def __init__(self, right, wide):
+        self.values = [w / r for r, w in zip(right, wide) if math.isfinite(r) and math.isfinite(w) and r > 0 and w > 0]
+        self.broken = sum(math.isfinite(r) and not math.isfinite(w) for r, w in zip(right, wide))
+
+    def mean(self):
+        """Geometric."""
+        return math.exp(sum(map(math.log, self.values)) / len(self.values)) if self.values else math.nan
+
+    def __str__(self):
+        return "%.3f (%d%s)" % (self.mean(), len(self.values), ", %d broken" % self.broken if self.broken else "")
+
+
+def print_lists(errors, factors, methods, out):
+    """errors: {(problem, list): {method: [one a factor]}}."""
+    print("\n## Median error, pixels, at %s times the right threshold\n" % ", ".join("%g" % f for f in factors), file=out)
+    print("| list | %s |\n|---|%s" % (" | ".join(methods), "---|" * len(methods)), file=out)
+    for (problem, name), row in errors.items():
+        cells = [" / ".join("%.3f" % e for e in row[m]) if m in row else "-" for m in methods]
+        print("| %s %s | %s |" % (problem, name, " | ".join(cells)), file=out)
+
+
+def print_ratios(errors, factors, methods, out):
+    print("\n## Error over that with the right threshold\n\nGeometric mean over lists (their number; broken: fails on half of the "
+          "runs or more, but not with the right threshold).\n", file=out)
+    print("| threshold | problem | %s |\n|---|---|%s" % (" | ".join(methods), "---|" * len(methods)), file=out)
+    problems = [p for p in RIGHT if any(key[0] == p for key in errors)]
+    for k, factor in enumerate(factors[1:], 1):
+        for chosen in [[p] for p in problems] + ([problems] if len(problems) > 1 else []):
+            cells = []
+            for method in methods:
+                rows = [row[method] for key, row in errors.items() if key[0] in chosen and method in row]
+                cells.append(str(Ratios([row[0] for row in rows], [row[k] for row in rows])))
+            print("| x %g | %s | %s |" % (factor / factors[0], ", ".join(chosen), " | ".join(cells)), file=out)
+
+
+def run(args, out):
+    lists = find_lists(args.data or [], args.list or [])
+    if not lists:
+        raise ValueError("no lists: give --list or --data")
+    factors = [float(f) for f in args.factors.split(",")]
+    if len(factors) < 2 or min(factors) <= 0:
+        raise ValueError("--factors: expected at least two numbers above 0")
+    more = ["--repeats=%d" % args.repeats, "--seed=%d" % args.seed]
+    errors = {}
+    for problem, files in lists.items():
+        for factor in factors:
+            for (name, method), error in measure(args.program, files, problem, factor, args.methods, more).items():
+                errors.setdefault((problem, name), {}).setdefault(method, []).append(error)
+    methods = list(dict.fromkeys(m for row in errors.values() for m in row))
+    print("# Sensitivity to the threshold\n\n%d repeats, seed %d; right thresholds: H 2 px, F and E 1 px." %
+          (args.repeats, args.seed), file=out)
+    print_lists(errors, factors, methods, out)
+    print_ratios(errors, factors, methods, out)
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default="usac_benchmark", metavar="FILE", help="usac_benchmark, if it is not in the path")
+    parser.add_argument("--data", action="append", metavar="DIR", help="folder of data; may be repeated")
+    parser.add_argument("--list", action="append", metavar="FILE", help="list of pairs; may be repeated")
+    parser.add_argument("--methods", default=METHODS, help="as for usac_benchmark (default: %(default)s)")
+    parser.add_argument("--factors", default="1,2,4", help="of the threshold, the right one first (default: %(default)s)")
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--seed", type=int, default=1)
+    args = parser.parse_args(arguments)
+    try:
+        run(args, sys.stdout)
+    except (OSError, ValueError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
