@@ -11,7 +11,8 @@ import argparse
 import math
 import sys
 
-import plot
+import plot  # first, as it chooses how matplotlib draws
+from matplotlib.ticker import LogFormatterMathtext
 from plot import plt
 
 SWEEPS = {"size": "matches", "inliers": "part of right matches"}
@@ -55,6 +56,8 @@ def _panel(axes, runs, sweep, y, look):
         plot.thin(axis, *axis.get_view_interval())
     if sweep == "inliers":
         axes.invert_xaxis()  # harder to the right, as with the size
+    else:
+        axes.xaxis.set_major_formatter(LogFormatterMathtext())
     axes.set_xlabel(SWEEPS[sweep])
 
 
