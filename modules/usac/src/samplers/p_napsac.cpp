@@ -33,7 +33,7 @@ public:
         if (!growth)
         {
             growth = makePtr<GrowingSet>(m, context.points.size);
-            chosen.assign(context.points.size, 0);
+            centres.resize(context.points.size);
         }
         growth->next();
         const int n = growth->size();
@@ -50,16 +50,24 @@ public:
     }
 
 private:
+    //! How often a point was the centre of a local sample, and the finest layer with enough neighbours.
+    struct Centre
+    {
+        Centre() : chosen(0), layer(0) {}
+        int chosen, layer;
+    };
+
     //! Draws the other points from the neighbourhood of sample[0]; false if that is everything.
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighbourhood& neighbourhood = *context.components.neighbourhood;
-        const int wanted = 2 * m << std::min(chosen[sample[0]]++, 16);
-        for (int layer = 0; layer < neighbourhood.layers(); ++layer)
+        Centre& centre = centres[sample[0]];
+        const int wanted = 2 * m << std::min(centre.chosen++, 16);
+        for (; centre.layer < neighbourhood.layers(); ++centre.layer)  // finer ones will never do again
         {
             const int* members;
-            const int count = neighbourhood.members(context, layer, sample[0], members);
-            if (count >= wanted && count >= m)
+            const int count = neighbourhood.members(context, centre.layer, sample[0], members);
+            if (count >= wanted)
             {
                 drawOthers(state.rng, members, count, m, sample);
                 return true;
@@ -71,7 +79,7 @@ private:
     void global(State& state, int m, int n, int* sample) { drawOthers(state.rng, state.order.data(), n, m, sample); }
 
     Ptr<GrowingSet> growth;
-    std::vector<int> chosen;  //!< how often each point was the centre of a local sample
+    std::vector<Centre> centres;  //!< for each point
 };
 
 } // namespace

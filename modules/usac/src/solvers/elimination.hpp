@@ -12,59 +12,49 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief Null space of a matrix with more columns than rows, by Gauss-Jordan elimination; the pivot of a row is its largest
-element @cite golub2013matrix. All loops over columns have a fixed length and become vector code.
+element @cite golub2013matrix. The matrix is given column by column: all loops over rows have a fixed length and become vector code.
 
-@param A the matrix; destroyed
+@param A columns of the matrix, the ROWS elements filled up with zeros; destroyed
 @param basis output, COLS - ROWS vectors; each has a 1 where the others have a 0
 @return false if the rank is lower than ROWS: a pivot is not above 1e-9 times the largest element. */
-template <int ROWS, int COLS>
-bool nullSpace(double (&A)[ROWS][COLS], double (&basis)[COLS - ROWS][COLS])
+template <int ROWS, int COLS, int PADDED>
+bool nullSpace(double (&A)[COLS][PADDED], double (&basis)[COLS - ROWS][COLS])
 {
-    int column[COLS];
-    for (int j = 0; j < COLS; ++j)
-        column[j] = j;
     double least = 0;
-    for (int i = 0; i < ROWS; ++i)
-        for (int j = 0; j < COLS; ++j)
-            least = std::max(least, std::abs(A[i][j]));
+    for (int j = 0; j < COLS; ++j)
+        for (int i = 0; i < ROWS; ++i)
+            least = std::max(least, std::abs(A[j][i]));
     least *= 1e-9;
+    int order[COLS];  // of the columns
+    for (int j = 0; j < COLS; ++j)
+        order[j] = j;
     for (int k = 0; k < ROWS; ++k)
     {
-        int col = k;
+        int best = k;
         for (int j = k + 1; j < COLS; ++j)
-            if (std::abs(A[k][j]) > std::abs(A[k][col]))
-                col = j;
-        if (!(std::abs(A[k][col]) > least))  // also for NaN
+            if (std::abs(A[order[j]][k]) > std::abs(A[order[best]][k]))
+                best = j;
+        std::swap(order[k], order[best]);
+        double pivot[PADDED];
+        std::copy(A[order[k]], A[order[k]] + PADDED, pivot);
+        if (!(std::abs(pivot[k]) > least))  // also for NaN
             return false;
-        if (col != k)
-        {
-            for (int i = 0; i < ROWS; ++i)
-                std::swap(A[i][col], A[i][k]);
-            std::swap(column[col], column[k]);
-        }
-        const double inverse = 1 / A[k][k];
+        const double inverse = 1 / pivot[k];
         for (int j = k + 1; j < COLS; ++j)
-            A[k][j] *= inverse;
-        for (int i = k + 1; i < ROWS; ++i)
         {
-            const double factor = A[i][k];
-            for (int j = k + 1; j < COLS; ++j)
-                A[i][j] -= factor * A[k][j];
+            double* const column = A[order[j]];
+            const double factor = column[k] * inverse;
+            for (int i = 0; i < PADDED; ++i)
+                column[i] -= factor * pivot[i];
+            column[k] = factor;
         }
     }
     for (int v = 0; v < COLS - ROWS; ++v)
     {
-        double x[ROWS];
-        for (int i = ROWS - 1; i >= 0; --i)
-        {
-            x[i] = -A[i][ROWS + v];
-            for (int j = i + 1; j < ROWS; ++j)
-                x[i] -= A[i][j] * x[j];
-        }
-        for (int j = 0; j < ROWS; ++j)
-            basis[v][column[j]] = x[j];
-        for (int j = ROWS; j < COLS; ++j)
-            basis[v][column[j]] = j == ROWS + v;
+        for (int k = 0; k < ROWS; ++k)
+            basis[v][order[k]] = -A[order[ROWS + v]][k];
+        for (int k = ROWS; k < COLS; ++k)
+            basis[v][order[k]] = k == ROWS + v;
     }
     return true;
 }

@@ -239,14 +239,15 @@ public:
 
     int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
     {
-        double A[5][9], basis[4][9], C[10][20], transposed[20][10], B[3][3][5];
+        double A[9][6] = {{0}}, basis[4][9], C[10][20], transposed[20][10], B[3][3][5];
         for (int i = 0; i < 5; ++i)
         {
             const double x1 = p.dx1[sample[i]], y1 = p.dy1[sample[i]], x2 = p.dx2[sample[i]], y2 = p.dy2[sample[i]];
             const double row[9] = {x2 * x1, x2 * y1, x2, y2 * x1, y2 * y1, y2, x1, y1, 1};
-            std::copy(row, row + 9, A[i]);
+            for (int k = 0; k < 9; ++k)
+                A[k][i] = row[k];
         }
-        if (!nullSpace(A, basis))
+        if (!nullSpace<5>(A, basis))
             return 0;
         constraints(basis, C);
         for (int k = 0; k < 20; ++k)

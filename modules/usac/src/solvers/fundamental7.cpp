@@ -45,14 +45,15 @@ public:
 
     int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
     {
-        double A[7][9], F[2][9];
+        double A[9][8] = {{0}}, F[2][9];
         for (int i = 0; i < 7; ++i)
         {
             const double x1 = p.dx1[sample[i]], y1 = p.dy1[sample[i]], x2 = p.dx2[sample[i]], y2 = p.dy2[sample[i]];
             const double row[9] = {x2 * x1, x2 * y1, x2, y2 * x1, y2 * y1, y2, x1, y1, 1};
-            std::copy(row, row + 9, A[i]);
+            for (int k = 0; k < 9; ++k)
+                A[k][i] = row[k];
         }
-        if (!nullSpace(A, F))
+        if (!nullSpace<7>(A, F))
             return 0;
         // det(s F1 + t F2) = s^3 det F1 + s^2 t <cof F1, F2> + s t^2 <F1, cof F2> + t^3 det F2
         double c1[9], c2[9];
