@@ -25,9 +25,11 @@ Mat readPoints(InputArray array, const char* name)
                   "not as %dx%d with %d channel(s)", name, points.rows, points.cols, points.channels()));
     if (points.depth() > CV_64F)
         CV_Error_(Error::StsUnsupportedFormat, ("%s: depth %d is not supported", name, points.depth()));
-    Mat result = points;
-    if (points.depth() != CV_64F || !points.isContinuous())
-        points.convertTo(result, CV_64F);  // continuous from here on
+    Mat result;  // continuous
+    if (points.depth() == CV_64F && points.isContinuous())
+        result = points;
+    else
+        points.convertTo(result, CV_64F);
     if (result.checkVector(2) < 0)
     {
         Mat plane;

@@ -12,13 +12,9 @@ namespace usacv20 {
 
 namespace {
 
-enum { FIRST_BATCH = 16, LARGEST_BATCH = 256, CONFIRMATIONS = 2 };
+enum { FIRST_BATCH = 8, LARGEST_BATCH = 256 };
 //! Smaller batches are not worth the threads: many runs end in the middle of one.
 const size_t PARALLEL_BATCH = 64;
-//! This part of the inliers in common makes two models the same for the local optimisation.
-const double SAME_INLIERS = 0.95;
-//! A cost below this part of the best one is clearly better.
-const double CLEAR_GAIN = 0.99;
 //! Streams of random numbers beside those of the iterations.
 const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
@@ -43,7 +39,7 @@ Ransac::Ransac(const Context& context_, State& state_)
     : context(context_), parts(context_.components), state(state_),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
-      confirmations(0), localTicks(0), firstInliers(0), firstTested(0)
+      localTicks(0), firstInliers(0), firstTested(0)
 {
 }
 
@@ -183,37 +179,13 @@ void Ransac::improve(const Candidate& candidate)
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
     if (!recover(candidate.sample->val, model, quality))                                                   // 14
         return;                                                                             // 15, 16
-    const bool known = parts.localOptimizer && isKnown(model);
-    if (parts.localOptimizer && !(known && confirmations >= CONFIRMATIONS))
+    if (parts.localOptimizer)
         optimize(model, quality);                                                           // 19 - 24
-    const bool clear = quality.cost < CLEAR_GAIN * state.bestQuality.cost;
-    confirmations = clear ? 0 : confirmations + known;
     if (!quality.betterThan(state.bestQuality))                                             // 18
         return;
     state.best = model;                                                                     // 25
     state.bestQuality = quality;
     updateTermination();                                                                    // 26
-}
-
-/* The optimisation of a model whose inliers are nearly all those of the optimised best one mostly leads there again. When it
-has done so #CONFIRMATIONS times, there are no more. */
-bool Ransac::isKnown(const Model& model)
-{
-    if (state.bestQuality.inliers == 0)
-        return false;
-    const Correspondences& points = context.points;
-    const float limit = (float)(points.threshold * points.threshold);
-    errors.resize(points.size);
-    bestErrors.resize(points.size);
-    parts.residual->squaredErrors(points, model, 0, points.size, errors.data());
-    parts.residual->squaredErrors(points, state.best, 0, points.size, bestErrors.data());
-    int inliers = 0, common = 0;
-    for (int i = 0; i < points.size; ++i)
-    {
-        inliers += errors[i] <= limit;
-        common += errors[i] <= limit && bestErrors[i] <= limit;
-    }
-    return common >= SAME_INLIERS * inliers;
 }
 
 //! Lines 19 to 24; a second time if the optimised model was degenerate and a better one took its place.

@@ -63,7 +63,6 @@ private:
     void hypothesiseBatch();
     void improve(const Candidate& candidate);
     void optimize(Model& model, Quality& quality);
-    bool isKnown(const Model& model);
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
@@ -73,12 +72,10 @@ private:
     State& state;
     std::vector<Sample> samples;    //!< of the batch
     std::vector<Hypotheses> batch;  //!< theirs, or those of the present sample
-    std::vector<float> errors, bestErrors;
     const int threads;
     int firstOfBatch;   //!< number of its first sample
     const int exhaustive;
     int required, requiredReason;
-    int confirmations;  //!< local optimisations that led to the best model again
     double localTicks;
     double firstInliers, firstTested;
 };

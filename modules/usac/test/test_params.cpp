@@ -201,7 +201,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(4, p.localSamples);
     EXPECT_EQ(0.14, p.spatialWeight);
     EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, p.termination);
-    EXPECT_EQ(0.03, p.relaxation);
+    EXPECT_EQ(0.05, p.relaxation);
     EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED, p.degeneracy);
     EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);
 }

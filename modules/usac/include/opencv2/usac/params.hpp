@@ -198,7 +198,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double spatialWeight;
     //! Set of @ref TerminationFlags; 0 runs all `maxIterations`. Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
     CV_PROP_RW int termination;
-    //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.03. Used by #TERMINATION_P_NAPSAC.
+    //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.05. Used by #TERMINATION_P_NAPSAC.
     CV_PROP_RW double relaxation;
     //! Set of @ref DegeneracyFlags. Default all.
     CV_PROP_RW int degeneracy;
