@@ -188,6 +188,9 @@ inline void addRows(const double (&T)[20][10], const double* values, int first, 
             sums[i] += values[k] * T[k][i];
 }
 
+//! Constraints with no more than this left over, for unit models, need no correction.
+const double EXACT = 1e-12;
+
 /** One step of Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots
 are small; the step brings them back. T: coefficients of the constraints, a row for each monomial. */
 void correct(const double (&T)[20][10], double& x, double& y, double& z)
@@ -199,6 +202,12 @@ void correct(const double (&T)[20][10], double& x, double& y, double& z)
     const double mz[20] = {0, 0, 0, 0, x * x, 0, y * y, 0, x * y, 0, 2 * x * z, x, 0, 2 * y * z, y, 0, 3 * z * z, 2 * z, 1};
     double r[10] = {0}, gx[10] = {0}, gy[10] = {0}, gz[10] = {0};
     addRows(T, m, 0, 20, r);
+    double largest = 0;
+    for (int i = 0; i < 10; ++i)
+        largest = std::max(largest, std::abs(r[i]));
+    const double squared = 1 + x * x + y * y + z * z;
+    if (largest < EXACT * squared * std::sqrt(squared))
+        return;
     addRows(T, mx, 0, 13, gx);
     addRows(T, my, 1, 16, gy);
     addRows(T, mz, 4, 19, gz);
@@ -221,7 +230,7 @@ void correct(const double (&T)[20][10], double& x, double& y, double& z)
     A(2, 1) = A(1, 2);
     const Vec3d step = A.inv() * b;  // zero if A is singular
     const double size = step.dot(step);
-    if (!(size < 1e-2 * (1 + x * x + y * y + z * z)))  // also for NaN
+    if (!(size < 1e-2 * squared))  // also for NaN
         return;
     x -= step[0];
     y -= step[1];
