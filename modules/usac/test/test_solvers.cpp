@@ -300,6 +300,35 @@ TEST(Usac_Solvers, fundamentalOfAPlane)
     EXPECT_EQ(result.samples, result.unsolved);
 }
 
+//! Four points on a line in image 1, the others on a line in image 2: the product of the lines has rank 1 and fits all seven.
+TEST(Usac_Solvers, fundamentalOfALineInEachImage)
+{
+    const Ptr<MinimalSolver> solver = createFundamental7Solver();
+    RNG rng(13);
+    for (int repeat = 0; repeat < 300; ++repeat)
+    {
+        std::vector<Point2d> points1, points2;
+        for (int i = 0; i < 7; ++i)
+        {
+            const bool exact = repeat % 2 == 0;  // without any rounding
+            const Point2d p(rng.uniform(-2, 3), rng.uniform(-2, 3)), q(rng.uniform(-2., 2.), rng.uniform(-2., 2.));
+            points1.push_back(exact ? p : q);
+            points2.push_back(exact ? Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3)) : Point2d(q.y * q.y, q.x * q.x * q.x));
+            if (i < 4)
+                points1.back().y = 0.5 * points1.back().x + 0.25;
+            else
+                points2.back().x = 1 - points2.back().y;
+        }
+        const std::vector<Model> models = solveFirst(*solver, OwnPoints(FUNDAMENTAL, points1, points2).view());
+        for (size_t k = 0; k < models.size(); ++k)
+        {
+            Mat w;
+            SVD::compute(Mat(models[k]), w, SVD::NO_UV);
+            EXPECT_GT(w.at<double>(1), 1e-8) << "repeat " << repeat;
+        }
+    }
+}
+
 //! Points on a coarse grid are degenerate in many ways at once: what comes back is finite and fulfils the constraints.
 TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
 {
