@@ -194,7 +194,6 @@ void Ransac::optimize(Model& model, Quality& quality)
     const int64 start = getTickCount();
     for (bool again = true; again;)
     {
-        again = false;
         Model optimized = model;
         Quality optimizedQuality = quality;
         ++state.report.localOptimizations;

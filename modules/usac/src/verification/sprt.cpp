@@ -25,10 +25,9 @@ public:
     explicit SprtVerifier(ProblemType problem)
         // measured: microseconds of the solver over those of a point in the kernel; models left after the checks
         : modelTime(problem == HOMOGRAPHY ? 250. : problem == FUNDAMENTAL ? 700. : 4000.),
-          modelsPerSample(problem == HOMOGRAPHY ? 1. : problem == FUNDAMENTAL ? 1.2 : 2.), inlierStep(0), outlierStep(0),
-          logA(0), inliersSeen(0), pointsSeen(0)
+          modelsPerSample(problem == HOMOGRAPHY ? 1. : problem == FUNDAMENTAL ? 1.2 : 2.), current(), inlierStep(0),
+          outlierStep(0), logA(0), inliersSeen(0), pointsSeen(0)
     {
-        current = SequentialTest();
     }
 
     int nextBlock(int tested) const CV_OVERRIDE { return tested < 64 ? 16 : tested < 256 ? 64 : 256; }
