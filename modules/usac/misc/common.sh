@@ -1,0 +1,91 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# What run_tests.sh and sanitize.sh share: packages, OpenCV's source and build, and the count of tests.
+
+project=$(cd "$(dirname "$0")/../../.." && pwd)
+module=$project/modules/usac
+work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac}
+source=${OPENCV_SOURCE_DIR:-$work/opencv}
+build=$work/build-$(printf %s "$source" | cksum | cut -d ' ' -f 1)
+packages="g++ cmake ninja-build ccache pkg-config xz-utils python3-dev python3-numpy libjpeg-dev libpng-dev zlib1g-dev
+    libblas-dev liblapack-dev liblapacke-dev libeigen3-dev libopencv-dev"
+mkdir -p "$work"
+export CMAKE_GENERATOR=Ninja CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+
+passed=0 failed=1  # nothing has been tested yet
+trap 'echo "$passed passed, $failed failed"' EXIT
+
+as_root()
+{
+    if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+install_packages() # more packages
+{
+    missing=
+    for p in $packages "$@"; do
+        dpkg-query -W -f '${db:Status-Status}\n' "$p" 2>/dev/null | grep -q '^installed' || missing="$missing $p"
+    done
+    [ -n "$missing" ] || return 0
+    as_root apt-get update
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
+}
+
+# The repository that offers libopencv-dev offers its source, too. Lists and settings of the system stay as they are.
+fetch_opencv()
+{
+    apt=$work/apt
+    mkdir -p "$apt/lists/partial" "$apt/archives/partial"
+    keys=/usr/share/keyrings/debian-archive-keyring.gpg
+    [ -f $keys ] && signed="[signed-by=$keys]" || signed=
+    offers() { apt-cache policy libopencv-dev | awk '$NF == "Packages" { print $2, $3 }'; }
+    [ -n "$(offers)" ] || as_root apt-get update
+    offers | sort -u | sed "s|^|deb-src $signed |; s|/\([^/]*\)\$| \1|" > "$apt/sources.list"
+
+    options="-o Dir::Etc::SourceList=$apt/sources.list -o Dir::Etc::SourceParts=/dev/null -o APT::Sandbox::User=root
+        -o Dir::State::Lists=$apt/lists -o Dir::Cache=$apt"
+    apt-get $options update
+    # The archive of OpenCV itself; that of the contrib modules is not needed.
+    set -- $(apt-get $options source --print-uris opencv | grep '/opencv_[^/]*\.orig\.tar\.')
+    uri=$(echo "$1" | tr -d "'")
+    /usr/lib/apt/apt-helper $options download-file "$uri" "$work/$2" "$4"
+    rm -rf "$source.part"
+    mkdir "$source.part"
+    tar -xf "$work/$2" -C "$source.part" --strip-components=1
+    mv "$source.part" "$source"
+    rm "$work/$2"
+}
+
+# Debian keeps cblas.h where OpenCV 4.6 does not look, so the LAPACK to use is named.
+configure()
+{
+    cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release \
+        -DOPENCV_EXTRA_MODULES_PATH="$project/modules" -DUSAC_WERROR=ON -DPYTHON3_EXECUTABLE=/usr/bin/python3 \
+        -DBUILD_LIST=usac,ts,python3 -DBUILD_TESTS=ON -DBUILD_PERF_TESTS=ON -DBUILD_opencv_apps=OFF -DBUILD_JAVA=OFF \
+        -DLAPACK_LIBRARIES="lapack;blas" -DLAPACK_CBLAS_H=cblas.h -DLAPACK_LAPACKE_H=lapacke.h -DLAPACK_IMPL=Debian \
+        -DWITH_GTK=OFF -DWITH_QT=OFF -DWITH_FFMPEG=OFF -DWITH_GSTREAMER=OFF -DWITH_V4L=OFF -DWITH_1394=OFF \
+        -DWITH_OPENCL=OFF -DWITH_ADE=OFF -DWITH_IPP=OFF -DWITH_ITT=OFF -DWITH_PROTOBUF=OFF -DWITH_QUIRC=OFF \
+        -DWITH_OPENEXR=OFF -DWITH_JASPER=OFF -DWITH_OPENJPEG=OFF -DWITH_WEBP=OFF -DWITH_TIFF=OFF
+}
+
+# Runs a command, shows its output and adds up what the patterns (with one number each) find there. A command that fails
+# without a failed test, or ends well without any test, is one failure.
+run() # name, pattern of passed, pattern of failed, command
+{
+    name=$1 p=$2 f=$3
+    shift 3
+    echo "== $name"
+    { "$@" && rc=0 || rc=$?; echo $rc > "$work/rc"; } 2>&1 | tee "$work/$name.log"
+    p=$(sed -n "s/$p/\1/p" "$work/$name.log" | tail -n 1)
+    f=$(sed -n "s/$f/\1/p" "$work/$name.log" | tail -n 1)
+    p=${p:-0} f=${f:-0}
+    if [ "$f" = 0 ] && { [ "$(cat "$work/rc")" != 0 ] || [ "$p" = 0 ]; }; then f=1; fi
+    passed=$((passed + p)) failed=$((failed + f))
+}
+
+gtest_passed='^\[  PASSED  \] \([0-9]*\) test.*'
+gtest_failed='^\[  FAILED  \] \([0-9]*\) test.*listed below.*'
+count_passed='^\([0-9]*\) passed, .*'
+count_failed='^.* passed, \([0-9]*\) failed$'

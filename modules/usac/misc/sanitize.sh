@@ -1,0 +1,159 @@
+#!/bin/sh
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# Runs the module's tests under sanitizers and other tools. Does all its own set-up on Debian (as root or with sudo); the last
+# line is "<N> passed, <M> failed", and the exit code is not 0 after any finding.
+#
+# usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [lint] [coverage]       default: all
+#
+#   asan        all tests with AddressSanitizer (leaks, too) and UndefinedBehaviorSanitizer
+#   tsan        all tests with ThreadSanitizer
+#   assertions  all tests with the assertions of libstdc++
+#   valgrind    memcheck of the tests named in valgrind_tests
+#   fuzz        libFuzzer on points and parameters, with the contracts as its oracle; default: 60 seconds
+#   lint        clang-tidy (modules/usac/.clang-tidy) and cppcheck of include/ and src/
+#   coverage    lines and branches of src/ that all tests reach; the lines that none does
+#
+#   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
+#   OPENCV_BUILD_DIR   a build of it with opencv_ts; default: the one of run_tests.sh, made here if it is missing
+#   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
+
+set -eu
+. "$(dirname "$0")/common.sh"
+tools=$work/tools
+jobs=${JOBS:-$(nproc)}
+# Every component and contract once; a test is 20 to 50 times slower than without valgrind.
+valgrind_tests='Usac_Input*:Usac_Arguments*:*UsacPoints*few*:*UsacPoints*two_distinct*:Usac_Solvers.allF*:Usac_Fuzz.kept*'
+
+# Configures the build of a tool and builds a target.
+build_with() # tool, target, compiler, flags, more options for CMake
+{
+    tool=$1 target=$2 compiler=$3 flags=$4
+    shift 4
+    cmake -S "$module/misc/sanitize" -B "$tools/$tool" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="-O1 -g1" \
+        -DUSAC_TOOL_FLAGS="$flags" -DOPENCV_SOURCE="$source" -DOPENCV_BUILD="$build" "$@" > "$tools/$tool.cmake.log" &&
+    cmake --build "$tools/$tool" -j "$jobs" --target "$target"
+}
+
+# Where findDataFile looks for test data, and where the tests may leave files.
+tests_of() # tool, arguments of the tests
+{
+    tool=$1
+    shift
+    cd "$tools/$tool" && "$@"
+}
+
+sanitizers="-fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
+
+run_asan()
+{
+    build_with asan usac_tests g++ "$sanitizers" &&
+    ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1 \
+        UBSAN_OPTIONS=print_stacktrace=1 tests_of asan ./usac_tests
+}
+
+run_tsan()
+{
+    build_with tsan usac_tests g++ -fsanitize=thread -DUSAC_THREADS_BACKEND=ON && tests_of tsan ./usac_tests
+}
+
+run_assertions()
+{
+    build_with assertions usac_tests g++ -D_GLIBCXX_ASSERTIONS && tests_of assertions ./usac_tests
+}
+
+run_valgrind()
+{
+    build_with assertions usac_tests g++ -D_GLIBCXX_ASSERTIONS &&
+    tests_of assertions valgrind --error-exitcode=1 --leak-check=full \
+        --errors-for-leak-kinds=definite --suppressions="$module/misc/sanitize/valgrind.supp" \
+        ./usac_tests --gtest_filter="$valgrind_tests"
+}
+
+# Once over the kept inputs, then new ones. The inputs that reach new code stay in `corpus` for the next time; one that breaks
+# something is left in `findings`.
+run_fuzz() # seconds
+{
+    mkdir -p "$tools/corpus" "$tools/findings"
+    build_with fuzz usac_fuzz clang++ "-fsanitize=fuzzer-no-link $sanitizers" &&
+    if "$tools/fuzz/usac_fuzz" -max_total_time="$1" -len_control=0 -max_len=1024 -timeout=60 -print_final_stats=1 \
+        -artifact_prefix="$tools/findings/" "$tools/corpus" "$project/test_data/fuzz" 2>&1
+    then
+        echo "1 passed, 0 failed"
+    else
+        echo "0 passed, 1 failed"
+    fi
+}
+
+# Every source file counts for each of the two.
+run_lint()
+{
+    build_with lint help clang++ "" > /dev/null
+    cd "$module"
+    good=0 bad=0
+    check() { if "$@"; then good=$((good + 1)); else bad=$((bad + 1)); echo "FAILED $*"; fi; }
+    for file in $(find src -name '*.cpp' | sort); do
+        check clang-tidy --quiet -p "$tools/lint" "$file" 2> /dev/null
+        check cppcheck --quiet --enable=warning,performance,portability --std=c++11 --inline-suppr --error-exitcode=1 \
+            --suppressions-list="$module/misc/sanitize/cppcheck.txt" -Iinclude -Isrc "$file"
+    done
+    echo "$good passed, $bad failed"
+}
+
+# Branches of exceptions that any call may throw are not counted: there is one behind each allocation.
+run_coverage()
+{
+    build_with coverage usac_tests g++ "--coverage -O0 -fprofile-update=atomic" || return 1
+    cd "$tools/coverage"
+    find . -name '*.gcda' -delete
+    ./usac_tests || return 1
+    options="--rc lcov_branch_coverage=1 --rc geninfo_no_exception_branch=1 --quiet"
+    lcov $options --capture --directory CMakeFiles/usac_objects.dir --output-file all.info &&
+    lcov $options --extract all.info "$module/src/*" --output-file src.info &&
+    genhtml --quiet --branch-coverage --output-directory html src.info > /dev/null &&
+    echo "lines that no test reaches:" &&
+    awk -F '[:,]' '/^SF:/ { file = $2 } /^DA:/ && $3 == 0 { print file ":" $2 }' src.info | sed "s|^$module/||" &&
+    lcov --rc lcov_branch_coverage=1 --summary src.info 2>&1
+}
+
+needs()  # what the modes of the command line need beyond run_tests.sh
+{
+    case " $* " in *" fuzz "*) echo clang libclang-rt-dev ;; esac
+    case " $* " in *" lint "*) echo clang clang-tidy cppcheck ;; esac
+    case " $* " in *" valgrind "*) echo valgrind libc6-dbg ;; esac
+    case " $* " in *" coverage "*) echo lcov ;; esac
+}
+
+[ $# -gt 0 ] || set -- asan tsan assertions valgrind fuzz lint coverage
+install_packages $(needs "$@")
+mkdir -p "$tools"
+if [ -n "${OPENCV_BUILD_DIR:-}" ]; then
+    build=$OPENCV_BUILD_DIR
+else
+    [ -f "$source/CMakeLists.txt" ] || fetch_opencv
+    configure
+    cmake --build "$build" --target opencv_ts opencv_calib3d
+fi
+
+failed=0
+while [ $# -gt 0 ]; do
+    mode=$1
+    shift
+    case $mode in
+    asan | tsan | assertions | valgrind | coverage)
+        run "$mode" "$gtest_passed" "$gtest_failed" "run_$mode" ;;
+    lint)
+        run lint "$count_passed" "$count_failed" run_lint ;;
+    fuzz)
+        seconds=60
+        case ${1:-} in [0-9]*) seconds=$1; shift ;; esac
+        run fuzz "$count_passed" "$count_failed" run_fuzz "$seconds" ;;
+    *)
+        echo "unknown mode: $mode"
+        failed=$((failed + 1)) ;;
+    esac
+done
+
+[ "$failed" = 0 ]

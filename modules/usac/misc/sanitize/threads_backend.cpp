@@ -1,0 +1,64 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+#include "opencv2/core/parallel/parallel_backend.hpp"
+
+/* ThreadSanitizer sees only synchronisation in code that is compiled with it. OpenCV's thread pool is not, so each parallel
+loop would look like a race. This backend of parallel_for_ replaces the pool before any test: every loop starts its threads
+and joins them in instrumented code. No suppression is needed, and what the bodies of the module do is seen in full. */
+
+namespace {
+
+class ThreadsBackend : public cv::parallel::ParallelForAPI
+{
+public:
+    ThreadsBackend() : threads(4) {}
+
+    void parallel_for(int tasks, FN_parallel_for_body_cb_t body, void* data) override
+    {
+        std::atomic<int> next(0);
+        const auto work = [&](int number)
+        {
+            const int before = current;
+            current = number;
+            for (int task = next++; task < tasks; task = next++)
+                body(task, task + 1, data);
+            current = before;
+        };
+        std::vector<std::thread> others;
+        for (int i = 1; i < std::min((int)threads, tasks); ++i)
+            others.emplace_back(work, i);
+        work(0);
+        for (auto& thread : others)
+            thread.join();
+    }
+
+    int getThreadNum() const override { return current; }
+    int getNumThreads() const override { return threads; }
+    int setNumThreads(int count) override
+    {
+        const int before = threads;
+        threads = count > 0 ? count : 4;
+        return before;
+    }
+    const char* getName() const override { return "std::thread"; }
+
+private:
+    static thread_local int current;
+    std::atomic<int> threads;
+};
+
+thread_local int ThreadsBackend::current = 0;
+
+struct Install
+{
+    Install() { cv::parallel::setParallelForBackend(std::make_shared<ThreadsBackend>(), false); }
+} install;
+
+} // namespace

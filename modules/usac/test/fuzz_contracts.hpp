@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_FUZZ_CONTRACTS_HPP
+#define OPENCV_USACV20_TEST_FUZZ_CONTRACTS_HPP
+
+#include <string>
+#include "fuzz_input.hpp"
+
+namespace opencv_test {
+
+/** Makes the call twice and says in words which promise is broken, "" if none is: a cv::Exception that names an argument exactly
+where an argument is wrong; input unchanged; no model, zero mask and a reason, or a finite model of the promised norm and rank
+with mask == (error <= threshold); the same bits both times. */
+std::string brokenContract(const FuzzInput& input);
+
+//! The part about the result of a call that was not refused.
+std::string brokenResult(const FuzzInput& input, const cv::Mat& model, const cv::Mat& mask, const cv::usacv20::Report& report);
+
+} // namespace opencv_test
+
+#endif

@@ -1,0 +1,241 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "fuzz_input.hpp"
+
+#include <algorithm>
+#include <cfloat>
+#include <climits>
+#include <cstring>
+#include <limits>
+#include "params_fields.hpp"
+#include "scenes.hpp"
+
+using namespace cv::usacv20;
+using cv::Mat;
+using cv::Point2d;
+
+namespace opencv_test {
+
+namespace {
+
+const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+const double INFINITE = std::numeric_limits<double>::infinity();
+
+//! The bytes one after the other, then zeros.
+class Bytes
+{
+public:
+    Bytes(const uchar* data, size_t size) : at(data), end(data + size) {}
+
+    size_t left() const { return (size_t)(end - at); }
+    int byte() { return at < end ? *at++ : 0; }
+    int below(int count) { return byte() % count; }
+
+    template <class T> T value()
+    {
+        uchar bytes[sizeof(T)];
+        for (size_t i = 0; i < sizeof(T); ++i)
+            bytes[i] = (uchar)byte();
+        T result;
+        std::memcpy(&result, bytes, sizeof(T));
+        return result;
+    }
+
+    //! Numbers that programs trip over, round numbers, and any other.
+    double number()
+    {
+        static const double special[] = {0, -0., 1, -1, 2, 0.5, 3, 10, 100, 1e5, 1e-3, 1e3, 1e-9, 1e9, 1e30, -1e30, 1e-30, 1e160,
+                                         1e-160, 1e300, -1e300, 5e-324, 1e-310, DBL_MAX, -DBL_MAX, DBL_MIN, NOT_A_NUMBER,
+                                         INFINITE, -INFINITE, 1 - DBL_EPSILON / 2, 1 + DBL_EPSILON, 0.99};
+        const int kind = byte();
+        if (kind < 32)
+            return special[kind];
+        if (kind < 128)
+            return value<schar>();
+        return kind < 192 ? (double)value<short>() / 16 : kind < 240 ? (double)value<float>() : value<double>();
+    }
+
+    int integer()
+    {
+        static const int special[] = {INT_MAX, INT_MIN, -1, 0, 1, 2, 7, 63, 64, 100, 101, 1000, 1001, 1024, 1025, 65536};
+        const int kind = byte();
+        return kind < 16 ? special[kind] : kind < 128 ? below(8) : kind < 192 ? value<schar>() : value<int>();
+    }
+
+private:
+    const uchar* at;
+    const uchar* end;
+};
+
+Params preset(int number)
+{
+    static Params (*const presets[])() = {
+        Params::usacV20, Params::fast, Params::accurate, Params::sorted, Params::parallel, Params::ransac, Params::msac,
+        Params::lmeds, Params::mlesac, Params::prosac, Params::loRansac, Params::floRansac, Params::gcRansac, Params::usac2013,
+        Params::magsac, Params::magsacPlusPlus};
+    return presets[number % 16]();
+}
+
+//! A valid number of at most `most`; what is not valid stays.
+void reduce(int& value, int low, int high, int most)
+{
+    if (value >= low && value <= high && value > most)
+        value = low + value % most;
+}
+
+Params readParams(Bytes& bytes)
+{
+    Params params = preset(bytes.byte());
+    params.maxIterations = 20;
+    static const std::vector<std::pair<std::string, int Params::*> > ints = Fields::ints();
+    static const std::vector<std::pair<std::string, double Params::*> > doubles = Fields::doubles();
+    for (int changes = bytes.below(8); changes > 0; --changes)
+    {
+        const int field = bytes.below((int)(ints.size() + doubles.size()));
+        if (field < (int)ints.size())
+            params.*ints[field].second = bytes.integer();
+        else
+            params.*doubles[field - ints.size()].second = bytes.number();
+    }
+    reduce(params.maxIterations, 1, INT_MAX, 100);
+    reduce(params.localIterations, 1, 1000, 10);
+    reduce(params.localSamples, 0, 1000, 10);
+    reduce(params.threads, 0, 1024, 3);
+    return params;
+}
+
+void readScores(Bytes& bytes, size_t count, Params& params)
+{
+    const int kind = bytes.byte();
+    if (kind < 160)
+        return;
+    if (kind > 250)
+        ++count;
+    for (size_t i = 0; i < count; ++i)
+        params.scores.push_back(kind < 220 ? (float)bytes.byte() / 16 : (float)bytes.number());
+}
+
+Mat readCamera(Bytes& bytes)
+{
+    cv::Matx33d K(500, 0, 320, 0, 500, 240, 0, 0, 1);
+    for (int changes = std::max(bytes.below(8) - 3, 0); changes > 0; --changes)
+    {
+        const int entry = bytes.below(9);
+        K.val[entry] = bytes.number();
+    }
+    return Mat(K, true);
+}
+
+Mat readDistortion(Bytes& bytes)
+{
+    static const int lengths[] = {0, 0, 0, 0, 0, 0, 4, 5, 8, 12, 14, 3};
+    Mat coefficients(1, lengths[bytes.below(12)], CV_64F);
+    for (int i = 0; i < coefficients.cols; ++i)
+    {
+        const int value = bytes.value<schar>();
+        coefficients.at<double>(i) = value == SCHAR_MIN ? bytes.number() : value * value * value / (1e6 * (i > 3 ? 100 : 1));
+    }
+    return coefficients;
+}
+
+//! True and wrong matches of a scene.
+void readScene(Bytes& bytes, FuzzInput& input)
+{
+    SceneOptions options;
+    options.inliers = 1 + bytes.below(60);
+    options.outliers = bytes.below(40);
+    options.noise = bytes.below(8) / 4.;
+    options.seed = (uint64)bytes.byte();
+    options.planeFraction = bytes.below(5) / 4.;
+    options.duplicates = bytes.below(8) * options.inliers / 8;
+    options.angle = bytes.below(3) * 12;
+    const Scene scene = makeScene(input.problem, options);
+    input.points1 = scene.points1;
+    input.points2 = scene.points2;
+}
+
+double coordinate(Bytes& bytes, int kind)
+{
+    switch (kind)
+    {
+    case 0: return bytes.below(4);
+    case 1: return bytes.value<schar>();
+    case 2: return bytes.value<ushort>() / 64.;
+    case 3: return (double)bytes.value<float>();
+    case 4: return bytes.value<double>();
+    default: return bytes.number();
+    }
+}
+
+//! One change of one row, or of all rows.
+void edit(Bytes& bytes, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
+{
+    if (points1.empty() || points2.empty())
+        return;
+    const int kind = bytes.below(8);
+    std::vector<Point2d>& points = bytes.below(2) ? points1 : points2;
+    const int row = bytes.byte() % (int)points.size(), other = bytes.byte() % (int)points.size();
+    if (kind == 0)
+        (other % 2 ? points[row].x : points[row].y) = bytes.number();
+    else if (kind == 1)
+        points[row] = points[other];
+    else if (kind == 2)
+        for (int i = 0; i < other % 64; ++i)
+        {
+            points1.push_back(points1[row % points1.size()]);
+            points2.push_back(points2[row % points2.size()]);
+        }
+    else if (kind == 3)
+        points.resize(bytes.below(16) == 0 ? other : points.size());
+    else if (kind == 4)
+        std::swap(points[row], points[other]);
+    else
+    {
+        const double number = bytes.number();
+        for (size_t i = 0; i < points.size(); ++i)
+            points[i] = kind == 5 ? points[i] * number : kind == 6 ? points[i] + Point2d(number, 0) :
+                                                                     Point2d(points[i].x, number);
+    }
+}
+
+void readPoints(Bytes& bytes, FuzzInput& input)
+{
+    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0), most = bytes.below(120);
+    if (kind > 5)
+        readScene(bytes, input);
+    for (int i = 0; i < most && bytes.left() > 0; ++i)
+    {
+        const double x1 = coordinate(bytes, kind % 6), y1 = coordinate(bytes, kind % 6);
+        const double x2 = coordinate(bytes, kind % 6), y2 = coordinate(bytes, kind % 6);
+        input.points1.push_back(Point2d(x1, y1));
+        input.points2.push_back(Point2d(x2, y2));
+    }
+    for (int i = 0; i < edits; ++i)
+        edit(bytes, input.points1, input.points2);
+}
+
+} // namespace
+
+FuzzInput readFuzzInput(const uchar* data, size_t size)
+{
+    Bytes bytes(data, size);
+    FuzzInput input;
+    input.problem = (ProblemType)bytes.below(3);
+    input.otherThreads = bytes.below(8) == 7 ? 3 : 1;
+    input.params = readParams(bytes);
+    if (input.problem == ESSENTIAL)
+    {
+        input.K1 = readCamera(bytes);
+        if (bytes.below(2))
+            input.K2 = readCamera(bytes);
+        input.d1 = readDistortion(bytes);
+        input.d2 = readDistortion(bytes);
+    }
+    readPoints(bytes, input);
+    readScores(bytes, input.points1.size(), input.params);
+    return input;
+}
+
+} // namespace opencv_test

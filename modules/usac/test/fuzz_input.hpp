@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_FUZZ_INPUT_HPP
+#define OPENCV_USACV20_TEST_FUZZ_INPUT_HPP
+
+#include <vector>
+#include "opencv2/usac.hpp"
+
+namespace opencv_test {
+
+//! One call of an estimator.
+struct FuzzInput
+{
+    cv::usacv20::ProblemType problem;
+    std::vector<cv::Point2d> points1, points2;
+    cv::usacv20::Params params;
+    cv::Mat K1, K2, d1, d2;  //!< E only; K2, d1, d2 may be empty
+    int otherThreads;        //!< of a second run, which has to give the same
+};
+
+/** Makes a call of any bytes. A small change of the bytes is mostly a small change of the call: first come problem, preset and
+changed fields, then cameras, the points, changes of them, and scores. Valid numbers of iterations,
+which cost time and nothing else, are reduced to small ones; all else is as wild as the bytes. */
+FuzzInput readFuzzInput(const uchar* data, size_t size);
+
+} // namespace opencv_test
+
+#endif

@@ -1,0 +1,77 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "fuzz_contracts.hpp"
+
+#include <fstream>
+#include <iterator>
+
+namespace opencv_test { namespace {
+
+//! What the fuzzer has found, and inputs of its own that reach the most code.
+TEST(Usac_Fuzz, kept_inputs)
+{
+    std::vector<cv::String> files;
+    cv::glob(std::string(USAC_TEST_DATA_DIR) + "/fuzz/*.bin", files);
+    ASSERT_GT(files.size(), 20u);
+    for (size_t i = 0; i < files.size(); ++i)
+    {
+        std::ifstream in(files[i].c_str(), std::ios::binary);
+        const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+        ASSERT_FALSE(bytes.empty()) << files[i];
+        EXPECT_EQ("", brokenContract(readFuzzInput((const uchar*)bytes.data(), bytes.size()))) << files[i];
+    }
+}
+
+//! Inputs of random bytes, which a test without a fuzzer can make itself.
+TEST(Usac_Fuzz, random_bytes)
+{
+    RNG rng(1);
+    int models = 0, refused = 0;
+    for (int i = 0; i < 300; ++i)
+    {
+        std::vector<uchar> bytes(rng.uniform(1, 700));
+        for (size_t k = 0; k < bytes.size(); ++k)
+            bytes[k] = (uchar)rng.uniform(0, 256);
+        const FuzzInput input = readFuzzInput(bytes.data(), bytes.size());
+        ASSERT_EQ("", brokenContract(input)) << "input " << i;
+        try
+        {
+            models += input.problem == FUNDAMENTAL && !estimateFundamental(input.points1, input.points2, input.params).empty();
+        }
+        catch (const cv::Exception&)
+        {
+            ++refused;
+        }
+    }
+    EXPECT_GT(models, 10) << "of the inputs most are senseless";
+    EXPECT_GT(refused, 10);
+}
+
+//! The oracle notices what it is for.
+TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
+{
+    FuzzInput input = readFuzzInput(0, 0);
+    const Scene scene = makeScene(HOMOGRAPHY);
+    input.points1 = scene.points1;
+    input.points2 = scene.points2;
+    Report report;
+    Mat mask;
+    const Matx33d H(estimateHomography(input.points1, input.points2, input.params, mask, report).ptr<double>());
+    EXPECT_EQ("", brokenResult(input, Mat(H), mask, report));
+    for (int row = 0; row < mask.rows; ++row)
+    {
+        Mat wrong = mask.clone();
+        wrong.at<uchar>(row) ^= 1;
+        report.inliers = countNonZero(wrong);
+        EXPECT_NE("", brokenResult(input, Mat(H), wrong, report)) << "row " << row;
+    }
+    report.inliers = countNonZero(mask);
+    EXPECT_NE("", brokenResult(input, Mat(2 * H), mask, report)) << "h33 is 2";
+    input.problem = FUNDAMENTAL;
+    EXPECT_NE("", brokenResult(input, Mat((1 / cv::norm(H)) * H), mask, report)) << "no F has rank 3";
+}
+
+}} // namespace
