@@ -11,7 +11,8 @@
 
 /* ThreadSanitizer sees only synchronisation in code that is compiled with it. OpenCV's thread pool is not, so each parallel
 loop would look like a race. This backend of parallel_for_ replaces the pool before any test: every loop starts its threads
-and joins them in instrumented code. No suppression is needed, and what the bodies of the module do is seen in full. */
+and joins them in instrumented code. No suppression is needed, and what the bodies of the module do is seen in full. Which thread
+has which part is fixed: a queue of them would be synchronisation, and quick bodies would all run in the first thread. */
 
 namespace {
 
@@ -22,17 +23,17 @@ public:
 
     void parallel_for(int tasks, FN_parallel_for_body_cb_t body, void* data) override
     {
-        std::atomic<int> next(0);
-        const auto work = [&](int number)
+        const int count = std::min((int)threads, tasks);
+        const auto work = [=](int number)
         {
             const int before = current;
             current = number;
-            for (int task = next++; task < tasks; task = next++)
+            for (int task = number; task < tasks; task += count)
                 body(task, task + 1, data);
             current = before;
         };
         std::vector<std::thread> others;
-        for (int i = 1; i < std::min((int)threads, tasks); ++i)
+        for (int i = 1; i < count; ++i)
             others.emplace_back(work, i);
         work(0);
         for (auto& thread : others)
