@@ -174,10 +174,10 @@ void ProblemData::read(InputArray points1, InputArray points2)
                   p1.rows, p2.rows));
     for (int k = 0; k < 4; ++k)
     {
-        const double* const from = (k < 2 ? p1 : p2).ptr<double>() + k % 2;
+        const double* const from = (k < 2 ? p1 : p2).ptr<double>();
         input[k].resize(p1.rows);
         for (int i = 0; i < p1.rows; ++i)
-            input[k][i] = from[2 * i];
+            input[k][i] = from[2 * i + k % 2];
     }
 }
 
