@@ -122,21 +122,35 @@ Bounded modelError(const FuzzInput& input, const Bounded* M, const BoundedPoint&
     return squareRoot(symmetric ? r * r * (one / n1 + one / n2) : r * r / (n1 + n2));
 }
 
-//! Points of one image as the errors of the problem see them.
+/** Points of one image as the errors of the problem see them. What cv::undistortPoints makes of a point has no bound: then it gets
+the same doubles as the module's. */
 std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const Mat& camera, const Mat& distortion)
 {
     std::vector<BoundedPoint> result(points.size());
-    std::vector<Point2d> flat = points;
-    const bool distorted = !distortion.empty() && cv::countNonZero(distortion) > 0;
-    if (distorted && !points.empty())
-        cv::undistortPoints(points, flat, camera, distortion);
     for (size_t i = 0; i < points.size(); ++i)
     {
-        result[i].x = Bounded(flat[i].x);
-        result[i].y = Bounded(flat[i].y);
+        result[i].x = Bounded(points[i].x);
+        result[i].y = Bounded(points[i].y);
     }
-    if (camera.empty() || distorted)
+    if (camera.empty() || points.empty())
         return result;
+    if (!distortion.empty() && cv::countNonZero(distortion) > 0)
+    {
+        const Matx33d K(camera.ptr<double>()), rays = (K * (1 / K(2, 2))).inv();
+        std::vector<Point2d> flat(points.size());
+        for (size_t i = 0; i < points.size(); ++i)
+        {
+            const cv::Vec3d p = rays * cv::Vec3d(points[i].x, points[i].y, 1);
+            flat[i] = Point2d(p[0] / p[2], p[1] / p[2]);
+        }
+        cv::undistortPoints(flat, flat, Matx33d::eye(), distortion);
+        for (size_t i = 0; i < points.size(); ++i)
+        {
+            result[i].x = Bounded(flat[i].x);
+            result[i].y = Bounded(flat[i].y);
+        }
+        return result;
+    }
     Bounded K[9], inverse[9];
     for (int i = 0; i < 9; ++i)
         K[i] = Bounded(camera.at<double>(i / 3, i % 3));
@@ -144,6 +158,12 @@ std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const 
     for (size_t i = 0; i < points.size(); ++i)
         result[i] = project(inverse, result[i]);
     return result;
+}
+
+//! Mean of the two focal lengths, halved; a camera matrix may be a multiple of the one with 0 0 1 in its last row.
+double halfFocal(const Mat& K)
+{
+    return (std::abs(K.at<double>(0, 0) / K.at<double>(2, 2)) + std::abs(K.at<double>(1, 1) / K.at<double>(2, 2))) / 4;
 }
 
 bool finite(const Point2d& p)
@@ -156,8 +176,7 @@ std::string brokenMask(const FuzzInput& input, const Matx33d& model, const Mat& 
     const Mat& K1 = input.K1, &K2 = input.K2.empty() ? K1 : input.K2;
     Bounded limit(report.threshold, UNIT * report.threshold), M[9];
     if (input.problem == ESSENTIAL)
-        limit = limit / Bounded(std::abs(K1.at<double>(0, 0)) / 4 + std::abs(K1.at<double>(1, 1)) / 4 +
-                                std::abs(K2.at<double>(0, 0)) / 4 + std::abs(K2.at<double>(1, 1)) / 4);
+        limit = limit / Bounded(halfFocal(K1) + halfFocal(K2));
     for (int i = 0; i < 9; ++i)
         M[i] = Bounded(model.val[i]);
     const std::vector<BoundedPoint> points1 = imagePoints(input.points1, K1, input.d1);
@@ -237,8 +256,8 @@ int wrongCamera(const Mat& K)
 {
     if (K.empty())
         return 0;
-    const double *k = K.ptr<double>(), det = std::abs(cv::determinant(K)), scale = std::abs(k[0] * k[4]);
-    if (!cv::checkRange(K) || k[0] == 0 || k[4] == 0 || det == 0)
+    const double *k = K.ptr<double>(), det = std::abs(cv::determinant(K)), scale = std::abs(k[0] * k[4] * k[8]);
+    if (!cv::checkRange(K) || k[0] == 0 || k[4] == 0 || k[8] == 0 || k[6] != 0 || k[7] != 0)
         return 1;
     return det > 1e-10 * scale && det <= DBL_MAX && scale <= DBL_MAX ? 0 : -1;
 }
