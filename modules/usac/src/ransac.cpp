@@ -13,8 +13,8 @@ namespace usacv20 {
 namespace {
 
 enum { FIRST_BATCH = 8, LARGEST_BATCH = 256 };
-//! Smaller batches are not worth the threads: many runs end in the middle of one.
-const size_t PARALLEL_BATCH = 64;
+//! Smaller batches are not worth the threads: about a tenth of a millisecond for H, F and E.
+const size_t PARALLEL_BATCH[] = {256, 64, 16};
 //! Streams of random numbers beside those of the iterations.
 const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
@@ -52,7 +52,8 @@ void Ransac::run()
     while (!terminate())                                                                    // 2
     {
         drawBatch();                                                                        // 3
-        const bool first = state.iteration == 0, together = threads > 1 && samples.size() >= PARALLEL_BATCH;
+        const bool first = state.iteration == 0;
+        const bool together = threads > 1 && samples.size() >= PARALLEL_BATCH[context.points.problem];
         batch.resize(together ? samples.size() : 1);
         if (together)
             hypothesiseBatch();
