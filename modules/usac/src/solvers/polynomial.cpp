@@ -154,7 +154,7 @@ const double LOWEST = -1.0009765625, HIGHEST = 1.0007;
 //! Roots in (LOWEST, HIGHEST], between the roots of the derivative: slower than Sturm's sequence, but without its exceptions.
 int betweenExtrema(const Polynomial& p, double* roots)
 {
-    if (p.degree == 1)
+    if (p.degree <= 1)
     {
         roots[0] = -p.c[0] / p.c[1];
         return roots[0] > LOWEST && roots[0] <= HIGHEST;
