@@ -73,6 +73,8 @@ void Ransac::run()
                     if (!first)
                         improve(best);
                 }
+                else
+                    ++state.report.droppedModels;
         }
         if (first && best.sample)
             improve(best);
