@@ -128,7 +128,7 @@ void Ransac::hypothesiseBatch()
 void Ransac::hypothesise(int index, Hypotheses& h) const
 {
     const int* sample = samples[index].val;
-    h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = 0;
+    h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
     h.rejectedSample = false;
     for (size_t d = 0; d < parts.degeneracies.size(); ++d)                                  // 4
         h.rejectedSample |= !parts.degeneracies[d]->validSample(context, sample);
@@ -168,8 +168,10 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
             h.models[h.count] = models[k];
             h.qualities[h.count++] = rating.quality;
         }
+        else if (rating.refused)
+            h.costs[h.stopped++] = rating.costBefore;                                       // 11
         else
-            ++(rating.refused ? h.refused : h.dropped);                                     // 11
+            ++h.dropped;
     }
 }
 
@@ -232,6 +234,9 @@ void Ransac::account(const Hypotheses& h)
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
     report.droppedModels += h.dropped;
+    // Which of the two came first: the best model may be another one now than when a thread rated these.
+    for (int k = 0; k < h.stopped; ++k)
+        ++(h.costs[k] < state.sampleQuality.cost ? report.refusedModels : report.droppedModels);
     firstInliers += h.firstInliers;
     firstTested += h.firstTested;
     if (parts.verifier)

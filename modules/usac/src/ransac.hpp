@@ -21,6 +21,8 @@ struct Hypotheses
     bool rejectedSample;                   //!< by a check
     int computed, rejected, refused, dropped;  //!< models, for the report
     int firstInliers, firstTested;         //!< of their first blocks, for the verifier
+    int stopped;                           //!< models that the verifier dropped while they were rated
+    double costs[MAX_MODELS];              //!< theirs before their last block
 };
 
 //! A model that beats those of all samples before.

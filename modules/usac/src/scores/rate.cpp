@@ -58,6 +58,7 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
             position -= size;
         const int block = verifier ? std::max(1, std::min<int>(verifier->nextBlock(tested), BLOCK)) : (int)BLOCK;
         const int count = std::min(block, std::min(size - tested, size - position));
+        rating.costBefore = rating.quality.cost;
         judge.add(position, position + count, rating.quality);
         tested += count;
         if (rating.firstTested == 0)
@@ -78,7 +79,10 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
     const Correspondences& points = context.points;
     static const Ptr<Score> counter = createInlierScore();
     if (verifier && !rateBlocks(Judge(context, *counter, model), points.size, verifier, DBL_MAX, start, rating))
+    {
+        rating.costBefore = 0;  // that was the counter's
         return;
+    }
     static thread_local std::vector<float> errors;  // kept, as this is called for each model
     errors.resize(points.size);
     context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
@@ -92,7 +96,7 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
 
 Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start)
 {
-    Rating rating = {Quality(0, 0), false, false, 0, 0};
+    Rating rating = {Quality(0, 0), false, false, 0, 0, 0};
     const Score& score = *context.components.score;
     if (score.wholeModel())
         rateWhole(context, verifier, model, bound, start, rating);

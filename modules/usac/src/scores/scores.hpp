@@ -31,6 +31,7 @@ struct Rating
     bool refused;         //!< dropped by the verifier
     int firstInliers;     //!< inliers among
     int firstTested;      //!< the points of the first block
+    double costBefore;    //!< the last block that was looked at
 };
 
 /** Rates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points. After each block the
