@@ -4,9 +4,6 @@
 
 #include "test_contracts.hpp"
 
-#include <functional>
-#include <thread>
-
 namespace opencv_test { namespace {
 
 typedef UsacProblem UsacContracts;
@@ -60,89 +57,6 @@ TEST_P(UsacContracts, true_matches_are_found)
         }
         EXPECT_GT(found, 0.95 * within) << "seed " << seed;
     }
-}
-
-TEST_P(UsacContracts, same_bits_on_repeat_and_after_use_of_theRNG)
-{
-    const Scene scene = makeScene(problem());
-    Mat mask, again;
-    const Mat model = estimate(scene, Params(), mask);
-    ASSERT_FALSE(model.empty());
-    for (int i = 0; i < 10; ++i)
-    {
-        theRNG().state = 12345 + 77 * i;
-        theRNG().next();
-        const Mat other = estimate(scene, Params(), again);
-        EXPECT_TRUE(sameBits(model, other) && sameBits(mask, again)) << "repeat " << i;
-    }
-    setRNGSeed(99);
-    EXPECT_TRUE(sameBits(model, estimate(scene, Params(), again)));
-}
-
-TEST_P(UsacContracts, theRNG_is_not_used)
-{
-    const uint64 before = theRNG().state;
-    estimate(makeScene(problem()), Params());
-    EXPECT_EQ(before, theRNG().state);
-}
-
-struct Job
-{
-    void operator()() { model = estimate(*scene, params, mask); }
-
-    const Scene* scene;
-    Params params;
-    Mat model, mask;
-};
-
-TEST_P(UsacContracts, same_bits_in_several_threads_at_once)
-{
-    SceneOptions hard;
-    hard.outliers = 300;
-    hard.seed = 2;
-    const Scene scenes[2] = {makeScene(problem()), makeScene(problem(), hard)};
-    Mat masks[2], models[2];
-    for (int k = 0; k < 2; ++k)
-        models[k] = estimate(scenes[k], Params(), masks[k]);
-    std::vector<Job> jobs(8);
-    std::vector<std::thread> threads;
-    for (size_t i = 0; i < jobs.size(); ++i)
-    {
-        jobs[i].scene = &scenes[i % 2];
-        threads.push_back(std::thread(std::ref(jobs[i])));
-    }
-    for (size_t i = 0; i < jobs.size(); ++i)
-        threads[i].join();
-    for (size_t i = 0; i < jobs.size(); ++i)
-        EXPECT_TRUE(sameBits(models[i % 2], jobs[i].model) && sameBits(masks[i % 2], jobs[i].mask)) << "thread " << i;
-}
-
-TEST_P(UsacContracts, same_bits_with_any_number_of_threads)
-{
-    const int before = getNumThreads();
-    for (uint64 seed = 1; seed <= 3; ++seed)
-    {
-        SceneOptions options;
-        options.seed = seed;
-        options.outliers = 250;
-        const Scene scene = makeScene(problem(), options);
-        Mat mask, other;
-        Report report, otherReport;
-        const Mat model = estimate(scene, Params(), mask, &report);
-        const int threads[] = {0, 2, 3, 8};
-        for (int i = 0; i < 4; ++i)
-        {
-            SCOPED_TRACE(cv::format("seed %d, %d threads", (int)seed, threads[i]));
-            Params params;
-            params.threads = threads[i];
-            setNumThreads(i == 0 ? 2 : 4);
-            EXPECT_TRUE(sameBits(model, estimate(scene, params, other, &otherReport)));
-            EXPECT_TRUE(sameBits(mask, other));
-            EXPECT_EQ(report.iterations, otherReport.iterations);
-            EXPECT_EQ(report.stop, otherReport.stop);
-        }
-    }
-    setNumThreads(before);
 }
 
 TEST_P(UsacContracts, input_is_not_modified)

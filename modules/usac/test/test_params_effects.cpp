@@ -129,14 +129,20 @@ TEST_P(UsacEffects, seed)
 {
     const Scene scene = sceneOf(problem(), 150, 150);
     Params params;
-    std::set<std::vector<int> > sequences;
-    const int seeds[] = {0, 1, 2, -1, INT_MAX, INT_MIN};
-    for (int i = 0; i < 6; ++i)
+    params.scores.assign(scene.size(), 0.5f);
+    params.scoreOrder = SCORES_HIGHER_IS_BETTER;  // SAMPLER_IMPORTANCE needs them
+    for (params.sampler = SAMPLER_UNIFORM; params.sampler <= SAMPLER_IMPORTANCE; ++params.sampler)
     {
-        params.seed = seeds[i];
-        const std::vector<int> samples = samplesOf(scene, params);
-        EXPECT_TRUE(sequences.insert(samples).second) << "seed " << seeds[i];
-        EXPECT_EQ(samples, samplesOf(scene, params));
+        SCOPED_TRACE(cv::format("sampler %d", params.sampler));
+        std::set<std::vector<int> > sequences;
+        const int seeds[] = {0, 1, 2, -1, INT_MAX, INT_MIN};
+        for (int i = 0; i < 6; ++i)
+        {
+            params.seed = seeds[i];
+            const std::vector<int> samples = samplesOf(scene, params);
+            EXPECT_TRUE(sequences.insert(samples).second) << "seed " << seeds[i];
+            EXPECT_EQ(samples, samplesOf(scene, params));
+        }
     }
 }
 
