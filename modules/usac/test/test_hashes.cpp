@@ -1,0 +1,251 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "results.hpp"
+#include "real_set.hpp"
+#include "residuals/kernels.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <Eigen/Dense>
+
+// Hashes of the results of every preset on the sets of test_data/, against those of test_data/hashes.txt: no unnoticed change
+// of a result. After an intended one, all rows are written anew by
+//
+//     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
+//
+// The module's own arithmetic is that of IEEE 754, in an order that the source fixes, so compiler, optimisation and instruction
+// set change nothing. What it calls may differ in the last bit between machines: exp, log, pow, acos, cbrt .. of libm (glibc
+// itself takes others on a processor without FMA), cv::SVD of another OpenCV, the decompositions of another Eigen or with other
+// vectors. The file has a hash of some of their results, too. Where that is the same, the results have to be the same to
+// the bit. Elsewhere these rows are compared by the robust hash (mask, number of iterations, why they ended), and a few may
+// differ: a last bit decides where two models are as good as each other.
+
+namespace opencv_test { namespace {
+
+struct Row
+{
+    bool operator==(const Row& other) const
+    {
+        return name == other.name && exact == other.exact && robust == other.robust;
+    }
+
+    std::string name;
+    int iterations, inliers;  //!< for the reader of the file
+    uint64 robust, exact;
+};
+
+void PrintTo(const Row& row, std::ostream* os)
+{
+    *os << row.name << ", " << row.iterations << " iterations, " << row.inliers << " inliers, exact hash " << row.exact;
+}
+
+struct Table
+{
+    std::string kernels;
+    uint64 platform;
+    std::vector<Row> rows;
+};
+
+//! Results of the functions of other libraries that this module uses.
+uint64 platformHash()
+{
+    Hash hash;
+    RNG rng(1);
+    for (int i = 0; i < 1000; ++i)
+    {
+        const double x = rng.uniform(-1., 1.), y = rng.uniform(0., 10.), z = rng.uniform(-30., 0.), p = rng.uniform(0., 1.);
+        hash.number(std::exp(z)).number(std::log(y)).number(std::log1p(-p)).number(std::pow(y, 0.5 + p));
+        hash.number(std::tgamma(0.5 + y)).number(std::acos(x)).number(std::cbrt(y)).number(std::atan2(x, y));
+        hash.number(std::sin(4 * x)).number(std::cos(4 * x)).number(std::sqrt(y));
+    }
+    for (int i = 0; i < 100; ++i)
+    {
+        Matx33d M, U, Vt;
+        for (int k = 0; k < 9; ++k)
+            M.val[k] = rng.uniform(-1., 1.);
+        Vec3d w;
+        SVD::compute(M, w, U, Vt);
+        hash.add(Mat(w)).add(Mat(U)).add(Mat(Vt)).add(Mat(M.inv())).number(determinant(M));
+        const Eigen::Map<Eigen::Matrix3d> A(M.val);
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(A), Eigen::ComputeFullU | Eigen::ComputeFullV);
+        const Eigen::Matrix3d product = A.transpose() * A + Eigen::Matrix3d::Identity(), inverse = product.llt().solve(A);
+        hash.add(svd.matrixU().data(), 9 * sizeof(double)).add(svd.matrixV().data(), 9 * sizeof(double));
+        hash.add(inverse.data(), 9 * sizeof(double));
+    }
+    return hash.value();
+}
+
+//! Which loops over points this process uses.
+std::string kernelsInUse()
+{
+#ifdef USACV20_HAVE_AVX512
+    if (kernels().msac[0] == avx512Kernels().msac[0])
+        return "avx512";
+#endif
+#ifdef USACV20_HAVE_AVX2
+    if (kernels().msac[0] == avx2Kernels().msac[0])
+        return "avx2";
+#endif
+    return "baseline";
+}
+
+//! The presets, and each component that none of them has.
+std::vector<NamedPreset> hashedParams(const RealSet& set)
+{
+    std::vector<NamedPreset> all = allPresets();
+    const char* names[] = {"scores", "seed", "knn", "radius", "napsac", "importance", "tdd", "symmetric", "unpolished"};
+    for (int i = 0; i < 9; ++i)
+    {
+        const NamedPreset preset = {names[i], Params()};
+        all.push_back(preset);
+    }
+    NamedPreset* other = &all[all.size() - 9];
+    other[0].params.scores = set.scores;
+    other[1].params.seed = 1;
+    other[2].params.neighbourhood = NEIGHBOURHOOD_KNN;
+    other[3].params.neighbourhood = NEIGHBOURHOOD_RADIUS;
+    other[4].params.sampler = SAMPLER_NAPSAC;
+    other[5].params.sampler = SAMPLER_IMPORTANCE;
+    other[5].params.scoreOrder = SCORES_HIGHER_IS_BETTER;
+    for (size_t i = 0; i < set.scores.size(); ++i)
+        other[5].params.scores.push_back(std::max(1 - set.scores[i], 0.f));
+    other[6].params = Params::msac();
+    other[6].params.verification = VERIFICATION_TDD;
+    other[7].params.residual = RESIDUAL_SYMMETRIC;
+    other[8].params.polishing = POLISHING_NONE;
+    return all;
+}
+
+void addRows(const std::string& name, double threshold, std::vector<Row>& rows)
+{
+    const RealSet set = RealSet(name).sorted();
+    const std::vector<NamedPreset> all = hashedParams(set);
+    for (size_t i = 0; i < all.size(); ++i)
+    {
+        Params params = all[i].params;
+        params.threshold = threshold;
+        params.maxIterations = 1000;
+        Result result;
+        result.model = set.estimateWith(params, result.mask, result.report);
+        const Row row = {name + ":" + all[i].name, result.report.iterations, result.report.inliers, result.robust(), result.exact()};
+        rows.push_back(row);
+    }
+}
+
+Table makeTable()
+{
+    Table table;
+    table.kernels = kernelsInUse();
+    table.platform = platformHash();
+    addRows("graf", 2, table.rows);
+    addRows("aloe", 1, table.rows);
+    addRows("office12_F", 1, table.rows);
+    addRows("office01_E", 1, table.rows);
+    return table;
+}
+
+//! That of this process.
+const Table& ownTable()
+{
+    static const Table table = makeTable();
+    return table;
+}
+
+void writeTable(const Table& table, const std::string& file)
+{
+    std::ofstream out(file.c_str());
+    out << "# made by test_hashes.cpp: set:parameters, iterations, inliers, robust hash, exact hash\n";
+    out << "kernels " << table.kernels << "\nplatform " << cv::format("%016llx", (unsigned long long)table.platform) << "\n";
+    for (size_t i = 0; i < table.rows.size(); ++i)
+    {
+        const Row& row = table.rows[i];
+        out << row.name << cv::format(" %d %d %016llx %016llx\n", row.iterations, row.inliers, (unsigned long long)row.robust,
+                                      (unsigned long long)row.exact);
+    }
+    out.close();
+    ASSERT_TRUE(out.good()) << "cannot write " << file;
+}
+
+Table readTable(const std::string& file)
+{
+    std::ifstream in(file.c_str());
+    EXPECT_TRUE(in.good()) << "cannot read " << file;
+    Table table;
+    std::string line, key;
+    std::getline(in, line);
+    in >> key >> table.kernels >> key >> std::hex >> table.platform;
+    Row row;
+    while (in >> row.name >> std::dec >> row.iterations >> row.inliers >> std::hex >> row.robust >> row.exact)
+        table.rows.push_back(row);
+    return table;
+}
+
+TEST(Usac_Hashes, stored)
+{
+    const Table& table = ownTable();
+    const char* written = std::getenv("USAC_WRITE_HASHES");
+    if (written && *written)
+    {
+        writeTable(table, written);
+        return;
+    }
+    const Table stored = readTable(std::string(USAC_TEST_DATA_DIR) + "/hashes.txt");
+    ASSERT_EQ(stored.rows.size(), table.rows.size());
+    const bool samePlatform = stored.platform == table.platform;
+    size_t differ = 0;
+    for (size_t i = 0; i < table.rows.size(); ++i)
+    {
+        EXPECT_EQ(stored.rows[i].name, table.rows[i].name);
+        if (samePlatform)
+        {
+            EXPECT_EQ(stored.rows[i], table.rows[i]);
+        }
+        differ += stored.rows[i].robust != table.rows[i].robust;
+    }
+    EXPECT_LE(differ, samePlatform ? 0 : table.rows.size() / 10) << "of " << table.rows.size() << " rows differ in their robust hash";
+}
+
+#ifndef _WIN32  // the other processes are started by a POSIX shell
+
+//! The table of another process of this program, in which features of the processor are not used.
+Table tableWithout(const std::string& features)
+{
+    const std::string file = tempfile(".txt");
+    const std::string program = testing::internal::GetArgvs()[0];
+    const std::string command =
+        "env -u GTEST_OUTPUT -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX OPENCV_CPU_DISABLE='" + features + "' USAC_WRITE_HASHES='" +
+        file + "' '" + program + "' --gtest_filter=Usac_Hashes.stored > /dev/null 2>&1";
+    EXPECT_EQ(0, std::system(command.c_str())) << command;
+    const Table table = readTable(file);
+    std::remove(file.c_str());
+    return table;
+}
+
+//! OPENCV_CPU_DISABLE is read at the start of a process. It rules the code of OpenCV that is called, too.
+TEST(Usac_Hashes, every_instruction_set)
+{
+    const Table& table = ownTable();
+    std::string second = "baseline";
+#ifdef USACV20_HAVE_AVX2
+    if (checkHardwareSupport(CV_CPU_AVX2))
+        second = "avx2";
+#endif
+    const std::string features[] = {"AVX512F", "AVX512F,AVX512-SKX,AVX2", "AVX512F,AVX512-SKX,AVX2,FMA3,AVX,FP16,SSE4.2,SSE4.1,SSSE3,POPCNT"};
+    for (int i = 0; i < 3; ++i)
+    {
+        SCOPED_TRACE("without " + features[i]);
+        const Table other = tableWithout(features[i]);
+        EXPECT_EQ(i == 0 ? second : "baseline", other.kernels);
+        ASSERT_EQ(table.rows.size(), other.rows.size());
+        EXPECT_EQ(table.platform, other.platform);
+        for (size_t r = 0; r < table.rows.size(); ++r)
+            EXPECT_EQ(table.rows[r], other.rows[r]);
+    }
+}
+
+#endif
+
+}} // namespace
