@@ -1,0 +1,203 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+#include "process_memory.hpp"
+
+// Many points, and many calls. Times are printed with --test_debug, and not compared with anything.
+
+namespace opencv_test { namespace {
+
+Scene largeScene(ProblemType problem, int size)
+{
+    SceneOptions options;
+    options.setSize(size, 0.5);
+    return makeScene(problem, options);
+}
+
+//! What one estimation cost.
+struct Cost
+{
+    Report report;
+    double bytes, milliseconds;  //!< bytes beyond the input
+};
+
+Cost costOf(const Scene& scene, const Params& params)
+{
+    Cost cost;
+    Mat mask;
+    const PeakMemory peak;
+    const int64 start = getTickCount();
+    const Mat model = estimate(scene, params, mask, &cost.report);
+    cost.milliseconds = (getTickCount() - start) / getTickFrequency() * 1e3;
+    cost.bytes = peak.bytes();
+    EXPECT_LT(modelError(scene, model), 0.1);
+    EXPECT_EQ(countNonZero(mask), cost.report.inliers);
+    EXPECT_GT(cost.report.inliers, 0.44 * scene.size());
+    if (cvtest::debugLevel > 0)
+        printf("%s, %7d points: %8.1f ms (setup %.1f, search %.1f, local %.1f, end %.1f), %6.1f MB, %3.0f bytes a point, %d iterations\n",
+               nameOf(scene.problem), scene.size(), cost.milliseconds, cost.report.setupMs, cost.report.searchMs, cost.report.localMs,
+               cost.report.polishMs, cost.bytes / 1e6, cost.bytes / scene.size(), cost.report.iterations);
+    return cost;
+}
+
+typedef UsacProblem UsacScale;
+INSTANTIATE_TEST_CASE_P(/**/, UsacScale, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+
+TEST_P(UsacScale, million_points)
+{
+    const double BYTES = 300;  // a point; about 200 are needed
+    const bool measurable = memoryIsMeasurable();
+    int iterations = 0, localOptimizations = 0;
+    for (int size = 10000; size <= 1000000; size *= 10)
+    {
+        SCOPED_TRACE(cv::format("%d points", size));
+        const Cost cost = costOf(largeScene(problem(), size), Params());
+        if (measurable && size >= 100000)
+        {
+            EXPECT_LE(cost.bytes, BYTES * size);
+        }
+        if (size == 10000)
+        {
+            iterations = cost.report.iterations;
+            localOptimizations = cost.report.localOptimizations;
+        }
+        EXPECT_LE(cost.report.iterations, 2 * iterations + 100) << "the samples do not grow with the points";
+        EXPECT_LE(cost.report.localOptimizations, 2 * localOptimizations + 10);
+    }
+}
+
+//! Counts the points whose errors are asked for; no fused kernel goes round it.
+class CountingResidual : public Residual
+{
+public:
+    explicit CountingResidual(const Ptr<Residual>& residual_) : count(0), residual(residual_) {}
+
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end, float* errors) const CV_OVERRIDE
+    {
+        count += end - begin;
+        residual->squaredErrors(points, model, begin, end, errors);
+    }
+
+    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2, int size,
+                       double* errors) const CV_OVERRIDE
+    {
+        count += size;
+        residual->squaredErrors(model, x1, y1, x2, y2, size, errors);
+    }
+
+    mutable double count;
+
+private:
+    const Ptr<Residual> residual;
+};
+
+//! Counts the points that models are fitted to.
+class CountingSolver : public NonMinimalSolver
+{
+public:
+    explicit CountingSolver(const Ptr<NonMinimalSolver>& solver_) : count(0), solver(solver_) {}
+
+    bool fit(const Correspondences& points, const int* indices, int size, const double* weights, Model& model,
+             int iterations) const CV_OVERRIDE
+    {
+        count += size;
+        return solver->fit(points, indices, size, weights, model, iterations);
+    }
+
+    mutable double count;
+
+private:
+    const Ptr<NonMinimalSolver> solver;
+};
+
+//! How often each point is looked at.
+double workPerPoint(ProblemType problem, const NamedPreset& preset, int size)
+{
+    Params params = preset.params;
+    params.threads = 1;
+    const Scene scene = largeScene(problem, size);
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<CountingResidual> residual = makePtr<CountingResidual>(usac->components().residual);
+    const Ptr<CountingSolver> solver = makePtr<CountingSolver>(usac->components().nonMinimalSolver);
+    usac->components().residual = residual;
+    usac->components().nonMinimalSolver = solver;
+    EXPECT_FALSE(usac->run().empty());
+    if (cvtest::debugLevel > 0)
+        printf("%s, %s, %d points: each is rated %.1f times, and fitted to %.1f times\n", nameOf(problem), preset.name, size,
+               residual->count / size, solver->count / size);
+    return (residual->count + solver->count) / size;
+}
+
+TEST_P(UsacScale, work_is_linear)
+{
+    const std::vector<NamedPreset> presets = allPresets();
+    for (size_t p = 0; p < presets.size(); ++p)
+    {
+        if (presets[p].params.termination & TERMINATION_PROSAC)
+            continue;  // which waits until its subset has grown: the samples, not the work of one, depend on N
+        const double few = workPerPoint(problem(), presets[p], 1000), many = workPerPoint(problem(), presets[p], 10000);
+        EXPECT_LT(many, 3 * few) << presets[p].name;
+    }
+}
+
+//! Whatever the neighbours are; in the coarsest layer of a radius all points are neighbours of all.
+TEST_P(UsacScale, memory_of_every_neighbourhood)
+{
+    if (!memoryIsMeasurable())
+        throw SkipTestException("the memory of the process is not measurable");
+    const Scene scene = largeScene(problem(), 30000);
+    for (int type = NEIGHBOURHOOD_GRID; type <= NEIGHBOURHOOD_RADIUS; ++type)
+    {
+        SCOPED_TRACE(cv::format("neighbourhood %d", type));
+        Params params;
+        params.neighbourhood = type;
+        EXPECT_LE(costOf(scene, params).bytes, 600. * scene.size());
+    }
+}
+
+//! One call after the other, of all problems and presets.
+void manyCalls(int count)
+{
+    std::vector<Scene> scenes;
+    SceneOptions options;
+    options.inliers = 40;
+    options.outliers = 10;
+    for (int problem = HOMOGRAPHY; problem <= ESSENTIAL; ++problem)
+        scenes.push_back(makeScene((ProblemType)problem, options));
+    const std::vector<NamedPreset> presets = allPresets();
+    const int warmUp = 500;
+    double before = 0;
+    for (int i = 0; i < warmUp + count; ++i)
+    {
+        if (i == warmUp)
+            before = residentBytes();
+        Params params = presets[i % presets.size()].params;
+        params.maxIterations = 50;
+        params.seed = i;
+        Mat mask;
+        estimate(scenes[i % scenes.size()], params, mask);
+    }
+    const double growth = residentBytes() - before;
+    if (cvtest::debugLevel > 0)
+        printf("%d calls: %.0f bytes more in memory than before, %.1f MB\n", count, growth, before / 1e6);
+    if (memoryIsMeasurable())
+    {
+        EXPECT_LE(growth, 1e6);
+    }
+}
+
+TEST(Usac_Scale, five_thousand_calls)
+{
+    manyCalls(5000);
+}
+
+//! Run with --gtest_filter=*hundred_thousand_calls* --test_tag_enable=verylong.
+TEST(Usac_Scale, hundred_thousand_calls)
+{
+    applyTestTag(CV_TEST_TAG_VERYLONG);
+    manyCalls(100000);
+}
+
+}} // namespace
