@@ -16,7 +16,7 @@ Params Params::fast()
 {
     Params params;
     params.relaxation = 0.25;
-    params.localIterations = 2;
+    params.localIterations = 1;
     params.localSamples = 0;
     params.spatialWeight = 0;
     return params;
