@@ -135,7 +135,7 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
     if (h.rejectedSample)
         return;                                                                             // 5
     Model models[MAX_MODELS];
-    h.computed = parts.minimalSolver->solve(context.points, sample, models);              // 6
+    h.computed = parts.minimalSolver->solve(context.points, sample, models);                // 6
     Rng rotation(context.params.seed, ROTATION_STREAM + firstOfBatch + index);
     for (int k = 0; k < h.computed; ++k)                                                    // 7
     {
@@ -182,7 +182,7 @@ void Ransac::improve(const Candidate& candidate)
     Model model = candidate.model;
     Quality quality = candidate.quality;
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
-    if (!recover(candidate.sample->val, model, quality))                                                   // 14
+    if (!recover(candidate.sample->val, model, quality))                                    // 14
         return;                                                                             // 15, 16
     if (parts.localOptimizer)
         optimize(model, quality);                                                           // 19 - 24

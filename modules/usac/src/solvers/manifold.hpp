@@ -42,7 +42,8 @@ public:
     Model model() const;
 
 private:
-    /** Householder's reflection I - factor v v^T that takes the axis of h33 to h or -h. It takes the other axes to the complement of h. */
+    /** Householder's reflection I - factor v v^T that takes the axis of h33 to h or -h. It takes the other axes to the
+    complement of h. */
     double reflection(Eigen::Matrix<double, 9, 1>& v) const
     {
         v = h;
