@@ -111,14 +111,14 @@ run_coverage()
     build_with coverage usac_tests g++ "--coverage -O0 -fprofile-update=atomic" || return 1
     cd "$tools/coverage"
     find . -name '*.gcda' -delete
-    ./usac_tests || return 1
+    ./usac_tests && rc=0 || rc=1
     options="--rc lcov_branch_coverage=1 --rc geninfo_no_exception_branch=1 --quiet"
     lcov $options --capture --directory CMakeFiles/usac_objects.dir --output-file all.info &&
     lcov $options --extract all.info "$module/src/*" --output-file src.info &&
     genhtml --quiet --branch-coverage --output-directory html src.info > /dev/null &&
     echo "lines that no test reaches:" &&
     awk -F '[:,]' '/^SF:/ { file = $2 } /^DA:/ && $3 == 0 { print file ":" $2 }' src.info | sed "s|^$module/||" &&
-    lcov --rc lcov_branch_coverage=1 --summary src.info 2>&1
+    lcov --rc lcov_branch_coverage=1 --summary src.info 2>&1 && return $rc
 }
 
 needs()  # what the modes of the command line need beyond run_tests.sh
