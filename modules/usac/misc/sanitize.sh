@@ -130,6 +130,12 @@ needs()  # what the modes of the command line need beyond run_tests.sh
 }
 
 [ $# -gt 0 ] || set -- asan tsan assertions valgrind fuzz lint coverage
+for mode in "$@"; do
+    case $mode in
+    asan | tsan | assertions | valgrind | fuzz | lint | coverage | [0-9]*) ;;
+    *) echo "unknown mode: $mode"; exit 1 ;;
+    esac
+done
 install_packages $(needs "$@")
 mkdir -p "$tools"
 if [ -n "${OPENCV_BUILD_DIR:-}" ]; then
@@ -154,7 +160,7 @@ while [ $# -gt 0 ]; do
         case ${1:-} in [0-9]*) seconds=$1; shift ;; esac
         run fuzz "$count_passed" "$count_failed" run_fuzz "$seconds" ;;
     *)
-        echo "unknown mode: $mode"
+        echo "seconds belong to fuzz, not $mode"
         failed=$((failed + 1)) ;;
     esac
 done
