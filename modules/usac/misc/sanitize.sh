@@ -71,8 +71,7 @@ run_valgrind()
 {
     build_with assertions usac_tests g++ -D_GLIBCXX_ASSERTIONS &&
     tests_of assertions valgrind --error-exitcode=1 --leak-check=full \
-        --errors-for-leak-kinds=definite --suppressions="$module/misc/sanitize/valgrind.supp" \
-        ./usac_tests --gtest_filter="$valgrind_tests"
+        --errors-for-leak-kinds=definite ./usac_tests --gtest_filter="$valgrind_tests"
 }
 
 # Once over the kept inputs, then new ones. The inputs that reach new code stay in `corpus` for the next time; one that breaks
