@@ -292,7 +292,8 @@ class CV_EXPORTS Termination
 {
 public:
     virtual ~Termination();
-    //! Number of samples after which the run can stop, given the best model so far. INT_MAX: not yet known.
+    //! Number of samples after which the run can stop, given the best model so far. INT_MAX: not yet known. Asked when the best
+    //! model changes, and when the verifier begins another of `state.tests`.
     virtual int iterations(const Context& context, const State& state) const = 0;
     //! @ref StopReason. Default #STOP_CUSTOM.
     virtual int reason() const;

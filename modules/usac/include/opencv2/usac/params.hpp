@@ -208,7 +208,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
     /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers would have been found, and
-    whose local optimisation has no graph cut, no inner samples and at most two alternations. */
+    whose local optimisation has no graph cut, no inner samples and one round. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with the standard termination, up to ten alternations of ten inner samples in
     the local optimisation. */
