@@ -22,6 +22,7 @@ Run Meter::measure(Method& method, const ImagePair& pair, Settings settings, int
         method.run(pair, estimate);
         run.cpuMs = watch.cpuMs();
         run.wallMs = watch.wallMs();
+        method.tell(pair, estimate);
     }
     catch (const std::exception& error)
     {

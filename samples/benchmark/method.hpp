@@ -49,6 +49,8 @@ public:
     virtual void prepare(const ImagePair& pair, const Settings& settings) = 0;
     //! The call that is measured.
     virtual void run(const ImagePair& pair, Estimate& estimate) = 0;
+    //! Adds what the method tells of its last run; outside of the time measured.
+    virtual void tell(const ImagePair&, Estimate&) {}
 
 private:
     std::string label;

@@ -94,14 +94,22 @@ void ModuleMethod::prepare(const ImagePair& pair, const Settings& settings)
 
 void ModuleMethod::run(const ImagePair& pair, Estimate& estimate)
 {
-    cv::usacv20::Report report;
     if (problem == cv::usacv20::HOMOGRAPHY)
-        estimate.model = cv::usacv20::estimateHomography(pair.points1, pair.points2, params, estimate.mask, report);
+        estimate.model = cv::findHomography(pair.points1, pair.points2, estimate.mask, params);
     else if (problem == cv::usacv20::FUNDAMENTAL)
-        estimate.model = cv::usacv20::estimateFundamental(pair.points1, pair.points2, params, estimate.mask, report);
+        estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, estimate.mask, params);
     else
-        estimate.model = cv::usacv20::estimateEssential(pair.points1, pair.points2, pair.K1, pair.K2, cv::noArray(),
-                                                        cv::noArray(), params, estimate.mask, report);
+        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2, cv::noArray(), cv::noArray(),
+                                              estimate.mask, params);
+}
+
+void ModuleMethod::tell(const ImagePair& pair, Estimate& estimate)
+{
+    cv::usacv20::Report report;
+    cv::Ptr<cv::usacv20::Usac> usac = cv::usacv20::Usac::create(problem, pair.points1, pair.points2, params, pair.K1, pair.K2);
+    cv::Mat mask, model = usac->run(mask, &report);
+    if (model.empty() != estimate.model.empty() || (!model.empty() && cv::norm(model, estimate.model, cv::NORM_INF) != 0))
+        throw std::runtime_error("the same call gave another model");
     estimate.iterations = report.iterations;
 }
 

@@ -11,8 +11,8 @@ namespace benchmark {
 
 /** A flag or a preset of this module.
 
-A flag is run through its cv::usacv20::Params, because the function with the flag takes no seed and returns no report;
-the estimate is the same. With scores and a preset that relies on the order of the points, the scores give the order. */
+A flag is run through its cv::usacv20::Params, because the function with the flag takes no seed; the estimate and the time
+are the same. The report comes from a second run, which must give the same model. With scores and a preset that relies on the order of the points, the scores give the order. */
 class ModuleMethod : public Method
 {
 public:
@@ -22,6 +22,7 @@ public:
     bool solves(ProblemType) const CV_OVERRIDE { return true; }
     void prepare(const ImagePair& pair, const Settings& settings) CV_OVERRIDE;
     void run(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
+    void tell(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
 
     //! Those of the run that is prepared.
     const cv::usacv20::Params& parameters() const { return params; }

@@ -138,17 +138,15 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
                      InputArray cameraMatrix2, InputArray distCoeffs2, UsacV20Method method, double prob,
                      double threshold, OutputArray mask)
 {
-    usacv20::Report report;
-    return usacv20::estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2,
-                                      paramsOf(method, threshold, prob, 1000), mask, report);
+    return findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, mask,
+                            paramsOf(method, threshold, prob, 1000));
 }
 
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray cameraMatrix2,
                      InputArray distCoeffs1, InputArray distCoeffs2, OutputArray mask, const Params& params)
 {
-    usacv20::Report report;
-    return usacv20::estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, params,
-                                      mask, report);
+    return usacv20::Usac::create(usacv20::ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1,
+                                 distCoeffs2)->run(mask);
 }
 
 } // namespace cv
