@@ -105,48 +105,86 @@ void announceMemory(int points)
     fastFree(fastMalloc(std::min<size_t>((size_t)points * BYTES_OF_POINT + BYTES_OF_CALL, LARGEST)));
 }
 
-double median(std::vector<double>& values)
+double median(double* values, int count)
 {
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
+    std::nth_element(values, values + count / 2, values + count);
+    return values[count / 2];
 }
 
 //! Median of values and median of their distances from it, but for those that are equal to it.
 void medianFrame(const double* values, int count, double& centre, double& deviation)
 {
-    std::vector<double> copy(values, values + count), distances;
-    centre = median(copy);
+    AutoBuffer<double> buffer(count);
+    double* const copy = buffer.data();
+    std::copy(values, values + count, copy);
+    centre = median(copy, count);
+    int others = 0;
     for (int i = 0; i < count; ++i)
         if (values[i] != centre)
-            distances.push_back(std::abs(values[i] - centre));
-    deviation = distances.empty() ? 0 : median(distances);
+            copy[others++] = std::abs(values[i] - centre);
+    deviation = others > 0 ? median(copy, others) : 0;
 }
 
-//! Sums are kept in so many parts, which do not wait for each other.
+//! Sums and extremes are kept in so many parts, which do not wait for each other.
 enum { LANES = 4 };
 
-/** Centre and mean deviation of values in random order. Mean values where the data are sane, medians where points lie so
-far out that they would dominate the means: single points, or so many of the first ones that most points are next to nothing. */
-void robustFrame(const double* values, int count, double& centre, double& deviation)
+double sumOf(const double* lanes)
 {
-    enum { SAMPLE = 101 };
-    centre = deviation = 0;
+    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+double meanAndExtremes(const double* values, int count, double& lowest, double& highest)
+{
+    const double part = 1. / count;  // of each, as the sum may be too large
+    double sums[LANES] = {0}, low[LANES], high[LANES];
+    std::fill(low, low + LANES, values[0]);
+    std::fill(high, high + LANES, values[0]);
+    const int whole = count - count % LANES;
+    for (int i = 0; i < whole; i += LANES)
+        for (int k = 0; k < LANES; ++k)
+        {
+            const double value = values[i + k];
+            sums[k] += value * part;
+            low[k] = value < low[k] ? value : low[k];
+            high[k] = value > high[k] ? value : high[k];
+        }
+    for (int i = whole; i < count; ++i)
+    {
+        sums[0] += values[i] * part;
+        low[0] = std::min(low[0], values[i]);
+        high[0] = std::max(high[0], values[i]);
+    }
+    lowest = *std::min_element(low, low + LANES);
+    highest = *std::max_element(high, high + LANES);
+    return sumOf(sums);
+}
+
+double meanDistance(const double* values, int count, double centre)
+{
+    const double part = 1. / count;
+    double sums[LANES] = {0};
+    const int whole = count - count % LANES;
+    for (int i = 0; i < whole; i += LANES)
+        for (int k = 0; k < LANES; ++k)
+            sums[k] += std::abs(values[i + k] - centre) * part;
+    for (int i = whole; i < count; ++i)
+        sums[0] += std::abs(values[i] - centre) * part;
+    return sumOf(sums);
+}
+
+/** Centre and mean deviation of values in random order, and their range. Mean values where the data are sane, medians where points
+lie so far out that they would dominate the means: single points, or so many of the first ones that most points are next to nothing. */
+void robustFrame(const double* values, int count, double& centre, double& deviation, double& low, double& high)
+{
+    enum { SAMPLE = 31 };
+    centre = deviation = low = high = 0;
     if (count == 0)
         return;
-    const double part = 1. / count;
-    double sums[LANES] = {0}, deviations[LANES] = {0}, largest = 0;
-    for (int i = 0; i < count; ++i)
-        sums[i % LANES] += values[i] * part;
-    centre = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-    for (int i = 0; i < count; ++i)
-    {
-        const double d = std::abs(values[i] - centre);
-        deviations[i % LANES] += d * part;
-        largest = d > largest ? d : largest;
-    }
-    deviation = (deviations[0] + deviations[1]) + (deviations[2] + deviations[3]);
+    centre = meanAndExtremes(values, count, low, high);
+    deviation = meanDistance(values, count, centre);
     double sampleCentre, sampleDeviation;
     medianFrame(values, std::min<int>(count, SAMPLE), sampleCentre, sampleDeviation);
+    const double largest = std::max(high - centre, centre - low);
     if (!(largest <= 20 * deviation) || (sampleDeviation > 0 && deviation > 100 * sampleDeviation))
         medianFrame(values, count, centre, deviation);
 }
@@ -239,9 +277,9 @@ void ProblemData::shuffle(const Params& params)
 /** Moves H and F to the centre and to unit scale; E keeps the scale that its constraints need. */
 void ProblemData::scale(const Params& params)
 {
-    double s[2] = {1, 1};
+    double s[2] = {1, 1}, low[4], high[4];
     for (int k = 0; k < 4; ++k)
-        robustFrame(doubles.ptr<double>(k), view.size, centre[k], deviation[k]);
+        robustFrame(doubles.ptr<double>(k), view.size, centre[k], deviation[k], low[k], high[k]);
     if (view.problem != ESSENTIAL)
     {
         for (int image = 0; image < 2; ++image)
@@ -255,18 +293,16 @@ void ProblemData::scale(const Params& params)
     for (int k = 0; k < 4; ++k)
     {
         const double shift = view.problem == ESSENTIAL ? 0 : centre[k], factor = s[k / 2];
-        double low = DBL_MAX, high = -DBL_MAX, *from = doubles.ptr<double>(k);
-        float* to = floats.ptr<float>(k);
+        double* const values = doubles.ptr<double>(k);
+        float* const single = floats.ptr<float>(k);
         for (int i = 0; i < view.size; ++i)
         {
-            from[i] = (from[i] - shift) * factor;
-            to[i] = (float)from[i];
-            low = from[i] < low ? from[i] : low;
-            high = from[i] > high ? from[i] : high;
+            values[i] = (values[i] - shift) * factor;
+            single[i] = (float)values[i];
         }
         const double middle = (centre[k] - shift) * factor, reach = 5 * deviation[k] * factor;
-        view.lower[k] = (float)std::max(low, middle - reach);
-        view.upper[k] = (float)std::min(high, middle + reach);
+        view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
+        view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }
     view.T1 = view.T2 = Matx33d::eye();
     if (view.problem != ESSENTIAL)

@@ -7,6 +7,7 @@
 #include "degeneracy/epipole.hpp"
 #include "degeneracy/share_a_point.hpp"
 #include "residuals/formulas.hpp"
+#include "residuals/kernels.hpp"
 #include "solvers/solvers.hpp"
 #include "termination/termination.hpp"
 
@@ -61,8 +62,10 @@ public:
     }
 
 private:
-    //! Most points off the plane that are drawn from, in pairs; most triples and points of the test of the inliers, and of its beginning.
-    enum { MAX_PAIRS = 300, MAX_TRIPLES = 20, MAX_TESTED = 200, FIRST_TESTED = 20, MAX_FIT = 256 };
+    //! Most pairs of points off the plane that are drawn, and points there that judge them.
+    enum { MAX_PAIRS = 300, MAX_TESTED = 200 };
+    //! Most triples and points of the test of the inliers, and points of the fit of a plane.
+    enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, MAX_FIT = 256 };
 
     //! True if the plane is the last one that was dealt with: what was found then would be found again.
     bool isKnown(const Correspondences& p, const Matx33d& H, const int* sample) const
@@ -155,13 +158,15 @@ private:
         Vec3d e;
         Matx33d A;
         inliers.clear();
-        for (int i = 0; i < p.size && (int)inliers.size() < MAX_TESTED; ++i)
+        for (int i = 0; i < p.size && (int)inliers.size() < MAX_INLIERS; ++i)
             if (SampsonError::squared(F.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]) <= p.threshold * p.threshold)
                 inliers.push_back(i);
         const int count = (int)inliers.size();
         if (count < 8 || !epipolar(F, e, A))
             return false;
-        const int first = std::min<int>(count, FIRST_TESTED);
+        Correspondences tested = p;
+        float coordinates[4][MAX_INLIERS];
+        gather(coordinates, tested);
         int most = count / 2;
         bool found = false;
         for (int t = 0; t < MAX_TRIPLES; ++t)
@@ -173,9 +178,7 @@ private:
             Matx33d candidate;
             if (!planeOf(p, triple, A, e, candidate))
                 continue;
-            if (4 * mapped(p, candidate, inliers.data(), first) < first)  // improbably few for half of all
-                continue;
-            const int support = mapped(p, candidate, inliers.data(), count);
+            const int support = mapped(tested, candidate);
             if (support > most)
             {
                 most = support;
@@ -184,6 +187,29 @@ private:
             }
         }
         return found;
+    }
+
+    //! Lays the inliers out side by side for mapped().
+    void gather(float (*coordinates)[MAX_INLIERS], Correspondences& points) const
+    {
+        const float* const from[4] = {points.x1, points.y1, points.x2, points.y2};
+        for (int k = 0; k < 4; ++k)
+            for (size_t i = 0; i < inliers.size(); ++i)
+                coordinates[k][i] = from[k][inliers[i]];
+        points.size = (int)inliers.size();
+        points.x1 = coordinates[0];
+        points.y1 = coordinates[1];
+        points.x2 = coordinates[2];
+        points.y2 = coordinates[3];
+    }
+
+    static int mapped(const Correspondences& p, const Matx33d& H)
+    {
+        float m[9];
+        toFloat(H, m);
+        Quality sum(0, 0);
+        kernels().inliers[Residual::TRANSFER](p, m, (float)limit(p), 0, p.size, sum);
+        return sum.inliers;
     }
 
     static double error(const Correspondences& p, const Matx33d& H, int i)

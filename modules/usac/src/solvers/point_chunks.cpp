@@ -11,7 +11,8 @@ namespace usacv20 {
 PointChunks::PointChunks(const Correspondences& points, const int* indices, int count, const double* weights)
     : chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK)
 {
-    rows.allocate((size_t)std::max(chunks, 1) * ROWS * SUMS_CHUNK);
+    CV_DbgAssert(count > 0);
+    rows.allocate((size_t)chunks * ROWS * SUMS_CHUNK);
     for (int c = 0; c < chunks; ++c)
     {
         Row* const chunk = (Row*)rows.data() + c * ROWS;
@@ -33,7 +34,6 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
 void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const
 {
     double lanes[EPIPOLAR_SUMS][SUMS_LANES];
-    std::fill(lanes[0], lanes[count], 0.);
     for (int c = 0; c < chunks; ++c)
     {
         const Row* chunk = (const Row*)rows.data() + c * ROWS;
@@ -45,7 +45,7 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool sw
             std::memcpy(exchanged + 4, chunk + 4, sizeof(Row));
             chunk = exchanged;
         }
-        kernel(chunk, model, lanes);
+        kernel(chunk, model, c == 0, lanes);
     }
     for (int i = 0; i < count; ++i)
     {

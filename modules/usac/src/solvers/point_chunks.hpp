@@ -15,7 +15,7 @@ namespace usacv20 {
 class PointChunks
 {
 public:
-    //! `weights` may be null for ones.
+    //! At least one point; `weights` may be null for ones.
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights);
 
     //! The first `count` sums of a kernel over all chunks. `swapped`: images 1 and 2 change roles.
@@ -23,7 +23,7 @@ public:
 
 private:
     typedef double Row[SUMS_CHUNK];
-    enum { ROWS = 5, LOCAL_CHUNKS = 8 };
+    enum { ROWS = 5, LOCAL_CHUNKS = 16 };
 
     AutoBuffer<double, ROWS * SUMS_CHUNK * LOCAL_CHUNKS> rows;  //!< #ROWS rows a chunk
     int chunks;

@@ -11,26 +11,35 @@ namespace usacv20 {
 
 double NoiseScale::estimate(const float* squaredErrors, int count, double threshold, int degrees)
 {
-    double near[MOST];  // squared, in units of the threshold
-    int size = 0;
+    int members[BINS] = {0}, size = 0;
+    double near[BINS] = {0};  // sums of squared errors in units of the threshold, then their means
     const double scale = 1 / (threshold * threshold), limit = REACH * REACH;
     for (int i = 0; i < count && size < MOST; ++i)
     {
-        near[size] = squaredErrors[i] * scale;
-        size += near[size] <= limit;  // false for NaN
+        const double square = squaredErrors[i] * scale;
+        if (!(square <= limit))  // or NaN
+            continue;
+        const int bin = std::min((int)(std::sqrt(square) * BINS / REACH), BINS - 1);
+        near[bin] += square;
+        ++members[bin];
+        ++size;
     }
     if (size < LEAST)
         return 1 / thresholdInSigmas(degrees);
+    for (int i = 0; i < BINS; ++i)
+        near[i] /= std::max(members[i], 1);
     const double outlier = degrees == 1 ? 1. / REACH : 1 / limit;  // densities; of the square for two degrees of freedom
     double variance = 0.15, part = 0.7;
     for (int step = 0; step < 4; ++step)
     {
         const double peak = degrees == 1 ? std::sqrt(2 / (CV_PI * variance)) : 1 / (2 * variance);
         double sum = 0, squares = 0;
-        for (int i = 0; i < size; ++i)
+        for (int i = 0; i < BINS; ++i)
         {
+            if (members[i] == 0)
+                continue;
             const double inlier = part * peak * std::exp(-near[i] / (2 * variance));
-            const double weight = inlier / (inlier + (1 - part) * outlier);
+            const double weight = members[i] * inlier / (inlier + (1 - part) * outlier);
             sum += weight;
             squares += weight * near[i];
         }

@@ -12,11 +12,11 @@ namespace usacv20 {
 
 The errors within #REACH thresholds are a mixture of those of inliers (half normal for one degree of freedom, Rayleigh's
 distribution for two) and of outliers (uniform in the same sense) @cite torr2000mlesac. At most #MOST errors are looked at, the
-first ones. With fewer than #LEAST of them the noise that the threshold stands for is returned, 1 / thresholdInSigmas(degrees). */
+first ones, in #BINS bins of equal width, each by the mean square of its errors. With fewer than #LEAST of them the noise that the threshold stands for is returned, 1 / thresholdInSigmas(degrees). */
 class NoiseScale
 {
 public:
-    enum { REACH = 4, LEAST = 20, MOST = 200 };
+    enum { REACH = 4, LEAST = 20, MOST = 200, BINS = 48 };
 
     //! @param squaredErrors `count` squared errors @param threshold not squared @param degrees 1 or 2
     static double estimate(const float* squaredErrors, int count, double threshold, int degrees);
