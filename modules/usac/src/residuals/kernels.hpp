@@ -18,8 +18,8 @@ enum { SUMS_CHUNK = 32 };
 //! Each sum is kept in so many parts, to be added at the end.
 enum { SUMS_LANES = 8 };
 /** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors alone; see sums.inl.hpp.
-@param chunk x1, y1, x2, y2 and the weight of the points: 5 rows of #SUMS_CHUNK @param first `sums` are not set yet */
-typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, bool first, double (*sums)[SUMS_LANES]);
+@param chunk x1, y1, x2, y2 and the weight of the points: 5 rows of #SUMS_CHUNK */
+typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double (*sums)[SUMS_LANES]);
 //! Length of `sums` for the transfer error and the epipolar distances.
 enum { TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55 };
 

@@ -33,7 +33,9 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
 
 void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const
 {
+    static const double zeros[EPIPOLAR_SUMS][SUMS_LANES] = {{0}};
     double lanes[EPIPOLAR_SUMS][SUMS_LANES];
+    std::memcpy(lanes, zeros, count * sizeof(lanes[0]));  // a fill of this size is a slow instruction
     for (int c = 0; c < chunks; ++c)
     {
         const Row* chunk = (const Row*)rows.data() + c * ROWS;
@@ -45,7 +47,7 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool sw
             std::memcpy(exchanged + 4, chunk + 4, sizeof(Row));
             chunk = exchanged;
         }
-        kernel(chunk, model, c == 0, lanes);
+        kernel(chunk, model, lanes);
     }
     for (int i = 0; i < count; ++i)
     {

@@ -9,12 +9,12 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Adds a[i] b[i] to the lanes, or to zero.
-inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b, bool first, double* USAC_RESTRICT lanes)
+//! Adds a[i] b[i] to the lanes.
+inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b, double* USAC_RESTRICT lanes)
 {
     double sum[SUMS_LANES];
     for (int k = 0; k < SUMS_LANES; ++k)
-        sum[k] = first ? 0 : lanes[k];
+        sum[k] = lanes[k];
     for (int i = 0; i < SUMS_CHUNK; i += SUMS_LANES)
     {
         USAC_SIMD
@@ -28,7 +28,7 @@ inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRI
 /** Transfer error: residuals (u - x2, v - y2) with (u, v) = p(H x1). The derivatives by the rows of H are p / w times
 (1, 0, -u) and (0, 1, -v), with p = (x1, y1, 1): all blocks of JtJ are multiples of p p^T / w^2.
 sums: p p^T as 6 numbers times 1, u, v, u^2 + v^2 (24); the gradient (9); the cost. */
-void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, bool first, double (*sums)[SUMS_LANES])
+void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     const double *x = chunk[0], *y = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
     double pp[6][SUMS_CHUNK], factor[4][SUMS_CHUNK], p[3][SUMS_CHUNK], g[3][SUMS_CHUNK], cost[SUMS_CHUNK];
@@ -58,15 +58,15 @@ void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, bool first
     }
     for (int f = 0; f < 4; ++f)
         for (int j = 0; j < 6; ++j)
-            addProducts(factor[f], pp[j], first, sums[6 * f + j]);
+            addProducts(factor[f], pp[j], sums[6 * f + j]);
     for (int row = 0; row < 3; ++row)
         for (int j = 0; j < 3; ++j)
-            addProducts(g[row], p[j], first, sums[24 + 3 * row + j]);
-    addProducts(cost, p[2], first, sums[33]);
+            addProducts(g[row], p[j], sums[24 + 3 * row + j]);
+    addProducts(cost, p[2], sums[33]);
 }
 
 //! The cost alone, in the first sum.
-void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, bool first, double (*sums)[SUMS_LANES])
+void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     const double *x = chunk[0], *y = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
     double cost[SUMS_CHUNK];
@@ -77,7 +77,7 @@ void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, bool first
         const double ru = (m[0] * x[i] + m[1] * y[i] + m[2]) * w - x2[i], rv = (m[3] * x[i] + m[4] * y[i] + m[5]) * w - y2[i];
         cost[i] = ru * ru + rv * rv;
     }
-    addProducts(cost, weight, first, sums[0]);
+    addProducts(cost, weight, sums[0]);
 }
 
 /** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2 for Sampson's distance, where
@@ -85,7 +85,7 @@ void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, bool first
 the line in one image. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D).
 sums: the lower triangle of JtJ row by row (45); the gradient (9); the cost. */
 template <bool FIRST, bool SECOND>
-void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, bool first, double (*sums)[SUMS_LANES])
+void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     const double *x1 = chunk[0], *y1 = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
     double J[10][SUMS_CHUNK], weighted[10][SUMS_CHUNK];  // the last row is the residual
@@ -120,12 +120,12 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, bool first
     }
     for (int row = 0, n = 0; row < 10; ++row)
         for (int col = 0; col <= row; ++col)
-            addProducts(weighted[row], J[col], first, sums[n++]);
+            addProducts(weighted[row], J[col], sums[n++]);
 }
 
 //! Their cost alone, in the first sum.
 template <bool FIRST, bool SECOND>
-void epipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, bool first, double (*sums)[SUMS_LANES])
+void epipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     const double *x1 = chunk[0], *y1 = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
     double cost[SUMS_CHUNK];
@@ -138,29 +138,29 @@ void epipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, bool first
         const double D = (FIRST ? a * a + b * b : 0) + (SECOND ? d * d + e * e : 0) + 1e-200;
         cost[i] = N * N / D;
     }
-    addProducts(cost, weight, first, sums[0]);
+    addProducts(cost, weight, sums[0]);
 }
 
-void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, bool first, double (*sums)[SUMS_LANES])
+void sampsonSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
-    epipolarSums<true, true>(chunk, m, first, sums);
+    epipolarSums<true, true>(chunk, m, sums);
 }
 
-void sampsonCost(const double (*chunk)[SUMS_CHUNK], const double* m, bool first, double (*sums)[SUMS_LANES])
+void sampsonCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
-    epipolarCost<true, true>(chunk, m, first, sums);
+    epipolarCost<true, true>(chunk, m, sums);
 }
 
-void symmetricEpipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, bool first, double (*sums)[SUMS_LANES])
+void symmetricEpipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
-    epipolarSums<true, false>(chunk, m, first, sums);
-    epipolarSums<false, true>(chunk, m, false, sums);
+    epipolarSums<true, false>(chunk, m, sums);
+    epipolarSums<false, true>(chunk, m, sums);
 }
 
-void symmetricEpipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, bool first, double (*sums)[SUMS_LANES])
+void symmetricEpipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
-    epipolarCost<true, false>(chunk, m, first, sums);
-    epipolarCost<false, true>(chunk, m, false, sums);
+    epipolarCost<true, false>(chunk, m, sums);
+    epipolarCost<false, true>(chunk, m, sums);
 }
 
 } // namespace
