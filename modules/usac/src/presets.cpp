@@ -136,7 +136,6 @@ Params Params::magsac()
     Params params = ransac();
     params.quality = QUALITY_MAGSAC;
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS;
-    params.localIterations = 5;
     params.termination = TERMINATION_MAGSAC;
     params.polishing = POLISHING_REWEIGHTED;
     params.reach = 3;
@@ -149,7 +148,6 @@ Params Params::magsacPlusPlus()
     params.quality = QUALITY_MAGSAC_PLUS_PLUS;
     params.reach = 3;
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
-    params.localIterations = 5;
     params.polishing = POLISHING_REWEIGHTED;
     return params;
 }
@@ -210,8 +208,6 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     case LOCAL_OPTIM_SIGMA: params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS; break;
     default: params.localOptimization = LOCAL_OPTIMIZATION_LO_RANSAC;
     }
-    if (params.localOptimization != LOCAL_OPTIMIZATION_GRAPH_CUT)
-        params.localIterations = magsacPlusPlus().localIterations;
     switch (other.score)
     {
     case SCORE_METHOD_RANSAC: params.quality = QUALITY_INLIERS; break;

@@ -245,20 +245,29 @@ void ProblemData::calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, 
 void ProblemData::shuffle(const Params& params)
 {
     const int count = (int)input[0].size();
+    indices.resize(count);
+    int size = 0;
     for (int i = 0; i < count; ++i)
-        if (finite(input[0][i]) && finite(input[1][i]) && finite(input[2][i]) && finite(input[3][i]))
-            indices.push_back(i);
-    const int size = (int)indices.size();
+    {
+        indices[size] = i;
+        size += finite(input[0][i]) && finite(input[1][i]) && finite(input[2][i]) && finite(input[3][i]);
+    }
+    indices.resize(size);
     Rng rng(0x5c3a9d1e, (uint64)size);
     for (int i = size - 1; i > 0; --i)
         std::swap(indices[i], indices[rng.uniform(i + 1)]);
 
     const int padded = alignSize(std::max(size, 1), 16);
-    doubles = Mat::zeros(4, padded, CV_64F);
-    floats = Mat::zeros(4, padded, CV_32F);
+    doubles.create(4, padded, CV_64F);
+    floats.create(4, padded, CV_32F);
     for (int k = 0; k < 4; ++k)
+    {
+        double* const shuffled = doubles.ptr<double>(k);
         for (int i = 0; i < size; ++i)
-            doubles.ptr<double>(k)[i] = input[k][indices[i]];
+            shuffled[i] = input[k][indices[i]];
+        std::fill(shuffled + size, shuffled + padded, 0.);
+        std::fill(floats.ptr<float>(k) + size, floats.ptr<float>(k) + padded, 0.f);
+    }
     if (!params.scores.empty())
     {
         scores.resize(size);

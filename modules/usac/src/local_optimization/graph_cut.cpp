@@ -33,7 +33,10 @@ public:
             before = quality.cost;
             if (i > 0)
                 improved |= shrink(context, state, m, model, quality);
-            labelling.cut(context, model, inliers.members);
+            if (context.params.spatialWeight > 0)
+                labelling.cut(context, model, inliers.members);
+            else
+                inliers.within(context, model, LABELLED);
             if (inliers.size() > m)
                 improved |= fitInliers(context, state, m, model, quality);
         }
@@ -71,12 +74,15 @@ private:
 
     //! An alternation that lowers the cost by less than this is the last one.
     static const double WORTHWHILE;
+    //! Where a labelling without neighbours changes from inliers to outliers, in thresholds: K = 1 / 2.
+    static const double LABELLED;
 
     Labelling labelling;
     InlierSet inliers;
 };
 
-const double GraphCutOptimizer::WORTHWHILE = 0.99;
+const double GraphCutOptimizer::WORTHWHILE = 0.95;
+const double GraphCutOptimizer::LABELLED = std::sqrt(2 * CV_LOG2);
 
 } // namespace
 

@@ -66,6 +66,7 @@ private:
         if (!codes.empty() || points.size == 0)
             return;
         codes.assign(points.size, 0);
+        ushort* const to = codes.data();
         const float* coordinates[4] = {points.x1, points.y1, points.x2, points.y2};
         for (int axis = 0; axis < 4; ++axis)
         {
@@ -73,9 +74,8 @@ private:
             const float scale = range > 0 ? (1 << BITS) / range : 0;
             for (int i = 0; i < points.size; ++i)
             {
-                const float cell = (coordinates[axis][i] - low) * scale;
-                const int inside = cell > 0 ? (int)std::min(cell, (float)((1 << BITS) - 1)) : 0;
-                codes[i] = (ushort)(codes[i] | spread(inside) << axis);
+                const float last = (1 << BITS) - 1, cell = (coordinates[axis][i] - low) * scale, inside = cell > 0 ? cell : 0;
+                to[i] = (ushort)(to[i] | spread((int)(inside < last ? inside : last)) << axis);
             }
         }
         sort();

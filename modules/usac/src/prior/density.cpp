@@ -55,8 +55,8 @@ private:
 
     static int division(float value, float low, float scale)
     {
-        const float cell = (value - low) * scale;
-        return cell > 0 ? (int)std::min(cell, DIVISIONS - 1.f) : 0;
+        const float cell = (value - low) * scale, inside = cell > 0 ? cell : 0;
+        return (int)(inside < DIVISIONS - 1.f ? inside : DIVISIONS - 1.f);
     }
 
     static void assignCells(const float* x, const float* y, const Correspondences& p, int axis, std::vector<ushort>& cells)
@@ -67,9 +67,10 @@ private:
             const float range = p.upper[axis + k] - p.lower[axis + k];
             scale[k] = range > 0 ? DIVISIONS / range : 0;
         }
+        const float low[2] = {p.lower[axis], p.lower[axis + 1]};
+        ushort* const to = cells.data();
         for (int i = 0; i < p.size; ++i)
-            cells[i] = (ushort)(division(x[i], p.lower[axis], scale[0]) * DIVISIONS +
-                                division(y[i], p.lower[axis + 1], scale[1]));
+            to[i] = (ushort)(division(x[i], low[0], scale[0]) * DIVISIONS + division(y[i], low[1], scale[1]));
     }
 };
 

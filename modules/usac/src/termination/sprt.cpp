@@ -45,22 +45,26 @@ public:
     int reason() const CV_OVERRIDE { return STOP_SPRT; }
 
 private:
-    //! The positive root h, by bisection; 0 if the test would more often than not drop a model with this epsilon.
+    /** The positive root h, by Newton's method from above: the left side is convex, so that it never steps over the root. 0 if the
+    test would more often than not drop a model with this epsilon. */
     static double exponent(const SequentialTest& test, double epsilon)
     {
         const double inlier = std::log(test.delta / test.epsilon);
         const double outlier = std::log((1 - test.delta) / (1 - test.epsilon));
         if (epsilon * inlier + (1 - epsilon) * outlier >= 0)
             return 0;
-        double low = 0, high = 1;
-        while (high < 1000 && epsilon * std::exp(high * inlier) + (1 - epsilon) * std::exp(high * outlier) < 1)
-            high *= 2;
+        double h = 1;
+        while (h < 1000 && epsilon * std::exp(h * inlier) + (1 - epsilon) * std::exp(h * outlier) < 1)
+            h *= 2;
         for (int i = 0; i < 40; ++i)
         {
-            const double h = 0.5 * (low + high);
-            (epsilon * std::exp(h * inlier) + (1 - epsilon) * std::exp(h * outlier) < 1 ? low : high) = h;
+            const double a = epsilon * std::exp(h * inlier), b = (1 - epsilon) * std::exp(h * outlier);
+            const double step = (a + b - 1) / (a * inlier + b * outlier);
+            if (!(step > 1e-9 * h))
+                break;
+            h -= step;
         }
-        return low;
+        return h;
     }
 };
 

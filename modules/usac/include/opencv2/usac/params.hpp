@@ -188,7 +188,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int tddPoints;
     //! @ref LocalOptimizationType. Default #LOCAL_OPTIMIZATION_GRAPH_CUT.
     CV_PROP_RW int localOptimization;
-    //! Rounds of one local optimisation: alternations of labelling and fitting, steps of the shrinking threshold, re-weightings; 1..1000. Default 2.
+    //! Rounds of one local optimisation: alternations of labelling and fitting, steps of the shrinking threshold, re-weightings; 1..1000. Default 5.
     CV_PROP_RW int localIterations;
     //! Size of the inner samples of a local optimisation as a multiple of the minimal one; 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
