@@ -81,7 +81,7 @@ private:
     InlierSet inliers;
 };
 
-const double GraphCutOptimizer::WORTHWHILE = 0.95;
+const double GraphCutOptimizer::WORTHWHILE = 0.97;
 const double GraphCutOptimizer::LABELLED = std::sqrt(2 * CV_LOG2);
 
 } // namespace
