@@ -46,7 +46,7 @@ Mat readPoints(InputArray array, const char* name)
 Matx33d readCamera(InputArray array, const char* name)
 {
     Mat camera = array.getMat();
-    if (camera.rows != 3 || camera.cols != 3 || camera.channels() != 1 || camera.dims != 2)
+    if (camera.rows != 3 || camera.cols != 3 || camera.channels() != 1)
         CV_Error_(Error::StsBadArg, ("%s: a 3x3 matrix is expected, not %dx%d with %d channel(s)", name, camera.rows,
                   camera.cols, camera.channels()));
     Matx33d K;
@@ -68,7 +68,7 @@ Mat readDistortion(InputArray array, const char* name)
         return Mat();
     const size_t count = coefficients.total();
     const bool known = count == 4 || count == 5 || count == 8 || count == 12 || count == 14;
-    if (!known || coefficients.dims > 2 || (coefficients.rows != 1 && coefficients.cols != 1) || coefficients.channels() != 1)
+    if (!known || (coefficients.rows != 1 && coefficients.cols != 1) || coefficients.channels() != 1)
         CV_Error_(Error::StsBadArg, ("%s: 4, 5, 8, 12 or 14 coefficients are expected, not %dx%d with %d channel(s)", name,
                   coefficients.rows, coefficients.cols, coefficients.channels()));
     if (!checkRange(coefficients))
