@@ -25,21 +25,17 @@ public:
             state.bestQuality.inliers, n, m, (context.params.termination & TERMINATION_EXACT) != 0);
         const double epsilon = (double)state.bestQuality.inliers / n;
         double logFailure = std::log(1 - context.params.confidence), tested = 0;
-        for (size_t l = 0; l < state.tests.size(); ++l)
+        for (size_t l = 0; l + 1 < state.tests.size(); ++l)
         {
             const SequentialTest& test = state.tests[l];
-            if (l + 1 == state.tests.size())
-            {
-                const int more = samplesNeeded(good * (1 - 1 / test.A), logFailure);
-                return more < INT_MAX - (int)tested ? (int)tested + more : INT_MAX;
-            }
             const double kept = good * (1 - std::pow(test.A, -exponent(test, epsilon)));
             if (kept >= 1)
                 return (int)tested;
             logFailure -= test.samples * std::log1p(-kept);
             tested += test.samples;
         }
-        return INT_MAX;
+        const int more = samplesNeeded(good * (1 - 1 / state.tests.back().A), logFailure);
+        return more < INT_MAX - (int)tested ? (int)tested + more : INT_MAX;
     }
 
     int reason() const CV_OVERRIDE { return STOP_SPRT; }
