@@ -163,7 +163,7 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
             h.firstInliers += rating.firstInliers;
             h.firstTested += rating.firstTested;
         }
-        if (rating.complete && rating.quality.betterThan(state.sampleQuality))              // 13
+        if (rating.complete)                                                                // 13
         {
             h.models[h.count] = models[k];
             h.qualities[h.count++] = rating.quality;
