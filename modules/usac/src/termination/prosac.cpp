@@ -17,7 +17,7 @@ int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& r
     const int size = (int)inliers.size();
     int support = 0, repetitions = 0;
     Growth growth(m, size);
-    for (int i = 0; i < size && growth.samples() < INT_MAX; ++i)
+    for (int i = 0; i < size; ++i)
     {
         support += inliers[i];
         repetitions += !repeated.empty() && repeated[i];
