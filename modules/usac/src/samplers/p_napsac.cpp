@@ -84,11 +84,6 @@ private:
 
 } // namespace
 
-double prosacShare(const Context& context)
-{
-    return isGuess(context) ? 0.25 : 0.75;
-}
-
 Ptr<Sampler> createPNapsacSampler()
 {
     return makePtr<PNapsacSampler>();

@@ -11,9 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** Of four samples of P-NAPSAC one is local and three are PROSAC's. If nobody has given an order, the local density is only a
-guess, and wrong where a pattern is repeated: then two of the three are uniform. @return the part that is PROSAC's */
-double prosacShare(const Context& context);
+//! Of four samples of P-NAPSAC of points in a known order one is local and three are PROSAC's.
+const double PROSAC_SHARE = 0.75;
 
 //! All samples equally likely, see UniformSampler.
 Ptr<Sampler> createUniformSampler();

@@ -85,7 +85,7 @@ public:
             inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
         double kept = keptProbability(context, state.bestQuality.inliers);
         if (context.params.sampler == SAMPLER_P_NAPSAC)
-            kept *= prosacShare(context);
+            kept *= PROSAC_SHARE;
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
         const double logFailure = std::log(1 - context.params.confidence);
         int length;
