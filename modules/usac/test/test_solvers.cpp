@@ -355,4 +355,21 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
     EXPECT_EQ(0, wrong);
 }
 
+//! Where products of areas are below the range of double there is no homography.
+TEST(Usac_Solvers, homographyOfTinySquares)
+{
+    std::vector<Point2d> corners;
+    for (int i = 0; i < 4; ++i)
+        corners.push_back(Point2d(i % 2, i / 2));
+    const double scales[] = {1, 1e-20, 1e-80, 1e-150};
+    const Ptr<MinimalSolver> solver = solverOf(HOMOGRAPHY);
+    for (int s = 0; s < 4; ++s)
+    {
+        std::vector<Point2d> tiny = corners;
+        for (int i = 0; i < 4; ++i)
+            tiny[i] *= scales[s];
+        EXPECT_EQ(s < 2 ? 1u : 0u, solveFirst(*solver, OwnPoints(HOMOGRAPHY, tiny, tiny).view()).size()) << scales[s];
+    }
+}
+
 }} // namespace

@@ -68,7 +68,7 @@ public:
                 models[0](i, j) = h;
                 squares += h * h;
             }
-        if (!(squares > 0 && squares <= DBL_MAX))
+        if (!(squares >= DBL_MIN && squares <= DBL_MAX))
             return 0;
         models[0] *= 1 / std::sqrt(squares);
         return 1;
