@@ -15,9 +15,6 @@ where an argument is wrong; input unchanged; no model, zero mask and a reason, o
 with mask == (error <= threshold); the same bits both times. */
 std::string brokenContract(const FuzzInput& input);
 
-//! The part about the result of a call that was not refused.
-std::string brokenResult(const FuzzInput& input, const cv::Mat& model, const cv::Mat& mask, const cv::usacv20::Report& report);
-
 } // namespace opencv_test
 
 #endif

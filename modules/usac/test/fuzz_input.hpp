@@ -5,19 +5,13 @@
 #ifndef OPENCV_USACV20_TEST_FUZZ_INPUT_HPP
 #define OPENCV_USACV20_TEST_FUZZ_INPUT_HPP
 
-#include <vector>
-#include "opencv2/usac.hpp"
+#include "result_oracle.hpp"
 
 namespace opencv_test {
 
-//! One call of an estimator.
-struct FuzzInput
+struct FuzzInput : EstimatorCall
 {
-    cv::usacv20::ProblemType problem;
-    std::vector<cv::Point2d> points1, points2;
-    cv::usacv20::Params params;
-    cv::Mat K1, K2, d1, d2;  //!< E only; K2, d1, d2 may be empty
-    int otherThreads;        //!< of a second run, which has to give the same
+    int otherThreads;  //!< of a second run, which has to give the same
 };
 
 /** Makes a call of any bytes. A small change of the bytes is mostly a small change of the call: first come problem, preset and

@@ -8,6 +8,7 @@
 // What test_contracts*.cpp, test_flags.cpp, test_params.cpp and test_real.cpp share; in contracts.cpp.
 
 #include "test_precomp.hpp"
+#include "result_oracle.hpp"
 
 namespace opencv_test {
 
@@ -21,7 +22,10 @@ Matx33d sceneCamera();
 Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
                    OutputArray mask, Report& report, InputArray K = sceneCamera());
 
-//! What is promised of any result with a threshold in pixels; the second form is for points that need not be doubles, with their camera matrix.
+//! An estimation of the scene, for the oracle.
+EstimatorCall callOf(const Scene& scene, const Params& params);
+
+//! What is promised of any result of the standard residual with a threshold in pixels; the second form is for points that need not be doubles, with their camera matrix.
 void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
                  double pixels, const Mat& model, const Mat& mask, const Report& report,

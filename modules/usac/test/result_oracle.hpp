@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_RESULT_ORACLE_HPP
+#define OPENCV_USACV20_TEST_RESULT_ORACLE_HPP
+
+#include <string>
+#include <vector>
+#include "opencv2/usac.hpp"
+
+namespace opencv_test {
+
+//! One call of an estimator.
+struct EstimatorCall
+{
+    cv::usacv20::ProblemType problem;
+    std::vector<cv::Point2d> points1, points2;
+    cv::usacv20::Params params;
+    cv::Mat K1, K2, d1, d2;  //!< E only; K2, d1, d2 may be empty
+};
+
+/** Says in words which promise about the result of a call is broken, "" if none is: the report agrees with the mask; no model, zero
+mask and a reason, or a finite model of the promised norm and rank with mask == (error <= threshold). The errors are computed
+with other formulas than the module's, in `long double` where that is longer, with a bound of what rounding to `double` may change. */
+std::string brokenResult(const EstimatorCall& call, const cv::Mat& model, const cv::Mat& mask, const cv::usacv20::Report& report);
+
+} // namespace opencv_test
+
+#endif
