@@ -187,8 +187,8 @@ TEST_P(UsacArguments, scores_of_a_wrong_length)
 TEST(Usac_Arguments, camera_matrices)
 {
     const Arguments right(ESSENTIAL);
-    Mat wrong[9];
-    for (int i = 0; i < 6; ++i)
+    Mat wrong[11];
+    for (int i = 0; i < 7; ++i)
         wrong[i] = Mat(right.scene.K).clone();
     wrong[0].setTo(0);
     wrong[1].at<double>(0, 0) = 0;
@@ -196,10 +196,12 @@ TEST(Usac_Arguments, camera_matrices)
     wrong[3].at<double>(0, 2) = NOT_A_NUMBER;
     wrong[4].at<double>(2, 2) = 0;
     wrong[5].at<double>(0, 0) = INFINITE;
-    wrong[6] = Mat::eye(2, 3, CV_64F);
-    wrong[7] = Mat::eye(3, 3, CV_64FC2);
-    wrong[8] = Mat::eye(4, 4, CV_32F);
-    for (int i = 0; i < 9; ++i)
+    wrong[6].at<double>(2, 1) = 0.5;
+    wrong[7] = Mat::eye(2, 3, CV_64F);
+    wrong[8] = Mat::eye(3, 3, CV_64FC2);
+    wrong[9] = Mat::eye(4, 4, CV_32F);
+    wrong[10] = Mat::eye(3, 4, CV_64F);
+    for (int i = 0; i < 11; ++i)
     {
         SCOPED_TRACE(cv::format("camera %d", i));
         WrongCall call = right.call();
@@ -228,8 +230,8 @@ TEST(Usac_Arguments, distortion)
     Mat mask;
     Report report;
     const Mat wrong[] = {Mat::ones(3, 1, CV_64F), Mat::ones(1, 6, CV_64F), Mat::ones(15, 1, CV_64F),
-                         Mat::ones(2, 4, CV_64F)};
-    for (int i = 0; i < 4; ++i)
+                         Mat::ones(2, 4, CV_64F), Mat(1, 5, CV_64F, Scalar(NOT_A_NUMBER)), Mat(4, 1, CV_32F, Scalar(INFINITE))};
+    for (int i = 0; i < 6; ++i)
     {
         SCOPED_TRACE(cv::format("coefficients %d", i));
         const Mat& bad = wrong[i];
@@ -238,6 +240,24 @@ TEST(Usac_Arguments, distortion)
         expectException([&]() { estimateEssential(scene.points1, scene.points2, scene.K, noArray(), noArray(), bad,
                                                   Params(), mask, report); }, "distCoeffs");
     }
+}
+
+TEST(Usac_Arguments, arrays_of_three_dimensions)
+{
+    const Scene scene = makeScene(ESSENTIAL);
+    Mat mask;
+    Report report;
+    const int cube[] = {3, 3, 1}, four[] = {1, 2, 2};
+    const Mat K(3, cube, CV_64F, Scalar(1)), distortion(3, four, CV_64F, Scalar(0.1));
+    expectException([&]() { estimateEssential(scene.points1, scene.points2, K, Params(), mask, report); }, "cameraMatrix1");
+    expectException([&]() { estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion, noArray(), Params(),
+                                              mask, report); }, "distCoeffs1");
+}
+
+TEST(Usac_Arguments, problem)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    expectException([&]() { Usac::create((ProblemType)(ESSENTIAL + 1), scene.points1, scene.points2); }, "problem");
 }
 
 }} // namespace

@@ -214,4 +214,23 @@ TEST(Usac_Hostile, h33_is_one_at_any_scale)
     }
 }
 
+//! Scales whose squares no double holds: perhaps no model, never a wrong statement about one.
+TEST_P(UsacHostile, scales_near_the_ends_of_the_range)
+{
+    const Scene scene = makeScene(problem());
+    const double scales[] = {1e-290, 1e-170, 1e170, 1e290};
+    for (int s = 0; s < 4; ++s)
+    {
+        SCOPED_TRACE(cv::format("scale %g", scales[s]));
+        std::vector<Point2d> points1 = scene.points1, points2 = scene.points2;
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            points1[i] *= scales[s];
+            points2[i] *= scales[s];
+        }
+        checkEveryWay(problem(), points1, points2, 1.5 * scales[s], 30);
+        checkEveryWay(problem(), scene.points1, points2, 1.5 * scales[s], 30);
+    }
+}
+
 }} // namespace

@@ -309,4 +309,46 @@ TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
     EXPECT_GE(mended, SCENES * 8 / 10);
 }
 
+//! Seven matches and more, and a model that no seven points have given.
+void expectNoPlane(const Model& F, double threshold)
+{
+    RNG rng(5);
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 20; ++i)
+    {
+        points1.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+        points2.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+    }
+    points2[0] = Point2d(0, 0);
+    const OwnPoints own(FUNDAMENTAL, points1, points2, threshold);
+    const Params params;
+    const Components components;
+    const Context context(own.view(), components, params);
+    const int samples[2][7] = {{0, 1, 2, 3, 4, 5, 6}, {1, 2, 0, 4, 5, 6, 3}};
+    for (int k = 0; k < 3; ++k)
+    {
+        State state;
+        Model model = F;
+        Quality quality(1, 7);
+        EXPECT_TRUE(createDegensac()->recover(context, state, k < 2 ? samples[k] : 0, model, quality));
+        EXPECT_FALSE(state.report.degenerate) << k;
+        EXPECT_EQ(F, model);
+        EXPECT_EQ(1, quality.cost);
+    }
+}
+
+//! A matrix of rank 1 has no epipole, and so no plane.
+TEST(Usac_Degensac, noEpipole)
+{
+    expectNoPlane(Model(1, 0, 0, 0, 0, 0, 0, 0, 0), 10);
+    expectNoPlane(Model::zeros(), 10);
+}
+
+//! The first match lies on the epipole of image 2: it is on the plane of any two others.
+TEST(Usac_Degensac, matchOnTheEpipole)
+{
+    expectNoPlane(Model(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-3);
+    expectNoPlane(Model(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-9);
+}
+
 }} // namespace

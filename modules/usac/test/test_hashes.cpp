@@ -208,17 +208,43 @@ TEST(Usac_Hashes, stored)
     EXPECT_LE(differ, samePlatform ? 0 : table.rows.size() / 10) << "of " << table.rows.size() << " rows differ in their robust hash";
 }
 
+//! Without AVX-512.
+std::string secondBestKernels()
+{
+#ifdef USACV20_HAVE_AVX2
+    if (checkHardwareSupport(CV_CPU_AVX2))
+        return "avx2";
+#endif
+    return "baseline";
+}
+
+TEST(Usac_Hashes, kernels)
+{
+    std::string best = secondBestKernels();
+#ifdef USACV20_HAVE_AVX512
+    if (checkHardwareSupport(CV_CPU_AVX512_SKX))
+        best = "avx512";
+#endif
+    const char* expected = std::getenv("USAC_EXPECTED_KERNELS");
+    EXPECT_EQ(expected ? expected : best, kernelsInUse());
+}
+
 #ifndef _WIN32  // the other processes are started by a POSIX shell
 
-//! The table of another process of this program, in which features of the processor are not used.
+//! Runs a test in another process of this program, in which features of the processor are not used.
+void testWithout(const std::string& features, const std::string& test, const std::string& variable)
+{
+    const std::string program = testing::internal::GetArgvs()[0];
+    const std::string command =
+        "env -u GTEST_OUTPUT -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX OPENCV_CPU_DISABLE='" + features + "' " + variable + " '" +
+        program + "' --gtest_filter=" + test + " > /dev/null 2>&1";
+    EXPECT_EQ(0, std::system(command.c_str())) << command;
+}
+
 Table tableWithout(const std::string& features)
 {
     const std::string file = tempfile(".txt");
-    const std::string program = testing::internal::GetArgvs()[0];
-    const std::string command =
-        "env -u GTEST_OUTPUT -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX OPENCV_CPU_DISABLE='" + features + "' USAC_WRITE_HASHES='" +
-        file + "' '" + program + "' --gtest_filter=Usac_Hashes.stored > /dev/null 2>&1";
-    EXPECT_EQ(0, std::system(command.c_str())) << command;
+    testWithout(features, "Usac_Hashes.stored", "USAC_WRITE_HASHES='" + file + "'");
     const Table table = readTable(file);
     std::remove(file.c_str());
     return table;
@@ -228,22 +254,25 @@ Table tableWithout(const std::string& features)
 TEST(Usac_Hashes, every_instruction_set)
 {
     const Table& table = ownTable();
-    std::string second = "baseline";
-#ifdef USACV20_HAVE_AVX2
-    if (checkHardwareSupport(CV_CPU_AVX2))
-        second = "avx2";
-#endif
     const std::string features[] = {"AVX512F", "AVX512F,AVX512-SKX,AVX2", "AVX512F,AVX512-SKX,AVX2,FMA3,AVX,FP16,SSE4.2,SSE4.1,SSSE3,POPCNT"};
     for (int i = 0; i < 3; ++i)
     {
         SCOPED_TRACE("without " + features[i]);
         const Table other = tableWithout(features[i]);
-        EXPECT_EQ(i == 0 ? second : "baseline", other.kernels);
+        EXPECT_EQ(i == 0 ? secondBestKernels() : "baseline", other.kernels);
         ASSERT_EQ(table.rows.size(), other.rows.size());
         EXPECT_EQ(table.platform, other.platform);
         for (size_t r = 0; r < table.rows.size(); ++r)
             EXPECT_EQ(table.rows[r], other.rows[r]);
     }
+}
+
+//! The user may name the group, or one of its members.
+TEST(Usac_Hashes, every_part_of_avx512)
+{
+    const std::string features[] = {"AVX512-SKX", "AVX512F", "AVX512BW", "AVX512DQ", "AVX512VL"};
+    for (int i = 0; i < 5; ++i)
+        testWithout(features[i], "Usac_Hashes.kernels", "USAC_EXPECTED_KERNELS=" + secondBestKernels());
 }
 
 #endif

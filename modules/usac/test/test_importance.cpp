@@ -194,4 +194,10 @@ TEST(Usac_Importance, findsTheModelSooner)
     }
 }
 
+TEST(Usac_Importance, needsScores)
+{
+    Draw draw(HOMOGRAPHY, 30, createImportanceSampler());
+    EXPECT_THROW(draw.next(), cv::Exception);
+}
+
 }} // namespace

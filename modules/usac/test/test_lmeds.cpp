@@ -157,6 +157,18 @@ TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
     }
 }
 
+TEST_P(Usac_Lmeds_Problem, noPoints)
+{
+    const OwnPoints none((ProblemType)GetParam(), std::vector<Point2d>(), std::vector<Point2d>());
+    const Ptr<Score> score = createLmedsScore(none.view(), 4);
+    const Components parts;
+    const Params params;
+    Quality quality(0, 0);
+    score->accumulate(0, 0, 1, quality);
+    EXPECT_EQ(0, quality.cost);
+    EXPECT_EQ(0, score->threshold(Context(none.view(), parts, params), Model::eye()));
+}
+
 INSTANTIATE_TEST_CASE_P(All, Usac_Lmeds_Problem, testing::Values(0, 1, 2));
 
 }} // namespace

@@ -317,4 +317,70 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
 INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization, testing::Combine(testing::Range(0, 3),
     testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS + 1)));
 
+//! Each `period`-th fit fails, or is wrong without saying so.
+class UnreliableSolver : public NonMinimalSolver
+{
+public:
+    UnreliableSolver(const Ptr<NonMinimalSolver>& solver_, int period_, bool silent_)
+        : fits(0), solver(solver_), period(period_), silent(silent_) {}
+
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
+             int iterations) const CV_OVERRIDE
+    {
+        if (++fits % period > 0)
+            return solver->fit(points, indices, count, weights, model, iterations);
+        if (silent)
+            model = Model(1, 0, 1e3, 0, 1, -1e3, 0, 0, 1) * (1 / std::sqrt(2e6 + 3));
+        return silent;
+    }
+
+    mutable int fits;
+
+private:
+    const Ptr<NonMinimalSolver> solver;
+    const int period;
+    const bool silent;
+};
+
+Mat withUnreliableFits(const Scene& scene, const Params& params, int period, bool silent, int& fits)
+{
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<UnreliableSolver> solver = makePtr<UnreliableSolver>(usac->components().nonMinimalSolver, period, silent);
+    usac->components().nonMinimalSolver = solver;
+    const Mat model = usac->run();
+    fits = solver->fits;
+    return model;
+}
+
+//! Without any fit the model of the sample stays; with some, it does not become worse.
+TEST(Usac_LocalOptimizers, fitsThatFail)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (int type = LOCAL_OPTIMIZATION_GRAPH_CUT; type <= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS; ++type)
+        {
+            SCOPED_TRACE(cv::format("problem %d, local optimisation %d", problem, type));
+            SceneOptions options;
+            options.outliers = 60;
+            const Scene scene = makeScene((ProblemType)problem, options);
+            Params params;
+            params.maxIterations = 100;
+            params.degeneracy = 0;
+            params.termination = 0;
+            params.polishing = POLISHING_NONE;
+            params.localIterations = type % 2 ? 1 : 4;
+            params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+            const Mat plain = estimate(scene, params);
+            params.localOptimization = type;
+            for (int silent = 0; silent < 2; ++silent)
+            {
+                int fits = 0;
+                const Mat same = withUnreliableFits(scene, params, 1, silent != 0, fits);
+                EXPECT_GT(fits, 0);
+                EXPECT_EQ(0, cvtest::norm(plain, same, NORM_INF));
+                EXPECT_LE(modelError(scene, withUnreliableFits(scene, params, 3, silent != 0, fits)), modelError(scene, plain));
+                EXPECT_GT(fits, 2);
+            }
+        }
+}
+
 }} // namespace

@@ -61,6 +61,14 @@ TEST(Usac_Mlesac, mixingWeightIsRecovered)
         }
 }
 
+//! With equal ratios r each step of the iteration multiplies the odds by r; the last of 50 steps is the answer.
+TEST(Usac_Mlesac, mixingWeightOfPoorDistinction)
+{
+    const std::vector<float> ratios(100, 1.01f);
+    const double odds = std::pow((double)ratios[0], 50);
+    EXPECT_NEAR(odds / (1 + odds), mixingWeight(ratios.data(), 100, 100), 1e-12);
+}
+
 typedef testing::TestWithParam<int> Usac_Mlesac_Problem;
 
 //! The cost is that of the best mixing weight, found by trying all.

@@ -294,4 +294,13 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
     }
 }
 
+TEST(Usac_Neighbourhood, noPoints)
+{
+    const OwnPoints none(HOMOGRAPHY, std::vector<Point2d>(), std::vector<Point2d>());
+    const Surroundings around(none.view());
+    EXPECT_TRUE(createGridNeighbourhood()->edges(around.context).empty());
+    EXPECT_TRUE(createKnnNeighbourhood(5)->edges(around.context).empty());
+    EXPECT_TRUE(createRadiusNeighbourhood(20)->edges(around.context).empty());
+}
+
 }} // namespace

@@ -267,6 +267,48 @@ TEST(Usac_Scores, threshold)
     EXPECT_EQ(1, inliers.cost);
 }
 
+//! The errors of another residual, of which the scores know nothing.
+class CustomResidual : public Residual
+{
+public:
+    explicit CustomResidual(const Ptr<Residual>& residual_) : residual(residual_) {}
+
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end, float* errors) const CV_OVERRIDE
+    {
+        residual->squaredErrors(points, model, begin, end, errors);
+    }
+
+    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2, int count,
+                       double* errors) const CV_OVERRIDE
+    {
+        residual->squaredErrors(model, x1, y1, x2, y2, count, errors);
+    }
+
+private:
+    const Ptr<Residual> residual;
+};
+
+TEST(Usac_Scores, customResidual)
+{
+    const int qualities[] = {QUALITY_MSAC, QUALITY_INLIERS};
+    for (int problem = 0; problem < 3; ++problem)
+        for (int i = 0; i < 2; ++i)
+        {
+            Params params;
+            params.quality = qualities[i];
+            const Scene scene = makeScene((ProblemType)problem);
+            const Ptr<Usac> usac = createUsac(scene, params);
+            const Model model = toInternal(usac->points(), scene.model);
+            const Context context(usac->points(), usac->components(), params);
+            const Quality known = context.rate(model);
+            usac->components().residual = makePtr<CustomResidual>(usac->components().residual);
+            EXPECT_TRUE(usac->components().score->fused(*usac->components().residual) == 0);
+            const Quality custom = context.rate(model);
+            EXPECT_EQ(known.inliers, custom.inliers);
+            EXPECT_NEAR(known.cost, custom.cost, 1e-3);
+        }
+}
+
 typedef testing::TestWithParam<int> Usac_Scores_Problem;
 
 TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)

@@ -361,7 +361,7 @@ TEST(Usac_Solvers, homographyOfTinySquares)
     std::vector<Point2d> corners;
     for (int i = 0; i < 4; ++i)
         corners.push_back(Point2d(i % 2, i / 2));
-    const double scales[] = {1, 1e-20, 1e-80, 1e-150};
+    const double scales[] = {1, 1e-15, 1e-20, 1e-150};
     const Ptr<MinimalSolver> solver = solverOf(HOMOGRAPHY);
     for (int s = 0; s < 4; ++s)
     {

@@ -270,4 +270,13 @@ TEST(Usac_Statistics, noiseScale)
     EXPECT_EQ(1 / thresholdInSigmas(2), NoiseScale::estimate(nothing.data(), 100, 1, 2));
 }
 
+TEST(Usac_Statistics, chiSquareOfNonsense)
+{
+    EXPECT_THROW(chiSquareQuantile(-0.1, 1), cv::Exception);
+    EXPECT_THROW(chiSquareQuantile(1, 1), cv::Exception);
+    EXPECT_THROW(chiSquareQuantile(0.5, 0), cv::Exception);
+    EXPECT_THROW(thresholdInSigmas(0), cv::Exception);
+    EXPECT_THROW(thresholdInSigmas(3), cv::Exception);
+}
+
 }} // namespace

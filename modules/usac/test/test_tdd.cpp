@@ -195,4 +195,11 @@ TEST(Usac_Tdd, runs)
     }
 }
 
+TEST(Usac_Tdd, numberOfPoints)
+{
+    EXPECT_THROW(createTddVerifier(0), cv::Exception);
+    EXPECT_THROW(createTddVerifier(101), cv::Exception);
+    EXPECT_FALSE(createTddVerifier(100).empty());
+}
+
 }} // namespace

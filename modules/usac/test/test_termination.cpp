@@ -193,4 +193,14 @@ TEST(Usac_Termination, sprtOfAWrongTest)
     EXPECT_EQ(1000 + counts.needed(counts.good(12) * (1 - 1 / 20.)), counts.iterations(createSprtTermination(), 12));
 }
 
+//! Only inliers: the earlier test keeps the right model for certain, nothing is left to be drawn.
+TEST(Usac_Termination, sprtOfInliersOnly)
+{
+    Counts counts(HOMOGRAPHY, 60);
+    counts.state.tests.push_back(makeTest(0.5, 0.1, 20, 12));
+    counts.state.tests.push_back(makeTest(0.6, 0.1, 20, 5));
+    EXPECT_GE(12, counts.iterations(createSprtTermination(), 60));
+    EXPECT_LT(12, counts.iterations(createSprtTermination(), 40));
+}
+
 }} // namespace

@@ -1,0 +1,71 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "solvers/solvers.hpp"
+
+// Least squares where numbers end, or nothing is left to be done.
+
+namespace opencv_test { namespace {
+
+//! Matches of a similarity with some noise.
+struct Matches
+{
+    Matches()
+    {
+        RNG rng(2);
+        for (int i = 0; i < 12; ++i)
+        {
+            points1.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+            points2.push_back(0.8 * points1.back() + Point2d(rng.gaussian(0.05), rng.gaussian(0.05)));
+            indices.push_back(i);
+        }
+    }
+
+    bool fit(Model& model, const double* weights = 0, int iterations = 10) const
+    {
+        const OwnPoints points(HOMOGRAPHY, points1, points2);
+        return createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)
+            ->fit(points.view(), indices.data(), (int)indices.size(), weights, model, iterations);
+    }
+
+    std::vector<Point2d> points1, points2;
+    std::vector<int> indices;
+};
+
+//! Errors, or derivatives alone, beyond the range of double.
+TEST(Usac_LeastSquares_Limits, largeErrorsLeaveTheModel)
+{
+    const double denominators[] = {0, 1e-170, 1e-150};
+    for (int i = 0; i < 3; ++i)
+    {
+        const Model before(1, 0, 0, 0, 1, 0, 0, 0, denominators[i]);
+        Model model = before;
+        EXPECT_FALSE(Matches().fit(model)) << denominators[i];
+        EXPECT_EQ(before, model) << denominators[i];
+    }
+}
+
+//! With the least number as all weights the equations are rounded to singular ones.
+TEST(Usac_LeastSquares_Limits, smallWeightsLeaveTheModel)
+{
+    const std::vector<double> weights(12, std::numeric_limits<double>::denorm_min());
+    const Model before(0.1, 0, 3, 0, 0.1, 3, 0, 0, 1);
+    Model model = before;
+    EXPECT_FALSE(Matches().fit(model, weights.data()));
+    EXPECT_EQ(before, model);
+}
+
+//! More steps change nothing, however many are allowed.
+TEST(Usac_LeastSquares_Limits, minimumIsKept)
+{
+    Model reached = Model::eye();
+    for (int i = 0; i < 30; ++i)
+        ASSERT_TRUE(Matches().fit(reached));
+    Model again = reached;
+    EXPECT_TRUE(Matches().fit(again, 0, 200));
+    EXPECT_LE(modelDistance(reached, again), 1e-9);
+}
+
+}} // namespace

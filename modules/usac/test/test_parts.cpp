@@ -1,0 +1,133 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+// What the loop does with components of a caller.
+
+namespace opencv_test { namespace {
+
+Params allOf(int iterations)
+{
+    Params params;
+    params.termination = 0;
+    params.maxIterations = iterations;
+    return params;
+}
+
+//! One model for the first sample, or none for any.
+class FirstSample : public MinimalSolver
+{
+public:
+    explicit FirstSample(int models_) : models(models_) {}
+
+    int sampleSize() const CV_OVERRIDE { return 4; }
+    int solve(const Correspondences&, const int*, Model* model) const CV_OVERRIDE
+    {
+        *model = Model(1, 0, 1e3, 0, 1, 1e3, 0, 0, 1);
+        return models > 0 ? models-- : 0;
+    }
+
+private:
+    mutable int models;
+};
+
+//! After a million samples without a model a criterion gives up. Without a criterion, or after a model, the limit holds.
+TEST(Usac_Parts, hopeless)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    Params params = Params::ransac();
+    params.maxIterations = 1100000;
+    for (int models = 0; models < 2; ++models)
+        for (int criteria = 0; criteria < 2; ++criteria)
+        {
+            params.termination = criteria ? TERMINATION_STANDARD : 0;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            usac->components().minimalSolver = makePtr<FirstSample>(models);
+            Report report;
+            EXPECT_TRUE(usac->run(noArray(), &report).empty());
+            EXPECT_EQ((int)STOP_NO_MODEL, report.stop);
+            EXPECT_EQ(models, report.models);
+            EXPECT_EQ(criteria && models == 0 ? 1000000 : 1100000, report.iterations) << models << " " << criteria;
+        }
+}
+
+//! Drops every model that comes from a sample, or from the local optimisation.
+class Refusal : public Degeneracy
+{
+public:
+    explicit Refusal(bool fromSample_) : fromSample(fromSample_) {}
+    bool recover(const Context&, State&, const int* sample, Model&, Quality&) CV_OVERRIDE { return (sample != 0) != fromSample; }
+
+private:
+    const bool fromSample;
+};
+
+TEST(Usac_Parts, refusedModelsAreDropped)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (int fromSample = 0; fromSample < 2; ++fromSample)
+        {
+            Params params = allOf(300);
+            params.polishing = POLISHING_NONE;
+            const Scene scene = makeScene((ProblemType)problem);
+            const Ptr<Usac> usac = createUsac(scene, params);
+            usac->components().degeneracies.assign(1, makePtr<Refusal>(fromSample != 0));
+            Report report;
+            EXPECT_EQ(fromSample != 0, usac->run(noArray(), &report).empty());
+            EXPECT_EQ(fromSample == 0, report.localOptimizations > 0);
+            EXPECT_EQ(0, report.localImprovements);
+        }
+}
+
+//! Takes a worse model for a better one.
+class Worsener : public LocalOptimizer
+{
+public:
+    bool optimize(const Context&, State&, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        model = Model::eye();
+        quality.cost += 1;
+        return true;
+    }
+};
+
+TEST(Usac_Parts, worseModelsAreNotBelieved)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    Params params = allOf(300);
+    params.degeneracy = 0;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    usac->components().localOptimizer = makePtr<Worsener>();
+    Mat mask, plainMask;
+    Report report;
+    const Mat model = usac->run(mask, &report);
+    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    const Mat plain = estimate(scene, params, plainMask);
+    EXPECT_GT(report.localOptimizations, 1);
+    EXPECT_EQ(0, report.localImprovements);
+    EXPECT_EQ(0, cvtest::norm(plain, model, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(plainMask, mask, NORM_INF));
+}
+
+TEST(Usac_Parts, requiredOnesAreAskedFor)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    for (int missing = 0; missing < 4; ++missing)
+    {
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        Components& parts = usac->components();
+        if (missing == 0)
+            parts.residual.release();
+        else if (missing == 1)
+            parts.score.release();
+        else if (missing == 2)
+            parts.sampler.release();
+        else
+            parts.minimalSolver.release();
+        EXPECT_THROW(usac->run(), cv::Exception) << missing;
+    }
+}
+
+}} // namespace
