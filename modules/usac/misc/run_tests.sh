@@ -3,9 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python, and a
-# consumer of the stand-alone build. Does all its own set-up on Debian (as root or with sudo); the last line is
-# "<N> passed, <M> failed".
+# Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python, a consumer of the
+# stand-alone build, the benchmark's, and C++ once more with AddressSanitizer and UndefinedBehaviorSanitizer. Does all its own
+# set-up on Debian (as root or with sudo); the last line is "<N> passed, <M> failed".
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
@@ -41,6 +41,12 @@ benchmark_tests()
         /usr/bin/python3 -c "$run_unittests" "test_*.py"
 }
 
+# In a build of their own, on this OpenCV.
+sanitized_tests()
+{
+    OPENCV_SOURCE_DIR="$source" OPENCV_BUILD_DIR="$build" USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
+}
+
 install_packages
 [ -f "$source/CMakeLists.txt" ] || fetch_opencv
 configure
@@ -52,5 +58,6 @@ run perf "$gtest_passed" "$gtest_failed" in_build bin/opencv_perf_usac --perf_mi
 run python "$count_passed" "$count_failed" python_tests
 run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$work/consumer"
 run benchmark "$count_passed" "$count_failed" benchmark_tests
+run sanitized "$count_passed" "$count_failed" sanitized_tests
 
 [ "$failed" = 0 ]
