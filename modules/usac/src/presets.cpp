@@ -146,7 +146,7 @@ Params Params::magsacPlusPlus()
 {
     Params params;
     params.quality = QUALITY_MAGSAC_PLUS_PLUS;
-    params.reach = 3;
+    params.reach = 2.4;
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
     params.polishing = POLISHING_REWEIGHTED;
     return params;
