@@ -9,7 +9,7 @@
 namespace benchmark {
 
 Runner::Runner(const std::vector<cv::Ptr<Method> >& methods_, const Options& options_, Progress& progress_)
-    : methods(methods_), options(options_), progress(progress_), meter(progress_), unreadablePairs(0)
+    : methods(methods_), options(options_), progress(progress_), meter(progress_), rng(1), unreadablePairs(0)
 {
 }
 
@@ -31,7 +31,7 @@ ListResult Runner::run(const PairList& list)
         const ListResult::PairInfo info = { pair.name, (int)pair.points1.size() };
         result.pairs.push_back(info);
         for (int repeat = first ? -1 : 0; repeat < options.repeats; ++repeat)  // -1 warms up
-            for (size_t m = 0; m < methods.size(); ++m)
+            for (size_t m : shuffledOrder())
             {
                 if (!methods[m]->solves(list.problem))
                     continue;
@@ -42,6 +42,17 @@ ListResult Runner::run(const PairList& list)
             }
     }
     return result;
+}
+
+std::vector<size_t> Runner::shuffledOrder()
+{
+    std::vector<size_t> order(methods.size());
+    for (size_t i = 0; i < order.size(); ++i)
+    {
+        order[i] = i;
+        std::swap(order[i], order[rng.uniform(0, (int)i + 1)]);
+    }
+    return order;
 }
 
 bool Runner::read(const PairList& list, const PairList::Entry& entry, ImagePair& pair)
