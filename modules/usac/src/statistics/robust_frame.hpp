@@ -1,0 +1,18 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_ROBUST_FRAME_HPP
+#define OPENCV_USACV20_ROBUST_FRAME_HPP
+
+namespace cv {
+namespace usacv20 {
+
+/** Centre and mean deviation of values in random order, and their range. Mean values where the data are sane, medians where points
+lie so far out that they would dominate the means: single points, or so many of the first ones that most points are next to nothing. */
+void robustFrame(const double* values, int count, double& centre, double& deviation, double& low, double& high);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif
