@@ -34,7 +34,7 @@ slow_tests=$slow_tests:Usac_Hostile.most_points_of_one_image_on_a_line
 # A test with one thread has no race to find.
 tsan_tests='*hread*:*arallel*:UsacContracts*:Usac_Fuzz.*'
 # Every contract of the input; a test is 20 to 50 times slower than without valgrind.
-valgrind_tests='Usac_Input*:Usac_Arguments*:*UsacPoints*few*:*UsacPoints*two_distinct*:Usac_Solvers.allF*:Usac_Fuzz.kept*'
+valgrind_tests='Usac_Input*:UsacInput*:UsacPoints*:Usac_Arguments*:Usac_Solvers.allF*:Usac_Fuzz.kept*:-*hundred_thousand*'
 
 # Configures the build of a tool and builds a target.
 build_with() # tool, target, compiler, flags, more options for CMake
