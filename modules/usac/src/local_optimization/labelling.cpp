@@ -84,8 +84,7 @@ void Labelling::cut(const Context& context, const Model& model, std::vector<int>
 {
     weigh(context, model);
     const float lambda = (float)context.params.spatialWeight;
-    static const std::vector<Vec2i> none;
-    const std::vector<Vec2i>& edges = lambda > 0 ? context.components.neighbourhood->edges(context) : none;
+    const std::vector<Vec2i>& edges = context.components.neighbourhood->edges(context);
     fix(edges, lambda);
     label(edges, lambda);
     inliers.clear();
