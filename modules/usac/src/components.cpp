@@ -22,6 +22,19 @@ Termination::~Termination() {}
 Polisher::~Polisher() {}
 Usac::~Usac() {}
 
+const std::vector<int>& State::bestFirst(const Context& context)
+{
+    if (order.empty())
+    {
+        order.resize(context.points.size);
+        for (size_t i = 0; i < order.size(); ++i)
+            order[i] = (int)i;
+        if (context.components.prior)
+            context.components.prior->sort(context, order);
+    }
+    return order;
+}
+
 Residual::Kind Residual::kind() const { return CUSTOM; }
 
 FusedKernel Score::fused(const Residual&) const { return 0; }

@@ -48,11 +48,6 @@ public:
 private:
     void search(const Context& context, State& state)
     {
-        state.order.resize(context.points.size);
-        for (size_t i = 0; i < state.order.size(); ++i)
-            state.order[i] = (int)i;
-        if (parts.prior)
-            parts.prior->sort(context, state.order);
         state.report.setupMs = milliseconds(created);
         Ransac ransac(context, state);
         ransac.run();

@@ -360,7 +360,7 @@ TEST(Usac_LocalOptimizers, fitsThatFail)
         {
             SCOPED_TRACE(cv::format("problem %d, local optimisation %d", problem, type));
             SceneOptions options;
-            options.outliers = 60;
+            options.outliers = problem == ESSENTIAL ? 100 : 60;
             const Scene scene = makeScene((ProblemType)problem, options);
             Params params;
             params.maxIterations = 100;

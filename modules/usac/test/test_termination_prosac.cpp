@@ -273,6 +273,9 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     EXPECT_EQ((int)STOP_PROSAC, termination.reason());
     state.bestQuality.inliers = 4;
     EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sample is no support";
+    state.bestQuality.inliers = 40;
+    state.order.clear();
+    EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sampler that asks for no order";
     return iterations;
 }
 

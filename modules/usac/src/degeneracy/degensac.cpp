@@ -6,8 +6,8 @@
 #include "degeneracy/degeneracy.hpp"
 #include "degeneracy/epipole.hpp"
 #include "degeneracy/share_a_point.hpp"
+#include "degeneracy/side_by_side.hpp"
 #include "residuals/formulas.hpp"
-#include "residuals/kernels.hpp"
 #include "solvers/solvers.hpp"
 #include "termination/termination.hpp"
 
@@ -63,7 +63,7 @@ public:
 
 private:
     //! Most pairs of points off the plane that are drawn, and points there that judge them.
-    enum { MAX_PAIRS = 300, MAX_TESTED = 200 };
+    enum { MAX_PAIRS = 300, MAX_TESTED = 208 };
     //! Most triples and points of the test of the inliers, and points of the fit of a plane.
     enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, MAX_FIT = 256 };
 
@@ -164,9 +164,7 @@ private:
         const int count = (int)inliers.size();
         if (count < 8 || !epipolar(F, e, A))
             return false;
-        Correspondences tested = p;
-        float coordinates[4][MAX_INLIERS];
-        gather(coordinates, tested);
+        someInliers.gather(p, inliers);
         int most = count / 2;
         bool found = false;
         for (int t = 0; t < MAX_TRIPLES; ++t)
@@ -178,7 +176,7 @@ private:
             Matx33d candidate;
             if (!planeOf(p, triple, A, e, candidate))
                 continue;
-            const int support = mapped(tested, candidate);
+            const int support = someInliers.count(Residual::TRANSFER, candidate, limit(p));
             if (support > most)
             {
                 most = support;
@@ -189,29 +187,6 @@ private:
         return found;
     }
 
-    //! Lays the inliers out side by side for mapped().
-    void gather(float (*coordinates)[MAX_INLIERS], Correspondences& points) const
-    {
-        const float* const from[4] = {points.x1, points.y1, points.x2, points.y2};
-        for (int k = 0; k < 4; ++k)
-            for (size_t i = 0; i < inliers.size(); ++i)
-                coordinates[k][i] = from[k][inliers[i]];
-        points.size = (int)inliers.size();
-        points.x1 = coordinates[0];
-        points.y1 = coordinates[1];
-        points.x2 = coordinates[2];
-        points.y2 = coordinates[3];
-    }
-
-    static int mapped(const Correspondences& p, const Matx33d& H)
-    {
-        float m[9];
-        toFloat(H, m);
-        Quality sum(0, 0);
-        kernels().inliers[Residual::TRANSFER](p, m, (float)limit(p), 0, p.size, sum);
-        return sum.inliers;
-    }
-
     static double error(const Correspondences& p, const Matx33d& H, int i)
     {
         return TransferError::squared(H.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]);
@@ -219,10 +194,14 @@ private:
 
     void split(const Correspondences& p, const Matx33d& H)
     {
+        float m[9];
+        toFloat(H, m);
+        errors.resize(p.size);
+        kernels().errors[Residual::TRANSFER](p, m, 0, p.size, errors.data());
         onPlane.clear();
         offPlane.clear();
         for (int i = 0; i < p.size; ++i)
-            (error(p, H, i) <= limit(p) ? onPlane : offPlane).push_back(i);
+            (errors[i] <= (float)limit(p) ? onPlane : offPlane).push_back(i);
     }
 
     //! The best F = [e]x H over pairs of points off the plane replaces a worse model.
@@ -230,8 +209,12 @@ private:
     {
         const Correspondences& p = context.points;
         const int off = (int)offPlane.size();
-        int support = off >= 2 ? supportOff(p, model, 0) : 0;
-        int needed = off >= 2 ? pairsNeeded(context, support) : 0;
+        if (off < 2)
+            return;
+        const double threshold = p.threshold * p.threshold;
+        someOffPlane.gather(p, offPlane);  // on the plane all candidates agree
+        int support = someOffPlane.count(Residual::SAMPSON, model, threshold);
+        int needed = pairsNeeded(context, support);
         for (int k = 0; k < needed; ++k)
         {
             int pair[2];
@@ -248,10 +231,10 @@ private:
             const double size = norm(F);
             if (!(size > 1e-300 && size <= DBL_MAX))
                 continue;
-            const Model candidate = F * (1 / size);
-            const int candidateSupport = supportOff(p, candidate, support);
+            const int candidateSupport = someOffPlane.count(Residual::SAMPSON, F, threshold, support);
             if (candidateSupport <= support)
                 continue;
+            const Model candidate = F * (1 / size);
             const Quality candidateQuality = context.rate(candidate, quality.cost);
             if (!candidateQuality.betterThan(quality))
                 continue;
@@ -262,26 +245,10 @@ private:
         }
     }
 
-    /** Inliers of F among the first points off the plane; on it all candidates agree. Ends early with clearly less than a third
-    of what `wanted` inliers of all make likely. */
-    int supportOff(const Correspondences& p, const Model& F, int wanted) const
-    {
-        const int tested = std::min<int>((int)offPlane.size(), MAX_TESTED);
-        const double rate = (double)wanted / tested;
-        int support = 0;
-        for (int k = 0; k < tested && !(k % 8 == 7 && 3 * support < rate * k - 2); ++k)
-        {
-            const int i = offPlane[k];
-            support += SampsonError::squared(F.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]) <= p.threshold * p.threshold;
-        }
-        return support;
-    }
-
     //! Pairs after which one of inliers of a better F would have been drawn.
     int pairsNeeded(const Context& context, int support) const
     {
-        const int tested = std::min<int>((int)offPlane.size(), MAX_TESTED);
-        return std::min<int>(MAX_PAIRS, samplesNeeded(goodSampleProbability(std::max(support, 2), tested, 2),
+        return std::min<int>(MAX_PAIRS, samplesNeeded(goodSampleProbability(std::max(support, 2), someOffPlane.size(), 2),
                                                       std::log(1 - context.params.confidence)));
     }
 
@@ -290,6 +257,9 @@ private:
     Model knownModel;      //!< the F found with it
     Quality knownQuality;  //!< infinite cost: none better than what was known
     std::vector<int> inliers, onPlane, offPlane;
+    std::vector<float> errors;  //!< of all points under a plane
+    SideBySide<MAX_INLIERS> someInliers;
+    SideBySide<MAX_TESTED> someOffPlane;
 };
 
 } // namespace

@@ -23,7 +23,8 @@ The first, location-defining, point comes from PROSAC's growing set of the best 
 finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
 that is everything and the sample is PROSAC's. One sample in four is local. With more, small groups of wrong matches that agree
 with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order
-is a guess (the density), every second sample is uniform: where the guess misleads, the model is found at most twice as late. */
+is a guess (the density), every second sample is uniform: where the guess misleads, the model is found at most twice as late. So
+are the first #BEFORE_ORDER samples: easy problems need no more, and so neither order nor neighbourhood. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -38,18 +39,20 @@ public:
         growth->next();
         const int n = growth->size();
         state.subsetSize = n;
-        if (isGuess(context) && state.iteration % 2 == 0)
+        if (isGuess(context) && (state.iteration < BEFORE_ORDER || state.iteration % 2 == 0))
         {
             state.rng.distinct(context.points.size, m, sample);
             return;
         }
-        const int centre = state.order[growth->newest() ? n - 1 : state.rng.uniform(n)];
+        const int centre = state.bestFirst(context)[growth->newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = centre;
         if (state.iteration % 4 != 3 || !local(context, state, m, sample))
             global(state, m, n, sample);
     }
 
 private:
+    enum { BEFORE_ORDER = 8 };
+
     //! How often a point was the centre of a local sample, and the finest layer with enough neighbours.
     struct Centre
     {

@@ -30,8 +30,9 @@ public:
         }
         else
             state.rng.distinct(n, m, sample);
+        const std::vector<int>& order = state.bestFirst(context);
         for (int k = 0; k < m; ++k)
-            sample[k] = state.order[sample[k]];
+            sample[k] = order[sample[k]];
     }
 
 private:

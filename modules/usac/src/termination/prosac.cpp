@@ -75,7 +75,7 @@ public:
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
-        if (state.bestQuality.inliers <= m)
+        if (state.bestQuality.inliers <= m || state.order.empty())  // a sampler that asks for no order
             return INT_MAX;
         std::vector<float> errors(size);
         context.components.residual->squaredErrors(context.points, state.best, 0, size, errors.data());

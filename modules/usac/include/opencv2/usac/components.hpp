@@ -111,15 +111,20 @@ struct SequentialTest
     int samples;     //!< samples whose models it has tested
 };
 
+struct Context;
+
 //! All that changes during a run.
-struct State
+struct CV_EXPORTS State
 {
     State() : iteration(0), subsetSize(0) {}
+
+    //! The points, best first, as the Prior says; sorted at the first call.
+    const std::vector<int>& bestFirst(const Context& context);
 
     Rng rng;                 //!< generator of the current iteration
     int iteration;           //!< samples drawn so far
     int subsetSize;          //!< the sampler draws from the `subsetSize` best points now; all points: size
-    std::vector<int> order;  //!< the points, best first, as the Prior says
+    std::vector<int> order;  //!< what bestFirst() has returned; empty before
     Model best;              //!< the best model so far
     Quality bestQuality;     //!< and what it is worth
     Quality sampleQuality;   //!< the best of a model as it came from its sample, before any optimisation
