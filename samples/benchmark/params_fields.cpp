@@ -47,6 +47,7 @@ const IntField INT_FIELDS[] = {
     { "termination", &Params::termination },
     { "degeneracy", &Params::degeneracy },
     { "polishing", &Params::polishing },
+    { "polishingSteps", &Params::polishingSteps },
 };
 
 const DoubleField DOUBLE_FIELDS[] = {

@@ -113,10 +113,10 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
 
 void createDegeneracies(int flags, ProblemType problem, std::vector<Ptr<Degeneracy> >& degeneracies)
 {
+    if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples of H
+        degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
     if (flags & DEGENERACY_REPEATED)
         degeneracies.push_back(createRepeatedPoints());
-    if (flags & DEGENERACY_ORIENTATION)
-        degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
     if ((flags & DEGENERACY_DEGENSAC) && problem == FUNDAMENTAL)
         degeneracies.push_back(createDegensac());
 }

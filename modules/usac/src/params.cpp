@@ -13,7 +13,8 @@ Params::Params()
       neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
       spatialWeight(0.14), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT), relaxation(0.05),
-      degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED), polishing(POLISHING_ROBUST)
+      degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED), polishing(POLISHING_ROBUST),
+      polishingSteps(6)
 {
 }
 
@@ -108,6 +109,7 @@ void Params::check(int count) const
     checkRange("relaxation", relaxation, 0, 1);
     checkRange("degeneracy", degeneracy, 0, DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED);
     checkRange("polishing", polishing, POLISHING_NONE, POLISHING_ROBUST);
+    checkRange("polishingSteps", polishingSteps, 1, 100);
     checkCombinations(*this);
     checkScores(*this, count);
 }
@@ -144,6 +146,7 @@ void visitFields(P& params, Visitor& visit)
     visit("relaxation", params.relaxation);
     visit("degeneracy", params.degeneracy);
     visit("polishing", params.polishing);
+    visit("polishingSteps", params.polishingSteps);
 }
 
 struct FieldWriter

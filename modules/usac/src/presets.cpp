@@ -19,6 +19,7 @@ Params Params::fast()
     params.localIterations = 1;
     params.localSamples = 0;
     params.spatialWeight = 0;
+    params.polishingSteps = 3;
     return params;
 }
 
@@ -28,6 +29,7 @@ Params Params::accurate()
     params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
     params.localIterations = 10;
     params.localSamples = 10;
+    params.polishingSteps = 20;
     return params;
 }
 
@@ -138,6 +140,7 @@ Params Params::magsac()
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS;
     params.termination = TERMINATION_MAGSAC;
     params.polishing = POLISHING_REWEIGHTED;
+    params.polishingSteps = 10;
     params.reach = 3;
     return params;
 }
@@ -149,6 +152,7 @@ Params Params::magsacPlusPlus()
     params.reach = 2.4;
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
     params.polishing = POLISHING_REWEIGHTED;
+    params.polishingSteps = 10;
     return params;
 }
 

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "problem_data.hpp"
+#include "residuals/simd.hpp"
 #include "statistics/robust_frame.hpp"
 #include "termination/non_randomness.hpp"
 
@@ -111,6 +112,22 @@ bool finite(double value)
     return std::abs(value) <= DBL_MAX;  // false for NaN
 }
 
+bool allFinite(const double* values, int count)
+{
+    enum { LANES = 4 };
+    double zeros[LANES] = {0};
+    const int whole = count - count % LANES;
+    for (int i = 0; i < whole; i += LANES)
+    {
+        USAC_SIMD
+        for (int k = 0; k < LANES; ++k)
+            zeros[k] += values[i + k] * 0;
+    }
+    for (int i = whole; i < count; ++i)
+        zeros[0] += values[i] * 0;
+    return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // else NaN
+}
+
 } // namespace
 
 ProblemData::ProblemData(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
@@ -119,13 +136,12 @@ ProblemData::ProblemData(ProblemType problem, InputArray points1, InputArray poi
 {
     CV_Assert(problem == HOMOGRAPHY || problem == FUNDAMENTAL || problem == ESSENTIAL);
     read(points1, points2);
-    params.check((int)input[0].size());
+    params.check(view.inputSize);
     pixelThreshold = inputThreshold = params.threshold;
     pixels = 1;
     if (problem == ESSENTIAL)
         calibrate(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
     view.problem = problem;
-    view.inputSize = (int)input[0].size();
     shuffle(params);
     scale(params);
 }
@@ -137,12 +153,20 @@ void ProblemData::read(InputArray points1, InputArray points2)
         CV_Error_(Error::StsUnmatchedSizes, ("points1 and points2: lists of the same length are expected, not of %d and %d",
                   p1.rows, p2.rows));
     announceMemory(p1.rows);
+    view.inputSize = p1.rows;
+    inputRows.create(4, std::max(p1.rows, 1), CV_64F);
     for (int k = 0; k < 4; ++k)
+        input[k] = inputRows.ptr<double>(k);
+    for (int image = 0; image < 2; ++image)
     {
-        const double* const from = (k < 2 ? p1 : p2).ptr<double>();
-        input[k].resize(p1.rows);
+        const Vec2d* const from = (image == 0 ? p1 : p2).ptr<Vec2d>();
+        double* const x = input[2 * image];
+        double* const y = input[2 * image + 1];
         for (int i = 0; i < p1.rows; ++i)
-            input[k][i] = from[2 * i + k % 2];
+        {
+            x[i] = from[i][0];
+            y[i] = from[i][1];
+        }
     }
 }
 
@@ -151,9 +175,9 @@ void ProblemData::calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, 
 {
     const Matx33d K1 = readCamera(cameraMatrix1, "cameraMatrix1");
     const Matx33d K2 = cameraMatrix2.empty() ? K1 : readCamera(cameraMatrix2, "cameraMatrix2");
-    const int count = (int)input[0].size();
-    undistort(K1, readDistortion(distCoeffs1, "distCoeffs1"), input[0].data(), input[1].data(), count);
-    undistort(K2, readDistortion(distCoeffs2, "distCoeffs2"), input[2].data(), input[3].data(), count);
+    const int count = view.inputSize;
+    undistort(K1, readDistortion(distCoeffs1, "distCoeffs1"), input[0], input[1], count);
+    undistort(K2, readDistortion(distCoeffs2, "distCoeffs2"), input[2], input[3], count);
     pixels = (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
     inputThreshold = std::min(inputThreshold / pixels, DBL_MAX);
 }
@@ -161,15 +185,19 @@ void ProblemData::calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, 
 /** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. */
 void ProblemData::shuffle(const Params& params)
 {
-    const int count = (int)input[0].size();
+    const int count = view.inputSize;
     indices.resize(count);
-    int size = 0;
     for (int i = 0; i < count; ++i)
+        indices[i] = i;
+    int size = count;
+    if (!allFinite(input[0], count) || !allFinite(input[1], count) || !allFinite(input[2], count) || !allFinite(input[3], count))
     {
-        indices[size] = i;
-        size += finite(input[0][i]) && finite(input[1][i]) && finite(input[2][i]) && finite(input[3][i]);
+        size = 0;
+        for (int i = 0; i < count; ++i)
+            if (finite(input[0][i]) && finite(input[1][i]) && finite(input[2][i]) && finite(input[3][i]))
+                indices[size++] = i;
+        indices.resize(size);
     }
-    indices.resize(size);
     Rng rng(0x5c3a9d1e, (uint64)size);
     for (int i = size - 1; i > 0; --i)
         std::swap(indices[i], indices[rng.uniform(i + 1)]);
@@ -301,7 +329,7 @@ bool ProblemData::toInput(const Model& model, Matx33d& result) const
 
 int ProblemData::independentInliers(const std::vector<uchar>& mask) const
 {
-    return usacv20::independentInliers(input[0].data(), input[1].data(), input[2].data(), input[3].data(), mask.data(),
+    return usacv20::independentInliers(input[0], input[1], input[2], input[3], mask.data(),
                                        view.inputSize, inputThreshold, inputThreshold);
 }
 
@@ -309,7 +337,7 @@ int ProblemData::mask(const Residual& residual, const Matx33d& model, std::vecto
 {
     const int count = view.inputSize;
     std::vector<double> errors(count);
-    residual.squaredErrors(model, input[0].data(), input[1].data(), input[2].data(), input[3].data(), count,
+    residual.squaredErrors(model, input[0], input[1], input[2], input[3], count,
                            errors.data());
     mask.assign(count, 0);
     int inliers = 0;

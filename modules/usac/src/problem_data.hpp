@@ -41,7 +41,8 @@ private:
     double inputThreshold;                //!< of the mask, in the coordinates of `input`
     double pixelThreshold;                //!< the same in pixels
     double pixels;                        //!< in one unit of `input`
-    std::vector<double> input[4];         //!< all rows: x1, y1, x2, y2 (E: on the normalised image plane)
+    Mat inputRows;                        //!< memory of `input`
+    double* input[4];                     //!< all rows: x1, y1, x2, y2 (E: on the normalised image plane)
     double centre[4], deviation[4];       //!< of each of them, robust
     Mat floats, doubles;                  //!< 4 rows each; cv::Mat aligns them
     std::vector<int> indices;

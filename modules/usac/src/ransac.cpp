@@ -130,18 +130,18 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
     const int* sample = samples[index].val;
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
     h.rejectedSample = false;
-    for (size_t d = 0; d < parts.degeneracies.size(); ++d)                                  // 4
-        h.rejectedSample |= !parts.degeneracies[d]->validSample(context, sample);
+    for (size_t d = 0; d < parts.degeneracies.size() && !h.rejectedSample; ++d)             // 4
+        h.rejectedSample = !parts.degeneracies[d]->validSample(context, sample);
     if (h.rejectedSample)
         return;                                                                             // 5
-    Model models[MAX_MODELS];
-    h.computed = parts.minimalSolver->solve(context.points, sample, models);                // 6
+    h.computed = parts.minimalSolver->solve(context.points, sample, h.models);              // 6
     Rng rotation(context.params.seed, ROTATION_STREAM + firstOfBatch + index);
     for (int k = 0; k < h.computed; ++k)                                                    // 7
     {
+        const Model& model = h.models[k];
         bool valid = true;
         for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)                     // 8
-            valid = parts.degeneracies[d]->validModel(context, sample, models[k]);
+            valid = parts.degeneracies[d]->validModel(context, sample, model);
         if (!valid)
         {
             ++h.rejected;
@@ -149,7 +149,7 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
         }
         const int start = rotation.uniform(context.points.size) & ~15;
         int inliers = 0, tested = 0;
-        const bool passed = !parts.verifier || parts.verifier->preTest(context, models[k], rotation, inliers, tested); // 10
+        const bool passed = !parts.verifier || parts.verifier->preTest(context, model, rotation, inliers, tested); // 10
         h.firstInliers += inliers;
         h.firstTested += tested;
         if (!passed)
@@ -157,7 +157,7 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
             ++h.refused;
             continue;                                                                       // 11
         }
-        const Rating rating = rate(context, parts.verifier.get(), models[k], state.sampleQuality.cost, start); // 10, 12
+        const Rating rating = rate(context, parts.verifier.get(), model, state.sampleQuality.cost, start); // 10, 12
         if (tested == 0)  // else only models that have passed would count
         {
             h.firstInliers += rating.firstInliers;
@@ -165,7 +165,7 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
         }
         if (rating.complete)                                                                // 13
         {
-            h.models[h.count] = models[k];
+            h.models[h.count] = model;  // those kept move to the front
             h.qualities[h.count++] = rating.quality;
         }
         else if (rating.refused)

@@ -78,7 +78,8 @@ private:
                 parts.polisher->polish(context, state.best);
             if (data.points().problem != HOMOGRAPHY)  // what a minimal solver found may miss the constraints
                 state.best = Manifold(data.points().problem, state.best).model();
-            learned.cost = context.rate(state.best).cost / context.points.size;
+            if (report)
+                learned.cost = context.rate(state.best).cost / context.points.size;
             Matx33d model;
             if (data.toInput(state.best, model))
             {

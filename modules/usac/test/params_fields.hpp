@@ -39,6 +39,7 @@ struct Fields
         f.push_back(std::make_pair("termination", &Params::termination));
         f.push_back(std::make_pair("degeneracy", &Params::degeneracy));
         f.push_back(std::make_pair("polishing", &Params::polishing));
+        f.push_back(std::make_pair("polishingSteps", &Params::polishingSteps));
         return f;
     }
 

@@ -26,7 +26,8 @@ TEST(Usac_Params, ranges_of_integers)
         {"verification", VERIFICATION_NONE, VERIFICATION_TDD}, {"tddPoints", 1, 100},
         {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS},
         {"localIterations", 1, 1000}, {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 63},
-        {"degeneracy", 0, 7}, {"polishing", POLISHING_NONE, POLISHING_ROBUST}};
+        {"degeneracy", 0, 7}, {"polishing", POLISHING_NONE, POLISHING_ROBUST},
+        {"polishingSteps", 1, 100}};
     ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::ints().size(); ++i)
     {
@@ -204,6 +205,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(0.05, p.relaxation);
     EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED, p.degeneracy);
     EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);
+    EXPECT_EQ(6, p.polishingSteps);
 }
 
 //! All fields different from their defaults and right.
@@ -238,6 +240,7 @@ Params unusual()
     p.relaxation = 0.3;
     p.degeneracy = DEGENERACY_DEGENSAC;
     p.polishing = POLISHING_NONE;
+    p.polishingSteps = 9;
     return p;
 }
 

@@ -188,7 +188,7 @@ TEST_P(UsacComponents, localSampleMultiple)
 
 TEST_P(UsacComponents, spatialWeight)
 {
-    const Scene scene = sceneOf(problem(), 400, 100);
+    const Scene scene = sceneOf(problem(), 200, 50);
     Params params;
     params.threshold = 0.5;  // of the order of the noise: there are points that their neighbours can turn
     std::vector<int> before;
@@ -303,6 +303,29 @@ TEST_P(UsacComponents, polishing)
     EXPECT_LT(with, 0.8 * without);
     EXPECT_LT(reweighted, 0.8 * without);
     EXPECT_NE(with, reweighted);
+}
+
+//! Fits of the polishing alone: as many as asked for, or fewer where the fit has settled.
+TEST_P(UsacComponents, polishingSteps)
+{
+    const Scene scene = sceneOf(problem(), 200, 100);
+    const int types[] = {POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED, POLISHING_ROBUST};
+    for (int i = 0; i < 3; ++i)
+        for (int steps = 1; steps <= 9; steps += 4)
+        {
+            Params params;
+            params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+            params.degeneracy = 0;
+            params.polishing = types[i];
+            params.polishingSteps = steps;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            const Ptr<FitRecorder> recorder = makePtr<FitRecorder>(usac->components().nonMinimalSolver, 1);
+            usac->components().nonMinimalSolver = recorder;
+            EXPECT_FALSE(usac->run().empty());
+            const int fits = (int)recorder->sizes.size();
+            EXPECT_LE(fits, steps) << types[i];
+            EXPECT_GE(fits, types[i] == POLISHING_ROBUST ? steps : 1) << types[i];
+        }
 }
 
 }} // namespace

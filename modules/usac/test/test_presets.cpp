@@ -22,8 +22,8 @@ TEST(Usac_Presets, change_what_they_say)
     const Params v20, ransac = Params::ransac(), lo = Params::loRansac();
     const Expected all[] = {
         {"usacV20", Params::usacV20(), v20, ""},
-        {"fast", Params::fast(), v20, "localIterations localSamples spatialWeight relaxation "},
-        {"accurate", Params::accurate(), v20, "localIterations localSamples termination "},
+        {"fast", Params::fast(), v20, "localIterations localSamples polishingSteps spatialWeight relaxation "},
+        {"accurate", Params::accurate(), v20, "localIterations localSamples termination polishingSteps "},
         {"sorted", Params::sorted(), v20, "sampler prior "},
         {"parallel", Params::parallel(), v20, "threads "},
         {"ransac", ransac, v20, "sampler quality verification localOptimization termination degeneracy polishing "},
@@ -35,8 +35,8 @@ TEST(Usac_Presets, change_what_they_say)
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
         {"gcRansac", Params::gcRansac(), v20, "localIterations localSampleMultiple localSamples termination degeneracy polishing "},
         {"usac2013", Params::usac2013(), lo, "sampler prior verification termination degeneracy "},
-        {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing reach "},
-        {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing reach "}};
+        {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach "},
+        {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing polishingSteps reach "}};
     const int count = sizeof(all) / sizeof(all[0]);
     for (int i = 0; i < count; ++i)
     {

@@ -137,7 +137,7 @@ TEST_P(Usac_Sprt, badModelsAreDropped)
         const double expected = std::log(sprt.test().A) / C;
         const Rates rates = simulate(*sprt.verifier, delta, ENDLESS, TRIALS, 100 + k);
         EXPECT_EQ(1, rates.dropped);
-        const double block = expected < 48 ? 16 : 64;
+        const double block = expected < 48 ? 32 : 64;
         EXPECT_GE(rates.meanTested, 0.95 * expected) << "epsilon " << epsilon << " delta " << delta;
         EXPECT_LE(rates.meanTested, 1.1 * expected + block + 2 / C * std::log((1 - delta) / (1 - epsilon)));
     }

@@ -10,10 +10,19 @@ namespace usacv20 {
 
 namespace {
 
-//! Twice the signed area of the triangle i, j, k.
-double area(const double* x, const double* y, int i, int j, int k)
+//! Twice the signed areas of the four triangles of four points.
+void areas(const double* x, const double* y, const int* s, double* area)
 {
-    return (x[j] - x[i]) * (y[k] - y[i]) - (x[k] - x[i]) * (y[j] - y[i]);
+    double dx[3], dy[3];  // from the last point
+    for (int k = 0; k < 3; ++k)
+    {
+        dx[k] = x[s[k]] - x[s[3]];
+        dy[k] = y[s[k]] - y[s[3]];
+    }
+    area[0] = dx[1] * dy[2] - dx[2] * dy[1];
+    area[1] = dx[0] * dy[2] - dx[2] * dy[0];
+    area[2] = dx[0] * dy[1] - dx[1] * dy[0];
+    area[3] = (dx[1] - dx[0]) * (dy[2] - dy[0]) - (dx[2] - dx[0]) * (dy[1] - dy[0]);
 }
 
 /** Points of a plane seen by two cameras keep the orientation of all their triangles, or reverse that of all of them if
@@ -25,13 +34,12 @@ public:
     bool validSample(const Context& context, const int* s) const CV_OVERRIDE
     {
         const Correspondences& p = context.points;
-        static const int triangles[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+        double area1[4], area2[4];
+        areas(p.dx1, p.dy1, s, area1);
+        areas(p.dx2, p.dy2, s, area2);
         int same = 0;
         for (int t = 0; t < 4; ++t)
-        {
-            const int i = s[triangles[t][0]], j = s[triangles[t][1]], k = s[triangles[t][2]];
-            same += area(p.dx1, p.dy1, i, j, k) * area(p.dx2, p.dy2, i, j, k) > 0;
-        }
+            same += area1[t] * area2[t] > 0;
         return same == 0 || same == 4;
     }
 

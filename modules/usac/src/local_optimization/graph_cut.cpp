@@ -45,7 +45,7 @@ public:
 
 private:
     //! More points or steps than this make a fit slower, not better, while the inliers are still changing.
-    enum { MAX_FIT = 500, MAX_SHRINK = 128, SHRINK_STEPS = 2, FIT_STEPS = 3 };
+    enum { MAX_FIT = 256, MAX_SHRINK = 64, SHRINK_STEPS = 2, FIT_STEPS = 2 };
 
     //! Fits to the points within 3, 2 and 1 thresholds, each from the last fit.
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)

@@ -23,7 +23,7 @@ public:
         std::vector<double> errors(p.size);
         std::vector<int> inliers;
         Quality quality = context.rate(model);
-        for (int i = 0; i < MAX_FITS; ++i)
+        for (int i = 0; i < context.params.polishingSteps; ++i)
         {
             parts.residual->squaredErrors(model, p.dx1, p.dy1, p.dx2, p.dy2, p.size, errors.data());
             inliers.clear();
@@ -40,9 +40,6 @@ public:
             quality = fittedQuality;
         }
     }
-
-private:
-    enum { MAX_FITS = 5 };
 };
 
 } // namespace

@@ -22,7 +22,7 @@ public:
         MarginalizedFit reweighted;
         const double threshold = context.components.score->threshold(context, model);
         double loss = reweighted.weigh(context, threshold, model);
-        for (int i = 0; i < MAX_ITERATIONS; ++i)
+        for (int i = 0; i < context.params.polishingSteps; ++i)
         {
             Model fitted = model;
             if (!reweighted.fit(context, fitted))
@@ -38,7 +38,6 @@ public:
     }
 
 private:
-    enum { MAX_ITERATIONS = 10 };
     static const double SETTLED;
 };
 

@@ -23,12 +23,13 @@ public:
     void polish(const Context& context, Model& model) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
+        const int steps = context.params.polishingSteps;
         double scale = 0;
         errors.resize(p.size);
-        for (int i = 0; i < ITERATIONS; ++i)
+        for (int i = 0; i < steps; ++i)
         {
-            const int looked = look(context, model, i + 2 < ITERATIONS ? FEW : p.size);
-            if (i == 0 || i == ITERATIONS / 2)
+            const int looked = look(context, model, i + 2 < steps ? FEW : p.size);
+            if (i == 0 || i == steps / 2)
                 scale = scaleOf(p, errors.data(), looked);
             weights.resize(near.size());
             for (size_t k = 0; k < near.size(); ++k)
@@ -47,16 +48,19 @@ private:
     {
         const Correspondences& p = context.points;
         const float limit = (float)(REACH * REACH * p.threshold * p.threshold);
-        near.clear();
-        int begin = 0;
-        while (begin < p.size && (int)near.size() < wanted)
+        near.resize(p.size);
+        int begin = 0, count = 0;
+        while (begin < p.size && count < wanted)
         {
             const int end = std::min(begin + BLOCK, p.size);
             context.components.residual->squaredErrors(p, model, begin, end, errors.data() + begin);
-            for (; begin < end; ++begin)
-                if (errors[begin] <= limit)
-                    near.push_back(begin);
+            for (; begin < end; ++begin)  // no branches, which could not be foretold
+            {
+                near[count] = begin;
+                count += errors[begin] <= limit;
+            }
         }
+        near.resize(count);
         return begin;
     }
 
@@ -70,7 +74,7 @@ private:
     }
 
     //! The weights are renewed before a fit with the old ones has converged; all points are needed for the last two.
-    enum { REACH = 3, ITERATIONS = 4, STEPS = 1, FEW = 500, BLOCK = 256 };
+    enum { REACH = 3, STEPS = 1, FEW = 500, BLOCK = 256 };
 
     std::vector<float> errors;
     std::vector<int> near;  //!< the points that take part

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "residuals/simd.hpp"
 #include "statistics/robust_frame.hpp"
 
 namespace cv {
@@ -46,6 +47,8 @@ double meanAndExtremes(const double* values, int count, double& lowest, double& 
     std::fill(high, high + LANES, values[0]);
     const int whole = count - count % LANES;
     for (int i = 0; i < whole; i += LANES)
+    {
+        USAC_SIMD
         for (int k = 0; k < LANES; ++k)
         {
             const double value = values[i + k];
@@ -53,6 +56,7 @@ double meanAndExtremes(const double* values, int count, double& lowest, double& 
             low[k] = value < low[k] ? value : low[k];
             high[k] = value > high[k] ? value : high[k];
         }
+    }
     for (int i = whole; i < count; ++i)
     {
         sums[0] += values[i] * part;
@@ -70,8 +74,11 @@ double meanDistance(const double* values, int count, double centre)
     double sums[LANES] = {0};
     const int whole = count - count % LANES;
     for (int i = 0; i < whole; i += LANES)
+    {
+        USAC_SIMD
         for (int k = 0; k < LANES; ++k)
             sums[k] += std::abs(values[i + k] - centre) * part;
+    }
     for (int i = whole; i < count; ++i)
         sums[0] += std::abs(values[i] - centre) * part;
     return sumOf(sums);

@@ -30,7 +30,7 @@ public:
     {
     }
 
-    int nextBlock(int tested) const CV_OVERRIDE { return tested < 64 ? 16 : tested < 256 ? 64 : 256; }
+    int nextBlock(int tested) const CV_OVERRIDE { return tested < 64 ? 32 : tested < 256 ? 64 : 256; }
 
     bool proceed(int inliers, int tested) const CV_OVERRIDE
     {

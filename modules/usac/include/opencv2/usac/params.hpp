@@ -204,14 +204,16 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int degeneracy;
     //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
+    //! Most fits of the polishing, each with the inliers or weights under the last one; 1..100. Default 6.
+    CV_PROP_RW int polishingSteps;
 
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
-    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers would have been found, and
-    whose local optimisation has no graph cut, no inner samples and one round. */
+    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers would have been found,
+    whose local optimisation has no graph cut, no inner samples and one round, and whose polishing has three steps. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with the standard termination, up to ten alternations of ten inner samples in
-    the local optimisation. */
+    the local optimisation, and 20 steps of polishing. */
     CV_WRAP static Params accurate();
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
