@@ -40,20 +40,34 @@ cv::Point2d map(const cv::Matx33d& H, const cv::Point2d& point)
     return cv::Point2d(p[0] / p[2], p[1] / p[2]);
 }
 
-double squaredTransferError(const ImagePair& pair, const cv::Matx33d& H, size_t i)
+double squaredTransferError(const cv::Matx33d& H, const cv::Point2d& point1, const cv::Point2d& point2)
 {
-    const cv::Point2d truth = pair.truthIsHomography ? map(pair.H, pair.truth1[i]) : pair.truth2[i];
-    const cv::Point2d d = map(H, pair.truth1[i]) - truth;
+    const cv::Point2d d = map(H, point1) - point2;
     return d.dot(d);
 }
 
-double squaredSampsonDistance(const ImagePair& pair, const cv::Matx33d& F, size_t i)
+double squaredSampsonDistance(const cv::Matx33d& F, const cv::Point2d& point1, const cv::Point2d& point2)
 {
-    const cv::Vec3d x1 = homogeneous(pair.truth1[i]), x2 = homogeneous(pair.truth2[i]);
+    const cv::Vec3d x1 = homogeneous(point1), x2 = homogeneous(point2);
     const cv::Vec3d line2 = F * x1, line1 = F.t() * x2;
     const double algebraic = x2.dot(line2);
     return algebraic * algebraic /
            (line1[0] * line1[0] + line1[1] * line1[1] + line2[0] * line2[0] + line2[1] * line2[1]);
+}
+
+//! In pixels: E becomes F.
+bool toPixels(const ImagePair& pair, ProblemType problem, const cv::Mat& model, cv::Matx33d& M)
+{
+    if (!toMatrix(model, M))
+        return false;
+    if (problem == cv::usacv20::ESSENTIAL)
+        M = pair.K2.inv().t() * M * pair.K1.inv();
+    return true;
+}
+
+double squaredError(ProblemType problem, const cv::Matx33d& M, const cv::Point2d& point1, const cv::Point2d& point2)
+{
+    return problem == cv::usacv20::HOMOGRAPHY ? squaredTransferError(M, point1, point2) : squaredSampsonDistance(M, point1, point2);
 }
 
 double diagonal(const cv::Size2d& size)
@@ -111,13 +125,14 @@ double angleBetween(const cv::Vec3d& a, const cv::Vec3d& b)
 double modelError(const ImagePair& pair, ProblemType problem, const cv::Mat& model)
 {
     cv::Matx33d M;
-    if (!toMatrix(model, M))
+    if (!toPixels(pair, problem, model, M))
         return NO_MODEL;
-    if (problem == cv::usacv20::ESSENTIAL)
-        M = pair.K2.inv().t() * M * pair.K1.inv();
     double sum = 0;
     for (size_t i = 0; i < pair.truth1.size(); ++i)
-        sum += problem == cv::usacv20::HOMOGRAPHY ? squaredTransferError(pair, M, i) : squaredSampsonDistance(pair, M, i);
+    {
+        const cv::Point2d truth = pair.truthIsHomography ? map(pair.H, pair.truth1[i]) : pair.truth2[i];
+        sum += squaredError(problem, M, pair.truth1[i], truth);
+    }
     const double error = std::sqrt(sum / pair.truth1.size());
     return std::isfinite(error) ? error : NO_MODEL;
 }
@@ -127,6 +142,20 @@ double failureLimit(const ImagePair& pair, ProblemType problem)
     if (problem == cv::usacv20::HOMOGRAPHY)
         return 0.01 * diagonal(pair.size2);
     return 0.01 * 0.5 * (diagonal(pair.size1) + diagonal(pair.size2));
+}
+
+double modelCost(const ImagePair& pair, ProblemType problem, const cv::Mat& model, double threshold)
+{
+    cv::Matx33d M;
+    if (!toPixels(pair, problem, model, M))
+        return 1;
+    double sum = 0;
+    for (size_t i = 0; i < pair.points1.size(); ++i)
+    {
+        const double cost = squaredError(problem, M, pair.points1[i], pair.points2[i]) / (threshold * threshold);
+        sum += cost < 1 ? cost : 1;  // also for NaN
+    }
+    return sum / pair.points1.size();
 }
 
 double poseError(const ImagePair& pair, ProblemType problem, const Estimate& estimate)

@@ -36,6 +36,7 @@ Run Meter::measure(Method& method, const ImagePair& pair, Settings settings, int
     run.failed = !(run.error <= failureLimit(pair, settings.problem));
     const bool posed = pair.hasPose && settings.problem != cv::usacv20::HOMOGRAPHY;
     run.poseError = posed ? poseError(pair, settings.problem, estimate) : -1;
+    run.cost = modelCost(pair, settings.problem, estimate.model, settings.threshold);
     run.iterations = estimate.iterations;
     run.inliers = estimate.mask.empty() ? 0 : cv::countNonZero(estimate.mask);
     return run;

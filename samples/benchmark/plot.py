@@ -9,7 +9,6 @@ For each list the cumulative distributions of error and of time, one curve a met
 errors ends at the share of the runs that succeeded. Over all lists: error over time, and one summary picture."""
 
 import argparse
-import csv
 import math
 import os
 import sys
@@ -20,6 +19,8 @@ import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, PercentFormatter
 import numpy as np
+
+from rows import read_rows
 
 # Colours of Okabe and Ito, which the colour-blind can tell apart; line styles and markers go round with another period.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
@@ -49,21 +50,6 @@ class Runs:
 
     def failures(self):
         return float(np.mean(np.isinf(self.errors)))
-
-
-def read_rows(file, columns, option, take):
-    """Calls take(row) for each row of a CSV file. What lacks a column, or what `take` raises an error for, is named with file and
-    line. option: of the program that writes such files."""
-    with open(file, newline="") as lines:
-        rows = csv.DictReader(lines)
-        missing = [name for name in columns if name not in (rows.fieldnames or ())]
-        if missing:
-            raise ValueError("%s:1: no column %s; expected the file of %s" % (file, ", ".join(missing), option))
-        for row in rows:
-            try:
-                take(row)
-            except (TypeError, ValueError):
-                raise ValueError("%s:%d: not a line of %s" % (file, rows.line_num, option)) from None
 
 
 def choose(results, methods):

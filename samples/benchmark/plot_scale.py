@@ -14,6 +14,7 @@ import sys
 import plot  # first, as it chooses how matplotlib draws
 from matplotlib.ticker import LogFormatterMathtext
 from plot import plt
+from rows import read_rows
 
 SWEEPS = {"size": "matches", "inliers": "part of right matches"}
 COLUMNS = ("sweep", "problem", "size", "inliers", "method", "median_cpu_ms", "median_wall_ms", "median_error", "failures_percent")
@@ -30,7 +31,7 @@ def read_scale(file, methods=()):
     """{(sweep, problem): {method: [point, ...]}}, a point being the numbers of a row. `methods`: only these, in this order;
     empty: all."""
     results = {}
-    plot.read_rows(file, COLUMNS, "usac_scale --csv", lambda row: _add(results, row))
+    read_rows(file, COLUMNS, "usac_scale --csv", lambda row: _add(results, row))
     results = plot.choose(results, methods)
     if not any(results.values()):
         raise ValueError(file + ": nothing" + (" of the methods asked for" if methods else ""))

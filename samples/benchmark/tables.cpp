@@ -186,7 +186,7 @@ void Tables::csv(std::ostream& out) const
 
 void Tables::runsCsv(std::ostream& out) const
 {
-    out << "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers\n";
+    out << "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers,cost\n";
     for (size_t i = 0; i < results.size(); ++i)
         for (size_t m = 0; m < results[i].runs.size(); ++m)
             for (size_t k = 0; k < results[i].runs[m].size(); ++k)
@@ -197,7 +197,8 @@ void Tables::runsCsv(std::ostream& out) const
                     << pair.size << ',' << quoted(options.methods[m]) << ',' << run.repeat << ',' << field(run.error) << ','
                     << run.failed << ',' << (run.poseError < 0 ? std::string() : field(run.poseError)) << ','
                     << field(run.cpuMs) << ',' << field(run.wallMs) << ','
-                    << (run.iterations < 0 ? std::string() : field(run.iterations)) << ',' << run.inliers << '\n';
+                    << (run.iterations < 0 ? std::string() : field(run.iterations)) << ',' << run.inliers << ',' << field(run.cost)
+                    << '\n';
             }
 }
 

@@ -19,6 +19,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import compare
 import pairs
 
 try:
@@ -217,6 +218,60 @@ class PlotTest(FolderTest):
                 self.assertEqual(plot.main([file, "--out", self.path("none")]), 1)
             self.assertIn(complaint, err.getvalue())
         self.assertFalse(os.path.exists(self.path("none")))
+
+
+class CompareTest(FolderTest):
+
+    HEAD = "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers,cost\n"
+
+    def runs(self, *pairs):
+        """pairs: (error of a, cost of a, error of b, cost of b), one run each."""
+        rows = []
+        for i, (error_a, cost_a, error_b, cost_b) in enumerate(pairs):
+            for method, error, cost in (("a", error_a, cost_a), ("b", error_b, cost_b)):
+                rows.append('"set",H,"p%d",9,"%s",0,%s,%d,,1,1,,5,%s' % (i, method, error, error == "inf", cost))
+        return self.put("runs.csv", self.HEAD + "\n".join(rows) + "\n")
+
+    def comparison(self, *pairs):
+        results = compare.read_pairs([self.runs(*pairs)])
+        self.assertEqual(list(results), [("H", "set")])
+        return compare.Comparison(results["H", "set"], "a", "b")
+
+    def test_ratios(self):
+        c = self.comparison((1, 0.5, 2, 0.5), (4, 0.2, 2, 0.3), (4, 0.3, 2, 0.2), (1, 0.3, 1.01, 0.3))
+        self.assertAlmostEqual(c.ratio(), (2 / 1.01) ** 0.25)
+        self.assertEqual((c.pairs, c.better, c.worse, c.cheaper), (4, 1, 2, 1))
+        low, high = c.interval()
+        self.assertTrue(0.5 <= low < c.ratio() < high <= 2, (low, high))
+        self.assertEqual((low, high), c.interval())
+
+    def test_failures_count_but_have_no_ratio(self):
+        c = self.comparison(("inf", 1, 2, 0.5), (1, 0.5, "inf", 0.6), ("inf", 0.4, "inf", 0.6), (1, 0.5, 2, 0.6))
+        self.assertEqual((c.pairs, c.better, c.worse, c.cheaper), (4, 2, 1, 0))
+        self.assertAlmostEqual(c.ratio(), 0.5)
+        self.assertTrue(all(np.isnan(x) for x in c.interval()))
+
+    def test_interval_holds_the_truth(self):
+        noise = np.random.RandomState(5)
+        held = 0
+        for _ in range(60):
+            c = self.comparison(*[(np.exp(noise.normal(0.3, 0.4)), 0, 1, 0) for _ in range(25)])
+            low, high = c.interval(400)
+            held += low < np.exp(0.3) < high
+        self.assertGreaterEqual(held, 50)
+
+    def test_table(self):
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            self.assertEqual(compare.main([self.runs((1, 0.5, 2, 0.5), (2, 0.5, 4, 0.5)), "--method=a"]), 0)
+        self.assertIn("| H set | 2 | 0.50 (0.50 .. 0.50), 2 : 0, 0 |\n", out.getvalue())
+
+    def test_mistakes(self):
+        old = self.put("old.csv", self.HEAD.replace(",cost", "") + "set,H,p,9,a,0,1,0,,1,1,,5\n")
+        for arguments, complaint in (([self.path("none")], "none"), ([old], "no column cost"), ([self.runs((1, 1, 1, 1))], "USACV20"),
+                                     ([self.runs((1, 1, 1, 1)), "--method=a", "--other=c"], "no runs of c")):
+            with contextlib.redirect_stderr(io.StringIO()) as err:
+                self.assertEqual(compare.main(arguments), 1)
+            self.assertIn(complaint, err.getvalue())
 
 
 if __name__ == "__main__":

@@ -22,17 +22,13 @@ Termination::~Termination() {}
 Polisher::~Polisher() {}
 Usac::~Usac() {}
 
-const std::vector<int>& State::bestFirst(const Context& context)
+void State::sort(const Context& context)
 {
-    if (order.empty())
-    {
-        order.resize(context.points.size);
-        for (size_t i = 0; i < order.size(); ++i)
-            order[i] = (int)i;
-        if (context.components.prior)
-            context.components.prior->sort(context, order);
-    }
-    return order;
+    order.resize(context.points.size);
+    for (size_t i = 0; i < order.size(); ++i)
+        order[i] = (int)i;
+    if (context.components.prior)
+        context.components.prior->sort(context, order);
 }
 
 Residual::Kind Residual::kind() const { return CUSTOM; }

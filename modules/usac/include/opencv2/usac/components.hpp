@@ -119,7 +119,12 @@ struct CV_EXPORTS State
     State() : iteration(0), subsetSize(0) {}
 
     //! The points, best first, as the Prior says; sorted at the first call.
-    const std::vector<int>& bestFirst(const Context& context);
+    const std::vector<int>& bestFirst(const Context& context)
+    {
+        if (order.empty())
+            sort(context);
+        return order;
+    }
 
     Rng rng;                 //!< generator of the current iteration
     int iteration;           //!< samples drawn so far
@@ -130,6 +135,9 @@ struct CV_EXPORTS State
     Quality sampleQuality;   //!< the best of a model as it came from its sample, before any optimisation
     std::vector<SequentialTest> tests; //!< those of the verifier so far, the last one is in use
     Report report;
+
+private:
+    void sort(const Context& context);
 };
 
 struct Components;

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Compares methods pair by pair in what `usac_benchmark --runs=FILE` has written.
+
+A median over a list of few pairs is the error on one of them; whether a method is better there, the other pairs must say. For each list:
+the ratio of the errors of two methods, geometric mean over the pairs, with the interval in which it lies with 95 % (bootstrap over the
+pairs); the pairs on which the first method is better or worse by more than two per cent, or alone finds a model; and on how many of
+those where it is worse its model has the lower cost, so that no better search would have helped. Markdown, to the standard output."""
+
+import argparse
+import math
+import random
+import statistics
+import sys
+
+from rows import read_rows
+
+COLUMNS = ("list", "problem", "pair", "method", "error", "failed", "cost")
+SAME = 0.02  # errors that differ by less are the same
+
+
+class Pair:
+    """The runs of one method on one pair."""
+
+    def __init__(self):
+        self.errors, self.costs = [], []
+
+    def error(self):
+        return statistics.median(self.errors)
+
+    def cost(self):
+        return statistics.median(self.costs)
+
+
+def read_pairs(files):
+    """{(problem, list): {pair: {method: Pair}}} in the order of the files. A failure has an infinite error."""
+    results = {}
+    for file in files:
+        read_rows(file, COLUMNS, "usac_benchmark --runs", lambda row: _add(results, row))
+    return results
+
+
+def _add(results, row):
+    error, cost, failed = float(row["error"]), float(row["cost"]), int(row["failed"])
+    pair = results.setdefault((row["problem"], row["list"]), {}).setdefault(row["pair"], {}).setdefault(row["method"], Pair())
+    pair.errors.append(math.inf if failed else error)
+    pair.costs.append(cost)
+
+
+class Comparison:
+    """Of `method` with `other` on the pairs of a list that both have solved."""
+
+    def __init__(self, pairs, method, other):
+        both = [(p[method], p[other]) for p in pairs.values() if method in p and other in p]
+        self.pairs = len(both)
+        errors = [(a.error(), b.error(), a.cost() < b.cost()) for a, b in both]
+        self.logs = [math.log(a / b) for a, b, _ in errors if math.isfinite(a) and math.isfinite(b) and a > 0 and b > 0]
+        self.better = sum(a < b * (1 - SAME) for a, b, _ in errors)
+        worse = [cheaper for a, b, cheaper in errors if b < a * (1 - SAME)]
+        self.worse, self.cheaper = len(worse), sum(worse)
+
+    def ratio(self):
+        return math.exp(statistics.fmean(self.logs)) if self.logs else math.nan
+
+    def interval(self, draws=2000):
+        """95 %, the same for the same errors."""
+        if len(self.logs) < 2:
+            return math.nan, math.nan
+        chance = random.Random(1)
+        means = sorted(statistics.fmean(chance.choices(self.logs, k=len(self.logs))) for _ in range(draws))
+        return math.exp(means[int(0.025 * draws)]), math.exp(means[int(0.975 * draws)])
+
+    def __str__(self):
+        return "%.2f (%.2f .. %.2f), %d : %d, %d" % ((self.ratio(),) + self.interval() + (self.better, self.worse, self.cheaper))
+
+
+def print_table(results, method, others, out):
+    print("# `%s` pair by pair\n\nError over that of the other method, geometric mean over pairs (95 %% interval), pairs better : worse, "
+          "those of the worse ones where the cost is lower.\n" % method, file=out)
+    print("| list | pairs | %s |\n|---|---|%s" % (" | ".join("`%s`" % o for o in others), "---|" * len(others)), file=out)
+    for (problem, name), pairs in results.items():
+        comparisons = [Comparison(pairs, method, other) for other in others]
+        if any(c.pairs for c in comparisons):
+            cells = [str(c) if c.pairs else "-" for c in comparisons]
+            print("| %s %s | %d | %s |" % (problem, name, max(c.pairs for c in comparisons), " | ".join(cells)), file=out)
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("runs", nargs="+", metavar="FILE", help="of usac_benchmark --runs; several are taken together")
+    parser.add_argument("--method", default="USACV20", help="default: %(default)s")
+    parser.add_argument("--other", action="append", default=[], help="compared with it, repeatable; default: all")
+    options = parser.parse_args(arguments)
+    try:
+        results = read_pairs(options.runs)
+        known = list(dict.fromkeys(m for pairs in results.values() for methods in pairs.values() for m in methods))
+        unknown = [m for m in [options.method] + options.other if m not in known]
+        if unknown:
+            raise ValueError("no runs of %s; there are %s" % (", ".join(unknown), ", ".join(known)))
+    except (OSError, ValueError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    print_table(results, options.method, options.other or [m for m in known if m != options.method], sys.stdout)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
