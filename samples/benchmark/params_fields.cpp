@@ -45,6 +45,7 @@ const IntField INT_FIELDS[] = {
     { "localSampleMultiple", &Params::localSampleMultiple },
     { "localSamples", &Params::localSamples },
     { "termination", &Params::termination },
+    { "persistence", &Params::persistence },
     { "degeneracy", &Params::degeneracy },
     { "polishing", &Params::polishing },
     { "polishingSteps", &Params::polishingSteps },

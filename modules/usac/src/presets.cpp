@@ -27,6 +27,7 @@ Params Params::accurate()
 {
     Params params;
     params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
+    params.persistence = 3;
     params.localIterations = 10;
     params.localSamples = 10;
     params.polishingSteps = 20;

@@ -254,10 +254,10 @@ void Ransac::updateTermination()
     requiredReason = STOP_STANDARD;
     for (size_t t = 0; t < parts.terminations.size(); ++t)
     {
-        const int iterations = parts.terminations[t]->iterations(context, state);
+        const double iterations = (double)parts.terminations[t]->iterations(context, state) * context.params.persistence;
         if (iterations < required)
         {
-            required = iterations;
+            required = (int)iterations;
             requiredReason = parts.terminations[t]->reason();
         }
     }

@@ -305,6 +305,29 @@ TEST_P(UsacComponents, polishing)
     EXPECT_NE(with, reweighted);
 }
 
+//! A multiple of the samples of one, as long as the best model is found with them all.
+TEST_P(UsacComponents, persistence)
+{
+    const Scene scene = sceneOf(problem(), 150, 150);
+    int iterations[3], several[] = {1, 2, 5};
+    for (int i = 0; i < 3; ++i)
+    {
+        Params params;
+        params.termination = TERMINATION_STANDARD;
+        params.sampler = SAMPLER_UNIFORM;
+        params.maxIterations = 100000;
+        params.persistence = several[i];
+        Report report;
+        estimate(scene, params, noArray(), &report);
+        EXPECT_EQ((int)STOP_STANDARD, report.stop);
+        iterations[i] = report.iterations;
+    }
+    EXPECT_GT(iterations[1], 1.7 * iterations[0]);
+    EXPECT_LE(iterations[1], 2 * iterations[0]);
+    EXPECT_GT(iterations[2], 4 * iterations[0]);
+    EXPECT_LE(iterations[2], 5 * iterations[0]);
+}
+
 //! Fits of the polishing alone: as many as asked for, or fewer where the fit has settled.
 TEST_P(UsacComponents, polishingSteps)
 {

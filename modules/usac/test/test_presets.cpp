@@ -23,7 +23,7 @@ TEST(Usac_Presets, change_what_they_say)
     const Expected all[] = {
         {"usacV20", Params::usacV20(), v20, ""},
         {"fast", Params::fast(), v20, "localIterations localSamples polishingSteps spatialWeight relaxation "},
-        {"accurate", Params::accurate(), v20, "localIterations localSamples termination polishingSteps "},
+        {"accurate", Params::accurate(), v20, "localIterations localSamples termination persistence polishingSteps "},
         {"sorted", Params::sorted(), v20, "sampler prior "},
         {"parallel", Params::parallel(), v20, "threads "},
         {"ransac", ransac, v20, "sampler quality verification localOptimization termination degeneracy polishing "},

@@ -200,6 +200,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int termination;
     //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.05. Used by #TERMINATION_P_NAPSAC.
     CV_PROP_RW double relaxation;
+    //! Times as many samples as the termination criteria ask for, as if 1 - confidence were this power of it; 1..100. Default 1.
+    CV_PROP_RW int persistence;
     //! Set of @ref DegeneracyFlags. Default all.
     CV_PROP_RW int degeneracy;
     //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
@@ -212,8 +214,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers would have been found,
     whose local optimisation has no graph cut, no inner samples and one round, and whose polishing has three steps. */
     CV_WRAP static Params fast();
-    /** @brief What #USACV20_ACCURATE uses: usacV20() with the standard termination, up to ten alternations of ten inner samples in
-    the local optimisation, and 20 steps of polishing. */
+    /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks for, up to ten
+    alternations of ten inner samples in the local optimisation, and 20 steps of polishing. */
     CV_WRAP static Params accurate();
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();

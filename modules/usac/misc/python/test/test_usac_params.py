@@ -20,7 +20,7 @@ class ParamsTest(unittest.TestCase):
     def test_fields_can_be_read_and_written(self):
         params = usac.Params()
         self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "prior", "scores",
-                              "scoreOrder", "quality", "verification", "localOptimization", "termination", "degeneracy",
+                              "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence", "degeneracy",
                               "polishing", "polishingSteps"}, set(fields(params)))
         for name in fields(params):
             if name == "scores":
