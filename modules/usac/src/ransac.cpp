@@ -12,7 +12,9 @@ namespace usacv20 {
 
 namespace {
 
-enum { FIRST_BATCH = 8, LARGEST_BATCH = 256 };
+enum { LARGEST_BATCH = 256 };
+//! Of H, F and E, whose samples take as long as ten of F.
+const int FIRST_BATCH[] = {8, 8, 4};
 //! Smaller batches are not worth the threads: about a tenth of a millisecond for H, F and E.
 const size_t PARALLEL_BATCH[] = {256, 64, 16};
 //! Streams of random numbers beside those of the iterations.
@@ -105,7 +107,7 @@ bool Ransac::terminate()
 void Ransac::drawBatch()
 {
     const int left = context.params.maxIterations - state.iteration;
-    const int size = samples.empty() ? FIRST_BATCH : std::min<int>(2 * (int)samples.size(), LARGEST_BATCH);
+    const int size = samples.empty() ? FIRST_BATCH[context.points.problem] : std::min<int>(2 * (int)samples.size(), LARGEST_BATCH);
     samples.resize(std::min(size, left));
     firstOfBatch = state.iteration;
     for (size_t i = 0; i < samples.size(); ++i, ++state.iteration)
