@@ -329,16 +329,15 @@ bool ProblemData::toInput(const Model& model, Matx33d& result) const
 
 int ProblemData::independentInliers(const std::vector<uchar>& mask) const
 {
-    return usacv20::independentInliers(input[0], input[1], input[2], input[3], mask.data(),
-                                       view.inputSize, inputThreshold, inputThreshold);
+    return usacv20::independentInliers(input[0], input[1], input[2], input[3], mask.data(), view.inputSize, inputThreshold,
+                                       inputThreshold);
 }
 
 int ProblemData::mask(const Residual& residual, const Matx33d& model, std::vector<uchar>& mask) const
 {
     const int count = view.inputSize;
     std::vector<double> errors(count);
-    residual.squaredErrors(model, input[0], input[1], input[2], input[3], count,
-                           errors.data());
+    residual.squaredErrors(model, input[0], input[1], input[2], input[3], count, errors.data());
     mask.assign(count, 0);
     int inliers = 0;
     for (int i = 0; i < count; ++i)

@@ -13,7 +13,7 @@ namespace usacv20 {
 namespace {
 
 enum { LARGEST_BATCH = 256 };
-//! Of H, F and E, whose samples take as long as ten of F.
+//! Of H, F and E, whose samples take as long as seven of F.
 const int FIRST_BATCH[] = {8, 8, 4};
 //! Smaller batches are not worth the threads: about a tenth of a millisecond for H, F and E.
 const size_t PARALLEL_BATCH[] = {256, 64, 16};
