@@ -17,7 +17,7 @@ template <int MOST>
 class SideBySide
 {
 public:
-    SideBySide() { points.size = 0; }
+    SideBySide() : points(), coordinates() {}
 
     void gather(const Correspondences& p, const std::vector<int>& indices)
     {
