@@ -317,8 +317,7 @@ TEST_P(UsacComponents, persistence)
         params.sampler = SAMPLER_UNIFORM;
         params.maxIterations = 100000;
         params.persistence = several[i];
-        Report report;
-        estimate(scene, params, noArray(), &report);
+        const Report report = reportOf(scene, params);
         EXPECT_EQ((int)STOP_STANDARD, report.stop);
         iterations[i] = report.iterations;
     }

@@ -275,7 +275,7 @@ public:
     virtual void adapt(const Context& context, State& state) = 0;
 };
 
-//! Degenerate configurations (paper, section "Degeneracy"). All members of Components::degeneracies are asked in turn.
+//! Degenerate configurations (paper, section "Degeneracy"). Members of Components::degeneracies are asked in turn, until one says no.
 class CV_EXPORTS Degeneracy
 {
 public:
