@@ -45,6 +45,7 @@ const IntField INT_FIELDS[] = {
     { "localSampleMultiple", &Params::localSampleMultiple },
     { "localSamples", &Params::localSamples },
     { "termination", &Params::termination },
+    { "runnersUp", &Params::runnersUp },
     { "persistence", &Params::persistence },
     { "degeneracy", &Params::degeneracy },
     { "polishing", &Params::polishing },

@@ -19,6 +19,7 @@ Params Params::fast()
     params.localIterations = 1;
     params.localSamples = 0;
     params.spatialWeight = 0;
+    params.runnersUp = 4;
     params.polishingSteps = 3;
     return params;
 }
@@ -30,6 +31,7 @@ Params Params::accurate()
     params.persistence = 3;
     params.localIterations = 10;
     params.localSamples = 10;
+    params.runnersUp = 24;
     params.polishingSteps = 20;
     return params;
 }
@@ -56,6 +58,7 @@ Params Params::ransac()
     params.quality = QUALITY_INLIERS;
     params.verification = VERIFICATION_NONE;
     params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    params.runnersUp = 0;
     params.termination = TERMINATION_STANDARD;
     params.degeneracy = 0;
     params.polishing = POLISHING_LEAST_SQUARES;
@@ -117,6 +120,7 @@ Params Params::gcRansac()
     params.localSamples = 20;
     params.localIterations = 10;
     params.localSampleMultiple = 7;
+    params.runnersUp = 0;
     params.termination = TERMINATION_STANDARD;
     params.degeneracy = DEGENERACY_ORIENTATION;
     params.polishing = POLISHING_LEAST_SQUARES;

@@ -25,6 +25,12 @@ const int HOPELESS = 1000000;
 //! Each sample has been drawn but for this probability.
 const double MISSED = 1e-6;
 
+//! A runner-up is worth the time if what it gains over no model at all is at least so much of what the best one gained,
+const double WORTHWHILE = 0.6;
+//! and if less of its inliers than this are inliers of the best model, looked at on so many points.
+const double SAME = 0.9;
+enum { LOOKED_AT = 1024 };
+
 /** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where no model has
 more inliers than its own sample. */
 int exhaustiveSamples(const Context& context)
@@ -39,6 +45,7 @@ int exhaustiveSamples(const Context& context)
 
 Ransac::Ransac(const Context& context_, State& state_)
     : context(context_), parts(context_.components), state(state_),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       localTicks(0), firstInliers(0), firstTested(0)
@@ -51,7 +58,7 @@ void Ransac::run()
     const int64 start = getTickCount();
     if (parts.verifier)
         parts.verifier->adapt(context, state);
-    while (!terminate())                                                                    // 2
+    while (!terminate() || improveRunnersUp())                                              // 2
     {
         drawBatch();                                                                        // 3
         const bool first = state.iteration == 0;
@@ -60,6 +67,7 @@ void Ransac::run()
         if (together)
             hypothesiseBatch();
         Candidate best;
+        bool found = false;
         for (size_t i = 0; i < samples.size() && !terminate(); ++i)
         {
             Hypotheses& h = batch[together ? i : 0];
@@ -68,17 +76,24 @@ void Ransac::run()
             ++state.iteration;
             account(h);
             for (int k = 0; k < h.count; ++k)                                               // 7
-                if (h.qualities[k].betterThan(state.sampleQuality))                         // 13
+            {
+                const Candidate candidate(samples[i], h.models[k], h.qualities[k]);
+                if (!candidate.quality.betterThan(state.sampleQuality))                     // 13
                 {
-                    best.set(samples[i], h.models[k], h.qualities[k]);
-                    state.sampleQuality = best.quality;
-                    if (!first)
-                        improve(best);
-                }
-                else
+                    runnersUp.add(candidate);
                     ++state.report.droppedModels;
+                    continue;
+                }
+                state.sampleQuality = candidate.quality;
+                if (!first)
+                    improve(candidate);
+                else if (found)
+                    runnersUp.add(best);
+                best = candidate;
+                found = true;
+            }
         }
-        if (first && best.sample)
+        if (first && found)
             improve(best);
         const size_t tests = state.tests.size();
         if (parts.verifier)
@@ -159,7 +174,7 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
             ++h.refused;
             continue;                                                                       // 11
         }
-        const Rating rating = rate(context, parts.verifier.get(), model, state.sampleQuality.cost, start); // 10, 12
+        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start); // 10, 12
         if (tested == 0)  // else only models that have passed would count
         {
             h.firstInliers += rating.firstInliers;
@@ -184,7 +199,7 @@ void Ransac::improve(const Candidate& candidate)
     Model model = candidate.model;
     Quality quality = candidate.quality;
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
-    if (!recover(candidate.sample->val, model, quality))                                    // 14
+    if (!recover(candidate.sample.val, model, quality))                                    // 14
         return;                                                                             // 15, 16
     if (parts.localOptimizer)
         optimize(model, quality);                                                           // 19 - 24
@@ -193,6 +208,39 @@ void Ransac::improve(const Candidate& candidate)
     state.best = model;                                                                     // 25
     state.bestQuality = quality;
     updateTermination();                                                                    // 26
+}
+
+/* A model whose inliers are those of the best one leads to the same optimum. Not so for E: a plane has two motions
+@cite ma2004invitation, and whether the best one is the right one of the two is told by the few points beside it. */
+bool Ransac::improveRunnersUp()
+{
+    const int size = context.points.size;
+    const std::vector<Candidate> candidates = runnersUp.take();
+    for (size_t i = 0; i < candidates.size(); ++i)
+    {
+        const Candidate& candidate = candidates[i];
+        if (size - candidate.quality.cost < WORTHWHILE * (size - state.sampleQuality.cost))
+            break;
+        if (context.points.problem == ESSENTIAL || !sameInliers(candidate.model, state.best))
+            improve(candidate);
+    }
+    return !terminate();
+}
+
+bool Ransac::sameInliers(const Model& model, const Model& other) const
+{
+    const int count = std::min<int>(context.points.size, LOOKED_AT);
+    const float limit = (float)(context.points.threshold * context.points.threshold);
+    float errors[LOOKED_AT], otherErrors[LOOKED_AT];
+    parts.residual->squaredErrors(context.points, model, 0, count, errors);
+    parts.residual->squaredErrors(context.points, other, 0, count, otherErrors);
+    int own = 0, shared = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        own += errors[i] <= limit;
+        shared += (errors[i] <= limit) & (otherErrors[i] <= limit);
+    }
+    return shared >= SAME * own;
 }
 
 //! Lines 19 to 24; a second time if the optimised model was degenerate and a better one took its place.
@@ -238,7 +286,7 @@ void Ransac::account(const Hypotheses& h)
     report.droppedModels += h.dropped;
     // Which of the two came first: the best model may be another one now than when a thread rated these.
     for (int k = 0; k < h.stopped; ++k)
-        ++(h.costs[k] < state.sampleQuality.cost ? report.refusedModels : report.droppedModels);
+        ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
     firstInliers += h.firstInliers;
     firstTested += h.firstTested;
     if (parts.verifier)

@@ -5,14 +5,12 @@
 #ifndef OPENCV_USACV20_RANSAC_HPP
 #define OPENCV_USACV20_RANSAC_HPP
 
-#include "opencv2/usac/components.hpp"
+#include "runners_up.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-typedef Vec<int, MAX_SAMPLE_SIZE> Sample;
-
-//! The models of a sample that beat the best one known when they were computed (lines 4 to 14).
+//! The models of a sample that were of use when they were computed (lines 4 to 14): the best so far, or a runner-up.
 struct Hypotheses
 {
     int count;
@@ -25,28 +23,13 @@ struct Hypotheses
     double costs[MAX_MODELS];              //!< theirs before their last block
 };
 
-//! A model that beats those of all samples before.
-struct Candidate
-{
-    Candidate() : sample(0) {}
-    void set(const Sample& sample_, const Model& model_, const Quality& quality_)
-    {
-        sample = &sample_;
-        model = model_;
-        quality = quality_;
-    }
-
-    const Sample* sample;
-    Model model;
-    Quality quality;
-};
-
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
 
 Samples are drawn in batches. Their models are computed and rated one after the other, or by several threads, and in
 either case looked at in the order of the samples. What decides (samples, verification, the best model at the time of the
 look) is the same in both cases, so the number of threads does not change a bit of the result. Of the first batch, only the best
-model is optimised: the first models are soon beaten @cite lebeda2012fixing. */
+model is optimised: the first models are soon beaten @cite lebeda2012fixing. When the search is about to end, the runners-up
+(Params::runnersUp) are optimised, too; if one of them becomes the best model, the criteria are asked again. */
 class Ransac
 {
 public:
@@ -63,7 +46,12 @@ private:
     //! @param index of the sample in the batch
     void hypothesise(int index, Hypotheses& hypotheses) const;
     void hypothesiseBatch();
+    //! Cost from which on the model of a sample is of no use.
+    double uselessCost() const { return runnersUp.uselessCost(state.sampleQuality.cost); }
     void improve(const Candidate& candidate);
+    //! @return false if the search ends nevertheless
+    bool improveRunnersUp();
+    bool sameInliers(const Model& model, const Model& other) const;
     void optimize(Model& model, Quality& quality);
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
@@ -74,6 +62,7 @@ private:
     State& state;
     std::vector<Sample> samples;    //!< of the batch
     std::vector<Hypotheses> batch;  //!< theirs, or those of the present sample
+    RunnersUp runnersUp;
     const int threads;
     int firstOfBatch;   //!< number of its first sample
     const int exhaustive;

@@ -22,18 +22,18 @@ TEST(Usac_Presets, change_what_they_say)
     const Params v20, ransac = Params::ransac(), lo = Params::loRansac();
     const Expected all[] = {
         {"usacV20", Params::usacV20(), v20, ""},
-        {"fast", Params::fast(), v20, "localIterations localSamples polishingSteps spatialWeight relaxation "},
-        {"accurate", Params::accurate(), v20, "localIterations localSamples termination persistence polishingSteps "},
+        {"fast", Params::fast(), v20, "localIterations localSamples runnersUp polishingSteps spatialWeight relaxation "},
+        {"accurate", Params::accurate(), v20, "localIterations localSamples termination runnersUp persistence polishingSteps "},
         {"sorted", Params::sorted(), v20, "sampler prior "},
         {"parallel", Params::parallel(), v20, "threads "},
-        {"ransac", ransac, v20, "sampler quality verification localOptimization termination degeneracy polishing "},
+        {"ransac", ransac, v20, "sampler quality verification localOptimization termination runnersUp degeneracy polishing "},
         {"msac", Params::msac(), ransac, "quality "},
         {"lmeds", Params::lmeds(), ransac, "quality "},
         {"mlesac", Params::mlesac(), ransac, "quality "},
         {"prosac", Params::prosac(), ransac, "sampler prior termination "},
         {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
-        {"gcRansac", Params::gcRansac(), v20, "localIterations localSampleMultiple localSamples termination degeneracy polishing "},
+        {"gcRansac", Params::gcRansac(), v20, "localIterations localSampleMultiple localSamples termination runnersUp degeneracy polishing "},
         {"usac2013", Params::usac2013(), lo, "sampler prior verification termination degeneracy "},
         {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing polishingSteps reach "}};

@@ -132,8 +132,9 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_LE(r.rejectedModels + r.refusedModels + r.droppedModels, r.models);
             EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
             EXPECT_LE(r.localImprovements, r.localOptimizations);
-            // each model that was kept, and again after an improvement
-            EXPECT_LE(r.localOptimizations, r.models - r.rejectedModels - r.droppedModels + r.localImprovements);
+            // each model that was kept, the runners-up (once or twice), and again after an improvement
+            EXPECT_LE(r.localOptimizations,
+                      r.models - r.rejectedModels - r.droppedModels + 2 * params.runnersUp + r.localImprovements);
             EXPECT_EQ(params.localOptimization == LOCAL_OPTIMIZATION_NONE, r.localOptimizations == 0);
             EXPECT_EQ(countNonZero(found.mask), r.inliers);
             EXPECT_TRUE(r.cost >= 0 && r.cost <= 1);

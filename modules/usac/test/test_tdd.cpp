@@ -176,7 +176,6 @@ TEST(Usac_Tdd, runs)
         for (int d = 1; d <= 3; ++d)
         {
             SceneOptions options;
-            options.seed = d;
             const Scene scene = makeScene((ProblemType)problem, options);
             Params params;
             params.verification = VERIFICATION_TDD;

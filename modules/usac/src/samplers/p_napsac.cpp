@@ -10,11 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-//! True if the order of the points is nobody's knowledge. H needs so few samples that a wrong guess is soon left behind.
+//! True if the order of the points is nobody's knowledge.
 bool isGuess(const Context& context)
 {
     const int prior = context.params.prior;
-    return context.points.problem != HOMOGRAPHY && prior != PRIOR_INPUT_ORDER && (prior != PRIOR_AUTO || !context.points.scores);
+    return prior != PRIOR_INPUT_ORDER && (prior != PRIOR_AUTO || !context.points.scores);
 }
 
 /** @brief Progressive NAPSAC @cite barath2019progressive.
@@ -24,7 +24,8 @@ finest layer of the graph with 2 m members at first, and with twice as many each
 that is everything and the sample is PROSAC's. One sample in four is local. With more, small groups of wrong matches that agree
 with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order
 is a guess (the density), every second sample is uniform: where the guess misleads, the model is found at most twice as late. So
-are the first #BEFORE_ORDER samples: easy problems need no more, and so neither order nor neighbourhood. */
+are the first #BEFORE_ORDER samples of F and E: easy problems need no more, and so neither order nor neighbourhood. The first
+#ORDERED samples of H all keep to the order: they come from the few densest points, and four right ones among these are soon met. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -39,7 +40,7 @@ public:
         growth->next();
         const int n = growth->size();
         state.subsetSize = n;
-        if (isGuess(context) && (state.iteration < BEFORE_ORDER || state.iteration % 2 == 0))
+        if (isGuess(context) && uniform(context.points.problem, state.iteration))
         {
             state.rng.distinct(context.points.size, m, sample);
             return;
@@ -51,7 +52,14 @@ public:
     }
 
 private:
-    enum { BEFORE_ORDER = 8 };
+    enum { BEFORE_ORDER = 8, ORDERED = 16 };
+
+    static bool uniform(ProblemType problem, int iteration)
+    {
+        if (problem == HOMOGRAPHY)
+            return iteration >= ORDERED && iteration % 2 == 0;
+        return iteration < BEFORE_ORDER || iteration % 2 == 0;
+    }
 
     //! How often a point was the centre of a local sample, and the finest layer with enough neighbours.
     struct Centre

@@ -47,7 +47,7 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int rejectedModels;
     //! Models dropped by the pre-emptive verification.
     CV_PROP_RW int refusedModels;
-    //! Models that were no better than the best one.
+    //! Models that were no better than the best one; Params::runnersUp of them are optimised nevertheless.
     CV_PROP_RW int droppedModels;
     //! Local optimisations run.
     CV_PROP_RW int localOptimizations;
