@@ -210,6 +210,12 @@ void Ransac::improve(const Candidate& candidate)
     updateTermination();                                                                    // 26
 }
 
+double Ransac::uselessCost() const
+{
+    const double best = state.sampleQuality.cost, size = context.points.size;
+    return std::min(runnersUp.uselessCost(best), size - WORTHWHILE * (size - best));
+}
+
 /* A model whose inliers are those of the best one leads to the same optimum. Not so for E: a plane has two motions
 @cite ma2004invitation, and whether the best one is the right one of the two is told by the few points beside it. */
 bool Ransac::improveRunnersUp()

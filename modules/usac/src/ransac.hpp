@@ -47,7 +47,7 @@ private:
     void hypothesise(int index, Hypotheses& hypotheses) const;
     void hypothesiseBatch();
     //! Cost from which on the model of a sample is of no use.
-    double uselessCost() const { return runnersUp.uselessCost(state.sampleQuality.cost); }
+    double uselessCost() const;
     void improve(const Candidate& candidate);
     //! @return false if the search ends nevertheless
     bool improveRunnersUp();

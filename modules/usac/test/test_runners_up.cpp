@@ -85,6 +85,15 @@ private:
     int* calls;
 };
 
+Scene noisyScene(ProblemType problem, double inlierRatio, uint64 seed)
+{
+    SceneOptions options;
+    options.setSize(200, inlierRatio);
+    options.noise = 1;
+    options.seed = seed;
+    return makeScene(problem, options);
+}
+
 typedef testing::TestWithParam<int> Usac_RunnersUpOf;
 
 TEST_P(Usac_RunnersUpOf, areOptimisedBesideTheBestModels)
@@ -93,16 +102,12 @@ TEST_P(Usac_RunnersUpOf, areOptimisedBesideTheBestModels)
     for (int i = 0; i < 4; ++i)
         for (uint64 seed = 1; seed <= 10; ++seed)
         {
-            SceneOptions options;
-            options.setSize(300, 0.5);
-            options.noise = 1;
-            options.seed = seed;
             Params params;
             params.runnersUp = most[i];
             params.termination = 0;
             params.maxIterations = 500;
             params.localOptimization = i < 3 ? LOCAL_OPTIMIZATION_GRAPH_CUT : LOCAL_OPTIMIZATION_NONE;
-            const Ptr<Usac> usac = createUsac(makeScene((ProblemType)GetParam(), options), params);
+            const Ptr<Usac> usac = createUsac(noisyScene((ProblemType)GetParam(), 0.5, seed), params);
             if (i < 3)
                 usac->components().localOptimizer = makePtr<IdleOptimizer>(calls + i);
             EXPECT_FALSE(usac->run().empty());
@@ -121,11 +126,7 @@ TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
     int lower = 0;
     for (uint64 seed = 1; seed <= 20; ++seed)
     {
-        SceneOptions options;
-        options.setSize(200, 0.3);
-        options.noise = 1;
-        options.seed = seed;
-        const Scene scene = makeScene((ProblemType)GetParam(), options);
+        const Scene scene = noisyScene((ProblemType)GetParam(), 0.3, seed);
         Report with, without;
         Params params;
         params.termination = 0;
@@ -145,11 +146,7 @@ TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
 {
     for (uint64 seed = 1; seed <= 40; ++seed)
     {
-        SceneOptions options;
-        options.setSize(200, 0.5);
-        options.noise = 1;
-        options.seed = seed;
-        const Scene scene = makeScene((ProblemType)GetParam(), options);
+        const Scene scene = noisyScene((ProblemType)GetParam(), 0.5, seed);
         Report with, without;
         Params params;
         params.maxIterations = 100000;

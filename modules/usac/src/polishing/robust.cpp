@@ -16,7 +16,8 @@ namespace {
 @cite geman1987statistical, by weights w = 1 / (1 + error^2 / scale^2)^2 that are renewed, over the points within #REACH thresholds.
 The weights fall off smoothly where a threshold cuts, so the result depends less on it: the points just outside still
 speak, those far outside do not. The scale is the threshold that would suit the noise of the inliers (NoiseScale), as far as it is not
-less than 0.7 and not more than 1.5 times the one given. */
+less than 0.7 and not more than 1.5 times the one given. It ends when a step lowers the loss by far less than what noise adds
+to the loss of the true model, which is about half a parameter's worth each, or after Params::polishingSteps. */
 class RobustPolisher : public Polisher
 {
 public:
@@ -24,19 +25,26 @@ public:
     {
         const Correspondences& p = context.points;
         const int steps = context.params.polishingSteps;
-        double scale = 0;
+        double scale = 0, lossBefore = DBL_MAX;
+        int wanted = FEW, lookedBefore = 0;
         errors.resize(p.size);
         for (int i = 0; i < steps; ++i)
         {
-            const int looked = look(context, model, i + 2 < steps ? FEW : p.size);
-            if (i == 0 || i == steps / 2)
-                scale = scaleOf(p, errors.data(), looked);
-            weights.resize(near.size());
-            for (size_t k = 0; k < near.size(); ++k)
+            int looked = look(context, model, i + 2 < steps ? wanted : p.size);
+            double loss = weigh(scale, looked);
+            const bool settled = looked == lookedBefore && lossBefore - loss < SETTLED;
+            if (settled && looked < p.size)
+                looked = look(context, model, wanted = p.size);
+            if (i == 0 || i == steps / 2 || settled)
             {
-                const double relative = 1 + errors[near[k]] * scale;
-                weights[k] = 1 / (relative * relative);
+                const double scaleBefore = scale;
+                scale = scaleOf(p, errors.data(), looked);
+                if (settled && lookedBefore == p.size && std::abs(scale - scaleBefore) < SAME_SCALE * scale)
+                    return;
+                loss = weigh(scale, looked);
             }
+            lossBefore = loss;
+            lookedBefore = looked;
             if (!context.components.nonMinimalSolver->fit(p, near.data(), (int)near.size(), weights.data(), model, STEPS))
                 return;
         }
@@ -64,6 +72,20 @@ private:
         return begin;
     }
 
+    //! Weights of the points near. @return the loss of those looked at, of which each point takes at most 1
+    double weigh(double scale, int looked)
+    {
+        double loss = looked - (double)near.size();
+        weights.resize(near.size());
+        for (size_t k = 0; k < near.size(); ++k)
+        {
+            const double root = 1 / (1 + errors[near[k]] * scale);
+            weights[k] = root * root;
+            loss += 1 - root;
+        }
+        return loss;
+    }
+
     //! One over the square of the scale.
     static double scaleOf(const Correspondences& p, const float* errors, int count)
     {
@@ -76,10 +98,16 @@ private:
     //! The weights are renewed before a fit with the old ones has converged; all points are needed for the last two.
     enum { REACH = 3, STEPS = 1, FEW = 500, BLOCK = 256 };
 
+    //! Least decrease of the loss, a fraction of a point, and the change of the scale, that are worth another step.
+    static const double SETTLED, SAME_SCALE;
+
     std::vector<float> errors;
     std::vector<int> near;  //!< the points that take part
     std::vector<double> weights;
 };
+
+const double RobustPolisher::SETTLED = 0.05;
+const double RobustPolisher::SAME_SCALE = 0.1;
 
 } // namespace
 

@@ -25,6 +25,39 @@ inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRI
         lanes[k] = sum[k];
 }
 
+//! The same for a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1], of which each value is read once.
+inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK], const double (*USAC_RESTRICT b)[SUMS_CHUNK],
+                        double* USAC_RESTRICT lanes00, double* USAC_RESTRICT lanes01, double* USAC_RESTRICT lanes10,
+                        double* USAC_RESTRICT lanes11)
+{
+    double sum00[SUMS_LANES], sum01[SUMS_LANES], sum10[SUMS_LANES], sum11[SUMS_LANES];
+    for (int k = 0; k < SUMS_LANES; ++k)
+    {
+        sum00[k] = lanes00[k];
+        sum01[k] = lanes01[k];
+        sum10[k] = lanes10[k];
+        sum11[k] = lanes11[k];
+    }
+    for (int i = 0; i < SUMS_CHUNK; i += SUMS_LANES)
+    {
+        USAC_SIMD
+        for (int k = 0; k < SUMS_LANES; ++k)
+        {
+            sum00[k] += a[0][i + k] * b[0][i + k];
+            sum01[k] += a[0][i + k] * b[1][i + k];
+            sum10[k] += a[1][i + k] * b[0][i + k];
+            sum11[k] += a[1][i + k] * b[1][i + k];
+        }
+    }
+    for (int k = 0; k < SUMS_LANES; ++k)
+    {
+        lanes00[k] = sum00[k];
+        lanes01[k] = sum01[k];
+        lanes10[k] = sum10[k];
+        lanes11[k] = sum11[k];
+    }
+}
+
 /** Transfer error: residuals (u - x2, v - y2) with (u, v) = p(H x1). The derivatives by the rows of H are p / w times
 (1, 0, -u) and (0, 1, -v), with p = (x1, y1, 1): all blocks of JtJ are multiples of p p^T / w^2.
 sums: p p^T as 6 numbers times 1, u, v, u^2 + v^2 (24); the gradient (9); the cost. */
@@ -56,9 +89,12 @@ void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
         g[2][i] = -(u * g[0][i] + v * g[1][i]);
         cost[i] = weight[i] * (ru * ru + rv * rv);
     }
-    for (int f = 0; f < 4; ++f)
-        for (int j = 0; j < 6; ++j)
-            addProducts(factor[f], pp[j], sums[6 * f + j]);
+    for (int f = 0; f < 4; f += 2)
+        for (int j = 0; j < 6; j += 2)
+        {
+            double (*const first)[SUMS_LANES] = sums + 6 * f + j, (*const second)[SUMS_LANES] = first + 6;
+            addProducts(factor + f, pp + j, first[0], first[1], second[0], second[1]);
+        }
     for (int row = 0; row < 3; ++row)
         for (int j = 0; j < 3; ++j)
             addProducts(g[row], p[j], sums[24 + 3 * row + j]);
@@ -118,9 +154,15 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
         for (int i = 0; i < SUMS_CHUNK; ++i)
             weighted[row][i] = weight[i] * J[row][i];
     }
-    for (int row = 0, n = 0; row < 10; ++row)
-        for (int col = 0; col <= row; ++col)
-            addProducts(weighted[row], J[col], sums[n++]);
+    for (int row = 0; row < 10; row += 2)
+    {
+        double (*const first)[SUMS_LANES] = sums + row * (row + 1) / 2, (*const second)[SUMS_LANES] = first + row + 1;
+        for (int col = 0; col < row; col += 2)
+            addProducts(weighted + row, J + col, first[col], first[col + 1], second[col], second[col + 1]);
+        addProducts(weighted[row], J[row], first[row]);
+        addProducts(weighted[row + 1], J[row], second[row]);
+        addProducts(weighted[row + 1], J[row + 1], second[row + 1]);
+    }
 }
 
 //! Their cost alone, in the first sum.

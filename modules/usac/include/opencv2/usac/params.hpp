@@ -208,16 +208,16 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int degeneracy;
     //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
-    //! Most fits of the polishing, each with the inliers or weights under the last one; 1..100. Default 6.
+    //! Most fits of the polishing, each with the inliers or weights under the last one; fewer when they settle; 1..100. Default 6.
     CV_PROP_RW int polishingSteps;
 
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
-    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers would have been found,
-    whose local optimisation has no graph cut, no inner samples and one round, and whose polishing has three steps. */
+    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with two fifths more inliers would have been found,
+    whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and three steps of polishing. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks for, up to ten
-    alternations of ten inner samples in the local optimisation, and 20 steps of polishing. */
+    alternations of ten inner samples in the local optimisation, 24 runners-up and 20 steps of polishing. */
     CV_WRAP static Params accurate();
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
