@@ -16,8 +16,8 @@ namespace {
 @cite geman1987statistical, by weights w = 1 / (1 + error^2 / scale^2)^2 that are renewed, over the points within #REACH thresholds.
 The weights fall off smoothly where a threshold cuts, so the result depends less on it: the points just outside still
 speak, those far outside do not. The scale is the threshold that would suit the noise of the inliers (NoiseScale), as far as it is not
-less than 0.7 and not more than 1.5 times the one given. It ends when a step lowers the loss by far less than what noise adds
-to the loss of the true model, which is about half a parameter's worth each, or after Params::polishingSteps. */
+less than 0.7 and not more than 1.5 times the one given. It ends when a step has lowered the sum of the losses by less than a
+twentieth of a point, much less than noise puts between the least loss and that of the true model, or after Params::polishingSteps. */
 class RobustPolisher : public Polisher
 {
 public:
