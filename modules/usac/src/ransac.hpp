@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_RANSAC_HPP
 #define OPENCV_USACV20_RANSAC_HPP
 
-#include "runners_up.hpp"
+#include "local_optimization/runners_up.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "../src/runners_up.hpp"
+#include "local_optimization/runners_up.hpp"
 
 // The best models of samples that were never the best of all: what is kept, and what becomes of them.
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "runners_up.hpp"
+#include "local_optimization/runners_up.hpp"
 
 namespace cv {
 namespace usacv20 {
