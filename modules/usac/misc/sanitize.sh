@@ -24,7 +24,7 @@
 
 set -eu
 . "$(dirname "$0")/common.sh"
-tools=$work/tools
+tools=$work/tools-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
 jobs=${JOBS:-$(nproc)}
 export CCACHE_NOHASHDIR=1  # the tests, compiled in the same way for each tool, are compiled once
 # The code of these is reached by other tests, too; what they are for, a frequency over many seeds, or time and memory over many
