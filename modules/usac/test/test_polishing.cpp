@@ -61,7 +61,7 @@ TEST(Usac_Polishing, reweightedIsAFixedPoint)
     thrice *= 1 / cv::norm(thrice);
     EXPECT_GT(modelDistance(toInternal(usac->points(), scene.model), once), 1e-5) << "polishing does something";
     EXPECT_LT(modelDistance(once, twice), 1e-3);
-    EXPECT_LT(modelDistance(twice, thrice), 1e-5);
+    EXPECT_LT(modelDistance(twice, thrice), 1e-5) << "what a step that gains next to nothing may leave";
 }
 
 //! No polisher leaves its starting point for nothing: without points near the model it stays.

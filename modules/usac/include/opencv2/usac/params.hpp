@@ -196,7 +196,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
-    //! Models beside the best ones that are optimised, too, before the search ends, at most; 0..100. Default 16.
+    //! Models beside those that beat all samples before them that are optimised before the search ends, at most; 0..100. Without
+    //! local optimisation none. Default 16.
     CV_PROP_RW int runnersUp;
     //! Set of @ref TerminationFlags; 0 runs all `maxIterations`. Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
     CV_PROP_RW int termination;
