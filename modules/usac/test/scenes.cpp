@@ -21,6 +21,8 @@ const double WIDTH = SCENE_WIDTH, HEIGHT = SCENE_HEIGHT, FOCAL = 600, MARGIN = 5
 const double MIN_SHIFT = 5, MAX_SHIFT = 50;
 //! Of OUTLIERS_MANY_TO_ONE.
 const int MATCHES_OF_ONE_POINT = 10;
+//! Sides of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL, pixels.
+const double CLUSTER = 80, PATCH = 160;
 
 Matx33d crossMatrix(const Vec3d& v)
 {
@@ -46,15 +48,9 @@ Point2d randomPixel(RNG& rng)
     return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
 }
 
-//! Cameras, and a plane n X = 1 in front of the first one.
-Vec3d makeGeometry(Scene& scene, RNG& rng, double angle)
+//! The camera turns to what both are to see, at distance 6.
+void turnTowards(Scene& scene, const Vec3d& centre)
 {
-    scene.K = Matx33d(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
-    Rodrigues(randomDirection(rng) * (angle * CV_PI / 180), scene.R);
-    Vec3d centre = randomDirection(rng);
-    centre[2] *= 0.3;  // mostly sideways
-    centre *= 1 / cv::norm(centre);
-    // the camera turns to what both are to see, at distance 6
     const Vec3d seen = scene.R * (Vec3d(0, 0, 6) - centre);
     Vec3d axis = seen.cross(Vec3d(0, 0, 1));
     const double turn = std::atan2(cv::norm(axis), seen[2]);
@@ -62,15 +58,50 @@ Vec3d makeGeometry(Scene& scene, RNG& rng, double angle)
     if (cv::norm(axis) > 1e-12)
         Rodrigues(axis * (turn / cv::norm(axis)), towards);
     scene.R = towards * scene.R;
-    scene.t = -(scene.R * centre);
+}
+
+//! Rotation and unit translation.
+void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
+{
+    const double angle = options.angle * CV_PI / 180;
+    if (options.motion == MOTION_GENERAL)
+    {
+        Rodrigues(randomDirection(rng) * angle, scene.R);
+        Vec3d centre = randomDirection(rng);
+        centre[2] *= 0.3;  // mostly sideways
+        centre *= 1 / cv::norm(centre);
+        turnTowards(scene, centre * options.baseline);
+        scene.t = -(scene.R * centre);
+        return;
+    }
+    const bool horizontal = options.motion == MOTION_PLANAR || options.motion == MOTION_CAR;
+    const double turn = options.motion == MOTION_CAR ? rng.uniform(-angle, angle) : angle;
+    Rodrigues(horizontal ? Vec3d(0, turn, 0) : randomDirection(rng) * (options.motion == MOTION_RECTIFIED ? 0 : turn), scene.R);
+    const double heading = rng.uniform(0., 2 * CV_PI);
+    switch (options.motion)
+    {
+    case MOTION_FORWARD: scene.t = Vec3d(0, 0, -1); break;
+    case MOTION_SIDEWAYS: scene.t = Vec3d(std::cos(heading), std::sin(heading), 0); break;
+    case MOTION_PLANAR: scene.t = Vec3d(std::cos(heading), 0, std::sin(heading)); break;
+    case MOTION_CAR: scene.t = Vec3d(std::sin(turn / 2), 0, -std::cos(turn / 2)); break;
+    default: scene.t = Vec3d(-1, 0, 0);
+    }
+}
+
+//! Cameras, and a plane n X = 1 in front of the first one.
+Vec3d makeGeometry(Scene& scene, RNG& rng, const SceneOptions& options)
+{
+    scene.K = Matx33d(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
+    makeMotion(scene, rng, options);
     const Matx33d Kinv = scene.K.inv();
     const Matx33d E = crossMatrix(scene.t) * scene.R;
     scene.F = Kinv.t() * E * Kinv;
     scene.F *= 1 / cv::norm(scene.F);
-    const Vec3d normal = Vec3d(rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4), 1) * (1. / 6);
+    const double tiltX = rng.uniform(-0.4, 0.4), tiltY = rng.uniform(-0.4, 0.4);
+    const Vec3d normal = (options.frontalPlane ? Vec3d(0, 0, 1) : Vec3d(tiltX, tiltY, 1)) * (1. / 6);
     if (scene.problem == HOMOGRAPHY)
     {
-        const Vec3d& t = scene.t;
+        const Vec3d t = scene.t * options.baseline;
         const Matx33d tn(t[0] * normal[0], t[0] * normal[1], t[0] * normal[2], t[1] * normal[0], t[1] * normal[1],
                          t[1] * normal[2], t[2] * normal[0], t[2] * normal[1], t[2] * normal[2]);
         scene.model = scene.K * (scene.R + tn) * Kinv;
@@ -81,32 +112,137 @@ Vec3d makeGeometry(Scene& scene, RNG& rng, double angle)
     return normal;
 }
 
-//! A point that both cameras see; on the plane if `plane`.
-void seenPoint(const Scene& scene, const Vec3d& normal, bool plane, RNG& rng, Point2d& p1, Point2d& p2)
+//! Where the points are, and how they are seen.
+struct Geometry
 {
-    const Matx33d Kinv = scene.K.inv();
-    do
+    Geometry(const Scene& scene_, const Vec3d& normal_, const SceneOptions& options_)
+        : scene(scene_), normal(normal_), options(options_)
     {
-        p1 = randomPixel(rng);
-        const Vec3d ray = Kinv * Vec3d(p1.x, p1.y, 1);
-        const double depth = plane ? 1 / normal.dot(ray) : rng.uniform(4., 9.);
-        const Vec3d X2 = scene.R * (ray * depth) + scene.t;
-        const Vec3d x2 = scene.K * X2;
-        p2 = X2[2] > 0.5 ? Point2d(x2[0] / x2[2], x2[1] / x2[2]) : Point2d(-1, -1);
     }
-    while (!inside(p2));
+
+    const Scene& scene;
+    const Vec3d normal;
+    const SceneOptions& options;
+};
+
+//! The point of image 2 of one of image 1; false if it is out of sight. On the plane if `plane`.
+bool follow(const Geometry& g, bool plane, RNG& rng, const Point2d& p1, Point2d& p2)
+{
+    const Vec3d ray = g.scene.K.inv() * Vec3d(p1.x, p1.y, 1);
+    const double depth = plane ? 1 / g.normal.dot(ray) : rng.uniform(g.options.nearest, g.options.farthest);
+    const Vec3d X2 = g.scene.R * (ray * depth) + g.scene.t * g.options.baseline;
+    const Vec3d x2 = g.scene.K * X2;
+    p2 = X2[2] > 0.5 ? Point2d(x2[0] / x2[2], x2[1] / x2[2]) : Point2d(-1, -1);
+    return inside(p2);
+}
+
+//! A point that both cameras see; on the plane if `plane`.
+void seenPoint(const Geometry& g, bool plane, RNG& rng, Point2d& p1, Point2d& p2)
+{
+    do
+        p1 = randomPixel(rng);
+    while (!follow(g, plane, rng, p1, p2));
 }
 
 //! A match as from repeated texture close by: right but for a shift in image 2.
-void shiftedPoint(const Scene& scene, const Vec3d& normal, RNG& rng, Point2d& p1, Point2d& p2)
+void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
 {
     do
     {
-        seenPoint(scene, normal, scene.problem == HOMOGRAPHY, rng, p1, p2);
+        seenPoint(g, g.scene.problem == HOMOGRAPHY, rng, p1, p2);
         const double direction = rng.uniform(0., 2 * CV_PI), length = rng.uniform(MIN_SHIFT, MAX_SHIFT);
         p2 += Point2d(std::cos(direction), std::sin(direction)) * length;
     }
-    while (!inside(p2) || pixelError(scene, scene.model, p1, p2) < MIN_SHIFT);
+    while (!inside(p2) || pixelError(g.scene, g.scene.model, p1, p2) < MIN_SHIFT);
+}
+
+Point2d randomInSquare(RNG& rng, const Point2d& corner, double side)
+{
+    return corner + Point2d(rng.uniform(0., side), rng.uniform(0., side));
+}
+
+//! What the wrong matches of the structured kinds have in common.
+struct OutlierStructure
+{
+    OutlierStructure(ProblemType problem, const SceneOptions& options_) : options(options_)
+    {
+        RNG rng(0x51ed2701 + 7919 * options.seed);
+        second.problem = problem;
+        secondNormal = makeGeometry(second, rng, options);
+        for (int k = 0; k < 2; ++k)
+        {
+            target[k] = randomPixel(rng);
+            corner[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - PATCH), rng.uniform(MARGIN, HEIGHT - MARGIN - PATCH));
+        }
+    }
+
+    //! The i-th wrong match; false if there is none of this kind.
+    bool match(int i, RNG& rng, Point2d& p1, Point2d& p2) const
+    {
+        const Geometry geometry(second, secondNormal, options);
+        p1 = randomPixel(rng);
+        p2 = randomPixel(rng);
+        switch (options.outlierModel)
+        {
+        case OUTLIERS_TARGETS:
+            p2 = target[i % 2];
+            break;
+        case OUTLIERS_LINE:
+            if (i % 2 == 0)
+                p2 = target[0] + (target[1] - target[0]) * ((i / 2 + 0.5) / (options.outliers / 2 + 1));
+            break;
+        case OUTLIERS_CLUSTERED:
+            p1 = randomInSquare(rng, corner[0], CLUSTER);
+            p2 = randomInSquare(rng, corner[1], CLUSTER);
+            break;
+        case OUTLIERS_SECOND_MODEL:
+            for (int tries = 0; tries < 10000; ++tries)
+                if (follow(geometry, second.problem == HOMOGRAPHY, rng, p1 = randomInSquare(rng, corner[0], PATCH), p2))
+                    return true;
+            break;
+        default:
+            return false;
+        }
+        return true;
+    }
+
+    //! Have the wrong matches the noise of the true ones?
+    bool noisy() const { return options.outlierModel >= OUTLIERS_TARGETS; }
+
+    const SceneOptions& options;
+    Scene second;
+    Vec3d secondNormal;
+    Point2d target[2], corner[2];
+};
+
+void repeatRow(Scene& scene, int from, int to)
+{
+    std::vector<Point2d>* const points[] = {&scene.points1, &scene.points2, &scene.clean1, &scene.clean2};
+    for (int k = 0; k < 4; ++k)
+        (*points[k])[to] = (*points[k])[from];
+    scene.truth[to] = scene.truth[from];
+    scene.onPlane[to] = scene.onPlane[from];
+}
+
+//! Each row so many times, in random order.
+void copyRows(Scene& scene, int copies, RNG& rng)
+{
+    const int size = scene.size(), copied = size * copies;
+    std::vector<Point2d>* const points[] = {&scene.points1, &scene.points2, &scene.clean1, &scene.clean2};
+    for (int k = 0; k < 4; ++k)
+        points[k]->resize(copied);
+    scene.truth.resize(copied);
+    scene.onPlane.resize(copied);
+    for (int i = size; i < copied; ++i)
+        repeatRow(scene, i % size, i);
+    for (int i = copied - 1; i > 0; --i)
+    {
+        const int other = rng.uniform(0, i + 1);
+        for (int k = 0; k < 4; ++k)
+            std::swap((*points[k])[i], (*points[k])[other]);
+        std::swap(scene.truth[i], scene.truth[other]);
+        std::swap(scene.onPlane[i], scene.onPlane[other]);
+    }
 }
 
 //! With numbers of their own, so that the points do not depend on them.
@@ -135,7 +271,8 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
     Scene scene;
     scene.problem = problem;
     RNG rng(0x2545f491 + 7919 * options.seed);
-    const Vec3d normal = makeGeometry(scene, rng, options.angle);
+    const Geometry geometry(scene, makeGeometry(scene, rng, options), options);
+    const OutlierStructure structure(problem, options);
     const int size = options.inliers + options.outliers, own = options.inliers - options.duplicates;
     CV_Assert(own > 0);
     const int shared = std::min(own, options.outliers / MATCHES_OF_ONE_POINT + 1);
@@ -154,36 +291,32 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
         const int row = order[i];
         if (i >= own && i < options.inliers)
         {
-            const int other = order[rng.uniform(0, own)];
-            scene.points1[row] = scene.points1[other];
-            scene.points2[row] = scene.points2[other];
-            scene.clean1[row] = scene.clean1[other];
-            scene.clean2[row] = scene.clean2[other];
-            scene.truth[row] = 1;
-            scene.onPlane[row] = scene.onPlane[other];
+            repeatRow(scene, order[rng.uniform(0, own)], row);
             continue;
         }
         Point2d &p1 = scene.clean1[row], &p2 = scene.clean2[row];
         scene.truth[row] = i < own;
         scene.onPlane[row] = i < planar;
         if (i < own)
-            seenPoint(scene, normal, i < planar, rng, p1, p2);
+            seenPoint(geometry, i < planar, rng, p1, p2);
         else if (options.outlierModel == OUTLIERS_LOCAL)
-            shiftedPoint(scene, normal, rng, p1, p2);
+            shiftedPoint(geometry, rng, p1, p2);
         else if (options.outlierModel == OUTLIERS_MANY_TO_ONE)
         {
             p1 = randomPixel(rng);
             p2 = scene.points2[order[rng.uniform(0, shared)]];
         }
-        else
+        else if (!structure.noisy() || !structure.match(i - options.inliers, rng, p1, p2))
         {
             p1 = randomPixel(rng);
             p2 = randomPixel(rng);
         }
-        const double noise = i < own ? options.noise : 0;
+        const double noise = i < own || structure.noisy() ? options.noise : 0;
         scene.points1[row] = p1 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
         scene.points2[row] = p2 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
     }
+    if (options.copies > 1)
+        copyRows(scene, options.copies, rng);
     makeScores(scene, options);
     return scene;
 }
@@ -243,44 +376,6 @@ Matx33d toInternal(const Correspondences& points, const Matx33d& model)
 double modelDistance(const Matx33d& a, const Matx33d& b)
 {
     return std::min(cv::norm(a - b), cv::norm(a + b));
-}
-
-OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                     double inlierThreshold)
-{
-    const int size = (int)points1.size();
-    floats = Mat::zeros(4, (int)alignSize(std::max(size, 1), 16), CV_32F);
-    for (int k = 0; k < 4; ++k)
-        doubles[k].resize(size);
-    for (int i = 0; i < size; ++i)
-    {
-        const double p[4] = {points1[i].x, points1[i].y, points2[i].x, points2[i].y};
-        for (int k = 0; k < 4; ++k)
-        {
-            doubles[k][i] = p[k];
-            floats.at<float>(k, i) = (float)p[k];
-        }
-        index.push_back(i);
-    }
-    points.problem = problem;
-    points.size = points.inputSize = size;
-    points.x1 = floats.ptr<float>(0);
-    points.y1 = floats.ptr<float>(1);
-    points.x2 = floats.ptr<float>(2);
-    points.y2 = floats.ptr<float>(3);
-    points.dx1 = doubles[0].data();
-    points.dy1 = doubles[1].data();
-    points.dx2 = doubles[2].data();
-    points.dy2 = doubles[3].data();
-    points.inputIndex = index.data();
-    points.scores = 0;
-    points.threshold = inlierThreshold;
-    points.T1 = points.T2 = Matx33d::eye();
-    for (int k = 0; k < 4; ++k)
-    {
-        points.lower[k] = size ? *std::min_element(floats.ptr<float>(k), floats.ptr<float>(k) + size) : 0;
-        points.upper[k] = size ? *std::max_element(floats.ptr<float>(k), floats.ptr<float>(k) + size) : 0;
-    }
 }
 
 } // namespace opencv_test
