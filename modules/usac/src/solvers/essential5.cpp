@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "solvers/elimination.hpp"
+#include "solvers/essential_basis.hpp"
 #include "solvers/polynomial.hpp"
 #include "solvers/solvers.hpp"
 
@@ -93,10 +94,10 @@ void constraints(const double (&basis)[4][9], double (&C)[10][20])
 }
 
 /** Gauss elimination of the left 10x10 block with partial pivoting; only the last six rows, which the solver uses, are
-brought to reduced form. False if the block is singular. */
-bool eliminate(double (&C)[10][20])
+brought to reduced form. @return the smallest pivot as part of the largest coefficient; 0 if the block is singular */
+double eliminate(double (&C)[10][20])
 {
-    double largest = 0;
+    double largest = 0, least = DBL_MAX;
     for (int i = 0; i < 10; ++i)
         for (int j = 0; j < 10; ++j)
             largest = std::max(largest, std::abs(C[i][j]));
@@ -106,8 +107,9 @@ bool eliminate(double (&C)[10][20])
         for (int i = k + 1; i < 10; ++i)
             if (std::abs(C[i][k]) > std::abs(C[pivot][k]))
                 pivot = i;
+        least = std::min(least, std::abs(C[pivot][k]));
         if (!(std::abs(C[pivot][k]) > 1e-13 * largest))  // also for NaN
-            return false;
+            return 0;
         if (pivot != k)
             std::swap_ranges(C[pivot] + k, C[pivot] + 20, C[k] + k);
         const double inverse = 1 / C[k][k];
@@ -122,7 +124,7 @@ bool eliminate(double (&C)[10][20])
                 C[i][j] -= factor * C[k][j];
         }
     }
-    return true;
+    return least / largest;
 }
 
 /** Row a of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of (monomial z) minus z times the row of (monomial).
@@ -188,26 +190,29 @@ inline void addRows(const double (&T)[20][10], const double* values, int first, 
             sums[i] += values[k] * T[k][i];
 }
 
-//! Constraints with no more than this left over, for unit models, need no correction.
-const double EXACT = 1e-12;
+//! What may be left of the constraints, for unit models: no correction is needed; no essential matrix has been found.
+const double EXACT = 1e-12, VIOLATED = 1e-9;
 
-/** One step of Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots
-are small; the step brings them back. T: coefficients of the constraints, a row for each monomial. */
-void correct(const double (&T)[20][10], double& x, double& y, double& z)
+//! Largest of the ten constraints r at (x, y, z).
+double violation(const double (&T)[20][10], double x, double y, double z, double (&r)[10])
 {
     const double m[20] = {x * x * x, y * y * y, x * x * y, x * y * y, x * x * z, x * x, y * y * z, y * y, x * y * z, x * y,
                           x * z * z, x * z, x, y * z * z, y * z, y, z * z * z, z * z, z, 1};
-    const double mx[20] = {3 * x * x, 0, 2 * x * y, y * y, 2 * x * z, 2 * x, 0, 0, y * z, y, z * z, z, 1};
-    const double my[20] = {0, 3 * y * y, x * x, 2 * x * y, 0, 0, 2 * y * z, 2 * y, x * z, x, 0, 0, 0, z * z, z, 1};
-    const double mz[20] = {0, 0, 0, 0, x * x, 0, y * y, 0, x * y, 0, 2 * x * z, x, 0, 2 * y * z, y, 0, 3 * z * z, 2 * z, 1};
-    double r[10] = {0}, gx[10] = {0}, gy[10] = {0}, gz[10] = {0};
+    std::fill(r, r + 10, 0.);
     addRows(T, m, 0, 20, r);
     double largest = 0;
     for (int i = 0; i < 10; ++i)
         largest = std::max(largest, std::abs(r[i]));
-    const double squared = 1 + x * x + y * y + z * z;
-    if (largest < EXACT * squared * std::sqrt(squared))
-        return;
+    return largest;
+}
+
+//! Step of Gauss and Newton's method on the ten constraints; zero if it is not determined.
+Vec3d stepOf(const double (&T)[20][10], double x, double y, double z, const double (&r)[10])
+{
+    const double mx[20] = {3 * x * x, 0, 2 * x * y, y * y, 2 * x * z, 2 * x, 0, 0, y * z, y, z * z, z, 1};
+    const double my[20] = {0, 3 * y * y, x * x, 2 * x * y, 0, 0, 2 * y * z, 2 * y, x * z, x, 0, 0, 0, z * z, z, 1};
+    const double mz[20] = {0, 0, 0, 0, x * x, 0, y * y, 0, x * y, 0, 2 * x * z, x, 0, 2 * y * z, y, 0, 3 * z * z, 2 * z, 1};
+    double gx[10] = {0}, gy[10] = {0}, gz[10] = {0};
     addRows(T, mx, 0, 13, gx);
     addRows(T, my, 1, 16, gy);
     addRows(T, mz, 4, 19, gz);
@@ -228,19 +233,73 @@ void correct(const double (&T)[20][10], double& x, double& y, double& z)
     A(1, 0) = A(0, 1);
     A(2, 0) = A(0, 2);
     A(2, 1) = A(1, 2);
-    const Vec3d step = A.inv() * b;  // zero if A is singular
-    const double size = step.dot(step);
-    if (!(size < 1e-2 * squared))  // also for NaN
-        return;
-    x -= step[0];
-    y -= step[1];
-    z -= step[2];
+    return A.inv() * b;
 }
+
+/** Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots are small; the
+steps bring them back. False if the constraints stay violated: this is no essential matrix.
+@param T coefficients of the constraints, a row for each monomial
+@param length of Z; those of X, Y and W are 1
+@param x, y, z solution, in and out */
+bool correct(const double (&T)[20][10], double length, double& x, double& y, double& z)
+{
+    enum { STEPS = 4 };
+    for (int k = 0;; ++k)
+    {
+        double r[10];
+        const double squared = 1 + x * x + y * y + length * length * z * z, left = violation(T, x, y, z, r) / (squared * std::sqrt(squared));
+        if (left < EXACT || k == STEPS)
+            return left < VIOLATED;  // false for NaN
+        const Vec3d step = stepOf(T, x, y, z, r);
+        if (!(step[0] * step[0] + step[1] * step[1] + length * length * step[2] * step[2] < 0.1 * squared))  // also for NaN
+            return left < VIOLATED;
+        x -= step[0];
+        y -= step[1];
+        z -= step[2];
+    }
+}
+
+//! The constraints on E = x X + y Y + z Z + W, before and after the elimination.
+struct System
+{
+    //! @return see eliminate()
+    double build(const EssentialBasis& basis)
+    {
+        double C[10][20];
+        constraints(basis, C);
+        for (int k = 0; k < 20; ++k)
+            for (int i = 0; i < 10; ++i)
+                transposed[k][i] = C[i][k];
+        const double pivot = eliminate(C);
+        for (int k = 0; k < 3; ++k)
+            linkRows(C[4 + 2 * k], C[5 + 2 * k], B[k]);
+        return pivot;
+    }
+
+    //! Determinant of B(z), degree 10.
+    void determinant(double (&result)[11]) const
+    {
+        std::fill(result, result + 11, 0.);
+        for (int i = 0; i < 3; ++i)
+        {
+            const int a = (i + 1) % 3, b = (i + 2) % 3;
+            addProduct3(B[a][0], B[b][1], B[i][2], 1, result);
+            addProduct3(B[b][0], B[a][1], B[i][2], -1, result);
+        }
+    }
+
+    double transposed[20][10];  //!< coefficients of the constraints, a row for each monomial
+    double B[3][3][5];          //!< B(z) (x, y, 1)^T = 0
+};
+
+//! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a scene with parallax is among them.
+const double SMALL_PIVOT = 5e-4;
 
 /** @brief Up to ten essential matrices from five points of calibrated cameras @cite nister2004efficient.
 
 The epipolar constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3 matrix of polynomials
-in z whose determinant, of degree 10, vanishes; its real roots give z, its null vectors x and y. */
+in z whose determinant, of degree 10, vanishes; its real roots give z, its null vectors x and y. Roots that satisfy the constraints
+only roughly, even after a correction, are no solutions. */
 class Essential5Solver : public MinimalSolver
 {
 public:
@@ -248,40 +307,27 @@ public:
 
     int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
     {
-        double A[9][6] = {{0}}, basis[4][9], C[10][20], transposed[20][10], B[3][3][5];
-        for (int i = 0; i < 5; ++i)
-        {
-            const double x1 = p.dx1[sample[i]], y1 = p.dy1[sample[i]], x2 = p.dx2[sample[i]], y2 = p.dy2[sample[i]];
-            const double row[9] = {x2 * x1, x2 * y1, x2, y2 * x1, y2 * y1, y2, x1, y1, 1};
-            for (int k = 0; k < 9; ++k)
-                A[k][i] = row[k];
-        }
-        if (!nullSpace<5>(A, basis))
+        EssentialBasis basis;
+        System system;
+        if (!span(p, sample, basis))
             return 0;
-        constraints(basis, C);
-        for (int k = 0; k < 20; ++k)
-            for (int i = 0; i < 10; ++i)
-                transposed[k][i] = C[i][k];
-        if (!eliminate(C))
-            return 0;
-        linkRows(C[4], C[5], B[0]);
-        linkRows(C[6], C[7], B[1]);
-        linkRows(C[8], C[9], B[2]);
-        double determinant[11] = {0}, roots[MAX_DEGREE];
-        for (int i = 0; i < 3; ++i)
+        mix(basis);
+        double length = 1;
+        if (system.build(basis) < SMALL_PIVOT)
         {
-            const int a = (i + 1) % 3, b = (i + 2) % 3;
-            addProduct3(B[a][0], B[b][1], B[i][2], 1, determinant);
-            addProduct3(B[b][0], B[a][1], B[i][2], -1, determinant);
+            length = align(p, sample, basis);
+            if (!(system.build(basis) > 0))
+                return 0;
         }
+        double determinant[11], roots[MAX_DEGREE];
+        system.determinant(determinant);
         const int count = realRoots(determinant, 10, roots);
         int found = 0;
         for (int r = 0; r < count; ++r)
         {
             double x, y, z = roots[r], squares = 0;
-            if (!backSubstitute(B, z, x, y))
+            if (!backSubstitute(system.B, z, x, y) || !correct(system.transposed, length, x, y, z))
                 continue;
-            correct(transposed, x, y, z);
             for (int i = 0; i < 9; ++i)
             {
                 const double e = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
@@ -292,6 +338,21 @@ public:
                 models[found++] *= 1 / std::sqrt(squares);
         }
         return found;
+    }
+
+private:
+    //! Any basis of what the epipolar constraints leave.
+    static bool span(const Correspondences& p, const int* sample, EssentialBasis& basis)
+    {
+        double A[9][6] = {{0}};
+        for (int i = 0; i < 5; ++i)
+        {
+            const double x1 = p.dx1[sample[i]], y1 = p.dy1[sample[i]], x2 = p.dx2[sample[i]], y2 = p.dy2[sample[i]];
+            const double row[9] = {x2 * x1, x2 * y1, x2, y2 * x1, y2 * y1, y2, x1, y1, 1};
+            for (int k = 0; k < 9; ++k)
+                A[k][i] = row[k];
+        }
+        return nullSpace<5>(A, basis);
     }
 };
 
