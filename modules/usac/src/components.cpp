@@ -44,9 +44,11 @@ bool Verifier::preTest(const Context&, const Model&, Rng&, int& inliers, int& te
 }
 
 bool Degeneracy::validSample(const Context&, const int*) const { return true; }
+bool Degeneracy::mayBeGood(const Context&, const int*) const { return false; }
 bool Degeneracy::validModel(const Context&, const int*, const Model&) const { return true; }
 bool Degeneracy::recover(const Context&, State&, const int*, Model&, Quality&) { return true; }
 
+bool Termination::countsAll() const { return false; }
 int Termination::reason() const { return STOP_CUSTOM; }
 
 } // namespace usacv20

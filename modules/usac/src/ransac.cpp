@@ -48,6 +48,7 @@ Ransac::Ransac(const Context& context_, State& state_)
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD),
       localTicks(0), firstInliers(0), firstTested(0)
 {
 }
@@ -74,6 +75,7 @@ void Ransac::run()
             if (!together)
                 hypothesise((int)i, h);
             ++state.iteration;
+            state.counts = counts[i] != 0;
             account(h);
             for (int k = 0; k < h.count; ++k)                                               // 7
             {
@@ -109,8 +111,10 @@ bool Ransac::terminate()
 {
     if (state.iteration >= context.params.maxIterations)
         state.report.stop = STOP_MAX_ITERATIONS;
-    else if (state.iteration >= required)
+    else if (state.countedSamples >= required)
         state.report.stop = requiredReason;
+    else if (state.iteration >= requiredOfAll)
+        state.report.stop = reasonOfAll;
     else if (state.iteration >= HOPELESS && state.report.models == 0 && !parts.terminations.empty())
         state.report.stop = STOP_NO_MODEL;
     else
@@ -124,11 +128,14 @@ void Ransac::drawBatch()
     const int left = context.params.maxIterations - state.iteration;
     const int size = samples.empty() ? FIRST_BATCH[context.points.problem] : std::min<int>(2 * (int)samples.size(), LARGEST_BATCH);
     samples.resize(std::min(size, left));
+    counts.resize(samples.size());
     firstOfBatch = state.iteration;
     for (size_t i = 0; i < samples.size(); ++i, ++state.iteration)
     {
         state.rng = Rng(context.params.seed, state.iteration);
+        state.counts = true;
         parts.sampler->sample(context, state, samples[i].val);
+        counts[i] = state.counts;
     }
     state.iteration = firstOfBatch;
 }
@@ -146,9 +153,12 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
 {
     const int* sample = samples[index].val;
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
-    h.rejectedSample = false;
+    h.rejectedSample = h.repeated = false;
     for (size_t d = 0; d < parts.degeneracies.size() && !h.rejectedSample; ++d)             // 4
+    {
         h.rejectedSample = !parts.degeneracies[d]->validSample(context, sample);
+        h.repeated = h.rejectedSample && parts.degeneracies[d]->mayBeGood(context, sample);
+    }
     if (h.rejectedSample)
         return;                                                                             // 5
     h.computed = parts.minimalSolver->solve(context.points, sample, h.models);              // 6
@@ -284,6 +294,9 @@ bool Ransac::recover(const int* sample, Model& model, Quality& quality)
 void Ransac::account(const Hypotheses& h)
 {
     Report& report = state.report;
+    state.repeatedSamples += state.counts && h.repeated;
+    state.counts = state.counts && !h.repeated;
+    state.countedSamples += state.counts;
     report.rejectedSamples += h.rejectedSample;
     report.degenerateSamples += !h.rejectedSample && h.computed == 0;
     report.models += h.computed;
@@ -308,15 +321,19 @@ void Ransac::updateTermination()
 {
     required = exhaustive;
     requiredReason = STOP_STANDARD;
+    requiredOfAll = INT_MAX;
     for (size_t t = 0; t < parts.terminations.size(); ++t)
-    {
-        const double iterations = (double)parts.terminations[t]->iterations(context, state) * context.params.persistence;
-        if (iterations < required)
-        {
-            required = (int)iterations;
-            requiredReason = parts.terminations[t]->reason();
-        }
-    }
+        require((double)parts.terminations[t]->iterations(context, state) * context.params.persistence,
+                parts.terminations[t]->countsAll(), parts.terminations[t]->reason());
+}
+
+void Ransac::require(double wanted, bool all, int reason)
+{
+    int& least = all ? requiredOfAll : required;
+    if (wanted >= least)
+        return;
+    least = (int)wanted;
+    (all ? reasonOfAll : requiredReason) = reason;
 }
 
 } // namespace usacv20

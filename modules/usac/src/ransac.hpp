@@ -17,6 +17,7 @@ struct Hypotheses
     Model models[MAX_MODELS];
     Quality qualities[MAX_MODELS];
     bool rejectedSample;                   //!< by a check
+    bool repeated;                         //!< rejected, but may be a good one in which a match is twice
     int computed, rejected, refused, dropped;  //!< models, for the report
     int firstInliers, firstTested;         //!< of their first blocks, for the verifier
     int stopped;                           //!< models that the verifier dropped while they were rated
@@ -56,17 +57,20 @@ private:
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
+    void require(double wanted, bool all, int reason);
 
     const Context& context;
     const Components& parts;
     State& state;
     std::vector<Sample> samples;    //!< of the batch
+    std::vector<uchar> counts;      //!< State::counts of each
     std::vector<Hypotheses> batch;  //!< theirs, or those of the present sample
     RunnersUp runnersUp;
     const int threads;
     int firstOfBatch;   //!< number of its first sample
     const int exhaustive;
-    int required, requiredReason;
+    //! Samples that count, and samples in all, after which the run can stop, and the criterion that says so.
+    int required, requiredReason, requiredOfAll, reasonOfAll;
     double localTicks;
     double firstInliers, firstTested;
 };

@@ -16,6 +16,12 @@ inline bool shareAPoint(const Correspondences& p, int i, int j)
     return (p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j]) || (p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j]);
 }
 
+//! True if two matches are the same.
+inline bool sameMatch(const Correspondences& p, int i, int j)
+{
+    return p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j] && p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j];
+}
+
 } // namespace usacv20
 } // namespace cv
 

@@ -27,6 +27,8 @@ public:
     {
         const int m = context.components.minimalSolver->sampleSize();
         state.subsetSize = context.points.size;
+        if (drawUniform(context, state, sample))
+            return;
         if (points.empty() && rest.empty())
             build(context);
         const int positive = (int)points.size();

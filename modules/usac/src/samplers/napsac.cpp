@@ -27,6 +27,8 @@ public:
         const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
         Neighbourhood& neighbourhood = *context.components.neighbourhood;
         state.subsetSize = size;
+        if (drawUniform(context, state, sample))
+            return;
         for (int i = 0; i < TRIES; ++i)
         {
             sample[0] = state.rng.uniform(size);

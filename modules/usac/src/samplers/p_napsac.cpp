@@ -21,11 +21,11 @@ bool isGuess(const Context& context)
 
 The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood: the
 finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
-that is everything and the sample is PROSAC's. One sample in four is local. With more, small groups of wrong matches that agree
+that is everything and the sample is PROSAC's. One sample in four is local, of points in a known order one in four of those that are
+not uniform (Params::uniformEvery). With more, small groups of wrong matches that agree
 with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order
-is a guess (the density), every second sample is uniform: where the guess misleads, the model is found at most twice as late. So
-are the first #BEFORE_ORDER samples of F and E: easy problems need no more, and so neither order nor neighbourhood. The first
-#ORDERED samples of H all keep to the order: they come from the few densest points, and four right ones among these are soon met. */
+is a guess (the density), uniform are also the first #BEFORE_ORDER samples of F and E: easy problems need no more, and so neither order nor neighbourhood. The first
+#ORDERED samples of H then all keep to the order: they come from the few densest points, and four right ones among these are soon met. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -40,25 +40,33 @@ public:
         growth->next();
         const int n = growth->size();
         state.subsetSize = n;
-        if (isGuess(context) && uniform(context.points.problem, state.iteration))
-        {
-            state.rng.distinct(context.points.size, m, sample);
+        const bool guess = isGuess(context);
+        const int first = guess ? firstSamples(context, state, sample) : ANY;
+        if (first == UNIFORM || (first == ANY && drawUniform(context, state, sample)))
             return;
-        }
         const int centre = state.bestFirst(context)[growth->newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = centre;
-        if (state.iteration % 4 != 3 || !local(context, state, m, sample))
+        const int localEvery = LOCAL_EVERY * (guess ? 1 : std::max(context.params.uniformEvery, 1));
+        if (state.iteration % localEvery != localEvery - 1 || !local(context, state, m, sample))
             global(state, m, n, sample);
     }
 
 private:
     enum { BEFORE_ORDER = 8, ORDERED = 16 };
 
-    static bool uniform(ProblemType problem, int iteration)
+    enum { UNIFORM, KEPT, ANY };
+
+    //! Of points whose order is a guess: draws a uniform one of the first samples of F and E.
+    static int firstSamples(const Context& context, State& state, int* sample)
     {
-        if (problem == HOMOGRAPHY)
-            return iteration >= ORDERED && iteration % 2 == 0;
-        return iteration < BEFORE_ORDER || iteration % 2 == 0;
+        const bool homography = context.points.problem == HOMOGRAPHY;
+        if (context.params.uniformEvery == 0 || state.iteration >= (homography ? ORDERED : BEFORE_ORDER))
+            return ANY;
+        state.counts = !homography;
+        if (homography)
+            return KEPT;
+        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
+        return UNIFORM;
     }
 
     //! How often a point was the centre of a local sample, and the finest layer with enough neighbours.

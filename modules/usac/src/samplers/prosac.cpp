@@ -23,6 +23,8 @@ public:
         growth->next();
         const int n = growth->size();
         state.subsetSize = n;
+        if (drawUniform(context, state, sample))
+            return;
         if (growth->newest())
         {
             state.rng.distinct(n - 1, m - 1, sample);

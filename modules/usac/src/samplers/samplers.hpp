@@ -11,8 +11,20 @@
 namespace cv {
 namespace usacv20 {
 
-//! Of four samples of P-NAPSAC of points in a known order one is local and three are PROSAC's.
-const double PROSAC_SHARE = 0.75;
+//! Of so many samples of P-NAPSAC one is local, if none of them is uniform.
+enum { LOCAL_EVERY = 4 };
+
+/** @brief Draws the sample from all points, if it is the turn of a uniform one: each Params::uniformEvery-th.
+@return false if the sampler shall draw; the sample does then not count for the criteria, unless Params::uniformEvery is 0. */
+inline bool drawUniform(const Context& context, State& state, int* sample)
+{
+    const int every = context.params.uniformEvery;
+    const bool uniform = every > 0 && state.iteration % every == 0;
+    state.counts = uniform || every == 0;
+    if (uniform)
+        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
+    return uniform;
+}
 
 //! All samples equally likely, see UniformSampler.
 Ptr<Sampler> createUniformSampler();

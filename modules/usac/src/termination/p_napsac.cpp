@@ -22,7 +22,7 @@ public:
         if (inliers <= m)
             return INT_MAX;
         const double significant = std::min<double>(inliers * (1 + context.params.relaxation), n);
-        return samplesNeeded(goodModelProbability(context, significant), std::log(1 - context.params.confidence));
+        return samplesNeeded(goodModelProbability(context, state, significant), std::log(1 - context.params.confidence));
     }
 
     int reason() const CV_OVERRIDE { return STOP_P_NAPSAC; }

@@ -84,8 +84,10 @@ public:
         for (int i = 0; i < size; ++i)
             inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
         double kept = keptProbability(context, state.bestQuality.inliers);
+        if (context.params.uniformEvery > 0)
+            kept *= 1 - 1. / context.params.uniformEvery;
         if (context.params.sampler == SAMPLER_P_NAPSAC)
-            kept *= PROSAC_SHARE;
+            kept *= 1 - 1. / LOCAL_EVERY;
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
         const double logFailure = std::log(1 - context.params.confidence);
         int length;
@@ -97,6 +99,7 @@ public:
         return prosacSamples(inliers, repeated, m, kept, randomRatio, logFailure, exact, length);
     }
 
+    bool countsAll() const CV_OVERRIDE { return true; }
     int reason() const CV_OVERRIDE { return STOP_PROSAC; }
 
 private:

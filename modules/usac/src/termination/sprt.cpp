@@ -21,8 +21,7 @@ public:
         const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
         if (state.tests.empty() || state.bestQuality.inliers < m)
             return INT_MAX;
-        const double good = goodSampleProbability(
-            state.bestQuality.inliers, n, m, (context.params.termination & TERMINATION_EXACT) != 0);
+        const double good = goodSampleProbability(context, state, state.bestQuality.inliers);
         const double epsilon = (double)state.bestQuality.inliers / n;
         double logFailure = std::log(1 - context.params.confidence), tested = 0;
         for (size_t l = 0; l + 1 < state.tests.size(); ++l)

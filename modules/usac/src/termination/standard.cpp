@@ -17,7 +17,7 @@ class StandardTermination : public Termination
 public:
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
-        return samplesNeeded(goodModelProbability(context, state.bestQuality.inliers),
+        return samplesNeeded(goodModelProbability(context, state, state.bestQuality.inliers),
                              std::log(1 - context.params.confidence));
     }
 

@@ -25,11 +25,31 @@ double keptProbability(const Context& context, double inliers)
     return goodSampleProbability(inliers, n, std::min(context.params.tddPoints, n), exact);
 }
 
-double goodModelProbability(const Context& context, double inliers)
+/** Matches for each different one, if each is there equally often: of the m (m - 1) / 2 pairs of a sample each is of the same match
+with a probability of (copies - 1) / (n - 1), and a sample is not refused if none is. */
+static double copiesOf(const State& state, int n, int m)
 {
-    const int m = context.components.minimalSolver->sampleSize();
-    const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
-    return goodSampleProbability(inliers, context.points.size, m, exact) * keptProbability(context, inliers);
+    if (state.repeatedSamples == 0)
+        return 1;
+    const double passed = (state.countedSamples + 1.) / (state.countedSamples + state.repeatedSamples + 1.);
+    return 1 - std::log(passed) / (m * (m - 1) / 2) * (n - 1);
+}
+
+double goodSampleProbability(const Context& context, const State& state, double inliers)
+{
+    const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
+    if ((context.params.termination & TERMINATION_EXACT) == 0)
+        return goodSampleProbability(inliers, n, m, false);
+    const double different = std::max(n / copiesOf(state, n, m), (double)std::min(n, m + 1));
+    double p = 1;
+    for (int i = 0; i < m; ++i)
+        p *= std::max(inliers / n * different - i, 0.0) / (different - i);
+    return std::min(p, 1.0);
+}
+
+double goodModelProbability(const Context& context, const State& state, double inliers)
+{
+    return goodSampleProbability(context, state, inliers) * keptProbability(context, inliers);
 }
 
 int samplesNeeded(double p, double logFailure)

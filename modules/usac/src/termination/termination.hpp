@@ -28,8 +28,11 @@ double goodSampleProbability(double inliers, int n, int m, bool exact = true);
 of d inliers among d points, epsilon^d or, with #TERMINATION_EXACT, C(inliers, d) / C(n, d). So T(d,d) needs epsilon^-d times as
 many samples @cite matas2004randomized. (SPRT has a criterion of its own.) */
 double keptProbability(const Context& context, double inliers);
-//! Probability that a sample gives a good model that is kept, if that has `inliers` of all points.
-double goodModelProbability(const Context& context, double inliers);
+/** Probability that a sample that counts gives a good model that is kept, if that has `inliers` of all points. Samples that were
+refused as a match was in them twice do not count; how many they are tells how many different matches there are. */
+double goodModelProbability(const Context& context, const State& state, double inliers);
+/** As goodSampleProbability() with or without repetition as Params::termination says, among the different ones of the matches. */
+double goodSampleProbability(const Context& context, const State& state, double inliers);
 //! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX where it is no int.
 int samplesNeeded(double p, double logFailure);
 

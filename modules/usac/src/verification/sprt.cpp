@@ -40,7 +40,7 @@ public:
     void sampleTested(State& state, int inliers, int tested) CV_OVERRIDE
     {
         if (!state.tests.empty())
-            ++state.tests.back().samples;
+            state.tests.back().samples += state.counts;
         inliersSeen += inliers;
         pointsSeen += tested;
     }

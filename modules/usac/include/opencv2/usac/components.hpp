@@ -108,7 +108,7 @@ struct SequentialTest
     double epsilon;  //!< probability that a point is an inlier of a good model
     double delta;    //!< probability that a point is an inlier of a bad model
     double A;        //!< decision threshold: a good model is dropped with a probability of at most 1/A
-    int samples;     //!< samples whose models it has tested
+    int samples;     //!< samples whose models it has tested, of those that count (State::counts)
 };
 
 struct Context;
@@ -116,7 +116,7 @@ struct Context;
 //! All that changes during a run.
 struct CV_EXPORTS State
 {
-    State() : iteration(0), subsetSize(0) {}
+    State() : iteration(0), counts(true), countedSamples(0), repeatedSamples(0), subsetSize(0) {}
 
     //! The points, best first, as the Prior says; sorted at the first call.
     const std::vector<int>& bestFirst(const Context& context)
@@ -128,6 +128,9 @@ struct CV_EXPORTS State
 
     Rng rng;                 //!< generator of the current iteration
     int iteration;           //!< samples drawn so far
+    bool counts;             //!< the present sample is as good as a uniform one of all points; true unless the sampler says no
+    int countedSamples;      //!< samples so far that count: what the confidence rests on
+    int repeatedSamples;     //!< samples that do not count only because a match was in them twice
     int subsetSize;          //!< the sampler draws from the `subsetSize` best points now; all points: size
     std::vector<int> order;  //!< what bestFirst() has returned; empty before
     Model best;              //!< the best model so far
@@ -186,7 +189,8 @@ public:
     virtual ~Sampler();
     /** @brief Draws the next sample with `state.rng`.
     @param sample output, as many distinct point indices as the minimal solver needs.
-    May set `state.subsetSize`. */
+    May set `state.subsetSize`. Sets `state.counts` to false if the criteria of termination must not take the sample for one
+    that is uniform among all points: what is drawn from a part of the points may never meet the best model. */
     virtual void sample(const Context& context, State& state, int* sample) = 0;
 };
 
@@ -282,6 +286,8 @@ public:
     virtual ~Degeneracy();
     //! False: no model shall be computed from the sample. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
+    //! A sample that has been refused: might all of it be inliers, so that it does not count as one that failed? Default: false.
+    virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model shall not be tested. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
     /** @brief Looks at a new so-far-the-best model and may replace it by a better one.
@@ -306,8 +312,10 @@ class CV_EXPORTS Termination
 public:
     virtual ~Termination();
     //! Number of samples after which the run can stop, given the best model so far. INT_MAX: not yet known. Asked when the best
-    //! model changes, and when the verifier begins another of `state.tests`.
+    //! model changes, and when the verifier begins another of `state.tests`. See #countsAll.
     virtual int iterations(const Context& context, const State& state) const = 0;
+    //! True: the number is one of all samples; false, the default: only those are counted that State::counts.
+    virtual bool countsAll() const;
     //! @ref StopReason. Default #STOP_CUSTOM.
     virtual int reason() const;
 };
