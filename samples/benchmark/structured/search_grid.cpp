@@ -1,0 +1,153 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "search_grid.hpp"
+
+#include <algorithm>
+#include "call.hpp"
+#include "judge.hpp"
+#include "scene_pair.hpp"
+
+namespace benchmark {
+
+namespace {
+
+const char SUFFIX[] = "+scores";
+
+//! The name with scores: "USACV20{runnersUp=1}" becomes "USACV20+scores{runnersUp=1}".
+std::string scoredName(std::string name)
+{
+    return name.insert(std::min(name.find('{'), name.size()), SUFFIX);
+}
+
+//! Of calib3d's flags one alone makes use of scores.
+bool takesScores(const std::string& name)
+{
+    return name.compare(0, 3, "cv:") != 0 || name == "cv:USAC_PROSAC";
+}
+
+} // namespace
+
+SearchGrid::SearchGrid(const StructuredOptions& options_) : options(options_)
+{
+    for (size_t i = 0; i < options.methods.size(); ++i)
+    {
+        const std::string& name = options.methods[i];
+        Entry entry;
+        if (name.find(SUFFIX) != std::string::npos)
+            entry.scored = createMethod(name);
+        else
+        {
+            entry.plain = createMethod(name);
+            if (takesScores(name))
+                entry.scored = createMethod(scoredName(name));
+        }
+        methods.push_back(entry);
+    }
+}
+
+std::vector<Cell> SearchGrid::cells() const
+{
+    std::vector<Cell> result;
+    opencv_test::SceneOptions unused;
+    for (ProblemType problem : options.problems)
+        for (const std::string& motion : options.motions)
+            for (const std::string& kind : options.kinds)
+                for (const std::string& order : options.orders)
+                    for (int size : options.sizes)
+                        for (size_t r = 0; r < options.ratios.size(); ++r)
+                        {
+                            const Cell cell = { problem, motion, kind, size, options.ratios[r], order };
+                            if (cell.options(options.spare, unused) && (r == 0 || !cell.fixedRatio()))
+                                result.push_back(cell);
+                        }
+    return result;
+}
+
+Method* SearchGrid::methodOf(size_t index, const Cell& cell) const
+{
+    Method* const method = cell.scored() ? methods[index].scored.get() : methods[index].plain.get();
+    return method && method->solves(cell.problem) ? method : 0;
+}
+
+void SearchGrid::run(std::ostream* csv)
+{
+    if (csv)
+        *csv << "problem,motion,kind,size,ratio,order,method," << Tally::csvHeader() << "\n";
+    const std::vector<Cell> all = cells();
+    require(!all.empty(), "there is no such scene");
+    Progress progress((int)all.size());
+    opencv_test::SceneOptions scene;
+    for (size_t i = 0; i < all.size(); ++i)
+    {
+        progress.step(all[i].name());
+        all[i].options(options.spare, scene);
+        measure(all[i], scene, csv);
+    }
+}
+
+void SearchGrid::measure(const Cell& cell, const opencv_test::SceneOptions& sceneOptions, std::ostream* csv)
+{
+    std::vector<Tally> tallies(methods.size());
+    opencv_test::SceneOptions own = sceneOptions;
+    Settings settings = options.settings(cell);
+    own.noise = options.noise;
+    for (int run = 0; run < options.runs; ++run)
+    {
+        own.seed = settings.seed = options.seed + run;
+        const opencv_test::Scene scene = opencv_test::makeScene(cell.problem, own);
+        const ImagePair pair = toImagePair(scene);
+        const Judge judge(scene, pair, settings);
+        for (size_t m = 0; m < methods.size(); ++m)
+            if (Method* const method = methodOf(m, cell))
+            {
+                const Call call(*method, pair, settings);
+                tallies[m].add(call, judge.judge(call.estimate));
+            }
+    }
+    for (size_t m = 0; m < methods.size(); ++m)
+    {
+        if (!methodOf(m, cell))
+            continue;
+        tallyOf(groupOf(cell), m).add(tallies[m], cell.name());
+        if (csv)
+            *csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.kind << ',' << cell.size << ',' << cell.ratio << ','
+                 << cell.order << ",\"" << options.methods[m] << "\"," << tallies[m].csv() << std::endl;
+    }
+}
+
+std::string SearchGrid::groupOf(const Cell& cell) const
+{
+    std::string result;
+    for (const std::string& axis : options.by)
+        result += cell.value(axis) + " | ";
+    return result;
+}
+
+Tally& SearchGrid::tallyOf(const std::string& group, size_t method)
+{
+    size_t i = 0;
+    while (i < groups.size() && groups[i].first != group)
+        ++i;
+    if (i == groups.size())
+        groups.push_back(std::make_pair(group, std::vector<Tally>(methods.size())));
+    return groups[i].second[method];
+}
+
+void SearchGrid::markdown(std::ostream& out) const
+{
+    out << "\n| ";
+    for (const std::string& axis : options.by)
+        out << axis << " | ";
+    out << "method | " << Tally::markdownHeader() << "\n|";
+    for (size_t i = 0; i < options.by.size() + Tally::COLUMNS + 1; ++i)
+        out << "---|";
+    out << "\n";
+    for (const std::pair<std::string, std::vector<Tally> >& group : groups)
+        for (size_t m = 0; m < methods.size(); ++m)
+            if (!group.second[m].empty())
+                out << "| " << group.first << options.methods[m] << " | " << group.second[m].markdown() << "\n";
+}
+
+} // namespace benchmark
