@@ -27,19 +27,13 @@ Judge::Judge(const opencv_test::Scene& scene_, const ImagePair& pair_, const Set
     : scene(scene_), pair(pair_), settings(settings_), bestCost(std::numeric_limits<double>::infinity())
 {
     const TrueModel exact(scene);
-    std::vector<int> right, close;
+    std::vector<int> right;
     for (int i = 0; i < scene.size(); ++i)
         if (scene.truth[i])
             right.push_back(i);
-    const TrueModel refined = exact.leastSquares(right);
-    fit = refined.matrix();
-    for (size_t i = 0; i < right.size(); ++i)
-        if (distance(fit, right[i]) < settings.threshold)
-            close.push_back(right[i]);
+    fit = exact.leastSquares(right).matrix();
     offer(exact.matrix());
     offer(fit);
-    if ((int)close.size() * (settings.problem == cv::usacv20::HOMOGRAPHY ? 2 : 1) >= TrueModel::MAX_DIRECTIONS)
-        offer(refined.leastSquares(close).matrix());
 }
 
 void Judge::offer(const cv::Mat& model)

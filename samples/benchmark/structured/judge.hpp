@@ -25,8 +25,7 @@ struct Verdict
 
 /** Compares models with the one that made a scene.
 
-The true model is the cheapest of three: the one that made the scene, its least-squares fit to all right matches, and that to the
-right matches within the threshold. The cost is that of MSAC, the sum of min(1, (error / threshold)^2) over all matches. */
+The true model is the cheaper one of two: that which made the scene, and its least-squares fit to the right matches. The cost is that of MSAC, the sum of min(1, (error / threshold)^2) over all matches. */
 class Judge
 {
 public:

@@ -17,6 +17,13 @@ using namespace benchmark;
 
 namespace {
 
+void heading(const StructuredOptions& options, const char* title)
+{
+    std::cout << "# " << title << "\n\nOpenCV " << cv::getVersionString() << "; threshold " << options.threshold << " px, confidence "
+              << options.confidence << ", at most " << options.maxIterations << " iterations, " << options.runs
+              << " scenes of each cell, seed " << options.seed << ".\n";
+}
+
 int program(int argc, char** argv)
 {
     StructuredOptions options;
@@ -25,17 +32,16 @@ int program(int argc, char** argv)
     cv::setNumThreads(options.threads);
     std::ofstream csv;
     openOutput(csv, options.csv);
-    std::cout << "# " << (options.search ? "Search" : "Accuracy") << "\n\nOpenCV " << cv::getVersionString() << "; threshold "
-              << options.threshold << " px, confidence " << options.confidence << ", " << options.runs
-              << " scenes of each cell, seed " << options.seed << ".\n";
     if (options.search)
     {
         SearchGrid grid(options);
         grid.run(csv.is_open() ? &csv : 0);
+        heading(options, "Search");
         grid.markdown(std::cout);
         return 0;
     }
     AccuracyTable table(options);
+    heading(options, "Accuracy");
     table.run(std::cout, csv.is_open() ? &csv : 0);
     return 0;
 }

@@ -111,7 +111,7 @@ bool setKind(const std::string& name, SceneOptions& options)
 bool Cell::options(int spare, SceneOptions& result) const
 {
     result = SceneOptions();
-    result.setSize(size, fixedRatio() ? 1 / (1 + SECOND) : ratio);
+    result.setSize(size, fixedRatio() ? 1 : ratio);
     if (!setMotion(motion, result) || !setKind(kind, result))
         return false;
     if (scored())

@@ -20,7 +20,7 @@ struct Cell
     ProblemType problem;
     std::string motion;  //!< see setMotion
     std::string kind;    //!< see setKind
-    int size;            //!< matches; kind `copies`: different ones
+    int size;            //!< matches; kind `copies`: different ones; kind `second`: of the right model
     double ratio;        //!< part of right matches
     std::string order;   //!< `none`: without scores; else the probability that a right match has a better score than a wrong one
 
@@ -28,7 +28,7 @@ struct Cell
     //! than a sample.
     bool options(int spare, opencv_test::SceneOptions& result) const;
     bool scored() const { return order != "none"; }
-    //! Kind `second`: the ratio is that of the two models, whatever `ratio` is.
+    //! Kind `second`: all is given by the size, whatever `ratio` is.
     bool fixedRatio() const { return kind == "second"; }
     //! Of one of problem, motion, kind, size, ratio, order.
     std::string value(const std::string& axis) const;

@@ -50,18 +50,23 @@ SearchGrid::SearchGrid(const StructuredOptions& options_) : options(options_)
 std::vector<Cell> SearchGrid::cells() const
 {
     std::vector<Cell> result;
-    opencv_test::SceneOptions unused;
+    opencv_test::SceneOptions scene;
     for (ProblemType problem : options.problems)
         for (const std::string& motion : options.motions)
             for (const std::string& kind : options.kinds)
                 for (const std::string& order : options.orders)
                     for (int size : options.sizes)
-                        for (size_t r = 0; r < options.ratios.size(); ++r)
+                    {
+                        int last = 0;
+                        for (double ratio : options.ratios)
                         {
-                            const Cell cell = { problem, motion, kind, size, options.ratios[r], order };
-                            if (cell.options(options.spare, unused) && (r == 0 || !cell.fixedRatio()))
-                                result.push_back(cell);
+                            const Cell cell = { problem, motion, kind, size, ratio, order };
+                            if (!cell.options(options.spare, scene) || scene.inliers == last)
+                                continue;  // few matches have the same number of right ones for several parts
+                            last = scene.inliers;
+                            result.push_back(cell);
                         }
+                    }
     return result;
 }
 
