@@ -16,6 +16,7 @@ import unittest
 from test_benchmark import FolderTest
 
 PROGRAM = os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "usac_structured")
+COUNTS = ("calls", "failures", "limited", "limited_failures", "worse", "wrong", "no_model")
 #: Of the normal distribution, for 95 %.
 QUANTILE = 1.959964
 
@@ -30,7 +31,8 @@ def wilson(count, of):
 class StructuredTest(FolderTest):
 
     def run_program(self, *arguments):
-        return subprocess.run([PROGRAM] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        return subprocess.run([PROGRAM] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              universal_newlines=True)
 
     def rows(self, *arguments):
         """What it writes as CSV and to the standard output."""
@@ -43,12 +45,12 @@ class StructuredTest(FolderTest):
     def test_one_sample_is_not_enough(self):
         """One sample of an F with half of the matches wrong holds right ones only once in 128 times."""
         methods = "preset:ransac{maxIterations=1},preset:ransac{maxIterations=1000}"
-        rows, _ = self.rows("--problems=F", "--methods=" + methods, "--kinds=generic", "--orders=none", "--sizes=100", "--ratios=0.5",
-                            "--runs=50")
+        rows, _ = self.rows("--problems=F", "--methods=" + methods, "--kinds=generic", "--orders=none", "--sizes=100",
+                            "--ratios=0.5", "--runs=50")
         self.assertEqual([row["method"] for row in rows], methods.split(","))
         one, many = rows
         self.assertEqual((one["calls"], one["limited"], float(one["mean_iterations"])), ("50", "50", 1))
-        self.assertEqual((one["failures"], one["failures_low"], one["failures_high"]), ("0", "0", "1"), "of no run that ended by itself")
+        self.assertEqual((one["failures"], one["failures_low"], one["failures_high"]), ("0", "0", "1"), "none ended by itself")
         self.assertGreaterEqual(int(one["limited_failures"]), 46)
         self.assertGreaterEqual(int(one["wrong"]), 40)
         self.assertLess(int(many["failures"]) + int(many["limited_failures"]), 15)
@@ -56,11 +58,11 @@ class StructuredTest(FolderTest):
         self.assertTrue(200 < float(many["mean_iterations"]) <= 1000, many)
 
     def test_counts_are_consistent(self):
-        rows, _ = self.rows("--problems=H,E", "--methods=USACV20_FAST,cv:RANSAC", "--kinds=clustered,copies,second", "--orders=none,0.05",
-                            "--sizes=20,50", "--ratios=0.5,0.9", "--runs=6")
+        rows, _ = self.rows("--problems=H,E", "--methods=USACV20_FAST,cv:RANSAC", "--kinds=clustered,copies,second",
+                            "--orders=none,0.05", "--sizes=20,50", "--ratios=0.5,0.9", "--runs=6")
         self.assertEqual(len(rows), 2 * (2 + 1) * (2 * 2 + 2 * 2 + 2), "OpenCV's flag takes no scores; `second` has no ratio")
         for row in rows:
-            counts = {name: int(row[name]) for name in ("calls", "failures", "limited", "limited_failures", "worse", "wrong", "no_model")}
+            counts = {name: int(row[name]) for name in COUNTS}
             self.assertEqual(counts["calls"], 6)
             self.assertLessEqual(counts["failures"] + counts["limited_failures"], counts["worse"], row)
             self.assertLessEqual(counts["no_model"], counts["wrong"], row)
@@ -96,8 +98,8 @@ class StructuredTest(FolderTest):
 
     def test_accuracy(self):
         """Least squares has the quotient 1 and an error in proportion to the noise; nothing is better by much."""
-        rows, text = self.rows("--mode=accuracy", "--methods=USACV20_ACCURATE", "--motions=sideways,forward", "--noises=0,0.05,0.1",
-                               "--runs=10")
+        rows, text = self.rows("--mode=accuracy", "--methods=USACV20_ACCURATE", "--motions=sideways,forward",
+                               "--noises=0,0.05,0.1", "--runs=10")
         self.assertEqual(sum(line.startswith("## ") for line in text.splitlines()), 3)
         self.assertEqual(len(rows), 3 * 2 * 3 * 2)
         cells = {(row["problem"], row["motion"], float(row["noise"]), row["method"]): row for row in rows}
@@ -120,12 +122,14 @@ class StructuredTest(FolderTest):
         self.assertEqual((wrong["0", "least squares"], wrong["1", "least squares"]), (0, 100))
 
     def test_mistakes(self):
-        for argument, complaint in (("--mode=speed", "--mode"), ("--methods=USACV21", "USACV21"), ("--kinds=plane101", "plane101"),
-                                    ("--motions=circle", "circle"), ("--orders=1.5", "--orders"), ("--orders=sorted", "--orders"),
+        for argument, complaint in (("--mode=speed", "--mode"), ("--methods=USACV21", "USACV21"),
+                                    ("--kinds=plane101", "plane101"), ("--motions=circle", "circle"), ("--orders=1.5", "--orders"),
+                                    ("--orders=sorted", "--orders"),
                                     ("--sizes=0", "--sizes"), ("--sizes=4", "no such scene"), ("--ratios=1.1", "--ratios"),
                                     ("--runs=0", "--runs"), ("--confidence=1", "--confidence"), ("--maxIters=0", "--maxIters"),
                                     ("--by=color", "color"), ("--noises=1", "--noises"), ("--methods=cv:RANSAC+scores", "scores"),
-                                    ("--kinds=", "--kinds"), ("--unknown=1", "--unknown"), ("--csv=" + self.path("no", "x.csv"), "no")):
+                                    ("--kinds=", "--kinds"), ("--unknown=1", "--unknown"),
+                                    ("--csv=" + self.path("no", "x.csv"), "no")):
             done = self.run_program(argument)
             self.assertEqual((done.returncode, done.stdout), (1, ""), argument)
             self.assertIn(complaint, done.stderr)

@@ -42,6 +42,13 @@ double percentOf(const std::vector<bool>& flags)
     return 100. * std::count(flags.begin(), flags.end(), true) / flags.size();
 }
 
+//! End of an entry of the table: the median pose error if there is one, and what part is wrong.
+std::string poseText(const std::vector<double>& poses, const std::vector<bool>& wrong)
+{
+    const double pose = medianOf(poses);
+    return (pose < 0 ? std::string() : std::string(cv::format(" / %.3g deg", pose))) + cv::format(" (%.0f) |", percentOf(wrong));
+}
+
 //! Of the runs that are not far off; those have any quotient.
 std::vector<double> quotients(const std::vector<double>& values, const std::vector<bool>& far, const std::vector<double>& by)
 {
@@ -62,7 +69,8 @@ AccuracyTable::AccuracyTable(const StructuredOptions& options_) : options(option
 
 Cell AccuracyTable::cellOf(ProblemType problem, const std::string& motion, int size, double ratio) const
 {
-    const Cell cell = { problem, motion, "generic", size, options.ratiosGiven || motion != "aerial" ? ratio : AERIAL_RATIO, "none" };
+    const bool aerial = motion == "aerial" && !options.ratiosGiven;
+    const Cell cell = { problem, motion, "generic", size, aerial ? AERIAL_RATIO : ratio, "none" };
     return cell;
 }
 
@@ -129,10 +137,9 @@ void AccuracyTable::row(const Cell& cell, double noise, std::ostream& out, std::
             if (methods[m]->solves(cell.problem))
                 add(judge.judge(Call(*methods[m], pair, settings).estimate), all[m]);
     }
-    const bool pose = cell.problem == cv::usacv20::ESSENTIAL;
     const Errors& reference = all.back();
-    out << "| " << cell.motion << " | " << cell.size << " | " << cell.ratio << cv::format(" | %.3g | %.4g", noise, medianOf(reference.errors))
-        << (pose ? cv::format(" / %.3g deg", medianOf(reference.poses)) : cv::String()) << cv::format(" (%.0f) |", percentOf(reference.wrong));
+    out << "| " << cell.motion << " | " << cell.size << " | " << cell.ratio
+        << cv::format(" | %.3g | %.4g", noise, medianOf(reference.errors)) << poseText(reference.poses, reference.wrong);
     for (size_t m = 0; m < methods.size(); ++m)
     {
         if (all[m].errors.empty())
@@ -140,7 +147,7 @@ void AccuracyTable::row(const Cell& cell, double noise, std::ostream& out, std::
         const std::vector<double> ratios = quotients(all[m].errors, all[m].far, reference.errors);
         out << (noise < LITTLE_NOISE ? cv::format(" %.2e", medianOf(all[m].errors))
                                      : cv::format(" %.3f / %.3f", medianOf(ratios), meanOf(ratios)))
-            << (pose ? cv::format(" / %.3g deg", medianOf(all[m].poses)) : cv::String()) << cv::format(" (%.0f) |", percentOf(all[m].wrong));
+            << poseText(all[m].poses, all[m].wrong);
         if (csv)
             csvRow(cell, noise, options.methods[m], all[m], reference, *csv);
     }
@@ -153,11 +160,10 @@ void AccuracyTable::csvRow(const Cell& cell, double noise, const std::string& me
                            const Errors& reference, std::ostream& csv) const
 {
     const std::vector<double> ratios = quotients(errors.errors, errors.far, reference.errors);
-    csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.size << ',' << cell.ratio << ',' << noise << ",\"" << method
-        << "\"," << errors.errors.size()
-        << cv::format(",%.6g,%.6g,%.6g,%.6g,%.6g", medianOf(errors.errors), medianOf(ratios), meanOf(ratios), medianOf(errors.poses),
-                      percentOf(errors.wrong))
-        << std::endl;
+    csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.size << ',' << cell.ratio << ',' << noise
+        << ",\"" << method << "\"," << errors.errors.size()
+        << cv::format(",%.6g,%.6g,%.6g", medianOf(errors.errors), medianOf(ratios), meanOf(ratios))
+        << cv::format(",%.6g,%.6g", medianOf(errors.poses), percentOf(errors.wrong)) << std::endl;
 }
 
 } // namespace benchmark

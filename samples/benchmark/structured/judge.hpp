@@ -25,7 +25,8 @@ struct Verdict
 
 /** Compares models with the one that made a scene.
 
-The true model is the cheaper one of two: that which made the scene, and its least-squares fit to the right matches. The cost is that of MSAC, the sum of min(1, (error / threshold)^2) over all matches. */
+The true model is the cheaper one of two: that which made the scene, and its least-squares fit to the right matches. The cost is
+that of MSAC, the sum of min(1, (error / threshold)^2) over all matches. */
 class Judge
 {
 public:

@@ -19,9 +19,9 @@ namespace {
 
 void heading(const StructuredOptions& options, const char* title)
 {
-    std::cout << "# " << title << "\n\nOpenCV " << cv::getVersionString() << "; threshold " << options.threshold << " px, confidence "
-              << options.confidence << ", at most " << options.maxIterations << " iterations, " << options.runs
-              << " scenes of each cell, seed " << options.seed << ".\n";
+    std::cout << "# " << title << "\n\nOpenCV " << cv::getVersionString() << "; threshold " << options.threshold
+              << " px, confidence " << options.confidence << ", at most " << options.maxIterations
+              << " iterations, " << options.runs << " scenes of each cell, seed " << options.seed << ".\n";
 }
 
 int program(int argc, char** argv)

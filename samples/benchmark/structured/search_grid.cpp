@@ -117,8 +117,9 @@ void SearchGrid::measure(const Cell& cell, const opencv_test::SceneOptions& scen
             continue;
         tallyOf(groupOf(cell), m).add(tallies[m], cell.name());
         if (csv)
-            *csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.kind << ',' << cell.size << ',' << cell.ratio << ','
-                 << cell.order << ",\"" << options.methods[m] << "\"," << tallies[m].csv() << std::endl;
+            *csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.kind << ',' << cell.size << ','
+                 << cell.value("ratio") << ',' << cell.order << ",\"" << options.methods[m] << "\","
+                 << tallies[m].csv() << std::endl;
     }
 }
 

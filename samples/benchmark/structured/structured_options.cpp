@@ -15,17 +15,18 @@ const char KEYS[] =
     "{help h usage ? | | print this }"
     "{mode           |search| search: how often the true model is missed; accuracy: errors against least squares over the right "
     "matches }"
-    "{methods        |USACV20| names with commas as for usac_benchmark; with orders other than none the module's also get scores }"
+    "{methods        |USACV20| names with commas as for usac_benchmark; orders other than none: the module's get the scores }"
     "{problems       |H,F,E| which }"
     "{motions        | | of the camera (default: search: general; accuracy: general,forward,forward0,sideways,rectified,planar,"
     "car,narrow,aerial) }"
-    "{kinds          |generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line| search: wrong matches and "
-    "repetitions; also local, plane1 to plane100 }"
+    "{kinds          |generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line| search: wrong "
+    "matches and repetitions; also local, plane1 to plane100 }"
     "{sizes          | | numbers of matches (default: search: 15,20,30,50,100,300,1000,10000; accuracy: 300) }"
     "{ratios         | | parts of right matches (default: search: 0.3,0.5,0.6,0.7,0.9,0.95; accuracy: 0.7, aerial 0.9) }"
     "{orders         |none,0.95,0.8,0.5,0.05| search: none: without scores; else the probability that a right match has a better "
     "score than a wrong one }"
-    "{by             |problem,kind,order| search: one row for each combination of these: problem, motion, kind, size, ratio, order }"
+    "{by             |problem,kind,order| search: a row for each combination of some of: problem, motion, kind, size, ratio, "
+    "order }"
     "{noise          |0.5| search: standard deviation of the right matches in each coordinate, pixels }"
     "{noises         |0,0.0333333,0.1,0.333333,1| accuracy: the same in thresholds }"
     "{threshold      |1.5| pixels }"
@@ -42,17 +43,6 @@ const char SEARCH_SIZES[] = "15,20,30,50,100,300,1000,10000", SEARCH_RATIOS[] = 
 const char ACCURACY_MOTIONS[] = "general,forward,forward0,sideways,rectified,planar,car,narrow,aerial";
 const char* const OF_SEARCH[] = { "kinds", "orders", "by", "noise", "maxItersInverted", "spare" };
 const char* const AXES[] = { "problem", "motion", "kind", "size", "ratio", "order" };
-
-//! What an option names, or else `fallback`.
-std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments, const std::string& option,
-                                 const std::string& fallback = std::string())
-{
-    std::vector<std::string> names = arguments.all(option);
-    if (names.empty())
-        names = splitNames(fallback.empty() ? std::string(parser.get<cv::String>(option)) : fallback);
-    require(!names.empty(), "--" + option + ": nothing given");
-    return names;
-}
 
 std::vector<double> numbersOf(const std::vector<std::string>& texts, const std::string& option, double most)
 {
@@ -143,7 +133,7 @@ bool StructuredOptions::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Failures of the search and accuracy on synthetic scenes with the structure that machines and repeated texture make.\n"
+    parser.about("Failures of the search, and accuracy, on synthetic scenes with the structure that real ones have.\n"
                  "Methods: " + knownMethods() + ".");
     if (parser.has("help") || argc == 1)
     {

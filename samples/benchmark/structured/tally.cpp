@@ -90,8 +90,8 @@ double Tally::meanIterations() const
 
 std::string Tally::markdownHeader()
 {
-    return "calls | search failures, % | worst cell, % | ended by the limit, % | of these failed, % | higher cost, % | wrong, % | "
-           "no model, % | mean iterations | median CPU, us |";
+    return "calls | search failures, % | worst cell, % | ended by the limit, % | of these failed, % | higher cost, % | "
+           "wrong, % | no model, % | mean iterations | median CPU, us |";
 }
 
 std::string Tally::markdown() const
@@ -105,7 +105,8 @@ std::string Tally::markdown() const
 
 std::string Tally::csvHeader()
 {
-    return "calls,failures,failures_low,failures_high,limited,limited_failures,worse,wrong,no_model,mean_iterations,median_cpu_us";
+    return "calls,failures,failures_low,failures_high,limited,limited_failures,worse,wrong,no_model,mean_iterations,"
+           "median_cpu_us";
 }
 
 std::string Tally::csv() const
