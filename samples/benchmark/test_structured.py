@@ -86,6 +86,9 @@ class StructuredTest(FolderTest):
             failures, worst = sum(int(row["failures"]) for row in cells), max(int(row["failures"]) for row in cells)
             self.assertEqual(line[3].split()[0], "%.2f" % (100 * failures / 40))
             self.assertEqual(line[4].split(":")[0], "%.1f" % (10 * worst) if worst else "-")
+        _, brief = self.rows("--by=kind", "--table=brief", *arguments)
+        for line, cells in zip(lines[2:], [line.split(" | ") for line in brief.splitlines() if line.startswith("|")][2:]):
+            self.assertEqual(["| " + line[0], line[2], line[3] + " |"], cells, "the same figures")
         self.assertGreater(sum(int(row["failures"]) for row in rows), 0, "with a confidence of 0.3")
 
     def test_is_deterministic(self):
@@ -126,6 +129,7 @@ class StructuredTest(FolderTest):
                                     ("--kinds=plane101", "plane101"), ("--motions=circle", "circle"),
                                     ("--orders=1.5", "--orders"), ("--orders=sorted", "--orders"),
                                     ("--sizes=0", "--sizes"), ("--sizes=4", "no such scene"), ("--ratios=1.1", "--ratios"),
+                                    ("--table=long", "--table"),
                                     ("--runs=0", "--runs"), ("--confidence=1", "--confidence"), ("--maxIters=0", "--maxIters"),
                                     ("--by=color", "color"), ("--noises=1", "--noises"), ("--methods=cv:RANSAC+scores", "scores"),
                                     ("--kinds=", "--kinds"), ("--unknown=1", "--unknown"),

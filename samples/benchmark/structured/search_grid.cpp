@@ -137,23 +137,54 @@ Tally& SearchGrid::tallyOf(const std::string& group, size_t method)
     while (i < groups.size() && groups[i].first != group)
         ++i;
     if (i == groups.size())
-        groups.push_back(std::make_pair(group, std::vector<Tally>(methods.size())));
+        groups.push_back(Group(group, std::vector<Tally>(methods.size())));
     return groups[i].second[method];
 }
 
 void SearchGrid::markdown(std::ostream& out) const
 {
+    if (options.brief)
+        brief(out);
+    else
+        full(out);
+}
+
+void SearchGrid::head(std::ostream& out, const std::string& names, size_t columns) const
+{
     out << "\n| ";
     for (const std::string& axis : options.by)
         out << axis << " | ";
-    out << "method | " << Tally::markdownHeader() << "\n|";
-    for (size_t i = 0; i < options.by.size() + Tally::COLUMNS + 1; ++i)
+    out << names << "\n|";
+    for (size_t i = 0; i < options.by.size() + columns; ++i)
         out << "---|";
     out << "\n";
-    for (const std::pair<std::string, std::vector<Tally> >& group : groups)
+}
+
+void SearchGrid::full(std::ostream& out) const
+{
+    head(out, "method | " + Tally::markdownHeader(), Tally::COLUMNS + 1);
+    for (const Group& group : groups)
         for (size_t m = 0; m < methods.size(); ++m)
             if (!group.second[m].empty())
                 out << "| " << group.first << options.methods[m] << " | " << group.second[m].markdown() << "\n";
+}
+
+void SearchGrid::brief(std::ostream& out) const
+{
+    std::string names = "calls of each |";
+    for (const std::string& method : options.methods)
+        names += " " + method + " |";
+    head(out, names, methods.size() + 1);
+    for (const Group& group : groups)
+    {
+        int calls = 0;
+        for (const Tally& tally : group.second)
+            calls = std::max(calls, tally.size());
+        out << "| " << group.first << calls << " |";
+        for (const Tally& tally : group.second)
+            out << " " << (tally.empty() ? std::string("-") : tally.brief()) << " |";
+        out << "\n";
+    }
 }
 
 } // namespace benchmark

@@ -24,7 +24,7 @@ public:
 
     //! @param csv gets a row for each cell and method as soon as it is done, if it is open
     void run(std::ostream* csv);
-    //! One row for each group of cells and method.
+    //! A table with one row for each group of cells and method or, brief, a column for each method.
     void markdown(std::ostream& out) const;
 
 private:
@@ -37,12 +37,17 @@ private:
     std::vector<Cell> cells() const;
     Method* methodOf(size_t index, const Cell& cell) const;
     void measure(const Cell& cell, const opencv_test::SceneOptions& scene, std::ostream* csv);
+    void full(std::ostream& out) const;
+    void brief(std::ostream& out) const;
+    //! Names of the first columns, and what the others are called.
+    void head(std::ostream& out, const std::string& names, size_t columns) const;
     std::string groupOf(const Cell& cell) const;
     Tally& tallyOf(const std::string& group, size_t method);
 
     const StructuredOptions& options;
     std::vector<Entry> methods;
-    std::vector<std::pair<std::string, std::vector<Tally> > > groups;  //!< in the order of the cells
+    typedef std::pair<std::string, std::vector<Tally> > Group;
+    std::vector<Group> groups;  //!< in the order of the cells
 };
 
 } // namespace benchmark

@@ -27,6 +27,7 @@ const char KEYS[] =
     "score than a wrong one }"
     "{by             |problem,kind,order| search: a row for each combination of some of: problem, motion, kind, size, ratio, "
     "order }"
+    "{table          |full| search: full: all figures, a row for each method; brief: failures, a column for each method }"
     "{noise          |0.5| search: standard deviation of the right matches in each coordinate, pixels }"
     "{noises         |0,0.0333333,0.1,0.333333,1| accuracy: the same in thresholds }"
     "{threshold      |1.5| pixels }"
@@ -41,7 +42,7 @@ const char KEYS[] =
 
 const char SEARCH_SIZES[] = "15,20,30,50,100,300,1000,10000", SEARCH_RATIOS[] = "0.3,0.5,0.6,0.7,0.9,0.95";
 const char ACCURACY_MOTIONS[] = "general,forward,forward0,sideways,rectified,planar,car,narrow,aerial";
-const char* const OF_SEARCH[] = { "kinds", "orders", "by", "noise", "maxItersInverted", "spare" };
+const char* const OF_SEARCH[] = { "kinds", "orders", "by", "table", "noise", "maxItersInverted", "spare" };
 const char* const AXES[] = { "problem", "motion", "kind", "size", "ratio", "order" };
 
 std::vector<double> numbersOf(const std::vector<std::string>& texts, const std::string& option, double most)
@@ -121,6 +122,9 @@ void StructuredOptions::parseNumbers(const cv::CommandLineParser& parser)
     runs = integerOf(parser, "runs");
     seed = integerOf(parser, "seed");
     threads = integerOf(parser, "threads");
+    const std::string table = parser.get<cv::String>("table");
+    brief = table == "brief";
+    require(brief || table == "full", "--table: expected full or brief");
     csv = parser.get<cv::String>("csv");
     require(noise >= 0, "--noise: expected 0 or more");
     require(threshold > 0, "--threshold: expected a number above 0");

@@ -23,7 +23,7 @@ struct StructuredOptions
     std::vector<int> sizes;
     std::vector<double> ratios;
     std::vector<double> noises;  //!< accuracy: in thresholds
-    bool ratiosGiven;
+    bool ratiosGiven, brief;
     double noise, threshold, confidence;
     int maxIterations, maxIterationsInverted, spare, runs, seed, threads;
     std::string csv;             //!< file to write, empty: none

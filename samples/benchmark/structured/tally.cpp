@@ -103,6 +103,11 @@ std::string Tally::markdown() const
            percent(none, calls) + " | " + loops + cv::format(" | %.0f |", median(times));
 }
 
+std::string Tally::brief() const
+{
+    return failures().text() + (limitedFailed ? " + " + percent(limitedFailed, calls) : std::string());
+}
+
 std::string Tally::csvHeader()
 {
     return "calls,failures,failures_low,failures_high,limited,limited_failures,worse,wrong,no_model,mean_iterations,"

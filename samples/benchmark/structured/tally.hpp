@@ -37,11 +37,14 @@ public:
     //! Search failures among the calls that ended by themselves.
     Proportion failures() const { return Proportion(failed - limitedFailed, calls - limited); }
 
+    int size() const { return calls; }
     bool empty() const { return calls == 0; }
 
     enum { COLUMNS = 10 };  //!< of a Markdown table
     static std::string markdownHeader();
     std::string markdown() const;
+    //! One entry of a table: the search failures, and behind a plus the part of the calls that the limit let fail.
+    std::string brief() const;
     static std::string csvHeader();
     std::string csv() const;
 
