@@ -71,10 +71,10 @@ Verdict Judge::judge(const Estimate& estimate) const
 {
     Verdict verdict;
     verdict.error = modelError(pair, settings.problem, estimate.model);
-    verdict.poseError = settings.problem == cv::usacv20::HOMOGRAPHY ? -1 : poseError(pair, settings.problem, estimate);
+    verdict.poseError = settings.problem == cv::usacv20::ESSENTIAL ? poseError(pair, settings.problem, estimate) : -1;
     verdict.none = !(verdict.error < std::numeric_limits<double>::infinity());
     verdict.far = !(verdict.error <= WRONG_ERROR * settings.threshold);
-    verdict.wrong = settings.problem == cv::usacv20::ESSENTIAL ? verdict.none || verdict.poseError > WRONG_POSE : verdict.far;
+    verdict.wrong = verdict.poseError < 0 ? verdict.far : verdict.none || verdict.poseError > WRONG_POSE;
     verdict.worse = verdict.none || costOf(estimate.model) > bestCost + MARGIN;
     verdict.failed = verdict.none;
     if (verdict.worse && !verdict.none)

@@ -20,7 +20,7 @@ struct Verdict
     bool wrong;        //!< H, F: far from the truth, whatever it costs; E: its pose is, by more than 5 degrees
     bool none;         //!< no model; counts as worse, failed, far and wrong, too
     double error;      //!< RMS distance of the right matches without noise, pixels; infinite without a model
-    double poseError;  //!< degrees; negative for H
+    double poseError;  //!< degrees; negative for H and F
 };
 
 /** Compares models with the one that made a scene.
