@@ -116,4 +116,14 @@ std::vector<std::string> Arguments::all(const std::string& name) const
     return result;
 }
 
+std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments, const std::string& option,
+                                 const std::string& fallback)
+{
+    std::vector<std::string> names = arguments.all(option);
+    if (names.empty())
+        names = splitNames(fallback.empty() ? std::string(parser.get<cv::String>(option)) : fallback);
+    require(!names.empty(), "--" + option + ": nothing given");
+    return names;
+}
+
 } // namespace benchmark

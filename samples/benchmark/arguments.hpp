@@ -39,6 +39,10 @@ private:
     std::vector<std::string> names, values;
 };
 
+//! What an option names, or else `fallback`, by default that of the parser. Nothing at all raises std::runtime_error.
+std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments, const std::string& option,
+                                 const std::string& fallback = std::string());
+
 } // namespace benchmark
 
 #endif

@@ -19,3 +19,8 @@ list(FILTER _shared EXCLUDE REGEX "/(main|options|pair_list|runner|tables)\\.cpp
 file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/scale/*.cpp" "${_benchmark}/scale/*.hpp")
 usac_add_program(usac_scale ${_sources} ${_shared} "${USAC_MODULE_DIR}/test/scenes.cpp")
 target_include_directories(usac_scale PRIVATE "${_benchmark}" "${USAC_MODULE_DIR}/test")
+
+# The same scenes with the structure of real ones.
+file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/structured/*.cpp" "${_benchmark}/structured/*.hpp")
+usac_add_program(usac_structured ${_sources} ${_shared} "${_benchmark}/scale/scene_pair.cpp" "${USAC_MODULE_DIR}/test/scenes.cpp")
+target_include_directories(usac_structured PRIVATE "${_benchmark}" "${_benchmark}/scale" "${USAC_MODULE_DIR}/test")

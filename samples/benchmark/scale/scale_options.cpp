@@ -32,15 +32,6 @@ const char KEYS[] =
     "{csv            | | file for the times }"
     "{boundCsv       | | file for the lower bounds }";
 
-std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments, const std::string& option)
-{
-    std::vector<std::string> names = arguments.all(option);
-    if (names.empty())
-        names = splitNames(parser.get<cv::String>(option));
-    require(!names.empty(), "--" + option + ": nothing given");
-    return names;
-}
-
 bool isPart(double value)
 {
     return value > 0 && value <= 1;

@@ -1,0 +1,25 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_CALL_HPP
+#define OPENCV_USACV20_BENCHMARK_CALL_HPP
+
+#include "method.hpp"
+
+namespace benchmark {
+
+//! One call of a method, and what it tells of itself.
+struct Call
+{
+    //! Runs it. An exception counts as no model.
+    Call(Method& method, const ImagePair& pair, const Settings& settings);
+
+    Estimate estimate;
+    double cpuUs;    //!< processor time, microseconds
+    bool limited;    //!< ended by Settings::maxIterations; false where the method does not tell
+};
+
+} // namespace benchmark
+
+#endif

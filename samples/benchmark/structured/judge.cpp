@@ -1,0 +1,89 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "judge.hpp"
+
+#include <limits>
+#include "measures.hpp"
+#include "true_model.hpp"
+
+namespace benchmark {
+
+namespace {
+
+//! A model is worse from here on, in matches: less than half a wrong match is within what polishing can gain or lose.
+const double MARGIN = 0.5;
+//! An inlier of the true model is lost to another one beyond so many thresholds, ...
+const double LOST = 2;
+//! ... and a model that loses at most this part of them is the same one, found but less well refined.
+const double FEW = 0.01;
+//! Limits of a result that is right: thresholds (H, F) and degrees (E).
+const double WRONG_ERROR = 3, WRONG_POSE = 5;
+
+} // namespace
+
+Judge::Judge(const opencv_test::Scene& scene_, const ImagePair& pair_, const Settings& settings_)
+    : scene(scene_), pair(pair_), settings(settings_), bestCost(std::numeric_limits<double>::infinity())
+{
+    const TrueModel exact(scene);
+    std::vector<int> right;
+    for (int i = 0; i < scene.size(); ++i)
+        if (scene.truth[i])
+            right.push_back(i);
+    fit = exact.leastSquares(right).matrix();
+    offer(exact.matrix());
+    offer(fit);
+}
+
+void Judge::offer(const cv::Mat& model)
+{
+    const double cost = costOf(model);
+    if (!(cost < bestCost))
+        return;
+    bestCost = cost;
+    best = model;
+}
+
+double Judge::costOf(const cv::Mat& model) const
+{
+    return modelCost(pair, settings.problem, model, settings.threshold) * pair.points1.size();
+}
+
+double Judge::distance(const cv::Mat& model, int row) const
+{
+    return opencv_test::pixelError(scene, cv::Matx33d(model.ptr<double>()), pair.points1[row], pair.points2[row]);
+}
+
+bool Judge::sameInliers(const cv::Mat& model) const
+{
+    int inliers = 0, lost = 0;
+    for (int i = 0; i < scene.size(); ++i)
+        if (distance(best, i) < settings.threshold)
+        {
+            ++inliers;
+            lost += !(distance(model, i) < LOST * settings.threshold);
+        }
+    return lost <= FEW * inliers;
+}
+
+Verdict Judge::judge(const Estimate& estimate) const
+{
+    Verdict verdict;
+    verdict.error = modelError(pair, settings.problem, estimate.model);
+    verdict.poseError = settings.problem == cv::usacv20::ESSENTIAL ? poseError(pair, settings.problem, estimate) : -1;
+    verdict.none = !(verdict.error < std::numeric_limits<double>::infinity());
+    verdict.far = !(verdict.error <= WRONG_ERROR * settings.threshold);
+    verdict.wrong = verdict.poseError < 0 ? verdict.far : verdict.none || verdict.poseError > WRONG_POSE;
+    verdict.worse = verdict.none || costOf(estimate.model) > bestCost + MARGIN;
+    verdict.failed = verdict.none;
+    if (verdict.worse && !verdict.none)
+    {
+        cv::Mat model;
+        estimate.model.rowRange(0, 3).convertTo(model, CV_64F);
+        verdict.failed = !sameInliers(model);
+    }
+    return verdict;
+}
+
+} // namespace benchmark

@@ -1,0 +1,54 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// How often robust estimators miss the model that made a scene, and how exact they are, on synthetic scenes with the structure
+// of real ones: motions of machines, planes, repeated matches, structured wrong ones, scores of any quality.
+//
+//     usac_structured --mode=search --methods=USACV20,cv:USAC_ACCURATE --runs=50 --csv=search.csv > search.md
+//     usac_structured --mode=accuracy --methods=USACV20,cv:USAC_ACCURATE --runs=200 > accuracy.md
+
+#include <iostream>
+#include "accuracy_table.hpp"
+#include "program.hpp"
+#include "search_grid.hpp"
+
+using namespace benchmark;
+
+namespace {
+
+void heading(const StructuredOptions& options, const char* title)
+{
+    std::cout << "# " << title << "\n\nOpenCV " << cv::getVersionString() << "; threshold " << options.threshold
+              << " px, confidence " << options.confidence << ", at most " << options.maxIterations
+              << " iterations, " << options.runs << " scenes of each cell, seed " << options.seed << ".\n";
+}
+
+int program(int argc, char** argv)
+{
+    StructuredOptions options;
+    if (!options.parse(argc, argv))
+        return 0;
+    cv::setNumThreads(options.threads);
+    std::ofstream csv;
+    openOutput(csv, options.csv);
+    if (options.search)
+    {
+        SearchGrid grid(options);
+        grid.run(csv.is_open() ? &csv : 0);
+        heading(options, "Search");
+        grid.markdown(std::cout);
+        return 0;
+    }
+    AccuracyTable table(options);
+    heading(options, "Accuracy");
+    table.run(std::cout, csv.is_open() ? &csv : 0);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return runProgram(program, argc, argv);
+}

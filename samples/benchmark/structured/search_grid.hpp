@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_SEARCH_GRID_HPP
+#define OPENCV_USACV20_BENCHMARK_SEARCH_GRID_HPP
+
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+#include "progress.hpp"
+#include "structured_options.hpp"
+#include "tally.hpp"
+
+namespace benchmark {
+
+/** How often methods miss the true model, over a grid of scenes. In each scene all methods run one after the other. */
+class SearchGrid
+{
+public:
+    //! Unknown methods raise std::runtime_error.
+    explicit SearchGrid(const StructuredOptions& options);
+
+    //! @param csv gets a row for each cell and method as soon as it is done, if it is open
+    void run(std::ostream* csv);
+    //! A table with one row for each group of cells and method or, brief, a column for each method.
+    void markdown(std::ostream& out) const;
+
+private:
+    //! A method with scores and without, each only where it can be run so.
+    struct Entry
+    {
+        cv::Ptr<Method> plain, scored;
+    };
+
+    std::vector<Cell> cells() const;
+    Method* methodOf(size_t index, const Cell& cell) const;
+    void measure(const Cell& cell, const opencv_test::SceneOptions& scene, std::ostream* csv);
+    void full(std::ostream& out) const;
+    void brief(std::ostream& out) const;
+    //! Names of the first columns, and what the others are called.
+    void head(std::ostream& out, const std::string& names, size_t columns) const;
+    std::string groupOf(const Cell& cell) const;
+    Tally& tallyOf(const std::string& group, size_t method);
+
+    const StructuredOptions& options;
+    std::vector<Entry> methods;
+    typedef std::pair<std::string, std::vector<Tally> > Group;
+    std::vector<Group> groups;  //!< in the order of the cells
+};
+
+} // namespace benchmark
+
+#endif

@@ -1,0 +1,45 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_STRUCTURED_OPTIONS_HPP
+#define OPENCV_USACV20_BENCHMARK_STRUCTURED_OPTIONS_HPP
+
+#include <string>
+#include <vector>
+#include "arguments.hpp"
+#include "method.hpp"
+#include "scene_kind.hpp"
+
+namespace benchmark {
+
+/** The command line of usac_structured. */
+struct StructuredOptions
+{
+    bool search, accuracy;
+    std::vector<std::string> methods;
+    std::vector<ProblemType> problems;
+    std::vector<std::string> motions, kinds, orders, by;
+    std::vector<int> sizes;
+    std::vector<double> ratios;
+    std::vector<double> noises;  //!< accuracy: in thresholds
+    bool ratiosGiven, brief;
+    double noise, threshold, confidence;
+    int maxIterations, maxIterationsInverted, spare, runs, seed, threads;
+    std::string csv;             //!< file to write, empty: none
+
+    //! What the methods are given in a cell.
+    Settings settings(const Cell& cell) const;
+
+    /** Reads the command line. @return false if only help was asked for, which has been printed then.
+    A mistake raises std::runtime_error. */
+    bool parse(int argc, char** argv);
+
+private:
+    void parseGrid(const cv::CommandLineParser& parser, const Arguments& arguments);
+    void parseNumbers(const cv::CommandLineParser& parser);
+};
+
+} // namespace benchmark
+
+#endif

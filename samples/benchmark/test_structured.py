@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The program that counts search failures and measures accuracy on structured scenes.
+
+USAC_BENCHMARK: path of the program usac_benchmark; usac_structured is taken from the same folder."""
+
+import csv
+import math
+import os
+import subprocess
+import unittest
+
+from test_benchmark import FolderTest
+
+PROGRAM = os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "usac_structured")
+COUNTS = ("calls", "failures", "limited", "limited_failures", "worse", "wrong", "no_model")
+#: Of the normal distribution, for 95 %.
+QUANTILE = 1.959964
+
+
+def wilson(count, of):
+    p, z2 = count / of, QUANTILE ** 2
+    middle, half = p + z2 / (2 * of), QUANTILE * math.sqrt(p * (1 - p) / of + z2 / (4 * of * of))
+    return (middle - half) / (1 + z2 / of), (middle + half) / (1 + z2 / of)
+
+
+@unittest.skipUnless(os.path.isfile(PROGRAM), "there is no usac_structured beside USAC_BENCHMARK")
+class StructuredTest(FolderTest):
+
+    def run_program(self, *arguments):
+        return subprocess.run([PROGRAM] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              universal_newlines=True)
+
+    def rows(self, *arguments):
+        """What it writes as CSV and to the standard output."""
+        file = self.path("out.csv")
+        done = self.run_program("--csv=" + file, *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        with open(file, newline="") as lines:
+            return list(csv.DictReader(lines)), done.stdout
+
+    def test_one_sample_is_not_enough(self):
+        """One sample of an F with half of the matches wrong holds right ones only once in 128 times."""
+        methods = "preset:ransac{maxIterations=1},preset:ransac{maxIterations=1000}"
+        rows, _ = self.rows("--problems=F", "--methods=" + methods, "--kinds=generic", "--orders=none", "--sizes=100",
+                            "--ratios=0.5", "--runs=50")
+        self.assertEqual([row["method"] for row in rows], methods.split(","))
+        one, many = rows
+        self.assertEqual((one["calls"], one["limited"], float(one["mean_iterations"])), ("50", "50", 1))
+        self.assertEqual((one["failures"], one["failures_low"], one["failures_high"]), ("0", "0", "1"), "none ended by itself")
+        self.assertGreaterEqual(int(one["limited_failures"]), 46)
+        self.assertGreaterEqual(int(one["wrong"]), 40)
+        self.assertLess(int(many["failures"]) + int(many["limited_failures"]), 15)
+        self.assertLess(int(many["wrong"]), 10)
+        self.assertTrue(200 < float(many["mean_iterations"]) <= 1000, many)
+
+    def test_counts_are_consistent(self):
+        rows, _ = self.rows("--problems=H,E", "--methods=USACV20_FAST,cv:RANSAC", "--kinds=clustered,copies,second",
+                            "--orders=none,0.05", "--sizes=20,50", "--ratios=0.5,0.9", "--runs=6")
+        self.assertEqual(len(rows), 2 * (2 + 1) * (2 * 2 + 2 * 2 + 2), "OpenCV's flag takes no scores; `second` has no ratio")
+        for row in rows:
+            counts = {name: int(row[name]) for name in COUNTS}
+            self.assertEqual(counts["calls"], 6)
+            self.assertLessEqual(counts["failures"] + counts["limited_failures"], counts["worse"], row)
+            self.assertLessEqual(counts["no_model"], counts["wrong"], row)
+            self.assertLessEqual(counts["limited_failures"], counts["limited"], row)
+            if counts["calls"] > counts["limited"]:
+                low, high = wilson(counts["failures"], counts["calls"] - counts["limited"])
+                self.assertAlmostEqual(float(row["failures_low"]), low, delta=1e-5)
+                self.assertAlmostEqual(float(row["failures_high"]), high, delta=1e-5)
+            self.assertEqual(float(row["mean_iterations"]) < 0, row["method"].startswith("cv:"), row)
+
+    def test_sums(self):
+        arguments = ("--problems=F", "--methods=preset:ransac{confidence=0.3}", "--kinds=generic,plane95", "--orders=none",
+                     "--sizes=20,30", "--ratios=0.6,0.7", "--runs=10")
+        rows, text = self.rows("--by=kind", *arguments)
+        lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if line.startswith("|")]
+        self.assertEqual([line[0] for line in lines], ["kind", "---", "generic", "plane95"])
+        self.assertEqual(len({len(line) for line in lines}), 1, "columns of head and body")
+        for line in lines[2:]:
+            cells = [row for row in rows if row["kind"] == line[0]]
+            self.assertEqual(int(line[2]), sum(int(row["calls"]) for row in cells))
+            failures, worst = sum(int(row["failures"]) for row in cells), max(int(row["failures"]) for row in cells)
+            self.assertEqual(line[3].split()[0], "%.2f" % (100 * failures / 40))
+            self.assertEqual(line[4].split(":")[0], "%.1f" % (10 * worst) if worst else "-")
+        _, brief = self.rows("--by=kind", "--table=brief", *arguments)
+        for line, cells in zip(lines[2:], [line.split(" | ") for line in brief.splitlines() if line.startswith("|")][2:]):
+            self.assertEqual(["| " + line[0], line[2], line[3] + " |"], cells, "the same figures")
+        self.assertGreater(sum(int(row["failures"]) for row in rows), 0, "with a confidence of 0.3")
+
+    def test_is_deterministic(self):
+        arguments = ("--problems=E", "--kinds=line", "--orders=0.8", "--sizes=50", "--ratios=0.5", "--runs=5")
+        first, again, other = [self.rows(*(arguments + more))[0][0] for more in ((), (), ("--seed=7",))]
+        for row in first, again, other:
+            del row["median_cpu_us"]
+        self.assertEqual(first, again)
+        self.assertNotEqual(first["mean_iterations"], other["mean_iterations"])
+
+    def test_accuracy(self):
+        """Least squares has the quotient 1 and an error in proportion to the noise; nothing is better by much."""
+        rows, text = self.rows("--mode=accuracy", "--methods=USACV20_ACCURATE", "--motions=sideways,forward",
+                               "--noises=0,0.05,0.1", "--runs=10")
+        self.assertEqual(sum(line.startswith("## ") for line in text.splitlines()), 3)
+        self.assertEqual(len(rows), 3 * 2 * 3 * 2)
+        cells = {(row["problem"], row["motion"], float(row["noise"]), row["method"]): row for row in rows}
+        for problem in "HFE":
+            for motion in ("sideways", "forward"):
+                errors = [float(cells[problem, motion, noise, "least squares"]["median_error"]) for noise in (0, 0.05, 0.1)]
+                self.assertLess(errors[0], 1e-10)
+                self.assertAlmostEqual(errors[2] / errors[1], 2, delta=0.1)
+                self.assertEqual(float(cells[problem, motion, 0.1, "least squares"]["median_ratio"]), 1)
+                ratio = float(cells[problem, motion, 0.1, "USACV20_ACCURATE"]["median_ratio"])
+                self.assertTrue(0.9 < ratio < 10, (problem, motion, ratio))
+
+    def test_pose(self):
+        """A hundredth of the baseline: hardly a pixel of parallax. Without noise the pose is known, with noise nothing of it."""
+        rows, _ = self.rows("--mode=accuracy", "--problems=E", "--motions=narrow", "--noises=0,1", "--runs=10")
+        poses = {(row["noise"], row["method"]): float(row["median_pose"]) for row in rows}
+        wrong = {(row["noise"], row["method"]): float(row["wrong_percent"]) for row in rows}
+        self.assertLess(poses["0", "least squares"], 1e-6)
+        self.assertGreater(poses["1", "least squares"], 20)
+        self.assertEqual((wrong["0", "least squares"], wrong["1", "least squares"]), (0, 100))
+
+    def test_mistakes(self):
+        for argument, complaint in (("--mode=speed", "--mode"), ("--methods=USACV21", "USACV21"),
+                                    ("--kinds=plane101", "plane101"), ("--motions=circle", "circle"),
+                                    ("--orders=1.5", "--orders"), ("--orders=sorted", "--orders"),
+                                    ("--sizes=0", "--sizes"), ("--sizes=4", "no such scene"), ("--ratios=1.1", "--ratios"),
+                                    ("--table=long", "--table"),
+                                    ("--runs=0", "--runs"), ("--confidence=1", "--confidence"), ("--maxIters=0", "--maxIters"),
+                                    ("--by=color", "color"), ("--noises=1", "--noises"), ("--methods=cv:RANSAC+scores", "scores"),
+                                    ("--kinds=", "--kinds"), ("--unknown=1", "--unknown"),
+                                    ("--csv=" + self.path("no", "x.csv"), "no")):
+            done = self.run_program(argument)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), argument)
+            self.assertIn(complaint, done.stderr)
+        done = self.run_program("--mode=accuracy", "--kinds=generic")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--mode=search only", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
