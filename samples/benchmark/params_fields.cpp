@@ -46,7 +46,7 @@ const IntField INT_FIELDS[] = {
     { "localSamples", &Params::localSamples },
     { "termination", &Params::termination },
     { "runnersUp", &Params::runnersUp },
-    { "uniformEvery", &Params::uniformEvery },
+    { "orderedEvery", &Params::orderedEvery },
     { "persistence", &Params::persistence },
     { "degeneracy", &Params::degeneracy },
     { "polishing", &Params::polishing },

@@ -12,7 +12,7 @@ Params::Params()
       prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighbourhood(NEIGHBOURHOOD_GRID), neighbours(10),
       neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
-      spatialWeight(0.14), runnersUp(16), uniformEvery(2), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT),
+      spatialWeight(0.14), runnersUp(16), orderedEvery(4), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT),
       relaxation(0.05), persistence(1), degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED),
       polishing(POLISHING_ROBUST), polishingSteps(6)
 {
@@ -106,7 +106,7 @@ void Params::check(int count) const
     checkRange("localSamples", localSamples, 0, 1000);
     checkRange("spatialWeight", spatialWeight, 0, 10);
     checkRange("runnersUp", runnersUp, 0, 100);
-    checkRange("uniformEvery", uniformEvery, 0, 1000);
+    checkRange("orderedEvery", orderedEvery, 1, 1000);
     checkRange("termination", termination, 0, 2 * TERMINATION_EXACT - 1);
     checkRange("relaxation", relaxation, 0, 1);
     checkRange("persistence", persistence, 1, 100);
@@ -146,7 +146,7 @@ void visitFields(P& params, Visitor& visit)
     visit("localSamples", params.localSamples);
     visit("spatialWeight", params.spatialWeight);
     visit("runnersUp", params.runnersUp);
-    visit("uniformEvery", params.uniformEvery);
+    visit("orderedEvery", params.orderedEvery);
     visit("termination", params.termination);
     visit("relaxation", params.relaxation);
     visit("persistence", params.persistence);

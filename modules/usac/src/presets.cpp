@@ -91,7 +91,7 @@ Params Params::prosac()
     Params params = ransac();
     params.sampler = SAMPLER_PROSAC;
     params.prior = PRIOR_INPUT_ORDER;
-    params.uniformEvery = 0;
+    params.orderedEvery = 1;
     params.termination = TERMINATION_PROSAC;
     return params;
 }
@@ -133,7 +133,7 @@ Params Params::usac2013()
     Params params = loRansac();
     params.sampler = SAMPLER_PROSAC;
     params.prior = PRIOR_INPUT_ORDER;
-    params.uniformEvery = 0;
+    params.orderedEvery = 1;
     params.verification = VERIFICATION_SPRT;
     params.termination = TERMINATION_SPRT | TERMINATION_PROSAC;
     params.degeneracy = DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC;

@@ -38,7 +38,7 @@ struct Fields
         f.push_back(std::make_pair("localSamples", &Params::localSamples));
         f.push_back(std::make_pair("termination", &Params::termination));
         f.push_back(std::make_pair("runnersUp", &Params::runnersUp));
-        f.push_back(std::make_pair("uniformEvery", &Params::uniformEvery));
+        f.push_back(std::make_pair("orderedEvery", &Params::orderedEvery));
         f.push_back(std::make_pair("persistence", &Params::persistence));
         f.push_back(std::make_pair("degeneracy", &Params::degeneracy));
         f.push_back(std::make_pair("polishing", &Params::polishing));

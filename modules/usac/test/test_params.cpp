@@ -26,7 +26,7 @@ TEST(Usac_Params, ranges_of_integers)
         {"verification", VERIFICATION_NONE, VERIFICATION_TDD}, {"tddPoints", 1, 100},
         {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS},
         {"localIterations", 1, 1000}, {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 63},
-        {"runnersUp", 0, 100}, {"uniformEvery", 0, 1000}, {"persistence", 1, 100}, {"degeneracy", 0, 7}, {"polishing", POLISHING_NONE, POLISHING_ROBUST},
+        {"runnersUp", 0, 100}, {"orderedEvery", 1, 1000}, {"persistence", 1, 100}, {"degeneracy", 0, 7}, {"polishing", POLISHING_NONE, POLISHING_ROBUST},
         {"polishingSteps", 1, 100}};
     ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::ints().size(); ++i)
@@ -204,7 +204,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, p.termination);
     EXPECT_EQ(0.05, p.relaxation);
     EXPECT_EQ(16, p.runnersUp);
-    EXPECT_EQ(2, p.uniformEvery);
+    EXPECT_EQ(4, p.orderedEvery);
     EXPECT_EQ(1, p.persistence);
     EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED, p.degeneracy);
     EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);
@@ -242,7 +242,7 @@ Params unusual()
     p.termination = TERMINATION_STANDARD;
     p.relaxation = 0.3;
     p.runnersUp = 5;
-    p.uniformEvery = 3;
+    p.orderedEvery = 3;
     p.persistence = 7;
     p.degeneracy = DEGENERACY_DEGENSAC;
     p.polishing = POLISHING_NONE;

@@ -27,7 +27,7 @@ public:
     {
         const int m = context.components.minimalSolver->sampleSize();
         state.subsetSize = context.points.size;
-        if (drawUniform(context, state, sample))
+        if (!isOrdered(context, state, sample))
             return;
         if (points.empty() && rest.empty())
             build(context);

@@ -27,7 +27,7 @@ public:
         const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
         Neighbourhood& neighbourhood = *context.components.neighbourhood;
         state.subsetSize = size;
-        if (drawUniform(context, state, sample))
+        if (!isOrdered(context, state, sample))
             return;
         for (int i = 0; i < TRIES; ++i)
         {

@@ -21,11 +21,11 @@ bool isGuess(const Context& context)
 
 The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood: the
 finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
-that is everything and the sample is PROSAC's. One sample in four is local, of points in a known order one in four of those that are
-not uniform (Params::uniformEvery). With more, small groups of wrong matches that agree
+that is everything and the sample is PROSAC's. One in four of the samples that are not uniform (Params::orderedEvery) is local, every
+second one if the order of the points is a guess (the density). With more, small groups of wrong matches that agree
 with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order
-is a guess (the density), uniform are also the first #BEFORE_ORDER samples of F and E: easy problems need no more, and so neither order nor neighbourhood. The first
-#ORDERED samples of H then all keep to the order: they come from the few densest points, and four right ones among these are soon met. */
+is a guess, the first #BEFORE_ORDER samples of F and E are uniform: easy problems need no more, and so neither order nor
+neighbourhood. The first #ORDERED samples of H then all keep to the order: they come from the few densest points, and four right ones among these are soon met. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -41,32 +41,32 @@ public:
         const int n = growth->size();
         state.subsetSize = n;
         const bool guess = isGuess(context);
-        const int first = guess ? firstSamples(context, state, sample) : ANY;
-        if (first == UNIFORM || (first == ANY && drawUniform(context, state, sample)))
+        if (!(guess ? isOrderedGuess(context, state, sample) : isOrdered(context, state, sample)))
             return;
         const int centre = state.bestFirst(context)[growth->newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = centre;
-        const int localEvery = LOCAL_EVERY * (guess ? 1 : std::max(context.params.uniformEvery, 1));
-        if (state.iteration % localEvery != localEvery - 1 || !local(context, state, m, sample))
+        const int turn = state.iteration / context.params.orderedEvery, localEvery = guess ? LOCAL_EVERY / 2 : LOCAL_EVERY;
+        if (turn % localEvery != localEvery - 1 || !local(context, state, m, sample))
             global(state, m, n, sample);
     }
 
 private:
     enum { BEFORE_ORDER = 8, ORDERED = 16 };
 
-    enum { UNIFORM, KEPT, ANY };
-
-    //! Of points whose order is a guess: draws a uniform one of the first samples of F and E.
-    static int firstSamples(const Context& context, State& state, int* sample)
+    //! As isOrdered(), but for the first samples.
+    static bool isOrderedGuess(const Context& context, State& state, int* sample)
     {
-        const bool homography = context.points.problem == HOMOGRAPHY;
-        if (context.params.uniformEvery == 0 || state.iteration >= (homography ? ORDERED : BEFORE_ORDER))
-            return ANY;
-        state.counts = !homography;
-        if (homography)
-            return KEPT;
-        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
-        return UNIFORM;
+        if (context.params.orderedEvery > 1 && context.points.problem == HOMOGRAPHY && state.iteration < ORDERED)
+        {
+            state.counts = false;
+            return true;
+        }
+        if (context.params.orderedEvery > 1 && context.points.problem != HOMOGRAPHY && state.iteration < BEFORE_ORDER)
+        {
+            drawUniform(context, state, sample);
+            return false;
+        }
+        return isOrdered(context, state, sample);
     }
 
     //! How often a point was the centre of a local sample, and the finest layer with enough neighbours.

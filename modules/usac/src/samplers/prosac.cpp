@@ -23,7 +23,7 @@ public:
         growth->next();
         const int n = growth->size();
         state.subsetSize = n;
-        if (drawUniform(context, state, sample))
+        if (!isOrdered(context, state, sample))
             return;
         if (growth->newest())
         {

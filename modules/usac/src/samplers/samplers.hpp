@@ -11,19 +11,28 @@
 namespace cv {
 namespace usacv20 {
 
-//! Of so many samples of P-NAPSAC one is local, if none of them is uniform.
+//! Of so many samples of P-NAPSAC that are not uniform, one is local.
 enum { LOCAL_EVERY = 4 };
 
-/** @brief Draws the sample from all points, if it is the turn of a uniform one: each Params::uniformEvery-th.
-@return false if the sampler shall draw; the sample does then not count for the criteria, unless Params::uniformEvery is 0. */
-inline bool drawUniform(const Context& context, State& state, int* sample)
+//! Draws a sample from all points.
+inline void drawUniform(const Context& context, State& state, int* sample)
 {
-    const int every = context.params.uniformEvery;
-    const bool uniform = every > 0 && state.iteration % every == 0;
-    state.counts = uniform || every == 0;
-    if (uniform)
-        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
-    return uniform;
+    state.counts = true;
+    state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
+}
+
+/** @brief True if the sampler shall draw the sample as it prefers, see Params::orderedEvery; it does then not count for the criteria,
+unless all samples are of this kind. Else it has been drawn from all points. */
+inline bool isOrdered(const Context& context, State& state, int* sample)
+{
+    const int every = context.params.orderedEvery;
+    if (state.iteration % every == 0)
+    {
+        state.counts = every == 1;
+        return true;
+    }
+    drawUniform(context, state, sample);
+    return false;
 }
 
 //! All samples equally likely, see UniformSampler.

@@ -84,8 +84,7 @@ public:
         for (int i = 0; i < size; ++i)
             inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
         double kept = keptProbability(context, state.bestQuality.inliers);
-        if (context.params.uniformEvery > 0)
-            kept *= 1 - 1. / context.params.uniformEvery;
+        kept /= context.params.orderedEvery;
         if (context.params.sampler == SAMPLER_P_NAPSAC)
             kept *= 1 - 1. / LOCAL_EVERY;
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;

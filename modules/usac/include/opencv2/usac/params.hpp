@@ -199,10 +199,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Models beside those that beat all samples before them that are optimised before the search ends, at most; 0..100. Without
     //! local optimisation none. Default 16.
     CV_PROP_RW int runnersUp;
-    /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples from all of them, and only these
-    count for the criteria of termination but #TERMINATION_PROSAC: what is drawn from some points may never meet the best model, and
-    `confidence` would not hold. 0: none is, and all count, as in the papers; 0..1000. Default 2. */
-    CV_PROP_RW int uniformEvery;
+    /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer, the others are
+    uniform among all points. Only the uniform ones count for the criteria of termination but #TERMINATION_PROSAC: what is drawn from
+    some points may never meet the best model, and `confidence` would not hold. 1: all samples are as preferred, and all count, as in the
+    papers; 1..1000. Default 4. */
+    CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0 runs all `maxIterations`. Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
     CV_PROP_RW int termination;
     //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.05. Used by #TERMINATION_P_NAPSAC.

@@ -21,7 +21,7 @@ class ParamsTest(unittest.TestCase):
         params = usac.Params()
         self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "prior", "scores",
                               "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence", "degeneracy",
-                              "polishing", "polishingSteps", "runnersUp", "uniformEvery"}, set(fields(params)))
+                              "polishing", "polishingSteps", "runnersUp", "orderedEvery"}, set(fields(params)))
         for name in fields(params):
             if name == "scores":
                 continue
