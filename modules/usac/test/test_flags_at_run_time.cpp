@@ -193,8 +193,10 @@ TEST(Usac_FlagsAtRunTime, where_programs_keep_a_flag)
         EXPECT_TRUE(sameBits(F, usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99)));
     }
     FileStorage fs("%YAML:1.0\nmethod: 16385\n", FileStorage::READ | FileStorage::MEMORY);
-    int method = (int)USACV20;
-    fs["method"] >> method;
+    int method, other;
+    cv::read(fs["method"], method, (int)USACV20);
+    cv::read(fs["other"], other, (int)USACV20_MAGSAC);
+    EXPECT_EQ((int)USACV20_MAGSAC, other);
     EXPECT_EQ((int)USACV20_FAST, method);
     EXPECT_TRUE(sameBits(fast, usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99)));
     EXPECT_EQ("", Fields::difference(Params::fast(), Params::fromMethod(method)));

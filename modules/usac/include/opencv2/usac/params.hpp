@@ -25,8 +25,8 @@ would get it, takes each number that it does not know for LMedS (cv::findFundame
 keeps its flag in an `int`, reads it from a file, or chooses between a flag of this module and one of OpenCV's calls
 usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat, which take the `int`s of both:
 @code{.cpp}
-int method = (int)cv::USACV20;    // the default; without the cast this does not compile
-fs["method"] >> method;           // a cv::FileStorage with, say, method: 16385, which is USACV20_FAST, or 8, cv::RANSAC
+int method = (int)cv::USACV20;         // without the cast this does not compile
+cv::read(fs["method"], method, method); // of a cv::FileStorage with, say, 16385, which is USACV20_FAST, or 8, cv::RANSAC
 if (quick)
     method = (int)cv::USACV20_FAST;
 cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2, method, 1.0, 0.99, mask);
