@@ -107,8 +107,8 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
 
 namespace usacv20 {
 
-/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are up to 38 in OpenCV 4.6 to 4.10 and
-have room up to 63. Any other number is a mistake that calib3d would not see: F and E take what they do not know for LMedS. */
+/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are 0 .. 38 in OpenCV 4.6 and have
+room up to 63. Any other number is a mistake that calib3d would not see: F and E take what they do not know for LMedS. */
 static bool isOurs(int method)
 {
     const bool ours = isUsacV20Method(method);

@@ -20,7 +20,8 @@ int main()
 
     // The flag itself, and flags of the module and of OpenCV that are known only at run time.
     const int methods[] = {(int)cv::USACV20_FAST, cv::RANSAC};
-    const cv::Mat models[] = {cv::findHomography(src, dst, cv::USACV20, 1.0), cv::usacv20::findHomography(src, dst, methods[0], 1.0),
+    const cv::Mat models[] = {cv::findHomography(src, dst, cv::USACV20, 1.0),
+                              cv::usacv20::findHomography(src, dst, methods[0], 1.0),
                               cv::usacv20::findHomography(src, dst, methods[1], 1.0)};
     double worst = 0;
     for (const cv::Mat& H : models)

@@ -12,8 +12,8 @@
 namespace cv {
 
 #ifdef OPENCV_BINDING_PARSER
-// The enumerators of an enum class would become cv2.UsacV20Method_USACV20 and so on. The generator takes the names and values from
-// here; the code that it writes uses the constants of params.hpp.
+// The enumerators of an enum class would become cv2.UsacV20Method_USACV20 and so on. The generator takes the names from here; the
+// code that it writes uses the constants of params.hpp.
 enum UsacV20Method
 {
     USACV20 = 0x4000,
@@ -27,8 +27,8 @@ enum UsacV20Method
 
 namespace usacv20 {
 
-// The functions of find.hpp with Params in the place of the flag. In C++ they are in the namespace cv alone: there a second set would
-// be ambiguous below `using namespace cv`, as the class Params leads to the namespace cv::usacv20.
+// The functions of find.hpp with Params in the place of the flag. In C++ they are in the namespace cv alone: a second set would
+// make a call below `using namespace cv` ambiguous, as the class Params leads to the namespace cv::usacv20.
 
 //! @overload
 CV_EXPORTS_W inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,

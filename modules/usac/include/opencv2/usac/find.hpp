@@ -65,8 +65,9 @@ namespace usacv20 {
 /** @name The functions of calib3d with any flag, known only at run time
 Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat that has an `int method`, with the same
 meaning, order and defaults of the arguments, but #USACV20 for a `method` that is left out. The method is the value of a
-#UsacV20Method, and the result that of cv::findHomography and its kin with this flag; or it is one of OpenCV's own flags, and the call
-is handed on to calib3d as it is. A number that is neither (OpenCV's flags are among 0 .. 63) raises a cv::Exception that names `method`.
+#UsacV20Method, and the result that of cv::findHomography and its kin with this flag; or it is one of OpenCV's own flags, and
+the call is handed on to calib3d as it is. A number that is neither (OpenCV's flags are among 0 .. 63) raises a cv::Exception
+that names `method`.
 
 Below `using namespace cv` and `using namespace cv::usacv20` together, a call with an `int` has to name the namespace,
 `usacv20::findHomography(...)`: calib3d's function is as good a match.
@@ -94,7 +95,8 @@ CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, Output
 @param method value of one of #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold in pixels
 @param confidence probability that the result is the best model
-@param maxIters upper bound of the number of samples. Its default in Python makes a None in this place, meant for `mask`, harmless.
+@param maxIters upper bound of the number of samples; its default in Python makes a None in this place, meant for `mask`,
+harmless
 @param mask output, Nx1, CV_8U, 1 for inliers
 @return 3x3, CV_64F (with OpenCV's flags and seven points up to three of them in 9x3); empty if there is none
 */
@@ -163,8 +165,8 @@ Mat findEssentialMat(InputArray points1, InputArray points2, int method) = delet
 //! @}
 
 /** @name The same with a flag that is known when the program is compiled
-They call cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat with the same arguments; templates, so that below
-both using-directives those are not ambiguous.
+They call cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat with the same arguments. They are templates, which
+keeps a call without a namespace below both using-directives from being ambiguous.
 @{ */
 template <typename... Others>
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method, Others&&... others)

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // Programs that would lose a flag without a word: they must not compile. One is chosen by its macro REFUSED_*. With MENDED the
-// marked place is as it should be, and the rest of the same program must compile, which shows that it is refused for this place. What
-// stands below a macro ALLOWED_* must compile as it is.
+// marked place is as it should be, and the same program must compile, which shows that it is refused for this place. What stands
+// below a macro ALLOWED_* must compile as it is.
 
 #include <map>
 #include <string>
