@@ -50,7 +50,7 @@ void readMatches(const std::string& file, std::vector<cv::Point2d>& points1, std
 
 //! Runs the estimator with the components of `params`, or with another quality function among them. @return the homography
 cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std::vector<cv::Point2d>& points2,
-            const cv::usacv20::UsacParams& params, const cv::Ptr<cv::usacv20::Score>& score)
+            const cv::usacv20::Params& params, const cv::Ptr<cv::usacv20::Score>& score)
 {
     using namespace cv::usacv20;
     cv::Ptr<Usac> usac = Usac::create(HOMOGRAPHY, points1, points2, params);
@@ -80,7 +80,7 @@ int main(int argc, char** argv)
     {
         std::vector<cv::Point2d> points1, points2;
         readMatches(parser.get<std::string>("@matches"), points1, points2);
-        cv::usacv20::UsacParams params;
+        cv::usacv20::Params params;
         params.threshold = parser.get<double>("threshold");
         std::cout << points1.size() << " matches\n";
         const cv::Mat H = run("MSAC", points1, points2, params, cv::Ptr<cv::usacv20::Score>());

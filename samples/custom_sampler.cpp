@@ -56,7 +56,7 @@ private:
 };
 
 //! Runs the estimator with the components of `params`, or with another sampler among them.
-void run(const char* name, const tools::Matches& matches, const cv::usacv20::UsacParams& params,
+void run(const char* name, const tools::Matches& matches, const cv::usacv20::Params& params,
          const cv::Ptr<cv::usacv20::Sampler>& sampler)
 {
     using namespace cv::usacv20;
@@ -75,7 +75,7 @@ int sample(const cv::CommandLineParser& parser)
     const cv::Mat image1 = tools::readImage(parser.get<std::string>("@image1"));
     const cv::Mat image2 = tools::readImage(parser.get<std::string>("@image2"));
     const tools::Matches matches = tools::match(image1, image2, parser);
-    cv::usacv20::UsacParams params;
+    cv::usacv20::Params params;
     params.threshold = parser.get<double>("threshold");
     params.confidence = parser.get<double>("confidence");
     params.maxIterations = parser.get<int>("iterations");

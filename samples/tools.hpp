@@ -44,9 +44,9 @@ struct Settings
     }
 
     //! What the flag cv::USACV20 makes of the same settings.
-    cv::usacv20::UsacParams params() const
+    cv::usacv20::Params params() const
     {
-        cv::usacv20::UsacParams params = cv::usacv20::UsacParams::usacV20();
+        cv::usacv20::Params params = cv::usacv20::Params::usacV20();
         params.threshold = threshold;
         params.confidence = confidence;
         params.maxIterations = maxIterations;

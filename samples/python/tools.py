@@ -84,7 +84,7 @@ def measure(method, runs, estimate):
 
 def usacv20_params(args, iterations):
     """What the flag cv2.USACV20 makes of the same settings."""
-    params = cv2.usacv20.UsacParams()
+    params = cv2.usacv20.Params()
     params.threshold = args.threshold
     params.confidence = args.confidence
     params.maxIterations = iterations

@@ -8,7 +8,13 @@
 
 namespace opencv_test { namespace {
 
-//! OpenCV's flags and ours, in one list.
+//! The module's flags as numbers, and OpenCV's flags and these in one list.
+enum
+{
+    USACV20 = (int)cv::USACV20,
+    USACV20_FAST = (int)cv::USACV20_FAST,
+    USACV20_ACCURATE = (int)cv::USACV20_ACCURATE
+};
 CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_MAGSAC, USACV20, USACV20_FAST, USACV20_ACCURATE)
 typedef TestBaseWithParam<Method> UsacMethod;
 
@@ -59,9 +65,7 @@ PERF_TEST_P(UsacMethod, Homography, Method::all())
     declare.in(set.points1, set.points2).iterations(20);
     TEST_CYCLE()
     {
-        model = usacv20::isUsacV20Method(method)
-            ? findHomography(set.points1, set.points2, usacv20::methodFromInt(method), 2., noArray(), 10000, 0.99)
-            : findHomography(set.points1, set.points2, method, 2., noArray(), 10000, 0.99);
+        model = usacv20::findHomography(set.points1, set.points2, method, 2., noArray(), 10000, 0.99);
     }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();
@@ -75,9 +79,7 @@ PERF_TEST_P(UsacMethod, Fundamental, Method::all())
     declare.in(set.points1, set.points2).iterations(20);
     TEST_CYCLE()
     {
-        model = usacv20::isUsacV20Method(method)
-            ? findFundamentalMat(set.points1, set.points2, usacv20::methodFromInt(method), 1., 0.99, 1000)
-            : findFundamentalMat(set.points1, set.points2, method, 1., 0.99, 1000);
+        model = usacv20::findFundamentalMat(set.points1, set.points2, method, 1., 0.99, 1000);
     }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();
@@ -91,9 +93,7 @@ PERF_TEST_P(UsacMethod, Essential, Method::all())
     declare.in(set.points1, set.points2).iterations(20);
     TEST_CYCLE()
     {
-        model = usacv20::isUsacV20Method(method)
-            ? findEssentialMat(set.points1, set.points2, set.K, usacv20::methodFromInt(method), 0.99, 1.)
-            : findEssentialMat(set.points1, set.points2, set.K, method, 0.99, 1.);
+        model = usacv20::findEssentialMat(set.points1, set.points2, set.K, method, 0.99, 1.);
     }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();

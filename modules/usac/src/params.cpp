@@ -200,7 +200,7 @@ void read(const FileNode& node, Params& params, const Params& defaults)
 
 bool isUsacV20Method(int method)
 {
-    return method >= USACV20 && method <= USACV20_PARALLEL;
+    return method >= (int)USACV20 && method <= (int)USACV20_PARALLEL;
 }
 
 UsacV20Method methodFromInt(int method)

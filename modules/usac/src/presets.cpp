@@ -163,9 +163,9 @@ Params Params::magsacPlusPlus()
     return params;
 }
 
-Params Params::fromMethod(int method)
+Params Params::fromMethod(UsacV20Method method)
 {
-    switch (methodFromInt(method))
+    switch (method)
     {
     case USACV20_FAST: return fast();
     case USACV20_ACCURATE: return accurate();
@@ -174,6 +174,11 @@ Params Params::fromMethod(int method)
     case USACV20_PARALLEL: return parallel();
     default: return usacV20();
     }
+}
+
+Params Params::fromMethod(int method)
+{
+    return fromMethod(methodFromInt(method));
 }
 
 namespace {

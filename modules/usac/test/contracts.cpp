@@ -126,11 +126,12 @@ std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& 
         EXPECT_TRUE(found || report.threshold == pixels) << report.threshold;
         EXPECT_TRUE(sameBits(models[i], Usac::create(problem, points1, points2, params, K)->run(other)));
         EXPECT_TRUE(sameBits(mask, other)) << "Usac::create";
-        const int flags[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
+        const UsacV20Method flags[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_MAGSAC,
+                                       USACV20_PARALLEL};
         const char* names[] = {"usacV20", "fast", "accurate", "sorted", "magsacPlusPlus", "parallel"};
         for (int f = 0; f < 6; ++f)
             if (std::string(names[f]) == presets[i].name)
-                checkFlag(methodFromInt(flags[f]), problem, points1, points2, params, K, models[i], mask);
+                checkFlag(flags[f], problem, points1, points2, params, K, models[i], mask);
     }
     return models;
 }

@@ -71,9 +71,9 @@ TEST(Usac_Flags, values_are_none_of_OpenCV)
     {
         EXPECT_EQ(VALUES[i], (int)FLAGS[i]);
         EXPECT_GT((int)FLAGS[i], 63);
-        EXPECT_NE(8, FLAGS[i] & ~3);
-        EXPECT_TRUE(isUsacV20Method(FLAGS[i]));
-        EXPECT_EQ(FLAGS[i], methodFromInt((int)FLAGS[i]));
+        EXPECT_NE(8, (int)FLAGS[i] & ~3);
+        EXPECT_TRUE(isUsacV20Method((int)FLAGS[i]));
+        EXPECT_TRUE(FLAGS[i] == methodFromInt((int)FLAGS[i]));
     }
 }
 
@@ -240,21 +240,21 @@ TEST(Usac_Flags, old_homography_calls_reach_calib3d)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
         const Mat H = oldHomography(s.points1, s.points2, methods[i], 2, old, 2000, 0.995);
-        EXPECT_TRUE(sameBits(H, findHomography(s.points1, s.points2, methods[i], 2, mask)));
+        EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, methods[i], 2, mask)));
         EXPECT_TRUE(sameBits(old, mask));
-        EXPECT_TRUE(sameBits(H, findHomography(s.points1, s.points2, mask, methods[i], 2)));
-        EXPECT_FALSE(sameBits(H, findHomography(s.points1, s.points2, USACV20, 2)));
+        EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, mask, methods[i], 2)));
+        EXPECT_FALSE(sameBits(H, cv::findHomography(s.points1, s.points2, USACV20, 2)));
     }
     const Mat H = oldHomography(s.points1, s.points2, 0, 3, noArray(), 2000, 0.995);
-    EXPECT_TRUE(sameBits(H, findHomography(s.points1, s.points2)));
-    EXPECT_TRUE(sameBits(H, findHomography(s.points1, s.points2, mask)));
+    EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2)));
+    EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, mask)));
     EXPECT_TRUE(sameBits(oldHomography(s.points1, s.points2, RANSAC, 3, noArray(), 2000, 0.995),
-                         findHomography(s.points1, s.points2, RANSAC)));  // the enumerator itself
+                         cv::findHomography(s.points1, s.points2, RANSAC)));  // the enumerator itself
     cv::UsacParams params;
     params.threshold = 2;
-    const Mat withParams = findHomography(s.points1, s.points2, mask, params);
-    EXPECT_TRUE(sameBits(withParams, findHomography(s.points1, s.points2, mask, params)));
-    EXPECT_FALSE(sameBits(withParams, findHomography(s.points1, s.points2, mask, Params::fromUsacParams(params))));
+    const Mat withParams = cv::findHomography(s.points1, s.points2, mask, params);
+    EXPECT_TRUE(sameBits(withParams, cv::findHomography(s.points1, s.points2, mask, params)));
+    EXPECT_FALSE(sameBits(withParams, cv::findHomography(s.points1, s.points2, mask, Params::fromUsacParams(params))));
 }
 
 TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
@@ -267,19 +267,19 @@ TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
         const Mat F = oldFundamental(s.points1, s.points2, methods[i], 2, 0.99, 1000, old);
-        EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, 1000, mask)));
+        EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, 1000, mask)));
         EXPECT_TRUE(sameBits(old, mask));
-        EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, mask)));
-        EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, mask, methods[i], 2, 0.99)));
-        EXPECT_FALSE(sameBits(F, findFundamentalMat(s.points1, s.points2, USACV20, 2)));
+        EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, mask)));
+        EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, mask, methods[i], 2, 0.99)));
+        EXPECT_FALSE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, USACV20, 2)));
     }
     const Mat F = oldFundamental(s.points1, s.points2, FM_RANSAC, 3, 0.99, 1000, noArray());
-    EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2)));
-    EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, mask)));
-    EXPECT_TRUE(sameBits(F, findFundamentalMat(s.points1, s.points2, FM_RANSAC)));
+    EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2)));
+    EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, mask)));
+    EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, FM_RANSAC)));
     cv::UsacParams params;
-    const Mat withParams = findFundamentalMat(s.points1, s.points2, mask, params);
-    EXPECT_FALSE(sameBits(withParams, findFundamentalMat(s.points1, s.points2, mask, Params::fromUsacParams(params))));
+    const Mat withParams = cv::findFundamentalMat(s.points1, s.points2, mask, params);
+    EXPECT_FALSE(sameBits(withParams, cv::findFundamentalMat(s.points1, s.points2, mask, Params::fromUsacParams(params))));
 }
 
 TEST(Usac_Flags, old_essential_calls_reach_calib3d)
@@ -293,26 +293,26 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
         const Mat E = oldEssential(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, old);
-        EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, mask)));
+        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, mask)));
         EXPECT_TRUE(sameBits(old, mask));
-        EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
-        EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, 1000, mask)));
-        EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, mask)));
-        EXPECT_FALSE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, USACV20, 0.99, 2)));
+        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
+        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, 1000, mask)));
+        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, mask)));
+        EXPECT_FALSE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, USACV20, 0.99, 2)));
     }
-    const Mat ours = findEssentialMat(s.points1, s.points2, s.K, USACV20);
-    EXPECT_FALSE(sameBits(ours, findEssentialMat(s.points1, s.points2, s.K, USAC_DEFAULT)));
-    EXPECT_FALSE(sameBits(ours, findEssentialMat(s.points1, s.points2, focal, pp, USAC_FAST)));
-    EXPECT_FALSE(sameBits(ours, findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), USAC_FAST)));
+    const Mat ours = cv::findEssentialMat(s.points1, s.points2, s.K, USACV20);
+    EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, s.K, USAC_DEFAULT)));
+    EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, focal, pp, USAC_FAST)));
+    EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), USAC_FAST)));
     const Mat E = oldEssential(s.points1, s.points2, s.K, RANSAC, 0.999, 1, 1000, noArray());
-    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K)));
-    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, RANSAC)));
-    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, focal, pp)));
+    EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K)));
+    EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, RANSAC)));
+    EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp)));
     std::vector<Point2d> plane1, plane2;
     undistortPoints(s.points1, plane1, s.K, noArray());
     undistortPoints(s.points2, plane2, s.K, noArray());
-    EXPECT_EQ(Size(3, 3), findEssentialMat(plane1, plane2).size());
-    EXPECT_FALSE(findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray()).empty());
+    EXPECT_EQ(Size(3, 3), cv::findEssentialMat(plane1, plane2).size());
+    EXPECT_FALSE(cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray()).empty());
 }
 
 }} // namespace

@@ -4,8 +4,8 @@
 # of this distribution and at http://opencv.org/license.html.
 
 # Builds the library and its samples against the installed OpenCV, installs them into a temporary prefix, moves that, and
-# builds and runs the consumer project by the CMake package and by pkg-config. The last line is
-# "<N> passed, <M> failed".
+# builds and runs the consumer project by the CMake package and by pkg-config, and looks whether programs that would lose a flag
+# are refused by the compiler. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory]
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -65,8 +65,19 @@ custom_components()
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_quality" "$project/test_data/graf.txt"
 }
 
+# Each case of flags/cases.cpp.
+flag_cases()
+{
+    cmake -S "$here/flags" -B "$work/flags" "-DCMAKE_PREFIX_PATH=$work/prefix"
+}
+
+flag_case() # name
+{
+    grep -q "flag case $1: as it should be" "$work/flag_cases.log" || { grep "flag case $1:" "$work/flag_cases.log"; false; }
+}
+
 mkdir -p "$work"
-for directory in build staging prefix by_cmake by_pkg_config; do
+for directory in build staging prefix by_cmake by_pkg_config flags; do
     rm -rf "${work:?}/$directory"
 done
 check install install_library
@@ -74,5 +85,9 @@ check relocatable relocatable
 check cmake by_cmake
 check pkg-config by_pkg_config
 check custom_components custom_components
+check flag_cases flag_cases
+for name in $(sed -n 's/^#\(el\)*if defined(\([A-Z]*_[a-z_]*\))$/\2/p' "$here/flags/cases.cpp"); do
+    check "$name" flag_case "$name"
+done
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

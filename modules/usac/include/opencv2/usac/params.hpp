@@ -15,13 +15,25 @@ struct UsacParams;  // of calib3d
 //! @addtogroup usacv20
 //! @{
 
+#ifndef OPENCV_BINDING_PARSER  // Python's integers cv2.USACV20* are declared in misc/python/python_usac.hpp
+
 /** @brief Presets of the module, selected in the place of a `method` flag of cv::findHomography,
 cv::findFundamentalMat and cv::findEssentialMat.
 
-The values meet none of OpenCV's own flags. An `int` (from a configuration file, say) becomes one of
-these by usacv20::methodFromInt.
+The values meet none of OpenCV's own flags. The type is a scoped one, so a flag does not become an `int` unseen: calib3d, which
+would get it, takes each number that it does not know for LMedS (cv::findFundamentalMat, cv::findEssentialMat). A program that
+keeps its flag in an `int`, reads it from a file, or chooses between a flag of this module and one of OpenCV's calls
+usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat, which take the `int`s of both:
+@code{.cpp}
+int method = (int)cv::USACV20;         // without the cast this does not compile
+cv::read(fs["method"], method, method); // of a cv::FileStorage with, say, 16385, which is USACV20_FAST, or 8, cv::RANSAC
+if (quick)
+    method = (int)cv::USACV20_FAST;
+cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2, method, 1.0, 0.99, mask);
+@endcode
+usacv20::methodFromInt makes a flag of a number, usacv20::isUsacV20Method tells whether it is one.
 */
-enum UsacV20Method
+enum class UsacV20Method : int
 {
     USACV20          = 0x4000, //!< the configuration chosen in @cite ivashechkin2021usacv20, with robust polishing; usacv20::Params::usacV20()
     USACV20_FAST     = 0x4001, //!< early stop and a short local optimisation; usacv20::Params::fast()
@@ -30,6 +42,15 @@ enum UsacV20Method
     USACV20_MAGSAC   = 0x4004, //!< quality and fits marginalised over the noise; usacv20::Params::magsacPlusPlus()
     USACV20_PARALLEL = 0x4005  //!< USACV20 with cv::getNumThreads() threads, the same result; usacv20::Params::parallel()
 };
+
+constexpr UsacV20Method USACV20 = UsacV20Method::USACV20; //!< UsacV20Method::USACV20
+constexpr UsacV20Method USACV20_FAST = UsacV20Method::USACV20_FAST; //!< UsacV20Method::USACV20_FAST
+constexpr UsacV20Method USACV20_ACCURATE = UsacV20Method::USACV20_ACCURATE; //!< UsacV20Method::USACV20_ACCURATE
+constexpr UsacV20Method USACV20_PROSAC = UsacV20Method::USACV20_PROSAC; //!< UsacV20Method::USACV20_PROSAC
+constexpr UsacV20Method USACV20_MAGSAC = UsacV20Method::USACV20_MAGSAC; //!< UsacV20Method::USACV20_MAGSAC
+constexpr UsacV20Method USACV20_PARALLEL = UsacV20Method::USACV20_PARALLEL; //!< UsacV20Method::USACV20_PARALLEL
+
+#endif
 
 namespace usacv20 {
 
@@ -252,7 +273,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac. What
     #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`. */
     CV_WRAP static Params magsacPlusPlus();
-    /** @brief The preset behind a flag. @param method one of #UsacV20Method; anything else raises cv::Exception. */
+    //! The preset behind a flag.
+    static Params fromMethod(UsacV20Method method);
+    /** @brief The preset behind the value of a flag. @param method value of one of #UsacV20Method; anything else raises cv::Exception. */
     CV_WRAP static Params fromMethod(int method);
 
     //! The nearest configuration to one of OpenCV's own USAC; `threshold`, `confidence`, `maxIterations` are taken as they are.
@@ -267,7 +290,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     void read(const FileNode& node);
 };
 
-//! The name that C++ code uses.
+//! The same class. Beside `using namespace cv` prefer usacv20::Params: the name UsacParams alone is, or may be, calib3d's class.
 typedef Params UsacParams;
 
 //! For `fs << "usac" << params`.

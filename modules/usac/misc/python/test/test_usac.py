@@ -21,7 +21,7 @@ import cv2 as cv
 import numpy as np
 
 from usac_common import (DISTORTED, FINDER, FLAGS, FUNCTIONS, GENERAL, NATIVE, PLANE, THRESHOLD, bits, estimate,
-                         forms, loadPackage, needsLoader, outcome, paramsForms, usac, values)
+                         forms, formsOfOpencv, loadPackage, needsLoader, outcome, paramsForms, usac, values)
 
 
 @needsLoader
@@ -128,7 +128,11 @@ class FlagTest(unittest.TestCase):
                               "USACV20_PARALLEL"}, set(FLAGS))
         self.assertEqual(len(set(FLAGS.values())), len(FLAGS))
         self.assertTrue(all(0x4000 <= value < 0x4100 for value in FLAGS.values()))
+        self.assertEqual([FLAGS[name] - 0x4000 for name in ("USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC",
+                                                            "USACV20_MAGSAC", "USACV20_PARALLEL")], list(range(6)))
+        self.assertEqual([name for name in dir(NATIVE) if "USACV20" in name], sorted(FLAGS))  # none as of an enum class
         for name, value in FLAGS.items():
+            self.assertIs(type(value), int)
             self.assertEqual(getattr(cv, name), value)
             self.assertTrue(usac.isUsacV20Method(value))
         for value in (-1, 0, cv.LMEDS, cv.RANSAC, cv.RHO, cv.USAC_DEFAULT, cv.USAC_MAGSAC, 0x3fff, max(FLAGS.values()) + 1):
@@ -160,6 +164,15 @@ class FlagTest(unittest.TestCase):
                 for (_, function, _, args, kwargs), (_, _, _, args2, kwargs2) in zip(forms(method), forms(int(method))):
                     self.assertEqual(outcome(getattr(finder, function), args, kwargs),
                                      outcome(getattr(finder, function), args2, kwargs2))
+
+    def test_flags_of_opencv_are_handed_on(self):
+        found = 0
+        for _, function, _, args, kwargs in formsOfOpencv():
+            expected = outcome(getattr(NATIVE, function), args, kwargs)
+            self.assertEqual(outcome(getattr(usac, function), args, kwargs), expected,
+                             "{} {} {}".format(function, len(args), sorted(kwargs)))
+            found += isinstance(expected[0], tuple)
+        self.assertGreater(found, 100)  # models, not only equal exceptions
 
     def test_defaults_are_those_of_opencv(self):
         a, b, g = PLANE.points1, PLANE.points2, GENERAL
@@ -219,14 +232,10 @@ class UnchangedTest(unittest.TestCase):
         return expected
 
     def test_flags_of_opencv(self):
-        usacs = [cv.USAC_DEFAULT, cv.USAC_FM_8PTS, cv.USAC_FAST, cv.USAC_ACCURATE, cv.USAC_PROSAC, cv.USAC_MAGSAC]
         found = 0
-        for method in [0, cv.LMEDS, cv.RANSAC, cv.RHO, cv.FM_7POINT, cv.FM_8POINT] + usacs:
-            for _, function, _, args, kwargs in forms(method):
-                if function == "findEssentialMat" and method in usacs:
-                    continue  # OpenCV 4.6 gives another E each time; see RouteTest
-                expected = self.compare(function, args, kwargs)
-                found += isinstance(expected[0], tuple)
+        for _, function, _, args, kwargs in formsOfOpencv():  # for USAC and E see RouteTest
+            expected = self.compare(function, args, kwargs)
+            found += isinstance(expected[0], tuple)
         self.assertGreater(found, 100)  # models, not only equal exceptions
 
     def test_params_of_opencv(self):

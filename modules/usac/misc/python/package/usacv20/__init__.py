@@ -11,9 +11,11 @@ Three levels of use:
 
        H, mask = cv2.findHomography(points1, points2, cv2.USACV20, 3.0)
 
+   The flags are integers, from 0x4000 on; a program may keep them in a variable or a file.
+
 2. All options, match scores among them, in the place of the flag.
 
-       params = cv2.usacv20.UsacParams()
+       params = cv2.usacv20.Params()
        params.scores = [match.distance for match in matches]
        H, mask = cv2.findHomography(points1, points2, params)
 
@@ -24,7 +26,7 @@ Three levels of use:
 The model is None, the mask zero and report.stop says why where there is no model.
 
 The loader of cv2 imports this package and adds all else of the extension module's own `usacv20` to it: the enumerations,
-Params, Report, isUsacV20Method, and find* as the extension has them.
+Params, Report, isUsacV20Method, and find* as the extension has them (with flags of the module and of OpenCV alike).
 """
 
 import functools
@@ -37,7 +39,7 @@ if _native is None:  # left over from another build; an ImportError makes the lo
     raise ImportError("cv2 was built without the module usac")
 
 Params = _native.Params
-UsacParams = Params
+UsacParams = Params  # the same class by another name
 
 _FLAGS = frozenset(value for name, value in vars(cv2._native).items() if name.startswith("USACV20"))
 
@@ -124,7 +126,7 @@ def _divert(name, methodPlace, paramsPlace):
             return ours(*args, **kwargs)
         return original(*args, **kwargs)
 
-    find.__doc__ = "{}\n\nWith `method` one of cv2.USACV20* or `params` a cv2.usacv20.UsacParams:\n\n{}".format(
+    find.__doc__ = "{}\n\nWith `method` one of cv2.USACV20* or `params` a cv2.usacv20.Params:\n\n{}".format(
         original.__doc__, ours.__doc__)
     setattr(cv2, name, find)
 

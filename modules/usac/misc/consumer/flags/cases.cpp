@@ -1,0 +1,98 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Programs that would lose a flag without a word: they must not compile. One is chosen by its macro REFUSED_*. With MENDED the
+// marked place is as it should be, and the same program must compile, which shows that it is refused for this place. What stands
+// below a macro ALLOWED_* must compile as it is.
+
+#include <map>
+#include <string>
+#include <vector>
+#include <opencv2/usac.hpp>
+
+#ifdef MENDED
+#define FLAG(flag) (int)flag   // the flag as a number, for usacv20::find*
+#define FOCAL(length) 1. * length
+#define IN_NAMESPACE usacv20::
+#else
+#define FLAG(flag) flag
+#define FOCAL(length) length
+#define IN_NAMESPACE
+#endif
+
+typedef std::vector<cv::Point2f> Points;
+
+#if defined(REFUSED_variable)
+cv::Mat estimate(const Points& a, const Points& b)
+{
+    int method = FLAG(cv::USACV20);
+    return cv::findFundamentalMat(a, b, method, 1.0, 0.99);
+}
+#elif defined(REFUSED_settings)
+struct Settings
+{
+    int method;
+};
+const Settings settings = {FLAG(cv::USACV20_MAGSAC)};
+cv::Mat estimate(const Points& a, const Points& b) { return cv::findHomography(a, b, settings.method); }
+#elif defined(REFUSED_map)
+cv::Mat estimate(const Points& a, const Points& b, const std::string& name)
+{
+    std::map<std::string, int> methods;
+    methods["ransac"] = cv::RANSAC;
+    methods["usac"] = FLAG(cv::USACV20);
+    return cv::findHomography(a, b, methods[name]);
+}
+#elif defined(REFUSED_default_argument)
+cv::Mat estimate(const Points& a, const Points& b, int method = FLAG(cv::USACV20))
+{
+    return cv::findFundamentalMat(a, b, method);
+}
+#elif defined(REFUSED_argument)
+cv::Mat estimate(const Points& a, const Points& b, int method);
+cv::Mat accurate(const Points& a, const Points& b) { return estimate(a, b, FLAG(cv::USACV20_ACCURATE)); }
+#elif defined(REFUSED_ternary)
+cv::Mat estimate(const Points& a, const Points& b, bool fast)
+{
+    return cv::findFundamentalMat(a, b, fast ? FLAG(cv::USACV20_FAST) : cv::RANSAC);
+}
+#elif defined(REFUSED_or)
+cv::Mat estimate(const Points& a, const Points& b) { return cv::findFundamentalMat(a, b, FLAG(cv::USACV20) | cv::RANSAC); }
+#elif defined(REFUSED_focal_length)
+// The camera has been forgotten.
+cv::Mat estimate(const Points& a, const Points& b) { return cv::findEssentialMat(a, b, FLAG(cv::USACV20)); }
+#elif defined(REFUSED_focal_length_at_run_time)
+cv::Mat estimate(const Points& a, const Points& b, int method) { return cv::usacv20::findEssentialMat(a, b, FOCAL(method)); }
+#elif defined(REFUSED_both_namespaces)
+using namespace cv;
+using namespace cv::usacv20;
+cv::Mat estimate(const Points& a, const Points& b, int method) { return IN_NAMESPACE findFundamentalMat(a, b, method); }
+
+#elif defined(ALLOWED_namespace_cv)
+using namespace cv;
+Mat estimate(const Points& a, const Points& b, const Mat& K, Mat& mask, int method)
+{
+    usacv20::Params params = usacv20::Params::fromMethod(USACV20_FAST);
+    params = usacv20::Params::fromMethod(method);
+    const UsacV20Method flag = method ? USACV20_MAGSAC : USACV20;
+    return findHomography(a, b, USACV20, 3, mask) + findHomography(a, b, mask, params) + findHomography(a, b, method) +
+           findFundamentalMat(a, b, mask, flag) + findFundamentalMat(a, b, mask, params) + findFundamentalMat(a, b) +
+           findEssentialMat(a, b, K, flag) + findEssentialMat(a, b, K, K, noArray(), noArray(), mask, params) +
+           findEssentialMat(a, b, 800, Point2d(320, 240), flag) + findEssentialMat(a, b, K, RANSAC);
+}
+#elif defined(ALLOWED_both_namespaces)
+using namespace cv;
+using namespace cv::usacv20;
+Mat estimate(const Points& a, const Points& b, const Mat& K, Mat& mask, int method)
+{
+    const Params params = Params::accurate();
+    const double threshold = 1;
+    return findHomography(a, b, USACV20, threshold, mask) + findHomography(a, b, mask, params) +
+           findFundamentalMat(a, b, USACV20_FAST, 1, 0.99, 500) + findFundamentalMat(a, b, mask, params) +
+           findEssentialMat(a, b, K, USACV20) + findEssentialMat(a, b, K, USACV20, 0.999, threshold, mask) +
+           usacv20::findHomography(a, b, method) + usacv20::findHomography(a, b, USACV20, 2, mask, 100);
+}
+#else
+#error no such case
+#endif

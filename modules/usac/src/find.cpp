@@ -1,0 +1,195 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+
+namespace cv {
+
+using usacv20::Params;
+
+static Params paramsOf(UsacV20Method method, double threshold, double confidence, int maxIterations)
+{
+    Params params = Params::fromMethod(method);
+    params.threshold = threshold;
+    params.confidence = confidence;
+    params.maxIterations = maxIterations;
+    return params;
+}
+
+static Matx33d cameraOf(double focal, Point2d pp)
+{
+    return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
+}
+
+// Where a signature of calib3d has no maxIters, its default is used.
+
+Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method, double ransacReprojThreshold,
+                   OutputArray mask, const int maxIters, const double confidence)
+{
+    return usacv20::estimateHomography(srcPoints, dstPoints,
+                                       paramsOf(method, ransacReprojThreshold, confidence, maxIters), mask);
+}
+
+Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, UsacV20Method method,
+                   double ransacReprojThreshold)
+{
+    return findHomography(srcPoints, dstPoints, method, ransacReprojThreshold, mask);
+}
+
+Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, const Params& params)
+{
+    return usacv20::estimateHomography(srcPoints, dstPoints, params, mask);
+}
+
+Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method, double ransacReprojThreshold,
+                       double confidence, int maxIters, OutputArray mask)
+{
+    return usacv20::estimateFundamental(points1, points2,
+                                        paramsOf(method, ransacReprojThreshold, confidence, maxIters), mask);
+}
+
+Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method, double ransacReprojThreshold,
+                       double confidence, OutputArray mask)
+{
+    return findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, 1000, mask);
+}
+
+Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, UsacV20Method method,
+                       double ransacReprojThreshold, double confidence)
+{
+    return findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, 1000, mask);
+}
+
+Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, const Params& params)
+{
+    return usacv20::estimateFundamental(points1, points2, params, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method, double prob,
+                     double threshold, int maxIters, OutputArray mask)
+{
+    return usacv20::estimateEssential(points1, points2, cameraMatrix, paramsOf(method, threshold, prob, maxIters), mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method, double prob,
+                     double threshold, OutputArray mask)
+{
+    return findEssentialMat(points1, points2, cameraMatrix, method, prob, threshold, 1000, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method, double prob,
+                     double threshold, int maxIters, OutputArray mask)
+{
+    return findEssentialMat(points1, points2, cameraOf(focal, pp), method, prob, threshold, maxIters, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method, double prob,
+                     double threshold, OutputArray mask)
+{
+    return findEssentialMat(points1, points2, cameraOf(focal, pp), method, prob, threshold, 1000, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray distCoeffs1,
+                     InputArray cameraMatrix2, InputArray distCoeffs2, UsacV20Method method, double prob,
+                     double threshold, OutputArray mask)
+{
+    return findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, mask,
+                            paramsOf(method, threshold, prob, 1000));
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray cameraMatrix2,
+                     InputArray distCoeffs1, InputArray distCoeffs2, OutputArray mask, const Params& params)
+{
+    return usacv20::Usac::create(usacv20::ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1,
+                                 distCoeffs2)->run(mask);
+}
+
+namespace usacv20 {
+
+/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are 0 .. 38 in OpenCV 4.6 and have
+room up to 63. Any other number is a mistake that calib3d would not see: F and E take what they do not know for LMedS. */
+static bool isOurs(int method)
+{
+    const bool ours = isUsacV20Method(method);
+    if (!ours && (method < 0 || method > 63))
+        CV_Error_(Error::StsBadArg, ("method: neither one of the flags USACV20* nor one of OpenCV's: %d", method));
+    return ours;
+}
+
+Mat findHomography(InputArray srcPoints, InputArray dstPoints, int method, double ransacReprojThreshold, OutputArray mask,
+                   const int maxIters, const double confidence)
+{
+    if (isOurs(method))
+        return cv::findHomography(srcPoints, dstPoints, methodFromInt(method), ransacReprojThreshold, mask, maxIters,
+                                  confidence);
+    return cv::findHomography(srcPoints, dstPoints, method, ransacReprojThreshold, mask, maxIters, confidence);
+}
+
+Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, int method, double ransacReprojThreshold)
+{
+    return usacv20::findHomography(srcPoints, dstPoints, method, ransacReprojThreshold, mask);
+}
+
+Mat findFundamentalMat(InputArray points1, InputArray points2, int method, double ransacReprojThreshold, double confidence,
+                       int maxIters, OutputArray mask)
+{
+    if (isOurs(method))
+        return cv::findFundamentalMat(points1, points2, methodFromInt(method), ransacReprojThreshold, confidence, maxIters,
+                                      mask);
+    return cv::findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, maxIters, mask);
+}
+
+Mat findFundamentalMat(InputArray points1, InputArray points2, int method, double ransacReprojThreshold, double confidence,
+                       OutputArray mask)
+{
+    return usacv20::findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, 1000, mask);
+}
+
+Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method, double ransacReprojThreshold,
+                       double confidence)
+{
+    return usacv20::findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, 1000, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, int method, double prob,
+                     double threshold, int maxIters, OutputArray mask)
+{
+    if (isOurs(method))
+        return cv::findEssentialMat(points1, points2, cameraMatrix, methodFromInt(method), prob, threshold, maxIters, mask);
+    return cv::findEssentialMat(points1, points2, cameraMatrix, method, prob, threshold, maxIters, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, int method, double prob,
+                     double threshold, OutputArray mask)
+{
+    return usacv20::findEssentialMat(points1, points2, cameraMatrix, method, prob, threshold, 1000, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double prob,
+                     double threshold, int maxIters, OutputArray mask)
+{
+    if (isOurs(method))
+        return cv::findEssentialMat(points1, points2, focal, pp, methodFromInt(method), prob, threshold, maxIters, mask);
+    return cv::findEssentialMat(points1, points2, focal, pp, method, prob, threshold, maxIters, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double prob,
+                     double threshold, OutputArray mask)
+{
+    return usacv20::findEssentialMat(points1, points2, focal, pp, method, prob, threshold, 1000, mask);
+}
+
+Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray distCoeffs1,
+                     InputArray cameraMatrix2, InputArray distCoeffs2, int method, double prob, double threshold,
+                     OutputArray mask)
+{
+    if (isOurs(method))
+        return cv::findEssentialMat(points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2,
+                                    methodFromInt(method), prob, threshold, mask);
+    return cv::findEssentialMat(points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2, method, prob,
+                                threshold, mask);
+}
+
+} // namespace usacv20
+} // namespace cv
