@@ -46,7 +46,8 @@ benchmark_tests()
 opencv_tests()
 {
     tests=$work/opencv_tests-$(printf %s "$project $source" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
-    cmake -S "$module/misc/opencv_tests" -B "$tests" -DCMAKE_BUILD_TYPE=Release -DOPENCV_SOURCE="$source" -DOPENCV_BUILD="$build" &&
+    cmake -S "$module/misc/opencv_tests" -B "$tests" -DCMAKE_BUILD_TYPE=Release -DOPENCV_SOURCE="$source" \
+        -DOPENCV_BUILD="$build" &&
     cmake --build "$tests" &&
     in_build "$tests/usac_opencv_tests"
 }

@@ -16,9 +16,9 @@ namespace {
 //! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of the mask is the caller's.
 const double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
 
-/** Any list of points that OpenCV's functions take with one flag or another, one point a row, one coordinate a column, CV_64F.
-A matrix with one channel has its points along the longer side (as for OpenCV's USAC flags), with equal sides in the rows; a single
-row or column is one point. */
+/** Any list of points that OpenCV's functions take with one flag or another; one point a row, one coordinate a column, CV_64F.
+A matrix with one channel has its points along the longer side (as for OpenCV's USAC flags), with equal sides in the rows; a
+single row or column is one point. */
 Mat readCoordinates(const Mat& points, const char* name)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();

@@ -85,9 +85,9 @@ TEST_P(UsacArguments, points_of_a_wrong_shape)
 {
     const Arguments right(problem());
     const int thick[] = {300, 2, 2}, narrow[] = {300, 1, 1}, wide[] = {300, 1, 4}, four[] = {300, 1, 1, 2};
-    const Mat wrong[] = {Mat::zeros(300, 1, CV_64F), Mat::zeros(1, 300, CV_32F), Mat::zeros(4, 1, CV_8U), Mat::zeros(1, 1, CV_64F),
-                         Mat(3, thick, CV_64F, Scalar(0)), Mat(3, narrow, CV_64F, Scalar(0)), Mat(3, narrow, CV_64FC2, Scalar(0)),
-                         Mat(3, wide, CV_64F, Scalar(0)), Mat(4, four, CV_64F, Scalar(0))};
+    const Mat wrong[] = {Mat::zeros(300, 1, CV_64F), Mat::zeros(1, 300, CV_32F), Mat::zeros(4, 1, CV_8U),
+                         Mat::zeros(1, 1, CV_64F), Mat(3, thick, CV_64F, Scalar(0)), Mat(3, narrow, CV_64F, Scalar(0)),
+                         Mat(3, narrow, CV_64FC2, Scalar(0)), Mat(3, wide, CV_64F, Scalar(0)), Mat(4, four, CV_64F, Scalar(0))};
     for (int i = 0; i < 9; ++i)
     {
         SCOPED_TRACE(cv::format("shape %d", i));

@@ -52,8 +52,8 @@ static Mat scaled(const Mat& F)
     return F.empty() || F.at<double>(2, 2) == 0 ? F : Mat(F / F.at<double>(2, 2));
 }
 
-/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras; the cameras of test_fundam.cpp have any
-direction. Where that leaves no model (1 call of 100 there), it is estimated without that test. */
+/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras; those of test_fundam.cpp look
+anywhere. Where that leaves no model (1 call of 100 there), it is estimated without that test. */
 static bool mayBeBehind(const Mat& model, int method)
 {
     return model.empty() && !isUsac(method);
@@ -65,7 +65,7 @@ static usacv20::Params anySide(usacv20::Params params)
     return params;
 }
 
-//! 4. OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the threshold of E, others the Sampson distance.
+//! 4. For E, OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the threshold, not the Sampson one.
 static usacv20::Params symmetric(usacv20::Params params)
 {
     params.residual = usacv20::RESIDUAL_SYMMETRIC;

@@ -18,6 +18,22 @@ static std::string nameOf(const testing::TestInfo& test)
     return std::string(test.test_case_name()) + "." + test.name();
 }
 
+//! The names in a list with commas, `*` for all; one that is no flag is an error.
+static std::vector<std::string> flagsOf(const std::string& list)
+{
+    std::set<std::string> all;
+    for (int i = 0; i < Outcomes::flags(); ++i)
+        all.insert(FLAGS[i].name);
+    if (list == "*")
+        return std::vector<std::string>(all.begin(), all.end());
+    std::vector<std::string> result;
+    std::istringstream names(list);
+    for (std::string name; std::getline(names, name, ','); result.push_back(name))
+        if (!all.count(name))
+            CV_Error_(cv::Error::StsParseError, ("list of differences: %s is no flag", name.c_str()));
+    return result;
+}
+
 int Outcomes::flags()
 {
     return sizeof(FLAGS) / sizeof(FLAGS[0]);
@@ -27,8 +43,10 @@ Outcomes::Outcomes(const std::string& listOfDifferences) : passed(0), failed(0)
 {
     std::ifstream file(listOfDifferences.c_str());
     CV_Assert(file.is_open());
-    for (std::string line; std::getline(file, line); )
+    for (std::string line, more; std::getline(file, line); )
     {
+        for (; file.peek() == ' '; line += ' ' + more)
+            std::getline(file >> std::ws, more);
         std::istringstream words(line);
         std::string kind, where, test, reason;
         if (!(words >> kind) || kind[0] == '#')
@@ -39,9 +57,9 @@ Outcomes::Outcomes(const std::string& listOfDifferences) : passed(0), failed(0)
             CV_Error_(cv::Error::StsParseError, ("%s: cannot read the line: %s", listOfDifferences.c_str(), line.c_str()));
         if (kind == "data")
             data[Pair(where, test)] = reason;
-        for (int i = 0; kind == "fails" && i < flags(); ++i)
-            if (where == "*" || ("," + where + ",").find(std::string(",") + FLAGS[i].name + ",") != std::string::npos)
-                fails[Pair(FLAGS[i].name, test)] = reason;
+        else
+            for (const std::string& name : flagsOf(where))
+                fails[Pair(name, test)] = reason;
     }
 }
 

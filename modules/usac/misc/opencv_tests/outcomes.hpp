@@ -11,12 +11,12 @@
 
 /** Runs all tests once with each flag of the module, compares what comes out with the list of differences, and counts.
 
-Only a test that has called one of the exchanged functions counts. One that fails with a flag for which it is on the list is neither
-passed nor failed; one that is on the list and passes is a failure, so that the list stays true. */
+Only a test that has called one of the exchanged functions counts. One that fails with a flag for which it is on the list is
+neither passed nor failed; one that is on the list and passes is a failure, so that the list stays true. */
 class Outcomes : public testing::EmptyTestEventListener
 {
 public:
-    //! Reads the list, one difference a line: `fails FLAG[,FLAG...] TEST REASON` or `data FILE TEST REASON`, `*` for all flags.
+    //! Reads the list; its first lines say what is in it.
     explicit Outcomes(const std::string& listOfDifferences);
 
     static int flags();
