@@ -4,8 +4,9 @@
 # of this distribution and at http://opencv.org/license.html.
 
 # Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python, a consumer of the
-# stand-alone build, the benchmark's, and C++ once more with AddressSanitizer and UndefinedBehaviorSanitizer. Does all its own
-# set-up on Debian (as root or with sudo); the last line is "<N> passed, <M> failed".
+# stand-alone build, the benchmark's, OpenCV's own tests with this module's flags in the place of OpenCV's, and C++ once more with
+# AddressSanitizer and UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo); the last line is
+# "<N> passed, <M> failed".
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
@@ -41,6 +42,16 @@ benchmark_tests()
         /usr/bin/python3 -c "$run_unittests" "test_*.py"
 }
 
+# Compiled from OpenCV's source as they are there; what may differ is in misc/opencv_tests/differences.txt.
+opencv_tests()
+{
+    tests=$work/opencv_tests-$(printf %s "$project $source" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
+    cmake -S "$module/misc/opencv_tests" -B "$tests" -DCMAKE_BUILD_TYPE=Release -DOPENCV_SOURCE="$source" \
+        -DOPENCV_BUILD="$build" &&
+    cmake --build "$tests" &&
+    in_build "$tests/usac_opencv_tests"
+}
+
 # In a build of their own, on this OpenCV.
 sanitized_tests()
 {
@@ -58,6 +69,7 @@ run perf "$gtest_passed" "$gtest_failed" in_build bin/opencv_perf_usac --perf_mi
 run python "$count_passed" "$count_failed" python_tests
 run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$work/consumer"
 run benchmark "$count_passed" "$count_failed" benchmark_tests
+run opencv "$count_passed" "$count_failed" opencv_tests
 run sanitized "$count_passed" "$count_failed" sanitized_tests
 
 [ "$failed" = 0 ]

@@ -16,33 +16,47 @@ namespace {
 //! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of the mask is the caller's.
 const double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
 
-//! An Nx2 or 2-channel list of points as Nx1 CV_64FC2, whatever its layout and depth.
+/** Any list of points that OpenCV's functions take with one flag or another; one point a row, one coordinate a column, CV_64F.
+A matrix with one channel has its points along the longer side (as for OpenCV's USAC flags), with equal sides in the rows; a
+single row or column is one point. */
+Mat readCoordinates(const Mat& points, const char* name)
+{
+    const int rows = points.rows, cols = points.cols, channels = points.channels();
+    const bool solid = points.dims == 3 && channels == 1 && (points.size[0] == 1 || points.size[1] == 1);
+    const bool perColumn = channels == 1 && (cols == 1 || (1 < rows && rows < cols));  // else per row or per element
+    const int coordinates = solid ? points.size[2] : channels > 1 ? channels : perColumn ? rows : cols;
+    const bool fewCoordinates = solid || (channels == 1 && (rows == 1 || cols == 1));  // OpenCV takes no more of them here
+    if ((points.dims > 2 && !solid) || coordinates < 2 || (fewCoordinates && coordinates > 3))
+        CV_Error_(Error::StsBadArg, ("%s: N points are expected as Nx2, Nx3, 2xN or 3xN with 1 channel or with 2 or 3 channels, "
+                  "not as %dx%d with %d channel(s) and %d dimensions", name, rows, cols, channels, points.dims));
+    Mat values;  // continuous
+    if (points.depth() == CV_64F && points.isContinuous())
+        values = points;
+    else
+        points.convertTo(values, CV_64F);
+    if (perColumn)
+        return values.t();
+    return values.reshape(1, (int)(points.total() * channels / coordinates));
+}
+
+/** The points as Nx1 CV_64FC2. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two are the point, as for
+OpenCV's USAC flags. */
 Mat readPoints(InputArray array, const char* name)
 {
-    Mat points = array.getMat();
+    const Mat points = array.getMat();
     if (points.empty())
         return Mat(0, 1, CV_64FC2);
-    if (points.dims > 2 || (points.checkVector(2, -1, false) < 0 && points.checkVector(3, -1, false) < 0))
-        CV_Error_(Error::StsBadArg, ("%s: N points are expected as Nx2 with 1 channel or Nx1 or 1xN with 2 channels, "
-                  "not as %dx%d with %d channel(s)", name, points.rows, points.cols, points.channels()));
-    if (points.depth() > CV_64F)
-        CV_Error_(Error::StsUnsupportedFormat, ("%s: depth %d is not supported", name, points.depth()));
-    Mat result;  // continuous
-    if (points.depth() == CV_64F && points.isContinuous())
-        result = points;
-    else
-        points.convertTo(result, CV_64F);
-    if (result.checkVector(2) < 0)
-    {
-        Mat plane;
-        convertPointsFromHomogeneous(result, plane);
-        result = result.reshape(3, result.checkVector(3));
-        for (int i = 0; i < plane.rows; ++i)
-            if (result.at<Vec3d>(i)[2] == 0)
-                plane.at<Vec2d>(i) = Vec2d(INFINITY, INFINITY);  // which OpenCV takes for a finite point
-        result = plane;
-    }
-    return result.reshape(2, result.checkVector(2));
+    const Mat values = readCoordinates(points, name);
+    if (values.cols == 2)
+        return values.reshape(2);
+    if (values.cols > 3)
+        return values.colRange(0, 2).clone().reshape(2);
+    Mat plane;
+    convertPointsFromHomogeneous(values, plane);
+    for (int i = 0; i < plane.rows; ++i)
+        if (values.at<double>(i, 2) == 0)
+            plane.at<Vec2d>(i) = Vec2d(INFINITY, INFINITY);  // which OpenCV takes for a finite point
+    return plane;
 }
 
 Matx33d readCamera(InputArray array, const char* name)

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
+#include "expected_answer.hpp"
 
 // Any layout and depth of points, masks and camera matrices gives the identical answer.
 
@@ -11,55 +12,13 @@ namespace opencv_test { namespace {
 typedef UsacProblem UsacInput;
 INSTANTIATE_TEST_CASE_P(/**/, UsacInput, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-//! The answer that every other form of the same points has to repeat to the bit.
-struct Expected
-{
-    Expected(ProblemType problem_, const Mat& points1, const Mat& points2, const Matx33d& K_ = sceneCamera())
-        : problem(problem_), K(K_)
-    {
-        Report report;
-        model = estimatePoints(problem, points1, points2, Params(), mask, report, K);
-        EXPECT_FALSE(model.empty());
-        EXPECT_GT(countNonZero(mask), 50);
-    }
-
-    void compare(const char* what, InputArray points1, InputArray points2) const
-    {
-        SCOPED_TRACE(what);
-        Mat otherMask;
-        Report report;
-        const Mat other = estimatePoints(problem, points1, points2, Params(), otherMask, report, K);
-        EXPECT_TRUE(sameBits(model, other)) << model << other;
-        EXPECT_TRUE(sameBits(mask, otherMask));
-    }
-
-    const ProblemType problem;
-    const Matx33d K;
-    Mat model, mask;
-};
-
-//! A scene whose coordinates are integers 0 .. 127, so that every depth holds them; Nx2, CV_64F. K is scaled with them.
-void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
-{
-    const double scale = 0.19;
-    const Scene scene = makeScene(problem);
-    Mat(scene.points1).reshape(1).convertTo(points1, CV_32S, scale);
-    Mat(scene.points2).reshape(1).convertTo(points2, CV_32S, scale);
-    points1 = cv::min(cv::max(points1, 0), 127);
-    points2 = cv::min(cv::max(points2, 0), 127);
-    points1.convertTo(points1, CV_64F);
-    points2.convertTo(points2, CV_64F);
-    K = scene.K * scale;
-    K(2, 2) = 1;
-}
-
 TEST_P(UsacInput, every_depth)
 {
     Mat points1, points2;
     Matx33d K;
     makeIntegers(problem(), points1, points2, K);
-    const Expected expected(problem(), points1, points2, K);
-    for (int depth = CV_8U; depth <= CV_64F; ++depth)
+    const ExpectedAnswer expected(problem(), points1, points2, K);
+    for (int depth = CV_8U; depth <= CV_16F; ++depth)
     {
         Mat a, b;
         points1.convertTo(a, depth);
@@ -75,7 +34,7 @@ TEST_P(UsacInput, every_vector)
     Mat points1, points2;
     Matx33d K;
     makeIntegers(problem(), points1, points2, K);
-    const Expected expected(problem(), points1, points2, K);
+    const ExpectedAnswer expected(problem(), points1, points2, K);
     const int count = points1.rows;
     std::vector<Point> i1(count), i2(count);
     std::vector<Point2f> f1(count), f2(count);
@@ -104,7 +63,7 @@ TEST_P(UsacInput, every_layout)
 {
     const Scene scene = makeScene(problem());
     const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
-    const Expected expected(problem(), points1, points2);
+    const ExpectedAnswer expected(problem(), points1, points2);
     const int count = points1.rows;
     expected.compare("Nx1, 2 channels", points1.reshape(2), points2.reshape(2));
     expected.compare("1xN, 2 channels", points1.reshape(2, 1), points2.reshape(2, 1));
@@ -136,7 +95,7 @@ TEST_P(UsacInput, homogeneous_points)
 {
     const Scene scene = makeScene(problem());
     const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
-    const Expected expected(problem(), points1, points2);
+    const ExpectedAnswer expected(problem(), points1, points2);
     std::vector<Point3d> ones1, ones2, powers1, powers2;
     for (int i = 0; i < scene.size(); ++i)
     {

@@ -16,8 +16,11 @@ namespace usacv20 {
 
 /** @brief Estimates the homography that maps image 1 to image 2.
 
-@param points1 N points of image 1: Nx2 with 1 channel, or Nx1 or 1xN with 2 channels, of any depth; also vector<Point2f> etc.
-@param points2 their N counterparts in image 2.
+@param points1 N points of image 1 in any layout and depth that OpenCV takes with one flag or another: a matrix with 2 channels
+(Nx1, 1xN, any), or with 1 channel, Nx2 or 2xN; vector<Point>, vector<Point2f>, vector<Point2d> etc. 3 in the place of 2
+(vector<Point3f>, Nx3, 3xN): homogeneous coordinates; a third one of 0 is a point at infinity and never an inlier. 4 or more: the
+first two count. With 1 channel the longer side counts the points, with equal sides the rows do; one row or column is one point.
+@param points2 their N counterparts in image 2; layout and depth may differ.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the threshold, else 0.
 @param report output, what the run learned.

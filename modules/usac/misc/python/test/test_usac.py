@@ -213,9 +213,11 @@ class FlagTest(unittest.TestCase):
         expected = bits(FINDER.findHomography(a, b, cv.USACV20, 3.0))
         wide = np.zeros((len(a), 5))
         wide[:, 1:3] = b
+        ones = np.ones((len(a), 1))
         for p, q in ((np.float32(a), np.float32(b)), (np.int32(a), np.int32(b)), (a[:, None], b[:, None]),
                      (a[None], b[None]), (np.asfortranarray(a), wide[:, 1:3]), (np.float32(a), b[None]),
-                     (a[::-1][::-1], np.repeat(b, 2, axis=0)[::2])):
+                     (a[::-1][::-1], np.repeat(b, 2, axis=0)[::2]), (a.T, b.T), (np.ascontiguousarray(a.T), b[None]),
+                     (np.hstack([a, ones]), np.hstack([b, ones]).T), (a.reshape(2, -1, 2), b)):
             self.assertEqual(bits(FINDER.findHomography(p, q, cv.USACV20, 3.0)), expected)
         model, mask = FINDER.findHomography(cv.UMat(a), cv.UMat(b), cv.USACV20, 3.0)
         self.assertEqual((bits(model), bits(mask.get() if isinstance(mask, cv.UMat) else mask)), expected)

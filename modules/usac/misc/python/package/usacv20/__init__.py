@@ -49,7 +49,8 @@ def estimateHomography(points1, points2, params=None, mask=None):
 
     Estimates the homography that maps image 1 to image 2.
 
-    points1, points2 -- N points of each image: Nx2, Nx1x2 or 1xNx2 of float32, float64 or int32
+    points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2 of any type that OpenCV knows; with 3 in the
+        place of 2, homogeneous coordinates
     params -- Params; params.threshold is the distance in image 2 in pixels
     mask -- Nx1 array of uint8 that receives the mask, if given
     retval -- 3x3 array of float64, or None if there is none

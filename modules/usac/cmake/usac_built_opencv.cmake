@@ -1,0 +1,15 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# For the projects of misc/ that link with a build of OpenCV in its build tree: its headers, from OPENCV_SOURCE and OPENCV_BUILD,
+# and the list of its libraries, opencv_ts first, as USAC_BUILT_OPENCV.
+
+include_directories(SYSTEM "${OPENCV_BUILD}")
+set(USAC_BUILT_OPENCV "${OPENCV_BUILD}/lib/libopencv_ts.a")
+foreach(name calib3d features2d flann highgui imgcodecs imgproc videoio ts core)
+  include_directories(SYSTEM "${OPENCV_SOURCE}/modules/${name}/include")
+  if(NOT name STREQUAL ts)
+    list(APPEND USAC_BUILT_OPENCV "${OPENCV_BUILD}/lib/libopencv_${name}.so")
+  endif()
+endforeach()

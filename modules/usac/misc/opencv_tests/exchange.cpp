@@ -1,0 +1,183 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "exchange.hpp"
+
+#undef findHomography
+#undef findFundamentalMat
+#undef findEssentialMat
+
+namespace cv {
+
+UsacV20Method Exchange::flag = USACV20;
+int Exchange::calls = 0;
+
+static UsacV20Method exchange()
+{
+    ++Exchange::calls;
+    return Exchange::flag;
+}
+
+static usacv20::Params exchange(double threshold, double confidence, int maxIterations)
+{
+    usacv20::Params params = usacv20::Params::fromMethod(exchange());
+    params.threshold = threshold;
+    params.confidence = confidence;
+    params.maxIterations = maxIterations;
+    return params;
+}
+
+static usacv20::Params exchange(const UsacParams& params)
+{
+    return exchange(params.threshold, params.confidence, params.maxIterations);
+}
+
+// Four of the documented differences are taken back here, so that the tests see the rest.
+
+static bool isUsac(int method)
+{
+    return method >= USAC_DEFAULT && method <= USAC_MAGSAC;
+}
+
+//! 1. cv::findFundamentalMat takes a confidence of 0 or 1 for 0.99; for this module that is a mistake in the call.
+static double confidenceOf(double confidence)
+{
+    return confidence > 0 && confidence < 1 ? confidence : 0.99;
+}
+
+//! 2. F has unit norm; that of OpenCV's flags has f33 = 1.
+static Mat scaled(const Mat& F)
+{
+    return F.empty() || F.at<double>(2, 2) == 0 ? F : Mat(F / F.at<double>(2, 2));
+}
+
+/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras; those of test_fundam.cpp look
+anywhere. Where that leaves no model (1 call of 100 there), it is estimated without that test. */
+static bool mayBeBehind(const Mat& model, int method)
+{
+    return model.empty() && !isUsac(method);
+}
+
+static usacv20::Params anySide(usacv20::Params params)
+{
+    params.degeneracy &= ~usacv20::DEGENERACY_ORIENTATION;
+    return params;
+}
+
+//! 4. For E, OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the threshold, not the Sampson one.
+static usacv20::Params symmetric(usacv20::Params params)
+{
+    params.residual = usacv20::RESIDUAL_SYMMETRIC;
+    return params;
+}
+
+Mat exchangedHomography(InputArray points1, InputArray points2, int, double threshold, OutputArray mask, int maxIters,
+                        double confidence)
+{
+    return findHomography(points1, points2, exchange(), threshold, mask, maxIters, confidence);
+}
+
+Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, int, double threshold)
+{
+    return findHomography(points1, points2, mask, exchange(), threshold);
+}
+
+Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params)
+{
+    return findHomography(points1, points2, mask, exchange(params));
+}
+
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold, double confidence,
+                            int maxIters, OutputArray mask)
+{
+    confidence = confidenceOf(confidence);
+    Mat F = findFundamentalMat(points1, points2, exchange(), threshold, confidence, maxIters, mask);
+    if (mayBeBehind(F, method))
+        F = findFundamentalMat(points1, points2, mask, anySide(exchange(threshold, confidence, maxIters)));
+    return scaled(F);
+}
+
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold, double confidence,
+                            OutputArray mask)
+{
+    confidence = confidenceOf(confidence);
+    Mat F = findFundamentalMat(points1, points2, exchange(), threshold, confidence, mask);
+    if (mayBeBehind(F, method))
+        F = findFundamentalMat(points1, points2, mask, anySide(exchange(threshold, confidence, 1000)));
+    return scaled(F);
+}
+
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method, double threshold,
+                            double confidence)
+{
+    confidence = confidenceOf(confidence);
+    Mat F = findFundamentalMat(points1, points2, mask, exchange(), threshold, confidence);
+    if (mayBeBehind(F, method))
+        F = findFundamentalMat(points1, points2, mask, anySide(exchange(threshold, confidence, 1000)));
+    return scaled(F);
+}
+
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params)
+{
+    return scaled(findFundamentalMat(points1, points2, mask, exchange(params)));
+}
+
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence, double threshold,
+                          int maxIters, OutputArray mask)
+{
+    if (isUsac(method))
+        return findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
+                                symmetric(exchange(threshold, confidence, maxIters)));
+    const Mat E = findEssentialMat(points1, points2, K, exchange(), confidence, threshold, maxIters, mask);
+    return !mayBeBehind(E, method) ? E : findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
+                                                          anySide(exchange(threshold, confidence, maxIters)));
+}
+
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence, double threshold,
+                          OutputArray mask)
+{
+    if (isUsac(method))
+        return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, 1000, mask);
+    const Mat E = findEssentialMat(points1, points2, K, exchange(), confidence, threshold, mask);
+    return !mayBeBehind(E, method) ? E : findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
+                                                          anySide(exchange(threshold, confidence, 1000)));
+}
+
+static Matx33d cameraOf(double focal, Point2d pp)
+{
+    return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
+}
+
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double confidence,
+                          double threshold, int maxIters, OutputArray mask)
+{
+    const Mat E = findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, maxIters, mask);
+    return isUsac(method) || mayBeBehind(E, method) ?
+           exchangedEssentialMat(points1, points2, cameraOf(focal, pp), method, confidence, threshold, maxIters, mask) : E;
+}
+
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double confidence,
+                          double threshold, OutputArray mask)
+{
+    const Mat E = findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, mask);
+    return isUsac(method) || mayBeBehind(E, method) ?
+           exchangedEssentialMat(points1, points2, cameraOf(focal, pp), method, confidence, threshold, mask) : E;
+}
+
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray distortion1, InputArray K2,
+                          InputArray distortion2, int method, double confidence, double threshold, OutputArray mask)
+{
+    if (isUsac(method))
+        return findEssentialMat(points1, points2, K1, K2, distortion1, distortion2, mask,
+                                symmetric(exchange(threshold, confidence, 1000)));
+    return findEssentialMat(points1, points2, K1, distortion1, K2, distortion2, exchange(), confidence, threshold, mask);
+}
+
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2, InputArray distortion1,
+                          InputArray distortion2, OutputArray mask, const UsacParams& params)
+{
+    return findEssentialMat(points1, points2, K1, K2, distortion1, distortion2, mask, symmetric(exchange(params)));
+}
+
+} // namespace cv

@@ -1,0 +1,58 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_EXCHANGE_HPP
+#define OPENCV_USACV20_EXCHANGE_HPP
+
+// Included before the first line of each of OpenCV's test files: their calls of findHomography, findFundamentalMat and
+// findEssentialMat go to functions with the same arguments, which put a flag of this module in the place of OpenCV's.
+// The headers come first, so that the names in them stay what they are.
+
+#include "opencv2/ts.hpp"
+#include "opencv2/calib3d.hpp"
+#include "opencv2/usac.hpp"
+
+namespace cv {
+
+//! The flag that is put in the place of all others, and how often that has happened.
+struct Exchange
+{
+    static UsacV20Method flag;
+    static int calls;
+};
+
+Mat exchangedHomography(InputArray points1, InputArray points2, int method = 0, double threshold = 3,
+                        OutputArray mask = noArray(), int maxIters = 2000, double confidence = 0.995);
+Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, int method = 0, double threshold = 3);
+Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params);
+
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold, double confidence,
+                            int maxIters, OutputArray mask = noArray());
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method = FM_RANSAC, double threshold = 3,
+                            double confidence = 0.99, OutputArray mask = noArray());
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method = FM_RANSAC,
+                            double threshold = 3, double confidence = 0.99);
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params);
+
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method = RANSAC, double confidence = 0.999,
+                          double threshold = 1, int maxIters = 1000, OutputArray mask = noArray());
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence,
+                          double threshold, OutputArray mask);
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal = 1, Point2d pp = Point2d(), int method = RANSAC,
+                          double confidence = 0.999, double threshold = 1, int maxIters = 1000, OutputArray mask = noArray());
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double confidence,
+                          double threshold, OutputArray mask);
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray distortion1, InputArray K2,
+                          InputArray distortion2, int method = RANSAC, double confidence = 0.999, double threshold = 1,
+                          OutputArray mask = noArray());
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2, InputArray distortion1,
+                          InputArray distortion2, OutputArray mask, const UsacParams& params);
+
+} // namespace cv
+
+#define findHomography exchangedHomography
+#define findFundamentalMat exchangedFundamentalMat
+#define findEssentialMat exchangedEssentialMat
+
+#endif

@@ -1,0 +1,58 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
+#define OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
+
+// What test_contracts_input.cpp and test_contracts_layouts.cpp share.
+
+#include "test_contracts.hpp"
+
+namespace opencv_test {
+
+//! The answer that every other form of the same points has to repeat to the bit.
+struct ExpectedAnswer
+{
+    ExpectedAnswer(ProblemType problem_, const Mat& points1, const Mat& points2, const Matx33d& K_ = sceneCamera())
+        : problem(problem_), K(K_)
+    {
+        Report report;
+        model = estimatePoints(problem, points1, points2, Params(), mask, report, K);
+        EXPECT_FALSE(model.empty());
+        EXPECT_GT(countNonZero(mask), 50);
+    }
+
+    void compare(const char* what, InputArray points1, InputArray points2) const
+    {
+        SCOPED_TRACE(what);
+        Mat otherMask;
+        Report report;
+        const Mat other = estimatePoints(problem, points1, points2, Params(), otherMask, report, K);
+        EXPECT_TRUE(sameBits(model, other)) << model << other;
+        EXPECT_TRUE(sameBits(mask, otherMask));
+    }
+
+    const ProblemType problem;
+    const Matx33d K;
+    Mat model, mask;
+};
+
+//! A scene whose coordinates are integers 0 .. 127, so that every depth holds them; Nx2, CV_64F. K is scaled with them.
+inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
+{
+    const double scale = 0.19;
+    const Scene scene = makeScene(problem);
+    Mat(scene.points1).reshape(1).convertTo(points1, CV_32S, scale);
+    Mat(scene.points2).reshape(1).convertTo(points2, CV_32S, scale);
+    points1 = cv::min(cv::max(points1, 0), 127);
+    points2 = cv::min(cv::max(points2, 0), 127);
+    points1.convertTo(points1, CV_64F);
+    points2.convertTo(points2, CV_64F);
+    K = scene.K * scale;
+    K(2, 2) = 1;
+}
+
+} // namespace opencv_test
+
+#endif
