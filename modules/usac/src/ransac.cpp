@@ -111,7 +111,7 @@ bool Ransac::terminate()
 {
     if (state.iteration >= context.params.maxIterations)
         state.report.stop = STOP_MAX_ITERATIONS;
-    else if (state.countedSamples >= required)
+    else if (samplesThatCount() >= required)
         state.report.stop = requiredReason;
     else if (state.iteration >= requiredOfAll)
         state.report.stop = reasonOfAll;
@@ -120,6 +120,15 @@ bool Ransac::terminate()
     else
         return false;
     return true;
+}
+
+/* No model can have more inliers than one that has more than half of the points beside its own sample, unless it shares most of
+them: whatever points the samples prefer, they do not miss it. */
+int Ransac::samplesThatCount() const
+{
+    const int m = parts.minimalSolver->sampleSize();
+    const bool most = 2 * (state.bestQuality.inliers - m) > context.points.size - m;
+    return most ? state.iteration - state.repeatedSamples : state.countedSamples;
 }
 
 //! Batches grow, so that easy problems waste little and hard ones keep the threads busy.

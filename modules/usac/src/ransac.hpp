@@ -57,6 +57,7 @@ private:
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
+    int samplesThatCount() const;
     void require(double wanted, bool all, int reason);
 
     const Context& context;

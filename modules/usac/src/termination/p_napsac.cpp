@@ -11,7 +11,8 @@ namespace usacv20 {
 namespace {
 
 /** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one, that is with
-(1 + Params::relaxation) times as many @cite barath2019progressive. */
+(1 + Params::relaxation) times as many @cite barath2019progressive. Those of the sample do not count here: any model has them, so that
+of a few points a wrong one has not many less than the right one. */
 class PNapsacTermination : public Termination
 {
 public:
@@ -21,7 +22,7 @@ public:
         const int inliers = state.bestQuality.inliers;
         if (inliers <= m)
             return INT_MAX;
-        const double significant = std::min<double>(inliers * (1 + context.params.relaxation), n);
+        const double significant = std::min(m + (inliers - m) * (1 + context.params.relaxation), (double)n);
         return samplesNeeded(goodModelProbability(context, state, significant), std::log(1 - context.params.confidence));
     }
 
