@@ -84,9 +84,10 @@ void Ransac::run()
                     ++state.report.droppedModels;
                     continue;
                 }
+                const Quality before = state.sampleQuality;
                 state.sampleQuality = candidate.quality;
                 if (!first)
-                    improve(candidate);
+                    improve(candidate, before);
                 else if (found)
                     runnersUp.add(best);
                 best = candidate;
@@ -94,7 +95,7 @@ void Ransac::run()
             }
         }
         if (first && found)
-            improve(best);
+            improve(best, Quality());
         const size_t tests = state.tests.size();
         if (parts.verifier)
             parts.verifier->adapt(context, state);
@@ -193,13 +194,17 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
 }
 
 /* A model that is better than the models of all samples before. Here the paper compares with the optimised best model;
-but a good model from a noisy sample is often worse than a bad one after its optimisation, and would never be optimised. */
-void Ransac::improve(const Candidate& candidate)
+but a good model from a noisy sample is often worse than a bad one after its optimisation, and would never be optimised.
+`before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way of others. */
+void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
     Quality quality = candidate.quality;
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
-    if (!recover(candidate.sample.val, model, quality))                                    // 14
+    const bool valid = recover(candidate.sample.val, model, quality);                      // 14
+    if (!valid || candidate.quality.betterThan(quality))
+        state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
+    if (!valid)
         return;                                                                             // 15, 16
     if (parts.localOptimizer)
         optimize(model, quality);                                                           // 19 - 24
@@ -228,7 +233,7 @@ bool Ransac::improveRunnersUp()
         if (size - candidate.quality.cost < WORTHWHILE * (size - state.sampleQuality.cost))
             break;
         if (context.points.problem == ESSENTIAL || !sameInliers(candidate.model, state.best))
-            improve(candidate);
+            improve(candidate, state.sampleQuality);
     }
     return !terminate();
 }

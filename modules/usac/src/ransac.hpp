@@ -48,7 +48,7 @@ private:
     void hypothesiseBatch();
     //! Cost from which on the model of a sample is of no use.
     double uselessCost() const;
-    void improve(const Candidate& candidate);
+    void improve(const Candidate& candidate, const Quality& before);
     //! @return false if the search ends nevertheless
     bool improveRunnersUp();
     bool sameInliers(const Model& model, const Model& other) const;
