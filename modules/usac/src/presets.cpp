@@ -147,6 +147,7 @@ Params Params::magsac()
     params.polishing = POLISHING_REWEIGHTED;
     params.polishingSteps = 10;
     params.reach = 3;
+    params.widestReach = 1000;
     return params;
 }
 
@@ -155,6 +156,7 @@ Params Params::magsacPlusPlus()
     Params params;
     params.quality = QUALITY_MAGSAC_PLUS_PLUS;
     params.reach = 2.4;
+    params.widestReach = 1000;
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
     params.polishing = POLISHING_REWEIGHTED;
     params.polishingSteps = 10;
@@ -220,7 +222,11 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     switch (other.score)
     {
     case SCORE_METHOD_RANSAC: params.quality = QUALITY_INLIERS; break;
-    case SCORE_METHOD_MAGSAC: params.quality = QUALITY_MAGSAC_PLUS_PLUS; params.reach = magsacPlusPlus().reach; break;
+    case SCORE_METHOD_MAGSAC:
+        params.quality = QUALITY_MAGSAC_PLUS_PLUS;
+        params.reach = magsacPlusPlus().reach;
+        params.widestReach = magsacPlusPlus().widestReach;
+        break;
     case SCORE_METHOD_LMEDS: useLmeds(params); break;
     default: params.quality = QUALITY_MSAC;
     }

@@ -53,13 +53,18 @@ Ransac::Ransac(const Context& context_, State& state_)
 }
 
 // Numbers are the lines of Algorithm 1; lines 4 to 14 are in hypothesise(), 15 to 27 in improve().
-void Ransac::run()
+bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();
+    const double localBefore = state.report.localMs;
+    bool ended = true;
     if (parts.verifier)
         parts.verifier->adapt(context, state);
     while (!terminate() || improveRunnersUp())                                              // 2
     {
+        ended = state.iteration < pause;
+        if (!ended)
+            break;
         drawBatch();                                                                        // 3
         const bool first = state.iteration == 0;
         const bool together = threads > 1 && samples.size() >= PARALLEL_BATCH[context.points.problem];
@@ -103,7 +108,23 @@ void Ransac::run()
             updateTermination();
     }
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
-    state.report.searchMs = (getTickCount() - start) / getTickFrequency() * 1e3 - state.report.localMs;
+    state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 - (state.report.localMs - localBefore);
+    return ended;
+}
+
+void Ransac::thresholdChanged()
+{
+    runnersUp.clear();
+    state.sampleQuality = Quality();
+    Quality quality = context.rate(state.best);
+    recover(0, state.best, quality);
+    state.bestQuality = quality;
+    if (parts.localOptimizer)
+    {
+        state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
+        optimize(state.best, state.bestQuality);
+    }
+    updateTermination();
 }
 
 bool Ransac::terminate()

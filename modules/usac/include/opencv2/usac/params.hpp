@@ -182,6 +182,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Search, local optimisation and polishing work with so many times `threshold`, the mask with `threshold` itself; 1..10. For
     qualities and fits that are marginalised over the noise. Default 1. */
     CV_PROP_RW double reach;
+    /** Where the errors of the best model show that the noise is larger than `threshold`, `reach` grows with it, up to this; 1..1e6, not
+    below `reach` it changes nothing. The mask stays that of `threshold` and may then be empty with a right model. Default 1. */
+    CV_PROP_RW double widestReach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;
     //! Points that must be inliers for #VERIFICATION_TDD; 1..100. Default 1.
@@ -245,7 +248,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac. What
-    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`. */
+    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more noise. */
     CV_WRAP static Params magsacPlusPlus();
     /** @brief The preset behind a flag. @param method one of #UsacV20Method; anything else raises cv::Exception. */
     CV_WRAP static Params fromMethod(int method);
