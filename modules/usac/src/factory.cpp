@@ -105,6 +105,7 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
     case LOCAL_OPTIMIZATION_NONE: return Ptr<LocalOptimizer>();
     case LOCAL_OPTIMIZATION_LO_RANSAC: return createLoRansacOptimizer();
     case LOCAL_OPTIMIZATION_FLO_RANSAC: return createFloRansacOptimizer();
+    case LOCAL_OPTIMIZATION_GC_RANSAC: return createGcRansacOptimizer();
     case LOCAL_OPTIMIZATION_SIGMA_CONSENSUS: return createSigmaConsensus();
     case LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS: return createSigmaConsensusPlusPlus();
     default: return createGraphCutOptimizer();

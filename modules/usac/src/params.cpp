@@ -102,7 +102,7 @@ void Params::check(int count) const
     checkRange("widestReach", widestReach, 1, 1e6);
     checkRange("verification", verification, VERIFICATION_NONE, VERIFICATION_TDD);
     checkRange("tddPoints", tddPoints, 1, 100);
-    checkRange("localOptimization", localOptimization, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS);
+    checkRange("localOptimization", localOptimization, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC);
     checkRange("localIterations", localIterations, 1, 1000);
     checkRange("localSampleMultiple", localSampleMultiple, 2, 100);
     checkRange("localSamples", localSamples, 0, 1000);

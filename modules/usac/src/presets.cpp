@@ -116,14 +116,13 @@ Params Params::floRansac()
 
 Params Params::gcRansac()
 {
-    Params params;
+    Params params = msac();
+    params.localOptimization = LOCAL_OPTIMIZATION_GC_RANSAC;
+    params.neighbourhood = NEIGHBOURHOOD_RADIUS;
+    params.neighbourRadius = 20;
     params.localSamples = 20;
     params.localIterations = 10;
     params.localSampleMultiple = 7;
-    params.runnersUp = 0;
-    params.termination = TERMINATION_STANDARD;
-    params.degeneracy = DEGENERACY_ORIENTATION;
-    params.polishing = POLISHING_LEAST_SQUARES;
     return params;
 }
 

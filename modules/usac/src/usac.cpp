@@ -8,7 +8,7 @@
 #include "ransac.hpp"
 #include "solvers/manifold.hpp"
 #include "statistics/chi_square.hpp"
-#include "statistics/significant_reach.hpp"
+#include "statistics/significant_scale.hpp"
 #include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 
@@ -22,11 +22,9 @@ double milliseconds(int64 since)
     return (getTickCount() - since) / getTickFrequency() * 1e3;
 }
 
-//! Samples before the first look at the noise.
-enum { FIRST_PAUSE = 256 };
-/** The reach in units of SignificantReach, about 5 sigma, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. So it grows if
-the noise is more than 0.6 of that, and shrinks where it is too wide by a third, which costs more time than accuracy. */
-const double REACH = 2, GROWS = 1.6, SHRINKS = 0.7;
+/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. It grows to that if it
+is less than two thirds of it, and shrinks to it where it is too wide by a half, which costs more time than accuracy. */
+const double REACH = 5, GROWS = 1.5, SHRINKS = 0.7;
 
 class UsacImpl : public Usac
 {
@@ -67,13 +65,14 @@ private:
         randomRatio = ransac.randomInlierRatio();
     }
 
-    /** The search, with a reach that grows with the noise that the best model shows. Looked at in pauses, as with one that is far too
-    small models are rated by few points and a search does not end; and at the end, when it may also shrink again: the first models
-    show more noise than there is. */
+    /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half of its samples
+    have been drawn. (With a reach that is far too small models are rated by few points, and no criterion ends the search. Earlier, the
+    right model may not yet be found, and a wrong one that shows more noise, between two planes, say, would be taken for it.) At last
+    it may also shrink again, as poor models show more noise than there is. */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         const double least = params.reach;
-        for (int pause = FIRST_PAUSE;; pause = pause < INT_MAX / 4 ? 4 * pause : INT_MAX)
+        for (int pause = params.maxIterations / 2;; pause = INT_MAX)
         {
             const bool ended = ransac.run(pause);
             const double reach = reachOf(context, state, least);
@@ -99,11 +98,11 @@ private:
         const Correspondences& p = context.points;
         if (!(state.bestQuality.cost <= DBL_MAX))
             return params.reach;
-        std::vector<float> errors(std::min<int>(p.size, SignificantReach::MOST));
+        std::vector<float> errors(std::min<int>(p.size, SignificantScale::MOST));
         parts.residual->squaredErrors(p, state.best, 0, (int)errors.size(), errors.data());
-        const double found = SignificantReach::find(errors.data(), (int)errors.size(), p.threshold, usacv20::randomInlierRatio(p),
+        const double sigma = SignificantScale::estimate(errors.data(), (int)errors.size(), p.threshold, usacv20::randomInlierRatio(p),
                                                     degreesOfFreedom(p.problem), parts.minimalSolver->sampleSize());
-        return std::min(std::max(found / p.threshold * params.reach * REACH, least), params.widestReach);
+        return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 
     //! Could the inliers agree by chance?

@@ -46,7 +46,10 @@ enum SamplerType
 {
     SAMPLER_UNIFORM  = 0, //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC   = 1, //!< the best points first, then ever more of them @cite chum2005matching
-    SAMPLER_P_NAPSAC = 2, //!< the best point first and its neighbours, ever wider @cite barath2019progressive
+    //! The best point first and its neighbours, ever wider @cite barath2019progressive. One sample in four is local, in the paper all are until
+    //! the neighbourhood has grown to everything; it doubles when its point is chosen again, in the paper it grows as PROSAC's set; and
+    //! where the order is the density, every second sample is uniform: real pairs have been found sooner, and lost less often.
+    SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC   = 3, //!< any point and its neighbours @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4 //!< points as often as Params::scores, their probabilities of being right, say
 };
@@ -105,11 +108,12 @@ enum VerificationType
 enum LocalOptimizationType
 {
     LOCAL_OPTIMIZATION_NONE      = 0, //!< nothing
-    LOCAL_OPTIMIZATION_GRAPH_CUT = 1, //!< spatially coherent inliers by graph cut, inner RANSAC @cite barath2018graph
+    LOCAL_OPTIMIZATION_GRAPH_CUT = 1, //!< LO-RANSAC's first steps; where they gain, inliers by graph cut and inner RANSAC @cite barath2018graph
     LOCAL_OPTIMIZATION_LO_RANSAC = 2, //!< inner RANSAC, least squares with a shrinking threshold @cite chum2003locally
     LOCAL_OPTIMIZATION_FLO_RANSAC = 3, //!< the same on a bounded number of inliers @cite lebeda2012fixing
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4, //!< fits marginalised over the scale of the noise @cite barath2019magsac
-    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5 //!< re-weighted fits with marginalised weights @cite barath2020magsac
+    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5, //!< re-weighted fits with marginalised weights @cite barath2020magsac
+    LOCAL_OPTIMIZATION_GC_RANSAC = 6 //!< graph cut and inner RANSAC in turn, while the model becomes better @cite barath2018graph
 };
 
 //! What ends the search, a set of bits; the first that fires wins (paper, section "Termination criterion").
@@ -227,28 +231,42 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params sorted();
     /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
-    /** @brief RANSAC of 1981: uniform samples, number of inliers, standard termination, least squares @cite fischler1981random. */
+    /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares @cite fischler1981random. The number of samples, which the
+    paper derives from a known part of inliers, follows from that of the best model so far, as has become custom. */
     CV_WRAP static Params ransac();
     /** @brief As ransac(), with truncated squared errors @cite torr2000mlesac. */
     CV_WRAP static Params msac();
-    /** @brief As ransac(), with the median of the squared errors; `threshold` is not used @cite rousseeuw1984least. */
+    /** @brief As ransac(), with the median of the squared errors; `threshold` is not used @cite rousseeuw1984least. The number of samples is
+    that for half of the points being right. */
     CV_WRAP static Params lmeds();
-    /** @brief As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac. */
+    /** @brief As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac. The last fit is, as in ransac(),
+    least squares over the inliers; the paper's minimises the negative log-likelihood of all points. */
     CV_WRAP static Params mlesac();
-    /** @brief As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first @cite chum2005matching. */
+    /** @brief As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first @cite chum2005matching.
+    Where the termination differs from the paper is said at the class ProsacTermination. */
     CV_WRAP static Params prosac();
-    /** @brief LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally. */
+    /** @brief LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally, each with four steps of
+    a shrinking threshold. Fits are least squares of the geometric error, not of the algebraic one; so in all presets. */
     CV_WRAP static Params loRansac();
-    /** @brief FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size @cite lebeda2012fixing. */
+    /** @brief FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size @cite lebeda2012fixing.
+    Four inner samples, as fits of the geometric error need fewer than the paper's algebraic ones. */
     CV_WRAP static Params floRansac();
-    /** @brief GC-RANSAC: P-NAPSAC samples, MSAC, SPRT, graph-cut local optimisation, standard termination @cite barath2018graph. */
+    /** @brief GC-RANSAC: as msac(), each new best model is refined by graph cuts and inner samples of seven times the minimal size in turn,
+    while it becomes better @cite barath2018graph; neighbours are the points within 20 pixels. The alternations end after ten. Every new
+    best model is refined; the paper waits until enough samples have been drawn to expect it to be worth the time. */
     CV_WRAP static Params gcRansac();
-    /** @brief USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac. */
+    /** @brief USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC
+    @cite raguram2013usac. DEGENSAC stands for the paper's general test of degeneracy; H has a test of orientation only. */
     CV_WRAP static Params usac2013();
-    /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac. */
+    /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac.
+    The largest standard deviation of the noise is `reach` times `threshold` over the 0.99 quantile of chi. The errors have one degree of
+    freedom for F and E and two for H, the constraints that a match has to fulfil; the paper has four, those of the coordinates, of
+    which a model leaves the others free. The fit takes five parts of the noise's range. Where the data show more noise, the
+    range grows (`widestReach`); the paper asks for a bound that is far too large instead. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac. What
-    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more noise. */
+    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more noise
+    (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests of degeneracy are those of usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
     /** @brief The preset behind a flag. @param method one of #UsacV20Method; anything else raises cv::Exception. */
     CV_WRAP static Params fromMethod(int method);

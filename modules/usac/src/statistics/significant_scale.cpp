@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "statistics/significant_reach.hpp"
+#include "statistics/significant_scale.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -35,9 +35,22 @@ double surprise(double k, double n, double p)
     return n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
 }
 
+//! The median error of the points up to a bin, with errors evenly spread (two degrees of freedom: over the area) in their bin.
+double medianOf(const int* members, int last, int within, int degrees)
+{
+    const double half = 0.5 * within;
+    int bin = 0, before = 0;
+    while (bin < last && before + members[bin] < half)
+        before += members[bin++];
+    const double part = (half - before) / std::max(members[bin], 1), begin = bin > 0 ? endOf(bin - 1) : 0, end = endOf(bin);
+    if (degrees == 2)
+        return std::sqrt(begin + part * (end - begin));
+    return std::sqrt(begin) + part * (std::sqrt(end) - std::sqrt(begin));
+}
+
 } // namespace
 
-double SignificantReach::find(const float* squaredErrors, int count, double threshold, double chance, int degrees, int sampleSize)
+double SignificantScale::estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees, int sampleSize)
 {
     const int size = std::min<int>(count, MOST);
     int members[BINS] = {0};
@@ -49,7 +62,8 @@ double SignificantReach::find(const float* squaredErrors, int count, double thre
         if (bin < BINS)
             ++members[bin];
     }
-    double best = sampleSize * std::log((double)size), found = 0;
+    double best = sampleSize * std::log((double)size);
+    int found = -1, foundWithin = 0;
     for (int bin = 0, within = 0; bin < BINS; ++bin)
     {
         within += members[bin];
@@ -60,10 +74,11 @@ double SignificantReach::find(const float* squaredErrors, int count, double thre
         if (value > best)
         {
             best = value;
-            found = std::sqrt(end) * threshold;
+            found = bin;
+            foundWithin = within;
         }
     }
-    return found;
+    return found < 0 ? 0 : medianOf(members, found, foundWithin, degrees) / (degrees == 2 ? 1.15 : 0.64) * threshold;
 }
 
 } // namespace usacv20
