@@ -10,7 +10,8 @@ namespace usacv20 {
 Params::Params()
     : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
       prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighbourhood(NEIGHBOURHOOD_GRID), neighbours(10),
-      neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), widestReach(1), verification(VERIFICATION_SPRT), tddPoints(1),
+      neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), widestReach(1),
+      verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
       spatialWeight(0.14), runnersUp(16), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT),
       relaxation(0.05), persistence(1), degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED),

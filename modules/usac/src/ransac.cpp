@@ -216,7 +216,8 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
 
 /* A model that is better than the models of all samples before. Here the paper compares with the optimised best model;
 but a good model from a noisy sample is often worse than a bad one after its optimisation, and would never be optimised.
-`before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way of others. */
+`before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way of others.
+*/
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;

@@ -22,8 +22,9 @@ double milliseconds(int64 since)
     return (getTickCount() - since) / getTickFrequency() * 1e3;
 }
 
-/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. It grows to that if it
-is less than two thirds of it, and shrinks to it where it is too wide by a half, which costs more time than accuracy. */
+/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. It grows to
+that if it is less than two thirds of it, and shrinks to it where it is too wide by a half, which costs more time than accuracy.
+*/
 const double REACH = 5, GROWS = 1.5, SHRINKS = 0.7;
 
 class UsacImpl : public Usac
@@ -65,10 +66,10 @@ private:
         randomRatio = ransac.randomInlierRatio();
     }
 
-    /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half of its samples
-    have been drawn. (With a reach that is far too small models are rated by few points, and no criterion ends the search. Earlier, the
-    right model may not yet be found, and a wrong one that shows more noise, between two planes, say, would be taken for it.) At last
-    it may also shrink again, as poor models show more noise than there is. */
+    /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half of its
+    samples have been drawn. (With a reach that is far too small models are rated by few points, and no criterion ends the search.
+    Earlier, the right model may not yet be found, and a wrong one that shows more noise, between two planes, say, would be taken
+    for it.) At last it may also shrink again, as poor models show more noise than there is. */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         const double least = params.reach;
@@ -100,8 +101,9 @@ private:
             return params.reach;
         std::vector<float> errors(std::min<int>(p.size, SignificantScale::MOST));
         parts.residual->squaredErrors(p, state.best, 0, (int)errors.size(), errors.data());
-        const double sigma = SignificantScale::estimate(errors.data(), (int)errors.size(), p.threshold, usacv20::randomInlierRatio(p),
-                                                    degreesOfFreedom(p.problem), parts.minimalSolver->sampleSize());
+        const int m = parts.minimalSolver->sampleSize();
+        const double sigma = SignificantScale::estimate(errors.data(), (int)errors.size(), p.threshold,
+                                                        usacv20::randomInlierRatio(p), degreesOfFreedom(p.problem), m);
         return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 

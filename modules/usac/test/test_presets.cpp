@@ -33,7 +33,8 @@ TEST(Usac_Presets, change_what_they_say)
         {"prosac", Params::prosac(), ransac, "sampler prior termination "},
         {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
-        {"gcRansac", Params::gcRansac(), Params::msac(), "neighbourhood localOptimization localIterations localSampleMultiple localSamples neighbourRadius "},
+        {"gcRansac", Params::gcRansac(), Params::msac(), "neighbourhood localOptimization localIterations localSampleMultiple localSamples "
+                                                          "neighbourRadius "},
         {"usac2013", Params::usac2013(), lo, "sampler prior verification termination degeneracy "},
         {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach widestReach "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing polishingSteps reach widestReach "}};

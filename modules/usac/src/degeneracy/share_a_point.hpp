@@ -16,22 +16,24 @@ inline bool shareAPoint(const Correspondences& p, int i, int j)
     return (p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j]) || (p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j]);
 }
 
-inline double square(double x)
+//! The scale between the images of a small surface is less.
+enum { FAR_APART = 10 };
+
+template <class T> T square(T x)
 {
     return x * x;
 }
 
-//! The scale between the images of a small surface is less.
-enum { FAR_APART = 10 };
-
-/** True if two matches are, within the threshold each, matches of one point of an image, but FAR_APART times as far from each other
-in the other image: at most one of them is right. */
+/** True if two matches have the same point of an image; or if they are, within the threshold each, matches of one point of an
+image, but FAR_APART times as far from each other in the other image: at most one of them is right. */
 inline bool shareATarget(const Correspondences& p, int i, int j)
 {
-    const double limit = square(2 * p.threshold), far = square(FAR_APART) * limit;
-    const double first = square((double)p.x1[i] - p.x1[j]) + square((double)p.y1[i] - p.y1[j]);
-    const double second = square((double)p.x2[i] - p.x2[j]) + square((double)p.y2[i] - p.y2[j]);
-    return (first <= limit && second > far) || (second <= limit && first > far);
+    const float dx1 = p.x1[i] - p.x1[j], dy1 = p.y1[i] - p.y1[j], dx2 = p.x2[i] - p.x2[j], dy2 = p.y2[i] - p.y2[j];
+    const float first = dx1 * dx1 + dy1 * dy1, second = dx2 * dx2 + dy2 * dy2, limit = (float)square(2 * p.threshold);
+    if (!(first <= limit || second <= limit))
+        return false;
+    const float far = FAR_APART * FAR_APART * limit;
+    return (first <= limit && second > far) || (second <= limit && first > far) || shareAPoint(p, i, j);
 }
 
 } // namespace usacv20

@@ -12,11 +12,12 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Local optimisation of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a faster one.
+/** @brief Local optimisation of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a faster
+one.
 
 Each alternation cuts the graph for the inliers of the model (Labelling) and fits models to random samples of them, of
-Params::localSampleMultiple times the minimal size, or to all if there are not as many. The first alternation without a better model is
-the last. Their number and that of their samples are bounded by Params::localIterations and Params::localSamples. */
+Params::localSampleMultiple times the minimal size, or to all if there are not as many. The first alternation without a better
+model is the last. Their number and that of their samples are bounded by Params::localIterations and Params::localSamples. */
 class GcRansacOptimizer : public LocalOptimizer
 {
 public:
@@ -31,9 +32,9 @@ public:
             if (inliers.size() <= m)
                 break;
             better = false;
-            const int samples = inliers.size() > m * params.localSampleMultiple ? params.localSamples : 1;
+            const int size = m * params.localSampleMultiple, samples = inliers.size() > size ? params.localSamples : 1;
             for (int k = 0; k < samples; ++k)
-                better |= inliers.improve(context, inliers.select(state.rng, m * params.localSampleMultiple), model, quality, FIT_STEPS);
+                better |= inliers.improve(context, inliers.select(state.rng, size), model, quality, FIT_STEPS);
             improved |= better;
         }
         return improved;

@@ -50,7 +50,8 @@ double medianOf(const int* members, int last, int within, int degrees)
 
 } // namespace
 
-double SignificantScale::estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees, int sampleSize)
+double SignificantScale::estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees,
+                                  int sampleSize)
 {
     const int size = std::min<int>(count, MOST);
     int members[BINS] = {0};

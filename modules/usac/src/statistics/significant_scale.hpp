@@ -14,12 +14,12 @@ Inliers are the points within the r at which they are the least likely by chance
 probability p(r) = chance (r / threshold)^degrees, and by Chernoff's bound k of n points are so at most with the probability
 exp(-n D(k/n, p)), D being the divergence of Kullback and Leibler; r has the least bound, as in an a-contrario RANSAC
 @cite moisan2004probabilistic. With Gaussian noise that is 2.4 to 2.9 sigma for two degrees of freedom (errors in the plane) and
-1.7 to 2.4 sigma for one, with 10 to 100 % of inliers, so their median is 1.15 or 0.64 sigma, up to 3 %. It is the median that gives the
-scale: where half of the inliers are much closer than others (a second plane, not far from the first), it is that half's. The
-points of the sample are inliers anyway and do not count for the bound.
+1.7 to 2.4 sigma for one, with 10 to 100 % of inliers, so their median is 1.15 or 0.64 sigma, up to 3 %. It is the median that
+gives the scale: where half of the inliers are much closer than others (a second plane, not far from the first), it is that
+half's. The points of the sample are inliers anyway and do not count for the bound.
 
-The radii grow by factors of 1.15 and 1.22, from a quarter of the threshold up to where p is 1. At most #MOST errors are looked at,
-the first ones. */
+The radii grow by factors of 1.15 and 1.22, from a quarter of the threshold up to where p is 1. At most #MOST errors are looked
+at, the first ones. */
 class SignificantScale
 {
 public:
