@@ -37,12 +37,13 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
             checkResult(scene, params.threshold, model, mask, report);
         }
         params.degeneracy &= ~DEGENERACY_REPEATED;
-        wrongWithout += modelError(sceneWith(GetParam(), OUTLIERS_TARGETS, seed), estimate(sceneWith(GetParam(), OUTLIERS_TARGETS, seed), params)) > 3;
+        const Scene scene = sceneWith(GetParam(), OUTLIERS_TARGETS, seed);
+        wrongWithout += modelError(scene, estimate(scene, params)) > 3;
     }
     EXPECT_GE(wrongWithout, 5);
 }
 
-//! Two parts of the points: A b c of image 1, and the same in image 2.
+//! Distances of two matches in image 1 and in image 2.
 TEST(Usac_SharedPoints_Samples, shareATarget)
 {
     const struct { double x1, x2; bool same; } pairs[] = {
@@ -67,7 +68,8 @@ struct Checked
     {
         Params params;
         params.threshold = inlierThreshold;
-        const Ptr<Usac> usac = Usac::create(scene.problem, points1, points2, params, scene.problem == ESSENTIAL ? Mat(scene.K) : Mat());
+        const Mat K = scene.problem == ESSENTIAL ? Mat(scene.K) : Mat();
+        const Ptr<Usac> usac = Usac::create(scene.problem, points1, points2, params, K);
         const Context context(usac->points(), usac->components(), params);
         Model model = toInternal(usac->points(), given);
         const Model same = model;

@@ -14,7 +14,8 @@ std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
     for (int i = 0; i < size; ++i)
     {
         const bool inlier = i * 7 % size < inliers;  // in any order
-        const double x = inlier ? rng.gaussian(1) : rng.uniform(-200., 200.), y = inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
+        const double x = inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
+        const double y = inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
         errors.push_back((float)(x * x + (degrees == 2 ? y * y : 0)));
     }
     return errors;
@@ -50,7 +51,7 @@ TEST(Usac_SignificantScale, ofTwoPlanes)
     std::vector<float> errors = drawErrors(rng, 2, 1000, 1000);
     for (int i = 0; i < 1000; i += 3)
         errors[i] *= 100;
-    EXPECT_NEAR(1.3, scaleOf(errors, 2, 0.1), 0.3);
+    EXPECT_NEAR(1, scaleOf(errors, 2, 0.1), 0.3);
 }
 
 TEST(Usac_SignificantScale, noneOfRandomErrors)
@@ -87,7 +88,7 @@ double meanError(int problem, Params params, double pixels)
         const Mat model = estimate(scene, params, mask, &report);
         EXPECT_EQ(pixels, report.threshold);
         if (!model.empty())
-            checkResult(scene, pixels, model, mask, report);
+            checkResult(scene, pixels, model, mask, report, params.widestReach);
         sum += modelError(scene, model) / SCENES;
     }
     return sum;

@@ -58,10 +58,22 @@ public:
     {
         const Correspondences& p = context.points;
         const int m = context.components.minimalSolver->sampleSize();
-        for (int i = 1; i < m; ++i)
-            for (int k = 0; k < i; ++k)
-                if (shareATarget(p, sample[i], sample[k]))
+        const float limit = (float)square(2 * p.threshold);
+        float x1[MAX_SAMPLE_SIZE], y1[MAX_SAMPLE_SIZE], x2[MAX_SAMPLE_SIZE], y2[MAX_SAMPLE_SIZE];
+        for (int i = 0; i < m; ++i)
+        {
+            x1[i] = p.x1[sample[i]];
+            y1[i] = p.y1[sample[i]];
+            x2[i] = p.x2[sample[i]];
+            y2[i] = p.y2[sample[i]];
+            for (int k = 0; k < i; ++k)  // most are near each other in neither image
+            {
+                const float first = square(x1[i] - x1[k]) + square(y1[i] - y1[k]);
+                const float second = square(x2[i] - x2[k]) + square(y2[i] - y2[k]);
+                if ((first <= limit || second <= limit) && shareATarget(p, sample[i], sample[k]))
                     return false;
+            }
+        }
         return true;
     }
 
