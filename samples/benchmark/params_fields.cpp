@@ -58,6 +58,7 @@ const DoubleField DOUBLE_FIELDS[] = {
     { "confidence", &Params::confidence },
     { "neighbourRadius", &Params::neighbourRadius },
     { "reach", &Params::reach },
+    { "widestReach", &Params::widestReach },
     { "spatialWeight", &Params::spatialWeight },
     { "relaxation", &Params::relaxation },
 };

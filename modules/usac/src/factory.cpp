@@ -105,6 +105,7 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
     case LOCAL_OPTIMIZATION_NONE: return Ptr<LocalOptimizer>();
     case LOCAL_OPTIMIZATION_LO_RANSAC: return createLoRansacOptimizer();
     case LOCAL_OPTIMIZATION_FLO_RANSAC: return createFloRansacOptimizer();
+    case LOCAL_OPTIMIZATION_GC_RANSAC: return createGcRansacOptimizer();
     case LOCAL_OPTIMIZATION_SIGMA_CONSENSUS: return createSigmaConsensus();
     case LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS: return createSigmaConsensusPlusPlus();
     default: return createGraphCutOptimizer();
@@ -115,10 +116,10 @@ void createDegeneracies(int flags, ProblemType problem, std::vector<Ptr<Degenera
 {
     if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples of H
         degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
-    if (flags & DEGENERACY_REPEATED)
-        degeneracies.push_back(createRepeatedPoints());
     if ((flags & DEGENERACY_DEGENSAC) && problem == FUNDAMENTAL)
         degeneracies.push_back(createDegensac());
+    if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of their own models
+        degeneracies.push_back(problem == HOMOGRAPHY ? createRepeatedPoints() : createSharedPoints());
 }
 
 void createTerminations(int flags, const Correspondences& points, std::vector<Ptr<Termination> >& terminations)

@@ -10,7 +10,8 @@ namespace usacv20 {
 Params::Params()
     : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
       prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighbourhood(NEIGHBOURHOOD_GRID), neighbours(10),
-      neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), verification(VERIFICATION_SPRT), tddPoints(1),
+      neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), widestReach(1),
+      verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
       spatialWeight(0.14), runnersUp(16), orderedEvery(4), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT),
       relaxation(0.05), persistence(1), degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED),
@@ -53,6 +54,7 @@ void checkCombinations(const Params& p)
     if (p.quality != QUALITY_LMEDS)
         return;
     checkCombination(p.reach != 1, "reach: QUALITY_LMEDS has no threshold to multiply");
+    checkCombination(p.widestReach != 1, "widestReach: QUALITY_LMEDS has no threshold to multiply");
     checkCombination(p.verification != VERIFICATION_NONE,
                      "verification: SPRT and T(d,d) count inliers, for which QUALITY_LMEDS has no threshold yet");
     checkCombination(p.localOptimization != LOCAL_OPTIMIZATION_NONE,
@@ -98,9 +100,10 @@ void Params::check(int count) const
     checkRange("residual", residual, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC);
     checkRange("quality", quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS);
     checkRange("reach", reach, 1, 10);
+    checkRange("widestReach", widestReach, 1, 1e6);
     checkRange("verification", verification, VERIFICATION_NONE, VERIFICATION_TDD);
     checkRange("tddPoints", tddPoints, 1, 100);
-    checkRange("localOptimization", localOptimization, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS);
+    checkRange("localOptimization", localOptimization, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC);
     checkRange("localIterations", localIterations, 1, 1000);
     checkRange("localSampleMultiple", localSampleMultiple, 2, 100);
     checkRange("localSamples", localSamples, 0, 1000);
@@ -138,6 +141,7 @@ void visitFields(P& params, Visitor& visit)
     visit("residual", params.residual);
     visit("quality", params.quality);
     visit("reach", params.reach);
+    visit("widestReach", params.widestReach);
     visit("verification", params.verification);
     visit("tddPoints", params.tddPoints);
     visit("localOptimization", params.localOptimization);

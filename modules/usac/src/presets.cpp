@@ -117,14 +117,13 @@ Params Params::floRansac()
 
 Params Params::gcRansac()
 {
-    Params params;
+    Params params = msac();
+    params.localOptimization = LOCAL_OPTIMIZATION_GC_RANSAC;
+    params.neighbourhood = NEIGHBOURHOOD_RADIUS;
+    params.neighbourRadius = 20;
     params.localSamples = 20;
     params.localIterations = 10;
     params.localSampleMultiple = 7;
-    params.runnersUp = 0;
-    params.termination = TERMINATION_STANDARD;
-    params.degeneracy = DEGENERACY_ORIENTATION;
-    params.polishing = POLISHING_LEAST_SQUARES;
     return params;
 }
 
@@ -149,6 +148,7 @@ Params Params::magsac()
     params.polishing = POLISHING_REWEIGHTED;
     params.polishingSteps = 10;
     params.reach = 3;
+    params.widestReach = 1000;
     return params;
 }
 
@@ -157,6 +157,7 @@ Params Params::magsacPlusPlus()
     Params params;
     params.quality = QUALITY_MAGSAC_PLUS_PLUS;
     params.reach = 2.4;
+    params.widestReach = 1000;
     params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
     params.polishing = POLISHING_REWEIGHTED;
     params.polishingSteps = 10;
@@ -227,7 +228,11 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     switch (other.score)
     {
     case SCORE_METHOD_RANSAC: params.quality = QUALITY_INLIERS; break;
-    case SCORE_METHOD_MAGSAC: params.quality = QUALITY_MAGSAC_PLUS_PLUS; params.reach = magsacPlusPlus().reach; break;
+    case SCORE_METHOD_MAGSAC:
+        params.quality = QUALITY_MAGSAC_PLUS_PLUS;
+        params.reach = magsacPlusPlus().reach;
+        params.widestReach = magsacPlusPlus().widestReach;
+        break;
     case SCORE_METHOD_LMEDS: useLmeds(params); break;
     default: params.quality = QUALITY_MSAC;
     }

@@ -24,6 +24,8 @@ public:
     double threshold() const { return pixelThreshold; }
     //! Another one for the rest of the run, in the coordinates of points().
     void setThreshold(double threshold);
+    //! So many times as large a Correspondences::threshold for the rest of the run; the mask has that of before.
+    void scaleReach(double factor) { view.threshold *= factor; }
     //! Model in the caller's (E: normalised) coordinates, normalised as documented; false if it is not finite.
     bool toInput(const Model& model, Matx33d& result) const;
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.

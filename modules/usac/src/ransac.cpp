@@ -54,13 +54,18 @@ Ransac::Ransac(const Context& context_, State& state_)
 }
 
 // Numbers are the lines of Algorithm 1; lines 4 to 14 are in hypothesise(), 15 to 27 in improve().
-void Ransac::run()
+bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();
+    const double localBefore = state.report.localMs;
+    bool ended = true;
     if (parts.verifier)
         parts.verifier->adapt(context, state);
     while (!terminate() || improveRunnersUp())                                              // 2
     {
+        ended = state.iteration < pause;
+        if (!ended)
+            break;
         drawBatch();                                                                        // 3
         const bool first = state.iteration == 0;
         const bool together = threads > 1 && samples.size() >= PARALLEL_BATCH[context.points.problem];
@@ -86,9 +91,10 @@ void Ransac::run()
                     ++state.report.droppedModels;
                     continue;
                 }
+                const Quality before = state.sampleQuality;
                 state.sampleQuality = candidate.quality;
                 if (!first)
-                    improve(candidate);
+                    improve(candidate, before);
                 else if (found)
                     runnersUp.add(best);
                 best = candidate;
@@ -96,7 +102,7 @@ void Ransac::run()
             }
         }
         if (first && found)
-            improve(best);
+            improve(best, Quality());
         const size_t tests = state.tests.size();
         if (parts.verifier)
             parts.verifier->adapt(context, state);
@@ -104,7 +110,23 @@ void Ransac::run()
             updateTermination();
     }
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
-    state.report.searchMs = (getTickCount() - start) / getTickFrequency() * 1e3 - state.report.localMs;
+    state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 - (state.report.localMs - localBefore);
+    return ended;
+}
+
+void Ransac::thresholdChanged()
+{
+    runnersUp.clear();
+    state.sampleQuality = Quality();
+    Quality quality = context.rate(state.best);
+    recover(0, state.best, quality);
+    state.bestQuality = quality;
+    if (parts.localOptimizer)
+    {
+        state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
+        optimize(state.best, state.bestQuality);
+    }
+    updateTermination();
 }
 
 bool Ransac::terminate()
@@ -212,13 +234,18 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
 }
 
 /* A model that is better than the models of all samples before. Here the paper compares with the optimised best model;
-but a good model from a noisy sample is often worse than a bad one after its optimisation, and would never be optimised. */
-void Ransac::improve(const Candidate& candidate)
+but a good model from a noisy sample is often worse than a bad one after its optimisation, and would never be optimised.
+`before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way of others.
+*/
+void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
     Quality quality = candidate.quality;
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
-    if (!recover(candidate.sample.val, model, quality))                                    // 14
+    const bool valid = recover(candidate.sample.val, model, quality);                      // 14
+    if (!valid || candidate.quality.betterThan(quality))
+        state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
+    if (!valid)
         return;                                                                             // 15, 16
     if (parts.localOptimizer)
         optimize(model, quality);                                                           // 19 - 24
@@ -247,7 +274,7 @@ bool Ransac::improveRunnersUp()
         if (size - candidate.quality.cost < WORTHWHILE * (size - state.sampleQuality.cost))
             break;
         if (context.points.problem == ESSENTIAL || !sameInliers(candidate.model, state.best))
-            improve(candidate);
+            improve(candidate, state.sampleQuality);
     }
     return !terminate();
 }

@@ -36,8 +36,11 @@ class Ransac
 public:
     Ransac(const Context& context, State& state);
 
-    //! Fills State::best; its quality stays infinite if no model was found.
-    void run();
+    /** Fills State::best; its quality stays infinite if no model was found. Searches until a criterion ends the search, or so
+    many samples have been drawn. @return false in the second case; the search goes on when it is called again. */
+    bool run(int pause = INT_MAX);
+    //! The threshold has changed: rates and optimises the best model anew, and forgets what others were worth.
+    void thresholdChanged();
     //! Probability that a point agrees with a wrong model: the mean over the first blocks of all models.
     double randomInlierRatio() const;
 
@@ -49,7 +52,7 @@ private:
     void hypothesiseBatch();
     //! Cost from which on the model of a sample is of no use.
     double uselessCost() const;
-    void improve(const Candidate& candidate);
+    void improve(const Candidate& candidate, const Quality& before);
     //! @return false if the search ends nevertheless
     bool improveRunnersUp();
     bool sameInliers(const Model& model, const Model& other) const;

@@ -7,7 +7,10 @@
 #include "problem_data.hpp"
 #include "ransac.hpp"
 #include "solvers/manifold.hpp"
+#include "statistics/chi_square.hpp"
+#include "statistics/significant_scale.hpp"
 #include "termination/non_randomness.hpp"
+#include "termination/termination.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -19,6 +22,11 @@ double milliseconds(int64 since)
     return (getTickCount() - since) / getTickFrequency() * 1e3;
 }
 
+/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. It grows to
+that if it is less than two thirds of it, and shrinks to it where it is too wide by a half, which costs more time than accuracy.
+*/
+const double REACH = 5, GROWS = 1.5, SHRINKS = 0.7;
+
 class UsacImpl : public Usac
 {
 public:
@@ -26,7 +34,7 @@ public:
              InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
         : created(getTickCount()), params(params_),
           data(problem, points1, points2, params_, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2),
-          parts(createComponents(data.points(), params_)), randomRatio(1)
+          parts(createComponents(data.points(), params_)), givenReach(params_.reach), randomRatio(1)
     {
     }
 
@@ -50,9 +58,53 @@ private:
     {
         state.report.setupMs = milliseconds(created);
         Ransac ransac(context, state);
-        ransac.run();
+        if (params.widestReach > params.reach)
+            searchWithReach(context, state, ransac);
+        else
+            ransac.run();
         state.report.iterations = state.iteration;
         randomRatio = ransac.randomInlierRatio();
+    }
+
+    /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half of its
+    samples have been drawn. (With a reach that is far too small models are rated by few points, and no criterion ends the search.
+    Earlier, the right model may not yet be found, and a wrong one that shows more noise, between two planes, say, would be taken
+    for it.) At last it may also shrink again, as poor models show more noise than there is. */
+    void searchWithReach(const Context& context, State& state, Ransac& ransac)
+    {
+        const double least = params.reach;
+        for (int pause = params.maxIterations / 2;; pause = INT_MAX)
+        {
+            const bool ended = ransac.run(pause);
+            const double reach = reachOf(context, state, least);
+            if (reach > GROWS * params.reach)
+                setReach(reach, ransac);
+            else if (ended)
+                break;
+        }
+        for (double reach; (reach = reachOf(context, state, least)) < SHRINKS * params.reach;)
+            setReach(reach, ransac);
+    }
+
+    void setReach(double reach, Ransac& ransac)
+    {
+        data.scaleReach(reach / params.reach);
+        params.reach = reach;
+        ransac.thresholdChanged();
+    }
+
+    //! The reach that suits the errors of the best model, between `least` and the widest; the present one if there is none.
+    double reachOf(const Context& context, const State& state, double least)
+    {
+        const Correspondences& p = context.points;
+        if (!(state.bestQuality.cost <= DBL_MAX))
+            return params.reach;
+        std::vector<float> errors(std::min<int>(p.size, SignificantScale::MOST));
+        parts.residual->squaredErrors(p, state.best, 0, (int)errors.size(), errors.data());
+        const int m = parts.minimalSolver->sampleSize();
+        const double sigma = SignificantScale::estimate(errors.data(), (int)errors.size(), p.threshold,
+                                                        usacv20::randomInlierRatio(p), degreesOfFreedom(p.problem), m);
+        return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 
     //! Could the inliers agree by chance?
@@ -84,7 +136,7 @@ private:
             if (data.toInput(state.best, model))
             {
                 learned.inliers = data.mask(*parts.residual, model, inliers);
-                if (learned.inliers > 0)
+                if (learned.inliers > 0 || params.reach > givenReach)
                     result = Mat(model, true);
             }
         }
@@ -102,9 +154,10 @@ private:
     }
 
     const int64 created;
-    const Params params;
+    Params params;  //!< `reach` is the present one
     ProblemData data;
     Components parts;
+    const double givenReach;
     double randomRatio;  //!< of the points, agree with a wrong model
 };
 

@@ -53,6 +53,7 @@ struct Fields
         f.push_back(std::make_pair("confidence", &Params::confidence));
         f.push_back(std::make_pair("neighbourRadius", &Params::neighbourRadius));
         f.push_back(std::make_pair("reach", &Params::reach));
+        f.push_back(std::make_pair("widestReach", &Params::widestReach));
         f.push_back(std::make_pair("spatialWeight", &Params::spatialWeight));
         f.push_back(std::make_pair("relaxation", &Params::relaxation));
         return f;

@@ -26,10 +26,10 @@ Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, 
 EstimatorCall callOf(const Scene& scene, const Params& params);
 
 //! What is promised of any result of the standard residual with a threshold in pixels; the second form is for points that need not be doubles, with their camera matrix.
-void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report);
+void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report, double widestReach = 1);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
                  double pixels, const Mat& model, const Mat& mask, const Report& report,
-                 const Matx33d& K = sceneCamera());
+                 const Matx33d& K = sceneCamera(), double widestReach = 1);
 
 struct NamedPreset
 {

@@ -24,7 +24,7 @@ TEST(Usac_Params, ranges_of_integers)
         {"neighbourhood", NEIGHBOURHOOD_GRID, NEIGHBOURHOOD_RADIUS}, {"neighbours", 1, 1000},
         {"residual", RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC}, {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
         {"verification", VERIFICATION_NONE, VERIFICATION_TDD}, {"tddPoints", 1, 100},
-        {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS},
+        {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC},
         {"localIterations", 1, 1000}, {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 63},
         {"runnersUp", 0, 100}, {"orderedEvery", 1, 1000}, {"persistence", 1, 100}, {"degeneracy", 0, 7}, {"polishing", POLISHING_NONE, POLISHING_ROBUST},
         {"polishingSteps", 1, 100}};
@@ -66,7 +66,9 @@ TEST(Usac_Params, ranges_of_reals)
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const struct { const char* name; double right[2], wrong[3]; } ranges[] = {
         {"threshold", {1e-300, 1e300}, {0, -1, inf}}, {"confidence", {1e-300, 1 - 1e-15}, {0, 1, 2}},
-        {"neighbourRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}}, {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}}};
+        {"neighbourRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}},
+        {"widestReach", {1, 1e6}, {0.99, 1.001e6, inf}},
+        {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}}};
     ASSERT_EQ(Fields::doubles().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::doubles().size(); ++i)
     {
@@ -134,7 +136,7 @@ TEST(Usac_Params, impossible_combinations_with_lmeds)
         {&Params::verification, VERIFICATION_SPRT, "verification"}, {&Params::verification, VERIFICATION_TDD, "verification"},
         {&Params::localOptimization, LOCAL_OPTIMIZATION_GRAPH_CUT, "localOptimization"},
         {&Params::localOptimization, LOCAL_OPTIMIZATION_LO_RANSAC, "localOptimization"},
-        {&Params::localOptimization, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS, "localOptimization"},
+        {&Params::localOptimization, LOCAL_OPTIMIZATION_GC_RANSAC, "localOptimization"},
         {&Params::degeneracy, DEGENERACY_DEGENSAC, "degeneracy"}, {&Params::termination, TERMINATION_MAGSAC, "termination"}};
     for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); ++i)
     {
@@ -194,6 +196,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ((int)RESIDUAL_STANDARD, p.residual);
     EXPECT_EQ((int)QUALITY_MSAC, p.quality);
     EXPECT_EQ(1, p.reach);
+    EXPECT_EQ(1, p.widestReach);
     EXPECT_EQ((int)VERIFICATION_SPRT, p.verification);
     EXPECT_EQ(1, p.tddPoints);
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_GRAPH_CUT, p.localOptimization);
@@ -232,6 +235,7 @@ Params unusual()
     p.residual = RESIDUAL_SYMMETRIC;
     p.quality = QUALITY_INLIERS;
     p.reach = 1.7;
+    p.widestReach = 33.3;
     p.verification = VERIFICATION_NONE;
     p.tddPoints = 2;
     p.localOptimization = LOCAL_OPTIMIZATION_NONE;

@@ -33,10 +33,11 @@ TEST(Usac_Presets, change_what_they_say)
         {"prosac", Params::prosac(), ransac, "sampler prior termination "},
         {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
-        {"gcRansac", Params::gcRansac(), v20, "localIterations localSampleMultiple localSamples termination runnersUp degeneracy polishing "},
+        {"gcRansac", Params::gcRansac(), Params::msac(), "neighbourhood localOptimization localIterations localSampleMultiple localSamples "
+                                                          "neighbourRadius "},
         {"usac2013", Params::usac2013(), lo, "sampler prior verification termination degeneracy "},
-        {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach "},
-        {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing polishingSteps reach "}};
+        {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach widestReach "},
+        {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing polishingSteps reach widestReach "}};
     const int count = sizeof(all) / sizeof(all[0]);
     for (int i = 0; i < count; ++i)
     {
@@ -81,8 +82,8 @@ TEST(Usac_Presets, locally_optimized)
     EXPECT_LT(Params::floRansac().localSamples, Params::loRansac().localSamples) << "fewer repetitions";
     EXPECT_EQ((int)QUALITY_MSAC, Params::floRansac().quality);
     const Params gc = Params::gcRansac();
-    EXPECT_EQ((int)LOCAL_OPTIMIZATION_GRAPH_CUT, gc.localOptimization);
-    EXPECT_EQ((int)SAMPLER_P_NAPSAC, gc.sampler);
+    EXPECT_EQ((int)LOCAL_OPTIMIZATION_GC_RANSAC, gc.localOptimization);
+    EXPECT_EQ((int)SAMPLER_UNIFORM, gc.sampler);
     EXPECT_EQ((int)QUALITY_MSAC, gc.quality);
     EXPECT_EQ((int)TERMINATION_STANDARD, gc.termination);
     EXPECT_GT(gc.spatialWeight, 0);

@@ -17,8 +17,10 @@ Ptr<Degeneracy> createOrientedEpipolar();
 //! F: samples dominated by a plane, see Degensac.
 Ptr<Degeneracy> createDegensac();
 
-//! See RepeatedPoints.
+//! H: see RepeatedPoints.
 Ptr<Degeneracy> createRepeatedPoints();
+//! F, E: see SharedPoints.
+Ptr<Degeneracy> createSharedPoints();
 
 } // namespace usacv20
 } // namespace cv

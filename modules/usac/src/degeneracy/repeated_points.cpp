@@ -30,16 +30,9 @@ public:
         return true;
     }
 
-    //! Of two matches with one point in common one is wrong; only the same match twice may be right.
     bool mayBeGood(const Context& context, const int* sample) const CV_OVERRIDE
     {
-        const Correspondences& p = context.points;
-        const int m = context.components.minimalSolver->sampleSize();
-        for (int i = 1; i < m; ++i)
-            for (int k = 0; k < i; ++k)
-                if (shareAPoint(p, sample[i], sample[k]) && !sameMatch(p, sample[i], sample[k]))
-                    return false;
-        return true;
+        return onlyRepeats(context.points, sample, context.components.minimalSolver->sampleSize());
     }
 };
 

@@ -22,6 +22,41 @@ inline bool sameMatch(const Correspondences& p, int i, int j)
     return p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j] && p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j];
 }
 
+//! True if a match is twice in a sample of m, and no two different ones share a point: of these one would be wrong.
+inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
+{
+    bool repeated = false;
+    for (int i = 1; i < m; ++i)
+        for (int k = 0; k < i; ++k)
+        {
+            const bool same = sameMatch(p, sample[i], sample[k]);
+            if (!same && shareAPoint(p, sample[i], sample[k]))
+                return false;
+            repeated |= same;
+        }
+    return repeated;
+}
+
+//! The scale between the images of a small surface is less.
+enum { FAR_APART = 10 };
+
+template <class T> T square(T x)
+{
+    return x * x;
+}
+
+/** True if two matches have the same point of an image; or if they are, within the threshold each, matches of one point of an
+image, but FAR_APART times as far from each other in the other image: at most one of them is right. */
+inline bool shareATarget(const Correspondences& p, int i, int j)
+{
+    const float dx1 = p.x1[i] - p.x1[j], dy1 = p.y1[i] - p.y1[j], dx2 = p.x2[i] - p.x2[j], dy2 = p.y2[i] - p.y2[j];
+    const float first = dx1 * dx1 + dy1 * dy1, second = dx2 * dx2 + dy2 * dy2, limit = (float)square(2 * p.threshold);
+    if (!(first <= limit || second <= limit))
+        return false;
+    const float far = FAR_APART * FAR_APART * limit;
+    return (first <= limit && second > far) || (second <= limit && first > far) || shareAPoint(p, i, j);
+}
+
 } // namespace usacv20
 } // namespace cv
 

@@ -12,6 +12,8 @@ namespace usacv20 {
 
 //! See GraphCutOptimizer.
 Ptr<LocalOptimizer> createGraphCutOptimizer();
+//! See GcRansacOptimizer.
+Ptr<LocalOptimizer> createGcRansacOptimizer();
 //! See LoRansacOptimizer: fits to all inliers.
 Ptr<LocalOptimizer> createLoRansacOptimizer();
 //! See LoRansacOptimizer: fits to a bounded number of inliers.

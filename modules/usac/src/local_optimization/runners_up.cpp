@@ -26,6 +26,12 @@ void RunnersUp::add(const Candidate& candidate)
         limit = kept.back().quality.cost;
 }
 
+void RunnersUp::clear()
+{
+    kept.clear();
+    limit = std::numeric_limits<double>::infinity();
+}
+
 std::vector<Candidate> RunnersUp::take()
 {
     std::vector<Candidate> taken;

@@ -43,6 +43,8 @@ public:
     void add(const Candidate& candidate);
     //! Gives those kept since the last call, best first.
     std::vector<Candidate> take();
+    //! Forgets all, also those that it has given.
+    void clear();
 
 private:
     const size_t most;

@@ -27,21 +27,20 @@ L = logDensityRatio(sigma_max) the integral is in closed form, and as a loss fro
 
     u + (k^2 / (2 n) u (1 - u) - u log(u)) / (1 + L).
 
-It grows strictly, as L is at least k^2 / (2 n), where an inlier at the threshold is as likely as an outlier. Tabulated
-over u with linear interpolation: a root and a look-up for each inlier. */
+It grows strictly, as L is at least k^2 / (2 n), where an inlier at the threshold is as likely as an outlier. What L divides is
+tabulated over u with linear interpolation: a root and a look-up for each inlier. */
 class MagsacScore : public Score
 {
 public:
-    explicit MagsacScore(const Correspondences& points) : losses(SIZE + 2, 1.f)
+    explicit MagsacScore(const Correspondences& points)
+        : degrees(degreesOfFreedom(points.problem)), k(thresholdInSigmas(degrees)), extent(outlierExtent(points)),
+          bends(SIZE + 2, 0.f)
     {
-        const int degrees = degreesOfFreedom(points.problem);
-        const double k = thresholdInSigmas(degrees), curvature = 0.5 * k * k / degrees;
-        const double scale = 1 / (1 + logDensityRatio(outlierExtent(points), points.threshold / k, degrees));
-        losses[0] = 0;
+        const double curvature = 0.5 * k * k / degrees;
         for (int i = 1; i < SIZE; ++i)
         {
             const double u = (double)i / SIZE;
-            losses[i] = (float)(u + scale * u * (curvature * (1 - u) - std::log(u)));
+            bends[i] = (float)(u * (curvature * (1 - u) - std::log(u)));
         }
     }
 
@@ -49,16 +48,24 @@ public:
     {
         const int near = keepInliers(squaredErrors, count, squaredThreshold);
         const float factor = 1 / squaredThreshold;
+        double line = 0;
         for (int i = 0; i < near; ++i)
-            squaredErrors[i] = std::min(std::sqrt(squaredErrors[i] * factor), 1.f) * SIZE;
+        {
+            const float u = std::min(std::sqrt(squaredErrors[i] * factor), 1.f);
+            line += u;
+            squaredErrors[i] = u * SIZE;
+        }
+        const double scale = 1 / (1 + logDensityRatio(extent, std::sqrt((double)squaredThreshold) / k, degrees));
         sum.inliers += near;
-        sum.cost += count - near + sumOfLookUps(losses.data(), squaredErrors, near);
+        sum.cost += count - near + line + scale * sumOfLookUps(bends.data(), squaredErrors, near);
     }
 
 private:
     enum { SIZE = 1024 };
 
-    std::vector<float> losses;
+    const int degrees;
+    const double k, extent;
+    std::vector<float> bends;
 };
 
 } // namespace

@@ -67,7 +67,11 @@ enum SamplerType
 {
     SAMPLER_UNIFORM  = 0, //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC   = 1, //!< the best points first, then ever more of them @cite chum2005matching
-    SAMPLER_P_NAPSAC = 2, //!< the best point first and its neighbours, ever wider @cite barath2019progressive
+    //! The best point first and its neighbours, ever wider @cite barath2019progressive. One sample in four is local, in the paper
+    //! all are until the neighbourhood has grown to everything; it doubles when its point is chosen again, in the paper it grows
+    //! as PROSAC's set; and where the order is the density, every second sample is uniform: real pairs have been found sooner,
+    //! and lost less often.
+    SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC   = 3, //!< any point and its neighbours @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4 //!< points as often as Params::scores, their probabilities of being right, say
 };
@@ -126,11 +130,12 @@ enum VerificationType
 enum LocalOptimizationType
 {
     LOCAL_OPTIMIZATION_NONE      = 0, //!< nothing
-    LOCAL_OPTIMIZATION_GRAPH_CUT = 1, //!< spatially coherent inliers by graph cut, inner RANSAC @cite barath2018graph
+    LOCAL_OPTIMIZATION_GRAPH_CUT = 1, //!< LO-RANSAC's first steps; where they gain, graph cut, inner RANSAC @cite barath2018graph
     LOCAL_OPTIMIZATION_LO_RANSAC = 2, //!< inner RANSAC, least squares with a shrinking threshold @cite chum2003locally
     LOCAL_OPTIMIZATION_FLO_RANSAC = 3, //!< the same on a bounded number of inliers @cite lebeda2012fixing
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4, //!< fits marginalised over the scale of the noise @cite barath2019magsac
-    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5 //!< re-weighted fits with marginalised weights @cite barath2020magsac
+    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5, //!< re-weighted fits with marginalised weights @cite barath2020magsac
+    LOCAL_OPTIMIZATION_GC_RANSAC = 6 //!< graph cut and inner RANSAC in turn, while the model becomes better @cite barath2018graph
 };
 
 //! What ends the search, a set of bits; the first that fires wins (paper, section "Termination criterion").
@@ -149,7 +154,7 @@ enum DegeneracyFlags
 {
     DEGENERACY_ORIENTATION = 1, //!< H: orientation of the sample; F, E: oriented epipolar constraint @cite chum2004epipolar
     DEGENERACY_DEGENSAC    = 2, //!< F: samples dominated by a plane, plane and parallax @cite chum2005two
-    DEGENERACY_REPEATED    = 4  //!< samples in which two matches share a point in one of the images
+    DEGENERACY_REPEATED    = 4  //!< samples of matches that share a point; F, E: also but for the noise, and models of such matches
 };
 
 //! What is done to the best model at the end (Algorithm 1, last line).
@@ -203,6 +208,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Search, local optimisation and polishing work with so many times `threshold`, the mask with `threshold` itself; 1..10. For
     qualities and fits that are marginalised over the noise. Default 1. */
     CV_PROP_RW double reach;
+    /** Where the errors of the best model show that the noise is larger than `threshold`, `reach` grows with it, up to this;
+    1..1e6; what is not above `reach` changes nothing. The mask stays that of `threshold` and may then be empty with a right model.
+    Default 1. */
+    CV_PROP_RW double widestReach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;
     //! Points that must be inliers for #VERIFICATION_TDD; 1..100. Default 1.
@@ -250,28 +259,43 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params sorted();
     /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
-    /** @brief RANSAC of 1981: uniform samples, number of inliers, standard termination, least squares @cite fischler1981random. */
+    /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares @cite fischler1981random. The number of samples,
+    which the paper derives from a known part of inliers, follows from that of the best model so far, as has become custom. */
     CV_WRAP static Params ransac();
     /** @brief As ransac(), with truncated squared errors @cite torr2000mlesac. */
     CV_WRAP static Params msac();
-    /** @brief As ransac(), with the median of the squared errors; `threshold` is not used @cite rousseeuw1984least. */
+    /** @brief As ransac(), with the median of the squared errors; `threshold` is not used @cite rousseeuw1984least. The number of
+    samples is that for half of the points being right. */
     CV_WRAP static Params lmeds();
-    /** @brief As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac. */
+    /** @brief As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac. The last fit is, as in
+    ransac(), least squares over the inliers; the paper's minimises the negative log-likelihood of all points. */
     CV_WRAP static Params mlesac();
-    /** @brief As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first @cite chum2005matching. */
+    /** @brief As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first
+    @cite chum2005matching. Where the termination differs from the paper is said at the class ProsacTermination. */
     CV_WRAP static Params prosac();
-    /** @brief LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally. */
+    /** @brief LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally, each with four
+    steps of a shrinking threshold. Fits are least squares of the geometric error, not of the algebraic one; so in all presets. */
     CV_WRAP static Params loRansac();
-    /** @brief FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size @cite lebeda2012fixing. */
+    /** @brief FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size
+    @cite lebeda2012fixing. Four inner samples, which is faster than the paper's; their fits are of the geometric error. */
     CV_WRAP static Params floRansac();
-    /** @brief GC-RANSAC: P-NAPSAC samples, MSAC, SPRT, graph-cut local optimisation, standard termination @cite barath2018graph. */
+    /** @brief GC-RANSAC: as msac(), each new best model is refined by graph cuts and inner samples of seven times the minimal
+    size in turn, while it becomes better @cite barath2018graph; neighbours are the points within 20 pixels. The alternations end
+    after ten. Every new best model is refined; the paper waits until enough samples have been drawn to expect it to be worth the
+    time. */
     CV_WRAP static Params gcRansac();
-    /** @brief USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac. */
+    /** @brief USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC
+    @cite raguram2013usac. DEGENSAC stands for the paper's general test of degeneracy; H has a test of orientation only. */
     CV_WRAP static Params usac2013();
-    /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac. */
+    /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac.
+    The largest standard deviation of the noise is `reach` times `threshold` over the 0.99 quantile of chi. The errors have one
+    degree of freedom for F and E and two for H, the constraints that a match has to fulfil; the paper has four, those of the
+    coordinates, of which a model leaves the others free. The fit takes five parts of the noise's range. Where the data show more
+    noise, the range grows (`widestReach`); the paper asks for a bound that is far too large instead. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac. What
-    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`. */
+    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more noise
+    (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests of degeneracy are those of usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
     //! The preset behind a flag.
     static Params fromMethod(UsacV20Method method);

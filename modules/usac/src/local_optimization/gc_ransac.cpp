@@ -1,0 +1,59 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "local_optimization/inlier_set.hpp"
+#include "local_optimization/labelling.hpp"
+#include "local_optimization/local_optimization.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief Local optimisation of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a faster
+one.
+
+Each alternation cuts the graph for the inliers of the model (Labelling) and fits models to random samples of them, of
+Params::localSampleMultiple times the minimal size, or to all if there are not as many. The first alternation without a better
+model is the last. Their number and that of their samples are bounded by Params::localIterations and Params::localSamples. */
+class GcRansacOptimizer : public LocalOptimizer
+{
+public:
+    bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        const Params& params = context.params;
+        const int m = context.components.minimalSolver->sampleSize();
+        bool improved = false, better = true;
+        for (int i = 0; i < params.localIterations && better; ++i)
+        {
+            labelling.cut(context, model, inliers.members);
+            if (inliers.size() <= m)
+                break;
+            better = false;
+            const int size = m * params.localSampleMultiple, samples = inliers.size() > size ? params.localSamples : 1;
+            for (int k = 0; k < samples; ++k)
+                better |= inliers.improve(context, inliers.select(state.rng, size), model, quality, FIT_STEPS);
+            improved |= better;
+        }
+        return improved;
+    }
+
+private:
+    //! A sample of several times the minimal size is near its least squares after so many steps from the model.
+    enum { FIT_STEPS = 3 };
+
+    Labelling labelling;
+    InlierSet inliers;
+};
+
+} // namespace
+
+Ptr<LocalOptimizer> createGcRansacOptimizer()
+{
+    return makePtr<GcRansacOptimizer>();
+}
+
+} // namespace usacv20
+} // namespace cv

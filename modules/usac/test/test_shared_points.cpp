@@ -1,0 +1,182 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+#include "degeneracy/degeneracy.hpp"
+#include "degeneracy/share_a_point.hpp"
+
+namespace opencv_test { namespace {
+
+typedef testing::TestWithParam<int> Usac_SharedPoints;
+INSTANTIATE_TEST_CASE_P(/**/, Usac_SharedPoints, testing::Values((int)FUNDAMENTAL, (int)ESSENTIAL));
+
+Scene sceneWith(int problem, OutlierModel outliers, uint64 seed)
+{
+    SceneOptions options;
+    options.setSize(1000, 0.3);
+    options.outlierModel = outliers;
+    options.seed = seed;
+    return makeScene((ProblemType)problem, options);
+}
+
+//! 30 % inliers against 35 % of matches to each of two targets, and against every second outlier on a line.
+TEST_P(Usac_SharedPoints, targetsDoNotWin)
+{
+    int wrongWithout = 0;
+    for (uint64 seed = 1; seed <= 6; ++seed)
+    {
+        Params params;
+        for (int line = 0; line < 2; ++line)
+        {
+            const Scene scene = sceneWith(GetParam(), line ? OUTLIERS_LINE : OUTLIERS_TARGETS, seed);
+            Report report;
+            Mat mask;
+            const Mat model = estimate(scene, params, mask, &report);
+            EXPECT_LT(modelError(scene, model), 0.4) << seed << " " << line;
+            checkResult(scene, params.threshold, model, mask, report);
+        }
+        params.degeneracy &= ~DEGENERACY_REPEATED;
+        const Scene scene = sceneWith(GetParam(), OUTLIERS_TARGETS, seed);
+        wrongWithout += modelError(scene, estimate(scene, params)) > 3;
+    }
+    EXPECT_GE(wrongWithout, 5);
+}
+
+//! Distances of two matches in image 1 and in image 2.
+TEST(Usac_SharedPoints_Samples, shareATarget)
+{
+    const struct { double x1, x2; bool same; } pairs[] = {
+        {100, 1, true}, {1, 100, true}, {100, 2.1, false}, {19, 1.9, false}, {30, 1.9, true}, {1, 1, false}, {100, 100, false},
+        {9, 1, false}};  // a threshold of 1: closer than 2 and further than 20
+    for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); ++i)
+    {
+        std::vector<Point2d> a(1, Point2d(5, 5)), b(1, Point2d(7, 7));
+        a.push_back(Point2d(5 + pairs[i].x1, 5));
+        b.push_back(Point2d(7, 7 - pairs[i].x2));
+        const OwnPoints points(FUNDAMENTAL, a, b, 1);
+        EXPECT_EQ(pairs[i].same, shareATarget(points.view(), 0, 1)) << i;
+        EXPECT_EQ(pairs[i].same, shareATarget(points.view(), 1, 0)) << i;
+    }
+}
+
+//! What a new best model is worth after the check, and before.
+struct Checked
+{
+    Checked(const Scene& scene, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2, const Matx33d& given,
+            double inlierThreshold = 1.5)
+    {
+        Params params;
+        params.threshold = inlierThreshold;
+        const Mat K = scene.problem == ESSENTIAL ? Mat(scene.K) : Mat();
+        const Ptr<Usac> usac = Usac::create(scene.problem, points1, points2, params, K);
+        const Context context(usac->points(), usac->components(), params);
+        Model model = toInternal(usac->points(), given);
+        const Model same = model;
+        State state;
+        before = after = context.rate(model);
+        EXPECT_TRUE(createSharedPoints()->recover(context, state, 0, model, after));
+        EXPECT_EQ(same, model);
+    }
+
+    Quality before, after;
+};
+
+//! Every F whose epipole is the target has all of its matches; they are one.
+TEST(Usac_SharedPoints_Models, targetsCountOnce)
+{
+    RNG rng(5);
+    for (int image = 0; image < 2; ++image)
+    {
+        const Point2d target(320, 200);
+        const Matx33d cross(0, -1, target.y, 1, 0, -target.x, -target.y, target.x, 0);
+        const double angle = rng.uniform(0., 6.);
+        const Matx33d F = cross * Matx33d(std::cos(angle), std::sin(angle), 100, -std::sin(angle), std::cos(angle), 50, 0, 0, 1);
+        std::vector<Point2d> some, others;
+        for (int i = 0; i < 300; ++i)
+        {
+            some.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+            others.push_back(i % 2 ? Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.))
+                                   : target + Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
+        }
+        SceneOptions options;
+        const Scene scene = makeScene(FUNDAMENTAL, options);
+        const Checked checked = image == 0 ? Checked(scene, some, others, F) : Checked(scene, others, some, F.t());
+        EXPECT_GE(checked.before.inliers, 145);
+        EXPECT_LE(checked.after.inliers, checked.before.inliers - 140);
+        EXPECT_GE(checked.after.inliers, 1);
+        EXPECT_GT(checked.after.cost, checked.before.cost + 120);
+        EXPECT_LE(checked.after.cost, 300);
+    }
+}
+
+//! Right models keep their quality: each motion, epipoles among the points, a fourfold zoom, points one pixel apart.
+TEST_P(Usac_SharedPoints, rightModelsCountInFull)
+{
+    for (int motion = MOTION_GENERAL; motion <= MOTION_CAR; ++motion)
+        for (int kind = 0; kind < 3; ++kind)
+        {
+            SceneOptions options;
+            options.motion = (Motion)motion;
+            options.noise = 0.4;
+            options.seed = 3 + motion;
+            const Scene scene = makeScene((ProblemType)GetParam(), options);
+            std::vector<Point2d> points1 = scene.points1, points2 = scene.points2;
+            Matx33d model = scene.model;
+            if (kind == 1 && scene.problem == FUNDAMENTAL)  // image 2 is four times as large
+            {
+                for (size_t i = 0; i < points2.size(); ++i)
+                    points2[i] *= 4;
+                model = Matx33d(0.25, 0, 0, 0, 0.25, 0, 0, 0, 1) * model;
+            }
+            if (kind == 2)  // many points a pixel around each
+                for (int i = scene.size(); i < 3 * scene.size(); ++i)
+                {
+                    const Point2d shift(i % 3 - 1, i / 3 % 3 - 1);
+                    points1.push_back(scene.points1[i % scene.size()] + shift);
+                    points2.push_back(scene.points2[i % scene.size()] + shift);
+                }
+            const Checked checked(scene, points1, points2, model);
+            SCOPED_TRACE(cv::format("motion %d, kind %d", motion, kind));
+            EXPECT_GE(checked.before.inliers, 150);
+            EXPECT_GE(checked.after.inliers, checked.before.inliers - 2);
+            EXPECT_LE(checked.after.cost, checked.before.cost + 2);
+        }
+}
+
+//! A model drops out: the next one is not measured by it.
+class DropsEach : public Degeneracy
+{
+public:
+    explicit DropsEach(int kept_) : kept(kept_), seen(0) {}
+
+    bool recover(const Context&, State&, const int* sample, Model&, Quality& quality) CV_OVERRIDE
+    {
+        seen += sample != 0;
+        if (kept)
+            quality.cost += 1000;
+        return kept != 0;
+    }
+
+    const int kept;
+    int seen;
+};
+
+TEST_P(Usac_SharedPoints, modelsThatAreRefusedDoNotStandInTheWay)
+{
+    for (int kept = 0; kept < 2; ++kept)
+    {
+        Params params;
+        params.termination = 0;
+        params.runnersUp = 0;
+        params.maxIterations = 200;
+        const Ptr<Usac> usac = createUsac(makeScene((ProblemType)GetParam()), params);
+        const Ptr<DropsEach> dropping = makePtr<DropsEach>(kept);
+        usac->components().degeneracies.assign(1, dropping);
+        usac->components().verifier.release();
+        EXPECT_EQ(kept == 0, usac->run().empty());
+        EXPECT_GT(dropping->seen, 20);
+    }
+}
+
+}} // namespace
