@@ -134,7 +134,7 @@ private:
 
 const double LeastSquaresSolver::FIRST_DAMPING = 1e-4;
 const double LeastSquaresSolver::SINGULAR = 1e-12;
-const double LeastSquaresSolver::SETTLED = 1e-5;
+const double LeastSquaresSolver::SETTLED = 1e-4;
 const double LeastSquaresSolver::ARRIVED = 1e-10;
 
 } // namespace

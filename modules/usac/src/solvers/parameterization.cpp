@@ -23,12 +23,32 @@ Eigen::Matrix3d rotation(const Eigen::Vector3d& w)
     return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
 }
 
-//! A reflection whose last column is (-x, 1), of unit length, or its negative.
-void completion(const Eigen::Vector2d& x, Eigen::Matrix3d& result)
+//! A reflection whose last column is a multiple of n.
+Eigen::Matrix3d completion(const Eigen::Vector3d& n)
 {
-    Eigen::Vector3d v(-x[0], -x[1], 1);
-    v[2] += v.norm();
-    result = Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
+    Eigen::Vector3d v = n.normalized();
+    v[2] += v[2] < 0 ? -1 : 1;
+    return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
+}
+
+/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction of the time of a singular value
+decomposition: all rows of its cofactors are multiples of the one, all columns of the other. False if its rank is not 2 but for
+rounding. */
+bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
+{
+    Eigen::Matrix3d cofactors;
+    for (int i = 0; i < 3; ++i)
+        cofactors.row(i) = M.row((i + 1) % 3).cross(M.row((i + 2) % 3));
+    const double size = M.norm(), det = M.row(0).dot(cofactors.row(0));
+    const double rows = cofactors.norm();  // the product of both singular values; det / rows is the third one
+    if (!(rows > 1e-3 * size * size) || !(std::abs(det) < 1e-12 * rows * size))
+        return false;
+    int row, col;
+    cofactors.rowwise().squaredNorm().maxCoeff(&row);
+    cofactors.colwise().squaredNorm().maxCoeff(&col);
+    U = completion(cofactors.col(col));
+    V = completion(cofactors.row(row).transpose());
+    return true;
 }
 
 } // namespace
@@ -41,11 +61,19 @@ Parameterization::Parameterization(ProblemType problem_, const Model& model) : p
         h = Eigen::Map<const Eigen::Matrix<double, 9, 1> >(model.val).normalized();
         return;
     }
+    if (problem == FUNDAMENTAL && completeNullVectors(M, U, V))
+    {
+        corner = U.leftCols<2>().transpose() * M * V.leftCols<2>();
+        corner /= corner.norm();
+        return;
+    }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(M), Eigen::ComputeFullU | Eigen::ComputeFullV);
     U = svd.matrixU();
     V = svd.matrixV();
-    const Eigen::Vector2d values = svd.singularValues().head<2>();
-    corner = (problem == FUNDAMENTAL ? values.normalized() : Eigen::Vector2d::Constant(std::sqrt(0.5))).asDiagonal();
+    const double first = svd.singularValues()[0], second = svd.singularValues()[1], norm = std::hypot(first, second);
+    corner = Eigen::Matrix2d::Identity() * std::sqrt(0.5);
+    if (problem == FUNDAMENTAL)
+        corner << first / norm, 0, 0, second / norm;
 }
 
 bool Parameterization::hasFullRank() const
@@ -118,12 +146,10 @@ Parameterization Parameterization::plusFundamental(const Step& step) const
         C += step[k] * directions[k];
     const Eigen::Matrix2d inverse = C.inverse();
     const Eigen::Vector2d x = inverse * step.segment<2>(3), y = inverse.transpose() * step.segment<2>(5);
-    Eigen::Matrix3d left, right;
-    completion(y, left);
-    completion(x, right);
+    const Eigen::Matrix3d left = completion(Eigen::Vector3d(-y[0], -y[1], 1)), right = completion(Eigen::Vector3d(-x[0], -x[1], 1));
     result.U = U * left;
     result.V = V * right;
-    // reflected columns p of I - factor v v^T: p^T [I; y^T] = I - (rest), so S becomes (left^T [I; y^T]) C ([I, x] right)
+    // the new corner is that of (left^T [I; y^T]) C ([I, x] right)
     const Eigen::Matrix2d L = left.topLeftCorner<2, 2>() + y * left.block<1, 2>(2, 0);
     const Eigen::Matrix2d R = right.topLeftCorner<2, 2>() + x * right.block<1, 2>(2, 0);
     result.corner = L.transpose() * C * R;
