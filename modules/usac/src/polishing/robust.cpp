@@ -17,8 +17,8 @@ w = (1 - (error / support)^2)^2 that are renewed. The support is #SUPPORT standa
 the biweight is nearly as accurate as least squares under normal noise. What is further away has no say: a wrong match
 far from the others in the images (near the epipole, say) would pull at F with even a hundredth of its weight.
 
-It ends when it has arrived: when the last step has lowered the loss by less than a tenth of that of a mean point near, whatever the
-threshold is; or after Params::polishingSteps, of which the last is a fit to the end. */
+It ends when it has arrived: when the last step has lowered the loss by less than a tenth of that of a mean point near, whatever
+the threshold is; or after Params::polishingSteps, of which the last is a fit to the end. */
 class RobustPolisher : public Polisher
 {
 public:
