@@ -6,7 +6,7 @@
 #include "factory.hpp"
 #include "problem_data.hpp"
 #include "ransac.hpp"
-#include "solvers/manifold.hpp"
+#include "solvers/parameterization.hpp"
 #include "statistics/chi_square.hpp"
 #include "statistics/significant_scale.hpp"
 #include "termination/non_randomness.hpp"
@@ -129,7 +129,7 @@ private:
             if (parts.polisher)
                 parts.polisher->polish(context, state.best);
             if (data.points().problem != HOMOGRAPHY)  // what a minimal solver found may miss the constraints
-                state.best = Manifold(data.points().problem, state.best).model();
+                state.best = Parameterization(data.points().problem, state.best).model();
             if (report)
                 learned.cost = context.rate(state.best).cost / context.points.size;
             Matx33d model;

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "solvers/manifold.hpp"
+#include "solvers/parameterization.hpp"
 #include "solvers/normal_equations.hpp"
 #include "solvers/solvers.hpp"
 
@@ -171,24 +171,24 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
         Model start;
         for (int i = 0; i < 9; ++i)
             start.val[i] = rng.gaussian(1);
-        const Manifold here(problem, start);
+        const Parameterization here(problem, start);
         expectOnManifold(problem, here.model());
-        EXPECT_NEAR(0, modelDistance(here.model(), Manifold(problem, here.model()).model()), 1e-12);
-        const Manifold::Basis tangent = here.tangent();
+        EXPECT_NEAR(0, modelDistance(here.model(), Parameterization(problem, here.model()).model()), 1e-12);
+        const Parameterization::Basis tangent = here.tangent();
         ASSERT_EQ(here.dimension(), tangent.cols());
         Eigen::JacobiSVD<Eigen::MatrixXd> svd((Eigen::MatrixXd(tangent)));
         EXPECT_GT(svd.singularValues()[here.dimension() - 1], 1e-3);  // independent directions
         for (int k = 0; k < here.dimension(); ++k)
         {
-            Manifold::Step step = Manifold::Step::Zero(here.dimension());
+            Parameterization::Step step = Parameterization::Step::Zero(here.dimension());
             step[k] = 1e-5;
-            const Vector9 plus = vectorOf(here.moved(step).model()), minus = vectorOf(here.moved(-step).model());
+            const Vector9 plus = vectorOf(here.plus(step).model()), minus = vectorOf(here.plus(-step).model());
             EXPECT_LE(((plus - minus) / 2e-5 - tangent.col(k)).norm(), 1e-8) << "parameter " << k;
         }
-        Manifold::Step large(here.dimension());
+        Parameterization::Step large(here.dimension());
         for (int k = 0; k < here.dimension(); ++k)
             large[k] = rng.gaussian(0.3);
-        expectOnManifold(problem, here.moved(large).model());
+        expectOnManifold(problem, here.plus(large).model());
     }
 }
 
@@ -202,15 +202,15 @@ TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
         Model start;
         for (int i = 0; i < 9; ++i)
             start.val[i] = rng.gaussian(1);
-        const Manifold here(problem, start);
+        const Parameterization here(problem, start);
         const Vector9 direction = vectorOf(start).normalized();
         const double cosine = direction.dot(vectorOf(here.model()));
         for (int k = 0; k < 20; ++k)
         {
-            Manifold::Step step(here.dimension());
+            Parameterization::Step step(here.dimension());
             for (int i = 0; i < here.dimension(); ++i)
                 step[i] = rng.gaussian(0.05);
-            EXPECT_LE(direction.dot(vectorOf(here.moved(step).model())), cosine + 1e-12);
+            EXPECT_LE(direction.dot(vectorOf(here.plus(step).model())), cosine + 1e-12);
         }
     }
 }
@@ -221,7 +221,7 @@ double slope(Residual::Kind kind, const Correspondences& points, const std::vect
 {
     NormalEquations sums;
     sums.accumulate(kind, PointChunks(points, indices.data(), (int)indices.size(), weights), model);
-    const Manifold::Basis basis = Manifold(points.problem, model).tangent();
+    const Parameterization::Basis basis = Parameterization(points.problem, model).tangent();
     double largest = 0;
     for (int k = 0; k < basis.cols(); ++k)
     {
@@ -246,8 +246,8 @@ TEST_P(Usac_LeastSquares, reachesTheMinimum)
         const std::vector<int> indices = allOf(points);
         const std::vector<double> weights = randomWeights(points.size, rng);
         const double* w = repeat % 2 ? weights.data() : 0;
-        const Model truth = Manifold(problem, toInternal(points, scene.model)).model();
-        const Model start = Manifold(problem, perturbed(truth, 1e-3, rng)).model();
+        const Model truth = Parameterization(problem, toInternal(points, scene.model)).model();
+        const Model start = Parameterization(problem, perturbed(truth, 1e-3, rng)).model();
         Model model = start;
         ASSERT_TRUE(solver->fit(points, indices.data(), points.size, w, model));
         expectOnManifold(problem, model);
@@ -298,7 +298,7 @@ TEST_P(Usac_LeastSquares, neverRaisesTheCost)
         Model start;
         for (int i = 0; i < 9; ++i)
             start.val[i] = rng.gaussian(1);
-        start = Manifold(problem, start).model();
+        start = Parameterization(problem, start).model();
         const int count = rng.uniform(4, points.size + 1);
         const std::vector<int> some(indices.begin(), indices.begin() + count);
         const std::vector<double> weights = randomWeights(count, rng);
@@ -365,7 +365,7 @@ TEST_P(Usac_LeastSquares, equalPoints)
                            std::vector<Point2d>(20, Point2d(0.3, -0.1)));
     const std::vector<int> indices = allOf(points.view());
     const Model start = toInternal(points.view(), Matx33d(0.3, -0.1, 0.4, 0.2, 0.5, -0.2, 0.1, 0.3, 0.9));
-    const Model first = Manifold(problem, start).model();
+    const Model first = Parameterization(problem, start).model();
     Model model = first;
     solver->fit(points.view(), indices.data(), 20, 0, model);
     EXPECT_TRUE(checkRange(Mat(model)));

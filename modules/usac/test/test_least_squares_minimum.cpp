@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "solvers/manifold.hpp"
+#include "solvers/parameterization.hpp"
 #include "solvers/solvers.hpp"
 
 #include "opencv2/core/optim.hpp"
@@ -23,10 +23,10 @@ public:
 
     double calc(const double* x) const CV_OVERRIDE
     {
-        Manifold::Step step(here.dimension());
+        Parameterization::Step step(here.dimension());
         for (int i = 0; i < here.dimension(); ++i)
             step[i] = x[i];
-        residual.squaredErrors(here.moved(step).model(), points.dx1, points.dy1, points.dx2, points.dy2, points.size,
+        residual.squaredErrors(here.plus(step).model(), points.dx1, points.dy1, points.dx2, points.dy2, points.size,
                                errors.data());
         double sum = 0;
         for (size_t i = 0; i < errors.size(); ++i)
@@ -37,7 +37,7 @@ public:
 private:
     const Correspondences& points;
     const Residual& residual;
-    const Manifold here;
+    const Parameterization here;
     mutable std::vector<double> errors;
 };
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "solvers/manifold.hpp"
+#include "solvers/parameterization.hpp"
 #include "solvers/elimination.hpp"
 #include "solvers/polynomial.hpp"
 #include "solvers/solvers.hpp"

@@ -46,7 +46,20 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
         part = std::min(std::max(sum / size, 0.01), 0.99);
         variance = std::max(squares / (degrees * std::max(sum, 1e-9)), 1e-6);
     }
-    return std::sqrt(variance);
+    const double sigma = std::sqrt(variance);
+    return sigma < leastSigma() && hasTail(members, sigma, degrees) ? leastSigma() : sigma;
+}
+
+bool NoiseScale::hasTail(const int* members, double sigma, int degrees)
+{
+    const int first = std::min((int)(4 * sigma * INSIDE) + 1, (int)INSIDE);
+    int core = 0, tail = 0, outside = 0;
+    for (int i = 0; i < BINS; ++i)
+        (i < first ? core : i < INSIDE ? tail : outside) += members[i];
+    const double inner = degrees == 1 ? INSIDE - first : INSIDE * INSIDE - first * first;
+    const double outer = degrees == 1 ? BINS - INSIDE : BINS * BINS - INSIDE * INSIDE;
+    const double expected = outside * inner / outer;
+    return tail > expected + 2 * std::sqrt(expected) + 0.02 * core;  // two standard deviations, and a fiftieth of the inliers
 }
 
 } // namespace usacv20

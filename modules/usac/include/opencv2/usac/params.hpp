@@ -163,7 +163,7 @@ enum PolishingType
     POLISHING_NONE          = 0, //!< nothing
     POLISHING_LEAST_SQUARES = 1, //!< least squares of the geometric error over all inliers, until they settle
     POLISHING_REWEIGHTED    = 2, //!< iteratively re-weighted least squares with the weights of MAGSAC++ @cite barath2020magsac
-    POLISHING_ROBUST        = 3  //!< least squares of the geometric error with a robust loss, smooth out to 3 thresholds @cite geman1987statistical
+    POLISHING_ROBUST        = 3  //!< least squares with a robust loss, that fits the noise of the inliers @cite beaton1974fitting
 };
 
 /** @brief All options of the estimator; each has an effect.

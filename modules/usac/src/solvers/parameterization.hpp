@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_USACV20_MANIFOLD_HPP
-#define OPENCV_USACV20_MANIFOLD_HPP
+#ifndef OPENCV_USACV20_PARAMETERIZATION_HPP
+#define OPENCV_USACV20_PARAMETERIZATION_HPP
 
 #include <Eigen/Core>
 #include "opencv2/usac/components.hpp"
@@ -14,19 +14,23 @@ namespace usacv20 {
 //! Smallest ratio of the two singular values of F, and smallest determinant of H of unit norm, that count as rank 2 and 3.
 const double LEAST_RATIO = 1e-6, LEAST_DETERMINANT = 1e-9;
 
-/** @brief A model as a point of the manifold of its kind, with a minimal parameterisation around it.
+/** @brief A model and a minimal parameterization of its kind around it: parameters 0 are the model itself.
 
 - H: unit 9-vectors; 8 directions orthogonal to it.
-- F: U diag(cos a, sin a, 0) V^T; 3 rotations of U, 3 of V and a: 7.
+- F: U S V^T with rotations U and V and a 2x2 matrix, of unit norm, in the upper left corner of S. A tangent of the matrices
+  of rank 2 has any entries in the place of S but the last one @cite vandereycken2013low; those of unit norm are orthogonal to S,
+  too. That leaves 3 directions of the corner, 2 of the last column and 2 of the last row: 7, orthogonal, whatever the singular
+  values are. (The angles of U and V are no such parameters: where both singular values are equal, as under a pure translation,
+  turning both about the third axis leaves F as it is.)
 - E: U diag(1, 1, 0) V^T / sqrt(2); 3 rotations of U, 2 of V (the third moves E like one of U): 5 @cite helmke2007essential. */
-class Manifold
+class Parameterization
 {
 public:
     typedef Eigen::Matrix<double, 9, Eigen::Dynamic, Eigen::ColMajor, 9, 8> Basis;
     typedef Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 8, 1> Step;
 
-    //! The point of the manifold closest to `model`.
-    Manifold(ProblemType problem, const Model& model);
+    //! Around the closest model (H: its multiple of unit norm) that fulfills the constraints.
+    Parameterization(ProblemType problem, const Model& model);
 
     //! False for H that maps the plane to a line or a point, and for F of rank 1.
     bool hasFullRank() const;
@@ -37,8 +41,8 @@ public:
     template <int DIMENSION>
     void project(const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>& JtJ, const Eigen::Matrix<double, 9, 1>& Jtr,
                  Eigen::Matrix<double, DIMENSION, DIMENSION>& A, Eigen::Matrix<double, DIMENSION, 1>& b) const;
-    //! The point reached by a step from here.
-    Manifold moved(const Step& step) const;
+    //! The parameterization around the model that has these parameters.
+    Parameterization plus(const Step& step) const;
     Model model() const;
 
 private:
@@ -51,14 +55,18 @@ private:
         return 2 / v.squaredNorm();
     }
 
+    //! The three directions of the corner: an orthonormal basis of the complement of its four entries.
+    void cornerDirections(Eigen::Matrix2d (&directions)[3]) const;
+    Parameterization plusFundamental(const Step& step) const;
+
     ProblemType problem;
     Eigen::Matrix<double, 9, 1> h;  //!< H
-    Eigen::Matrix3d U, V;           //!< F, E
-    double angle;                   //!< F: a. E: pi / 4
+    Eigen::Matrix3d U, V;           //!< F, E; F: orthogonal, of either sign
+    Eigen::Matrix2d corner;         //!< F: of S. E: half of the root of 2 on the diagonal
 };
 
 template <int DIMENSION>
-void Manifold::project(const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>& JtJ, const Eigen::Matrix<double, 9, 1>& Jtr,
+void Parameterization::project(const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>& JtJ, const Eigen::Matrix<double, 9, 1>& Jtr,
                        Eigen::Matrix<double, DIMENSION, DIMENSION>& A, Eigen::Matrix<double, DIMENSION, 1>& b) const
 {
     if (DIMENSION == 8)
