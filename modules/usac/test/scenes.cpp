@@ -97,7 +97,7 @@ Vec3d makeGeometry(Scene& scene, RNG& rng, const SceneOptions& options)
     const Matx33d E = crossMatrix(scene.t) * scene.R;
     scene.F = Kinv.t() * E * Kinv;
     scene.F *= 1 / cv::norm(scene.F);
-    const double tiltX = rng.uniform(-0.4, 0.4), tiltY = rng.uniform(-0.4, 0.4);
+    const double tiltY = rng.uniform(-0.4, 0.4), tiltX = rng.uniform(-0.4, 0.4);
     const Vec3d normal = (options.frontalPlane ? Vec3d(0, 0, 1) : Vec3d(tiltX, tiltY, 1)) * (1. / 6);
     if (scene.problem == HOMOGRAPHY)
     {
