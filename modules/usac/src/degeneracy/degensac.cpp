@@ -47,7 +47,7 @@ public:
             if (pointsOn(context.points, H) <= CLEARLY * knownPoints)
                 return true;
         }
-        if (!fitPlane(context.points, DOMINANT * before.inliers, H))
+        if (!fitPlane(context.points, std::max(DOMINANT * before.inliers, SEEN * context.points.size), H))
             return true;
         known = H;
         knownPoints = pointsOn(context.points, H);
@@ -66,6 +66,8 @@ private:
     static const double CLEARLY;
     //! A plane has so many of the model's inliers at least; before it is fitted, so many of these.
     static const double DOMINANT, ROUGHLY;
+    //! And so many of all points: of smaller ones less than one sample in 5000 has five of seven points, 21 w^5; what is seen is chance.
+    static const double SEEN;
     //! A model has so many of the inliers of the best one to be of interest: what it lacks the optimisation may add.
     static const double OF_INTEREST;
     //! Squared, in squared thresholds: off the plane for the parallax. Closer to it a match agrees with any epipole.
@@ -265,6 +267,7 @@ private:
 const double Degensac::CLEARLY = 1.05;
 const double Degensac::DOMINANT = 0.5;
 const double Degensac::ROUGHLY = 0.6;
+const double Degensac::SEEN = 0.1;
 const double Degensac::OF_INTEREST = 0.9;
 const double Degensac::OFF_PLANE = 4;
 
