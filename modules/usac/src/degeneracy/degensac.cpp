@@ -21,10 +21,10 @@ namespace {
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else. One of five triples
 of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it maps
 give the degeneracy away. A locally optimised model has no sample; there it is a plane with more than half of its inliers. The
-remedy is plane and parallax: that homography H, refined on its points, and two
-correspondences off the plane determine F = [e]x H. The paper draws pairs of them; PlaneParallax says what is done here. The best F
-is kept if it beats the original, so that other scenes lose nothing; a plane with less than half of the model's
-inliers is left alone, as there the samples find F. A plane that was dealt with is looked at again if more points are on it now. */
+remedy is plane and parallax: that homography H, refined on its points, and two correspondences off the plane determine
+F = [e]x H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if it beats the original, so
+that other scenes lose nothing; a plane with less than half of the model's inliers is left alone, as there the samples
+find F. A plane that was dealt with is looked at again if clearly more points are on it now. */
 class Degensac : public Degeneracy
 {
 public:
@@ -66,7 +66,8 @@ private:
     static const double CLEARLY;
     //! A plane has so many of the model's inliers at least; before it is fitted, so many of these.
     static const double DOMINANT, ROUGHLY;
-    //! And so many of all points: of smaller ones less than one sample in 5000 has five of seven points, 21 w^5; what is seen is chance.
+    //! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its seven points, 21 w^5;
+    //! what is seen is chance.
     static const double SEEN;
     //! A model has so many of the inliers of the best one to be of interest: what it lacks the optimisation may add.
     static const double OF_INTEREST;
@@ -221,7 +222,8 @@ private:
     }
 
     /** Least squares over the points on the plane until these are no more: the homography of three noisy points has
-    often only a part of them. @return false if they are fewer than `least`; else onPlane and offPlane are those for the parallax */
+    often only a part of them.
+    @return false if they are fewer than `least`; else onPlane and offPlane are those for the parallax */
     bool fitPlane(const Correspondences& p, double least, Matx33d& H)
     {
         split(p, H, limit(p));

@@ -19,14 +19,14 @@ enum { NEAR = 2 };
 
 /* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 % inliers: */
 
-//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1 failures rise from 3 to 7 %, with 0.3
-//! they stay.
+//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1 failures rise from 3 to 7 %,
+//! with 0.3 they stay.
 const double GOOD_LINES = 0.5;
 //! A place with so many votes, as a part of the best support, is worth a fit: the same number of inliers can be a lower cost. 0.6
 //! changes nothing.
 const double WORTH_A_FIT = 0.8;
-//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the lowest one: the
-//! points on the plane decide between similar epipoles. More changes nothing.
+//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the lowest
+//! one: the points on the plane decide between similar epipoles. More changes nothing.
 const double GOES_ON = 8, WORTH_RATING = 3;
 //! Widths of the steps of a fit, in thresholds: from a bin's middle the first ones must be wider than the threshold.
 const double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
