@@ -6,33 +6,29 @@
 #include "degeneracy/degeneracy.hpp"
 #include "degeneracy/epipole.hpp"
 #include "degeneracy/share_a_point.hpp"
+#include "degeneracy/plane_parallax.hpp"
 #include "degeneracy/side_by_side.hpp"
 #include "residuals/formulas.hpp"
 #include "solvers/solvers.hpp"
-#include "termination/termination.hpp"
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
 
-Matx33d crossMatrix(const Vec3d& v)
-{
-    return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0);
-}
-
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
 
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else. One of five triples
 of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it maps
 give the degeneracy away. A locally optimised model has no sample; there it is a plane with more than half of its inliers. The
-remedy is plane and parallax: that homography H, refined on its points, and two
-correspondences off the plane determine F = [e]x H, with e where the lines through x2 and H x1 of the two meet. The pairs
-are drawn from the points off the plane; the best F is kept if it beats the original, so that other scenes lose nothing. */
+remedy is plane and parallax: that homography H, refined on its points, and two correspondences off the plane determine
+F = [e]x H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if it beats the original, so
+that other scenes lose nothing; a plane with less than half of the model's inliers is left alone, as there the samples
+find F. A plane that was dealt with is looked at again if clearly more points are on it now. */
 class Degensac : public Degeneracy
 {
 public:
-    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)), known(Matx33d::zeros()) {}
+    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)), known(Matx33d::zeros()), knownPoints(0) {}
 
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {
@@ -40,6 +36,7 @@ public:
         if (sample ? !planeOfSample(context.points, sample, model, H) : !planeOfInliers(context, state, model, H))
             return true;
         state.report.degenerate = true;
+        const Quality before = quality;
         if (isKnown(context.points, H, sample))
         {
             if (knownQuality.betterThan(quality))
@@ -47,25 +44,35 @@ public:
                 model = knownModel;
                 quality = knownQuality;
             }
-            return true;
+            if (pointsOn(context.points, H) <= CLEARLY * knownPoints)
+                return true;
         }
-        split(context.points, H);
-        const int fitted = std::min<int>((int)onPlane.size(), MAX_FIT);
-        if (fitted >= 8 && fitter->fit(context.points, onPlane.data(), fitted, 0, H))
-            split(context.points, H);
-        const Quality before = quality;
-        planeAndParallax(context, state, H, model, quality);
+        if (!fitPlane(context.points, std::max(DOMINANT * before.inliers, SEEN * context.points.size), H))
+            return true;
         known = H;
+        knownPoints = pointsOn(context.points, H);
+        planeAndParallax(context, state, H, model, quality);
         knownModel = model;
         knownQuality = quality.betterThan(before) ? quality : Quality();
         return true;
     }
 
 private:
-    //! Most pairs of points off the plane that are drawn, and points there that judge them.
-    enum { MAX_PAIRS = 300, MAX_TESTED = 208 };
     //! Most triples and points of the test of the inliers, and points of the fit of a plane.
     enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, MAX_FIT = 256 };
+    //! Most fits of a plane, and steps of each.
+    enum { MAX_FITS = 5, FIT_STEPS = 2 };
+    //! Points of a plane that was known are clearly more if they are so many times as many.
+    static const double CLEARLY;
+    //! A plane has so many of the model's inliers at least; before it is fitted, so many of these.
+    static const double DOMINANT, ROUGHLY;
+    //! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its seven points, 21 w^5;
+    //! what is seen is chance.
+    static const double SEEN;
+    //! A model has so many of the inliers of the best one to be of interest: what it lacks the optimisation may add.
+    static const double OF_INTEREST;
+    //! Squared, in squared thresholds: off the plane for the parallax. Closer to it a match agrees with any epipole.
+    static const double OFF_PLANE;
 
     //! True if the plane is the last one that was dealt with: what was found then would be found again.
     bool isKnown(const Correspondences& p, const Matx33d& H, const int* sample) const
@@ -192,7 +199,17 @@ private:
         return TransferError::squared(H.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]);
     }
 
-    void split(const Correspondences& p, const Matx33d& H)
+    static int pointsOn(const Correspondences& p, const Matx33d& H)
+    {
+        float m[9];
+        toFloat(H, m);
+        Quality sum(0, 0);
+        kernels().inliers[Residual::TRANSFER](p, m, (float)limit(p), 0, p.size, sum);
+        return sum.inliers;
+    }
+
+    //! Points with squared errors up to `most` are on the plane.
+    void split(const Correspondences& p, const Matx33d& H, double most)
     {
         float m[9];
         toFloat(H, m);
@@ -201,66 +218,60 @@ private:
         onPlane.clear();
         offPlane.clear();
         for (int i = 0; i < p.size; ++i)
-            (errors[i] <= (float)limit(p) ? onPlane : offPlane).push_back(i);
+            (errors[i] <= (float)most ? onPlane : offPlane).push_back(i);
     }
 
-    //! The best F = [e]x H over pairs of points off the plane replaces a worse model.
-    void planeAndParallax(const Context& context, State& state, const Matx33d& H, Model& model, Quality& quality)
+    /** Least squares over the points on the plane until these are no more: the homography of three noisy points has
+    often only a part of them.
+    @return false if they are fewer than `least`; else onPlane and offPlane are those for the parallax */
+    bool fitPlane(const Correspondences& p, double least, Matx33d& H)
     {
-        const Correspondences& p = context.points;
-        const int off = (int)offPlane.size();
-        if (off < 2)
-            return;
-        const double threshold = p.threshold * p.threshold;
-        someOffPlane.gather(p, offPlane);  // on the plane all candidates agree
-        int support = someOffPlane.count(Residual::SAMPSON, model, threshold);
-        int needed = pairsNeeded(context, support);
-        for (int k = 0; k < needed; ++k)
+        split(p, H, limit(p));
+        if (onPlane.size() < 8 || onPlane.size() < ROUGHLY * least)
+            return false;
+        size_t before = 0;
+        for (int k = 0; k < MAX_FITS && onPlane.size() > before; ++k)
         {
-            int pair[2];
-            state.rng.distinct(off, 2, pair);
-            if (shareAPoint(p, offPlane[pair[0]], offPlane[pair[1]]))
-                continue;  // which would be the epipole
-            Vec3d lines[2];
-            for (int j = 0; j < 2; ++j)
-            {
-                const int i = offPlane[pair[j]];
-                lines[j] = Vec3d(p.dx2[i], p.dy2[i], 1).cross(H * Vec3d(p.dx1[i], p.dy1[i], 1));
-            }
-            const Matx33d F = crossMatrix(lines[0].cross(lines[1])) * H;
-            const double size = norm(F);
-            if (!(size > 1e-300 && size <= DBL_MAX))
-                continue;
-            const int candidateSupport = someOffPlane.count(Residual::SAMPSON, F, threshold, support);
-            if (candidateSupport <= support)
-                continue;
-            const Model candidate = F * (1 / size);
-            const Quality candidateQuality = context.rate(candidate, quality.cost);
-            if (!candidateQuality.betterThan(quality))
-                continue;
-            model = candidate;
-            quality = candidateQuality;
-            support = candidateSupport;
-            needed = pairsNeeded(context, support);
+            before = onPlane.size();
+            if (!fitter->fit(p, onPlane.data(), std::min((int)before, (int)MAX_FIT), 0, H, FIT_STEPS))
+                return false;
+            split(p, H, limit(p));
         }
+        if (onPlane.size() < least)
+            return false;
+        split(p, H, OFF_PLANE * p.threshold * p.threshold);
+        return true;
     }
 
-    //! Pairs after which one of inliers of a better F would have been drawn.
-    int pairsNeeded(const Context& context, int support) const
+    //! The best F = [e]x H of the points off the plane replaces a worse model.
+    void planeAndParallax(const Context& context, const State& state, const Matx33d& H, Model& model, Quality& quality)
     {
-        return std::min<int>(MAX_PAIRS, samplesNeeded(goodSampleProbability(std::max(support, 2), someOffPlane.size(), 2),
-                                                      std::log(1 - context.params.confidence)));
+        const double off = (double)offPlane.size(), wanted = OF_INTEREST * state.bestQuality.inliers - onPlane.size();
+        if (off < 2 || wanted > off)
+            return;
+        if (!parallax)
+            parallax = makePtr<PlaneParallax>();
+        parallax->setPlane(context.points, offPlane, H);
+        parallax->search(context, 1 - context.params.confidence, wanted * parallax->size() / off, model, quality);
     }
 
     Ptr<NonMinimalSolver> fitter;
     Matx33d known;         //!< homography of the last plane
+    int knownPoints;       //!< on it
     Model knownModel;      //!< the F found with it
     Quality knownQuality;  //!< infinite cost: none better than what was known
     std::vector<int> inliers, onPlane, offPlane;
     std::vector<float> errors;  //!< of all points under a plane
     SideBySide<MAX_INLIERS> someInliers;
-    SideBySide<MAX_TESTED> someOffPlane;
+    Ptr<PlaneParallax> parallax;  //!< from the first plane on
 };
+
+const double Degensac::CLEARLY = 1.05;
+const double Degensac::DOMINANT = 0.5;
+const double Degensac::ROUGHLY = 0.6;
+const double Degensac::SEEN = 0.1;
+const double Degensac::OF_INTEREST = 0.9;
+const double Degensac::OFF_PLANE = 4;
 
 } // namespace
 

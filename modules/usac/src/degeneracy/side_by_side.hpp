@@ -35,24 +35,29 @@ public:
 
     int size() const { return points.size; }
 
-    /** Points whose squared error is at most `limit`. Ends early with clearly less than a third of what `wanted` such points
-    of all make likely. */
-    int count(Residual::Kind kind, const Model& model, double limit, int wanted = 0) const
+    const Correspondences& view() const { return points; }
+
+    //! Points whose squared error is at most `limit`.
+    int count(Residual::Kind kind, const Model& model, double limit) const
     {
-        float m[9];
-        toFloat(model, m);
-        const double rate = (double)wanted / std::max(points.size, 1);
-        Quality sum(0, 0);
-        for (int begin = 0, end; begin < points.size && !(3 * sum.inliers < rate * begin - 2); begin = end)
-        {
-            end = std::min(begin + (wanted > 0 ? BLOCK : MOST), points.size);
-            kernels().inliers[kind](points, m, (float)limit, begin, end, sum);
-        }
-        return sum.inliers;
+        return sum(kernels().inliers[kind], model, limit).inliers;
+    }
+
+    //! The same points, and the sum of the squared errors in units of `limit`, each at most 1.
+    Quality msac(Residual::Kind kind, const Model& model, double limit) const
+    {
+        return sum(kernels().msac[kind], model, limit);
     }
 
 private:
-    enum { BLOCK = 16 };
+    Quality sum(FusedKernel kernel, const Model& model, double limit) const
+    {
+        float m[9];
+        toFloat(model, m);
+        Quality result(0, 0);
+        kernel(points, m, (float)limit, 0, points.size, result);
+        return result;
+    }
 
     SideBySide(const SideBySide&);
     SideBySide& operator=(const SideBySide&);

@@ -1,0 +1,314 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "degeneracy/plane_parallax.hpp"
+#include "residuals/simd.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Parts of the closed line of places for the epipole. One is about a threshold of 1.5 px wide in the middle of a VGA image.
+enum { BINS = 256 };
+//! A place so many bins from the match's own points does not count: there the match agrees with anything, it is no evidence.
+enum { NEAR = 2 };
+
+/* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 % inliers: */
+
+//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1 failures rise from 3 to 7 %,
+//! with 0.3 they stay.
+const double GOOD_LINES = 0.5;
+//! A place with so many votes, as a part of the best support, is worth a fit: the same number of inliers can be a lower cost. 0.6
+//! changes nothing.
+const double WORTH_A_FIT = 0.8;
+//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the lowest
+//! one: the points on the plane decide between similar epipoles. More changes nothing.
+const double GOES_ON = 8, WORTH_RATING = 3;
+//! Widths of the steps of a fit, in thresholds: from a bin's middle the first ones must be wider than the threshold.
+const double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
+//! Epipoles at an angle (as unit vectors) with a smaller squared sine are the same.
+const double SAME = 1e-6;
+
+/* The place u + t v of a line as a number that grows with t and needs no arc tangent: t = s / c itself up to 1, beyond that
+2 - 1 / t. The circle closes at -1 and 3. */
+inline float placeOf(float s, float c)
+{
+    const bool small = std::abs(s) <= std::abs(c);
+    const float ratio = (small ? s : c) / (small ? c : s);
+    return small ? ratio : 2.f - ratio;
+}
+
+//! NaN is in the first bin.
+inline int binOf(float place)
+{
+    const float bin = (place + 1) * (0.25f * BINS);
+    const float low = bin > 0 ? bin : 0.f, last = (float)(BINS - 1);
+    return (int)(low < last ? low : last);
+}
+
+//! The middle of the bins first .. last of the line through the orthonormal u and v.
+Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
+{
+    const double place = 2. * (first + last + 1) / BINS - 1;
+    const Vec3d e = place <= 1 ? u + v * place : u * (2 - place) + v;
+    return e * (1 / norm(e));
+}
+
+//! Two orthonormal vectors that are normal to n, which is not zero.
+void lineBasis(const Vec3d& n, Vec3d& u, Vec3d& v)
+{
+    int least = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(n[k]) < std::abs(n[least]))
+            least = k;
+    Vec3d axis(0, 0, 0);
+    axis[least] = 1;
+    u = n.cross(axis);
+    u *= 1 / norm(u);
+    v = n.cross(u);
+    v *= 1 / norm(v);
+}
+
+//! The coefficients of the upper triangle of a symmetric G in a^T G b.
+template <typename T>
+void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
+{
+    for (int k = 0; k < 3; ++k)
+        for (int j = k; j < 3; ++j)
+            *weights++ = (T)(k == j ? a[k] * b[k] : a[k] * b[j] + a[j] * b[k]);
+}
+
+/** The bins with most arcs over them. @param change what begins in each bin, minus what ended in the one before
+@param own bins that do not count, with those near them @return the number of arcs */
+int densest(const int* change, const int* own, int& first, int& last)
+{
+    int sum = 0, most = 0;
+    for (int k = 0; k < BINS; ++k)
+    {
+        sum += change[k];
+        if (std::abs(k - own[0]) <= NEAR || std::abs(k - own[1]) <= NEAR)
+            continue;
+        if (sum > most)
+        {
+            most = sum;
+            first = last = k;
+        }
+        else if (most > 0 && sum == most && last == k - 1)
+            last = k;
+    }
+    return most;
+}
+
+//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, from a guess; false if all vectors are ones.
+bool smallestEigenvector(const Matx33d& M, Vec3d& e)
+{
+    enum { STEPS = 4 };
+    const Vec3d a(M(0, 0), M(0, 1), M(0, 2)), b(M(1, 0), M(1, 1), M(1, 2)), c(M(2, 0), M(2, 1), M(2, 2));
+    const Vec3d adjugate[3] = {b.cross(c), c.cross(a), a.cross(b)};
+    for (int step = 0; step < STEPS; ++step)
+    {
+        const Vec3d image(adjugate[0].dot(e), adjugate[1].dot(e), adjugate[2].dot(e));
+        const double length = norm(image);
+        if (!(length > 0 && length <= DBL_MAX))
+            return false;
+        e = image * (1 / length);
+    }
+    return true;
+}
+
+} // namespace
+
+PlaneParallax::PlaneParallax() : H(Matx33d::zeros()), limit(0), stride(0), next(0), fitted(0) {}
+
+/* With y = H x1 and h1, h2 the first two columns of H, the numerator of Sampson's error of F = [e]x H is (e n)^2 with
+n = y x x2, its denominator |F x1|^2 + |F^T x2|^2 (first two entries) the sum of the squares of four products of e with
+(0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G is that sum times the squared threshold: the error is below it if
+(e n)^2 <= e^T G e. */
+void PlaneParallax::setPlane(const Correspondences& points, const std::vector<int>& offPlane, const Matx33d& homography)
+{
+    H = homography * (1 / norm(homography));
+    limit = points.threshold * points.threshold;
+    voters.gather(points, offPlane);
+    stride = (size() + BLOCK - 1) / BLOCK * BLOCK;
+    numbers.resize((size_t)NUMBERS * stride);
+    best = Quality();
+    lastFit = Vec3d(0, 0, 0);
+    next = fitted = 0;
+    const Correspondences& p = voters.view();
+    const Vec3d h1(H(0, 0), H(1, 0), H(2, 0)), h2(H(0, 1), H(1, 1), H(2, 1));
+    for (int i = 0; i < p.size; ++i)
+    {
+        const Vec3d x2(p.x2[i], p.y2[i], 1), y = H * Vec3d(p.x1[i], p.y1[i], 1), n = y.cross(x2);
+        const Vec3d forms[4] = {Vec3d(0, y[2], -y[1]), Vec3d(-y[2], 0, y[0]), h1.cross(x2), h2.cross(x2)};
+        for (int k = 0; k < 3; ++k)
+            numbers[(size_t)(N0 + k) * stride + i] = (float)n[k];
+        for (int k = 0, at = G00; k < 3; ++k)
+            for (int j = k; j < 3; ++j, ++at)
+            {
+                double sum = 0;
+                for (int f = 0; f < 4; ++f)
+                    sum += forms[f][k] * forms[f][j];
+                numbers[(size_t)at * stride + i] = (float)(sum * limit);
+            }
+    }
+}
+
+int PlaneParallax::linesNeeded(double failure, double wanted) const
+{
+    const double inliers = std::max(std::max<double>(best.inliers, wanted), 2.0);
+    return std::min(size(), samplesNeeded(GOOD_LINES * inliers / std::max(size(), 1), std::log(failure)));
+}
+
+bool PlaneParallax::search(const Context& context, double failure, double wanted, Model& model, Quality& quality)
+{
+    const Quality before = quality, own = support(model);
+    if (own.betterThan(best))
+        best = own;
+    for (int needed = linesNeeded(failure, wanted); next < needed; ++next)
+    {
+        Vec3d e;
+        const int votes = vote(next, e) + 1;  // and its own
+        if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
+            continue;
+        refine(context, e, model, quality);
+        needed = linesNeeded(failure, wanted);
+    }
+    return quality.betterThan(before);
+}
+
+/* For e = u + t v of a line, (e n)^2 <= e^T G e reads A t^2 + 2 B t + C <= 0. The arc begins where this becomes negative, at
+t = (-B - sqrt(D)) / A, and ends at (-B + sqrt(D)) / A, through infinity if A is negative. D is written without the fourth
+powers of r, which cancel. A point that every e suits, D <= 0, does not vote: `from` is -1. */
+void PlaneParallax::arcs(const float* w, int begin, int* from, int* to) const
+{
+    const float *n0 = number(N0) + begin, *n1 = number(N1) + begin, *n2 = number(N2) + begin;
+    const float *g00 = number(G00) + begin, *g01 = number(G01) + begin, *g02 = number(G02) + begin;
+    const float *g11 = number(G11) + begin, *g12 = number(G12) + begin, *g22 = number(G22) + begin;
+    USAC_SIMD
+    for (int k = 0; k < BLOCK; ++k)
+    {
+        const float r0 = w[0] * n0[k] + w[1] * n1[k] + w[2] * n2[k], r1 = w[3] * n0[k] + w[4] * n1[k] + w[5] * n2[k];
+        const float d0 = w[6] * g00[k] + w[7] * g01[k] + w[8] * g02[k] + w[9] * g11[k] + w[10] * g12[k] + w[11] * g22[k];
+        const float d1 = w[12] * g00[k] + w[13] * g01[k] + w[14] * g02[k] + w[15] * g11[k] + w[16] * g12[k] + w[17] * g22[k];
+        const float d2 = w[18] * g00[k] + w[19] * g01[k] + w[20] * g02[k] + w[21] * g11[k] + w[22] * g12[k] + w[23] * g22[k];
+        const float A = r1 * r1 - d2, B = r0 * r1 - d1, C = r0 * r0 - d0;
+        const float D = (d2 * r0 * r0 + d0 * r1 * r1 - 2 * d1 * r0 * r1) - (d0 * d2 - d1 * d1);
+        const float root = std::sqrt(D > 0 ? D : 0.f);
+        const float q = B >= 0 ? -B - root : root - B;
+        const int one = binOf(placeOf(q, A)), other = binOf(placeOf(C, q));
+        from[k] = D > 0 ? (B >= 0 ? one : other) : -1;
+        to[k] = B >= 0 ? other : one;
+    }
+}
+
+//! The place on the line of a voter that suits most of the others, and how many these are.
+int PlaneParallax::vote(int line, Vec3d& epipole) const
+{
+    const Correspondences& p = voters.view();
+    const Vec3d n(number(N0)[line], number(N1)[line], number(N2)[line]);
+    if (!(norm(n) > 0))
+        return 0;
+    Vec3d u, v;
+    lineBasis(n, u, v);
+    float weights[WEIGHTS];
+    for (int k = 0; k < 3; ++k)
+    {
+        weights[k] = (float)u[k];
+        weights[3 + k] = (float)v[k];
+    }
+    formWeights(u, u, weights + 6);
+    formWeights(u, v, weights + 12);
+    formWeights(v, v, weights + 18);
+    int change[BINS + 1] = {0};
+    for (int begin = 0; begin < p.size; begin += BLOCK)
+    {
+        int from[BLOCK], to[BLOCK];
+        arcs(weights, begin, from, to);
+        const int count = std::min<int>(BLOCK, p.size - begin);
+        for (int k = 0; k < count; ++k)
+            if (from[k] >= 0)
+            {
+                ++change[from[k]];
+                --change[to[k] + 1];
+                change[0] += from[k] > to[k];
+            }
+    }
+    const Vec3d x2(p.x2[line], p.y2[line], 1), y = H * Vec3d(p.x1[line], p.y1[line], 1);
+    const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))), binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
+    int first = 0, last = -1;
+    const int votes = densest(change, own, first, last);
+    if (votes > 0)
+        epipole = middleOf(first, last, u, v);
+    return votes;
+}
+
+//! Fits an epipole to the voters within shrinking multiples of the threshold; the best of the fits is rated over all points.
+void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Quality& quality)
+{
+    Model F = crossMatrix(e) * H, candidate = F;
+    Quality lowest;
+    for (size_t step = 0; step < sizeof(WIDTHS) / sizeof(WIDTHS[0]) && fit(F, WIDTHS[step], e); ++step)
+    {
+        F = crossMatrix(e) * H;
+        const Quality here = support(F);
+        if (step == 1)
+        {
+            const double cosine = e.dot(lastFit);
+            if (here.cost > best.cost + GOES_ON || cosine * cosine > 1 - SAME)
+                return;
+            lastFit = e;
+            ++fitted;
+        }
+        if (here.betterThan(lowest))
+        {
+            lowest = here;
+            candidate = F;
+        }
+    }
+    if (!(lowest.cost <= best.cost + WORTH_RATING))
+        return;
+    if (lowest.betterThan(best))
+        best = lowest;
+    const Quality whole = context.rate(candidate, quality.cost);
+    if (!whole.betterThan(quality))
+        return;
+    model = candidate * (1 / norm(candidate));
+    quality = whole;
+}
+
+//! Least squares of the errors of the voters within so many thresholds of F = [e]x H; their denominators are those of e.
+bool PlaneParallax::fit(const Model& F, double width, Vec3d& e) const
+{
+    const Correspondences& p = voters.view();
+    float m[9], errors[MAX_POINTS];
+    toFloat(F, m);
+    kernels().errors[Residual::SAMPSON](p, m, 0, p.size, errors);
+    const float most = (float)(width * width * limit);
+    double weights[6], sums[6] = {0};
+    formWeights(e, e, weights);
+    for (int i = 0; i < p.size; ++i)
+    {
+        if (!(errors[i] <= most))
+            continue;
+        double d = 0;
+        for (int k = 0; k < 6; ++k)
+            d += weights[k] * number(G00 + k)[i];
+        if (!(d > 0))
+            continue;
+        const double n0 = number(N0)[i], n1 = number(N1)[i], n2 = number(N2)[i], a = n0 / d, b = n1 / d;
+        sums[0] += a * n0;
+        sums[1] += a * n1;
+        sums[2] += a * n2;
+        sums[3] += b * n1;
+        sums[4] += b * n2;
+        sums[5] += n2 * n2 / d;
+    }
+    return smallestEigenvector(Matx33d(sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5]), e);
+}
+
+} // namespace usacv20
+} // namespace cv

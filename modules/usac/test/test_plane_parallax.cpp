@@ -1,0 +1,256 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "degeneracy/plane_parallax.hpp"
+#include "solvers/solvers.hpp"
+
+namespace opencv_test { namespace {
+
+const double THRESHOLD = 1.5;
+
+Params paramsOf(const Params& preset)
+{
+    Params params = preset;
+    params.threshold = THRESHOLD;
+    params.maxIterations = 20000;
+    return params;
+}
+
+//! Sum of truncated squared errors.
+double costOf(const Scene& scene, const cv::Matx33d& F)
+{
+    double cost = 0;
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const double error = pixelError(scene, F, scene.points1[i], scene.points2[i]) / THRESHOLD;
+        cost += std::min(error * error, 1.);
+    }
+    return cost;
+}
+
+SceneOptions planarScene(int size, double plane, double inliers, uint64 seed, Motion motion = MOTION_GENERAL)
+{
+    SceneOptions options;
+    options.setSize(size, inliers);
+    options.planeFraction = plane;
+    options.seed = seed;
+    options.motion = motion;
+    return options;
+}
+
+//! A scene, its points as the estimator sees them, the plane's homography from its matches, and the rest of the points.
+struct Parallax
+{
+    explicit Parallax(const SceneOptions& options)
+        : scene(makeScene(FUNDAMENTAL, options)), params(paramsOf(Params())), usac(createUsac(scene, params)),
+          context(usac->points(), usac->components(), params)
+    {
+        const Correspondences& p = usac->points();
+        std::vector<int> on, right;
+        for (int i = 0; i < p.size; ++i)
+        {
+            if (scene.onPlane[p.inputIndex[i]])
+                on.push_back(i);
+            else
+                off.push_back(i);
+            if (scene.truth[p.inputIndex[i]])
+                right.push_back(i);
+        }
+        std::vector<cv::Point2d> plane1, plane2;
+        for (size_t k = 0; k < on.size(); ++k)
+        {
+            plane1.push_back(cv::Point2d(p.dx1[on[k]], p.dy1[on[k]]));
+            plane2.push_back(cv::Point2d(p.dx2[on[k]], p.dy2[on[k]]));
+        }
+        H = cv::Matx33d((const double*)cv::findHomography(plane1, plane2, 0).ptr());
+        truth = toInternal(p, scene.model);
+        createLeastSquaresSolver(FUNDAMENTAL, Residual::SAMPSON)->fit(p, right.data(), (int)right.size(), 0, truth, 20);
+    }
+
+    //! Where a search begins: an epipole that is not the scene's.
+    Model wrong() const { return crossMatrix(cv::Vec3d(0.3, -0.2, 1)) * H; }
+    //! Before a search for that model's successor.
+    void begin(PlaneParallax& parallax, Model& model, Quality& quality) const
+    {
+        model = wrong();
+        quality = context.rate(model);
+        parallax.setPlane(usac->points(), off, H);
+    }
+    cv::Matx33d toPixels(const Model& F) const { return usac->points().T2.t() * F * usac->points().T1; }
+
+    Scene scene;
+    Params params;
+    Ptr<Usac> usac;
+    Context context;
+    std::vector<int> off;
+    cv::Matx33d H;
+    Model truth;
+};
+
+//! Runs that end with a model that is worse than the true one, refined, by more than one outlier.
+int searchFailures(const Params& preset, int size, double plane, double inliers, int scenes)
+{
+    int failures = 0;
+    for (int i = 0; i < scenes; ++i)
+    {
+        const Parallax p(planarScene(size, plane, inliers, 500 + i));
+        Params params = paramsOf(preset);
+        params.seed = i;
+        const Mat F = estimate(p.scene, params);
+        failures += F.empty() || costOf(p.scene, cv::Matx33d(F.ptr<double>())) > costOf(p.scene, p.toPixels(p.truth)) + 1;
+    }
+    return failures;
+}
+
+//! With 300 pairs of 208 points these were 0, 2, 2, 7, 15, 28 and 8 %.
+TEST(Usac_PlaneParallax, fewSearchFailures)
+{
+    const double cells[][2] = {{0.6, 0.5}, {0.8, 0.5}, {0.9, 0.7}, {0.95, 0.9}, {0.95, 0.7}, {0.95, 0.5}, {0.98, 0.7}};
+    for (int k = 0; k < 7; ++k)
+        EXPECT_LE(searchFailures(Params(), 500, cells[k][0], cells[k][1], 60), 1) << cells[k][0] << " " << cells[k][1];
+    EXPECT_LE(searchFailures(Params(), 500, 0.95, 0.3, 10), 1);
+    EXPECT_LE(searchFailures(Params::accurate(), 500, 0.95, 0.7, 40), 1);
+    EXPECT_LE(searchFailures(Params::fast(), 500, 0.95, 0.7, 40), 2);
+}
+
+//! The epipole in the image, far away and at infinity.
+TEST(Usac_PlaneParallax, allMotions)
+{
+    const Motion motions[] = {MOTION_GENERAL, MOTION_FORWARD, MOTION_SIDEWAYS, MOTION_RECTIFIED, MOTION_CAR};
+    const int SCENES = 40;
+    for (int m = 0; m < 5; ++m)
+    {
+        int found = 0;
+        for (int i = 0; i < SCENES; ++i)
+        {
+            const Parallax p(planarScene(500, 0.9, 0.6, 20 + i, motions[m]));
+            Model model;
+            Quality quality;
+            PlaneParallax parallax;
+            p.begin(parallax, model, quality);
+            EXPECT_EQ((int)p.off.size(), parallax.size());
+            EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality));
+            EXPECT_NEAR(1, cv::norm(model), 1e-9);
+            EXPECT_EQ(p.context.rate(model).cost, quality.cost);
+            // no optimisation of all seven parameters, so a little more than the optimum
+            found += quality.cost <= p.context.rate(p.truth).cost + 5;
+        }
+        EXPECT_GE(found, SCENES - 1) << "motion " << m;
+    }
+}
+
+//! Nothing off the plane but outliers: each line is looked at once, at most.
+TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
+{
+    const int sizes[] = {20, 200, 1000, 6000};
+    for (int k = 0; k < 4; ++k)
+    {
+        const Parallax p(planarScene(sizes[k], 1, 0.5, 3));
+        Model model;
+        Quality quality;
+        PlaneParallax parallax;
+        p.begin(parallax, model, quality);
+        parallax.search(p.context, 0.01, 0, model, quality);
+        const int lines = parallax.lines();
+        EXPECT_LE(lines, std::min<int>(sizes[k] / 2, PlaneParallax::MAX_POINTS));
+        EXPECT_LE(lines, 450) << "about 2 % of the points suit a chance epipole, whatever their number";
+        EXPECT_LE(parallax.fits(), lines);
+        // what was found would not be found again, and a second look costs nothing
+        EXPECT_FALSE(parallax.search(p.context, 0.01, 0, model, quality));
+        EXPECT_EQ(lines, parallax.lines());
+    }
+}
+
+//! Only models that matter: if 100 inliers off the plane are wanted, few lines are enough to say no.
+TEST(Usac_PlaneParallax, wantedInliersShortenTheSearch)
+{
+    const Parallax p(planarScene(1000, 0.95, 0.5, 4));
+    Model model;
+    Quality quality;
+    PlaneParallax parallax;
+    p.begin(parallax, model, quality);
+    parallax.search(p.context, 0.01, 100, model, quality);
+    EXPECT_LE(parallax.lines(), 60);
+    EXPECT_GE(parallax.lines(), 40);
+    EXPECT_EQ(0, parallax.fits()) << "25 true matches are off the plane";
+    EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality)) << "the search goes on where it was";
+    EXPECT_GT(parallax.lines(), 60);
+    EXPECT_LE(quality.cost, p.context.rate(p.truth).cost + 5);
+}
+
+//! More points off the plane than vote.
+TEST(Usac_PlaneParallax, manyPointsOffThePlane)
+{
+    const Parallax p(planarScene(6000, 0.8, 0.5, 5));
+    Model model;
+    Quality quality;
+    PlaneParallax parallax;
+    p.begin(parallax, model, quality);
+    EXPECT_EQ(PlaneParallax::MAX_POINTS, parallax.size());
+    EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality));
+    EXPECT_LE(quality.cost, p.context.rate(p.truth).cost * 1.01);
+    EXPECT_LT(parallax.lines(), 300);
+}
+
+//! A point with many matches is no epipole, nor is one that is there several times.
+TEST(Usac_PlaneParallax, repeatedPoints)
+{
+    int found = 0;
+    const int SCENES = 40;
+    for (int i = 0; i < SCENES; ++i)
+    {
+        SceneOptions options = planarScene(400, 0.85, 0.6, 70 + i);
+        if (i % 2)
+            options.outlierModel = OUTLIERS_MANY_TO_ONE;
+        else
+        {
+            options.setSize(100, 0.6);
+            options.copies = 4;
+        }
+        const Parallax p(options);
+        Model model;
+        Quality quality;
+        PlaneParallax parallax;
+        p.begin(parallax, model, quality);
+        parallax.search(p.context, 0.01, 0, model, quality);
+        found += quality.cost <= p.context.rate(p.truth).cost + 8;
+    }
+    EXPECT_GE(found, SCENES - 2);
+    // one match, fifty times: no second line, no epipole
+    const std::vector<cv::Point2d> same1(50, cv::Point2d(0.5, 0.5)), same2(50, cv::Point2d(-0.5, 0.25));
+    const OwnPoints own(FUNDAMENTAL, same1, same2, 0.01);
+    const Params params;
+    const Components none;
+    const Context context(own.view(), none, params);
+    std::vector<int> all;
+    for (int i = 0; i < 50; ++i)
+        all.push_back(i);
+    PlaneParallax parallax;
+    parallax.setPlane(own.view(), all, cv::Matx33d::eye());
+    Model model(0, -1, 0, 1, 0, 0, 0, 0, 0);
+    Quality quality(50, 0);
+    EXPECT_FALSE(parallax.search(context, 0.01, 0, model, quality));
+    EXPECT_EQ(50, parallax.lines());
+    EXPECT_EQ(0, parallax.fits());
+}
+
+//! A plane with nothing or one point off it.
+TEST(Usac_PlaneParallax, fewPoints)
+{
+    const Parallax p(planarScene(100, 1, 1, 6));
+    PlaneParallax parallax;
+    for (int count = 0; count < 2; ++count)
+    {
+        Model model = p.wrong();
+        const Quality before = p.context.rate(model);
+        Quality quality = before;
+        parallax.setPlane(p.usac->points(), std::vector<int>(count, 7), p.H);
+        EXPECT_FALSE(parallax.search(p.context, 0.01, 0, model, quality));
+        EXPECT_EQ(p.wrong(), model);
+        EXPECT_EQ(before.cost, quality.cost);
+    }
+}
+
+}} // namespace
