@@ -59,6 +59,7 @@ const DoubleField DOUBLE_FIELDS[] = {
     { "reach", &Params::reach },
     { "spatialWeight", &Params::spatialWeight },
     { "relaxation", &Params::relaxation },
+    { "significance", &Params::significance },
 };
 
 void fail(const std::string& assignment, const std::string& what)

@@ -37,8 +37,6 @@ public:
 
     //! Fills State::best; its quality stays infinite if no model was found.
     void run();
-    //! Probability that a point agrees with a wrong model: the mean over the first blocks of all models.
-    double randomInlierRatio() const;
 
 private:
     bool terminate();
@@ -68,7 +66,6 @@ private:
     const int exhaustive;
     int required, requiredReason;
     double localTicks;
-    double firstInliers, firstTested;
 };
 
 } // namespace usacv20

@@ -54,6 +54,7 @@ struct Fields
         f.push_back(std::make_pair("reach", &Params::reach));
         f.push_back(std::make_pair("spatialWeight", &Params::spatialWeight));
         f.push_back(std::make_pair("relaxation", &Params::relaxation));
+        f.push_back(std::make_pair("significance", &Params::significance));
         return f;
     }
 
