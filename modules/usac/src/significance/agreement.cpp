@@ -20,8 +20,10 @@ template <typename T>
 class Pairing
 {
 public:
-    Pairing(const Residual& residual_, const Model& model_, const T* x1, const T* y1, const T* x2, const T* y2, int count, double threshold)
-        : residual(residual_), model(model_), limit((T)(threshold * threshold)), size(count), stride(2 * count), memory(5 * stride)
+    Pairing(const Residual& residual_, const Model& model_, const T* x1, const T* y1, const T* x2, const T* y2, int count,
+            double threshold)
+        : residual(residual_), model(model_), limit((T)(threshold * threshold)), size(count), stride(2 * count),
+          memory(5 * stride)
     {
         const T* const from[4] = {x1, y1, x2, y2};
         for (int k = 0; k < 4; ++k)
