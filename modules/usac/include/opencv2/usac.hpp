@@ -32,6 +32,8 @@ namespace cv {
 Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat, with the same meaning, order and
 defaults of the arguments. Overload resolution picks these for a #UsacV20Method, and the old ones for an `int`.
 Results are those of usacv20::estimateHomography, usacv20::estimateFundamental and usacv20::estimateEssential.
+A flag does not tell whether `maxIters` ended the search: usacv20::Params::fromMethod with one of these functions does, by
+usacv20::Report::stop == usacv20::STOP_MAX_ITERATIONS.
 @{ */
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method,
                               double ransacReprojThreshold = 3, OutputArray mask = noArray(),
