@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Inliers beside a sample that are looked at first, so many times more if they do not settle it, and wrong matches of all points.
+//! Inliers beside a sample that are looked at first, so many times more if they do not settle it; wrong matches of all points.
 enum { FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096 };
 //! Wider thresholds that are looked at, in units of the given one.
 const double WIDE[] = {4, 16};

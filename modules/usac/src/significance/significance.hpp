@@ -22,9 +22,9 @@ struct SearchEffort
 
 /** @brief Is the best model of a search better than the best one that the same search finds in random matches?
 
-The sample's own m points agree in any case. Each other one agrees with a model of random matches with the same, unknown probability
-as a wrong match; of these some are counted, see Agreement. That gives the probability p of as many inliers for one such model, a
-beta-binomial tail. The best of T models has them with a probability of at most 1 - (1 - p)^T.
+The sample's own m points agree in any case. Each other one agrees with a model of random matches with the same, unknown
+probability as a wrong match; of these some are counted, see Agreement. That gives the probability p of as many inliers for one
+such model, a beta-binomial tail. The best of T models has them with a probability of at most 1 - (1 - p)^T.
 
 What T is: the models that were compared with the points; not more than of all C(n, m) samples. Local optimisation and
 polishing move a model to where it has more inliers than any sample gives. An optimum is held by one more point than a sample
