@@ -36,12 +36,12 @@ Params paramsOf(UsacV20Method flag, double pixels, double confidence, int maxIte
     return params;
 }
 
-//! Few inliers, so that each argument matters.
+//! Few inliers, so that each argument matters, and enough for a model that random points would not give.
 Scene hardScene(ProblemType problem)
 {
     SceneOptions options;
-    options.inliers = problem == HOMOGRAPHY ? 40 : 60;
-    options.outliers = problem == HOMOGRAPHY ? 360 : 300;
+    options.inliers = problem == HOMOGRAPHY ? 100 : 150;
+    options.outliers = problem == HOMOGRAPHY ? 300 : 150;
     options.seed = problem == FUNDAMENTAL ? 3 : 2;
     return makeScene(problem, options);
 }
