@@ -61,6 +61,7 @@ const DoubleField DOUBLE_FIELDS[] = {
     { "widestReach", &Params::widestReach },
     { "spatialWeight", &Params::spatialWeight },
     { "relaxation", &Params::relaxation },
+    { "significance", &Params::significance },
 };
 
 void fail(const std::string& assignment, const std::string& what)

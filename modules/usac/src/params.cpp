@@ -15,7 +15,7 @@ Params::Params()
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
       spatialWeight(0.14), runnersUp(16), orderedEvery(4), termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT),
       relaxation(0.05), persistence(1), degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED),
-      polishing(POLISHING_ROBUST), polishingSteps(6)
+      polishing(POLISHING_ROBUST), polishingSteps(6), significance(0)
 {
 }
 
@@ -116,6 +116,7 @@ void Params::check(int count) const
     checkRange("degeneracy", degeneracy, 0, DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED);
     checkRange("polishing", polishing, POLISHING_NONE, POLISHING_ROBUST);
     checkRange("polishingSteps", polishingSteps, 1, 100);
+    checkRange("significance", significance, 0, 1);
     checkCombinations(*this);
     checkScores(*this, count);
 }
@@ -157,6 +158,7 @@ void visitFields(P& params, Visitor& visit)
     visit("degeneracy", params.degeneracy);
     visit("polishing", params.polishing);
     visit("polishingSteps", params.polishingSteps);
+    visit("significance", params.significance);
 }
 
 struct FieldWriter

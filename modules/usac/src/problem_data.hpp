@@ -30,6 +30,8 @@ public:
     bool toInput(const Model& model, Matx33d& result) const;
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.
     int mask(const Residual& residual, const Matx33d& model, std::vector<uchar>& mask) const;
+    //! Of the mask, in the coordinates of points().
+    double maskThreshold() const { return inputThreshold * view.T2(0, 0); }
     //! Those of a mask that are not within a threshold of another one in either image.
     int independentInliers(const std::vector<uchar>& mask) const;
 

@@ -48,8 +48,7 @@ Ransac::Ransac(const Context& context_, State& state_)
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
-      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD),
-      localTicks(0), firstInliers(0), firstTested(0)
+      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0)
 {
 }
 
@@ -342,15 +341,8 @@ void Ransac::account(const Hypotheses& h)
     // Which of the two came first: the best model may be another one now than when a thread rated these.
     for (int k = 0; k < h.stopped; ++k)
         ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
-    firstInliers += h.firstInliers;
-    firstTested += h.firstTested;
     if (parts.verifier)
         parts.verifier->sampleTested(state, h.firstInliers, h.firstTested);
-}
-
-double Ransac::randomInlierRatio() const
-{
-    return (firstInliers + 1) / (firstTested + 100);  // one in a hundred where nothing has been seen
 }
 
 void Ransac::updateTermination()

@@ -41,8 +41,6 @@ public:
     bool run(int pause = INT_MAX);
     //! The threshold has changed: rates and optimises the best model anew, and forgets what others were worth.
     void thresholdChanged();
-    //! Probability that a point agrees with a wrong model: the mean over the first blocks of all models.
-    double randomInlierRatio() const;
 
 private:
     bool terminate();
@@ -76,7 +74,6 @@ private:
     //! Samples that count, and samples in all, after which the run can stop, and the criterion that says so.
     int required, requiredReason, requiredOfAll, reasonOfAll;
     double localTicks;
-    double firstInliers, firstTested;
 };
 
 } // namespace usacv20

@@ -6,10 +6,10 @@
 #include "factory.hpp"
 #include "problem_data.hpp"
 #include "ransac.hpp"
+#include "significance/significance.hpp"
 #include "solvers/parameterization.hpp"
 #include "statistics/chi_square.hpp"
 #include "statistics/significant_scale.hpp"
-#include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 
 namespace cv {
@@ -27,6 +27,11 @@ that if it is less than two thirds of it, and shrinks to it where it is too wide
 */
 const double REACH = 5, GROWS = 1.5, SHRINKS = 0.7;
 
+//! Params::significance 0: the limit, and the part of the points that must be able to reach it.
+const double LIMIT = 0.01, DECISIVE = 0.25;
+//! Chances that are smaller need not be known.
+const double CLEAR = 1e-6;
+
 class UsacImpl : public Usac
 {
 public:
@@ -34,7 +39,7 @@ public:
              InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
         : created(getTickCount()), params(params_),
           data(problem, points1, points2, params_, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2),
-          parts(createComponents(data.points(), params_)), givenReach(params_.reach), randomRatio(1)
+          parts(createComponents(data.points(), params_)), givenReach(params_.reach)
     {
     }
 
@@ -63,7 +68,6 @@ private:
         else
             ransac.run();
         state.report.iterations = state.iteration;
-        randomRatio = ransac.randomInlierRatio();
     }
 
     /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half of its
@@ -107,13 +111,17 @@ private:
         return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 
-    //! Could the inliers agree by chance?
-    void judge(int points, const std::vector<uchar>& inliers, Report& learned) const
+    //! Could random matches have given this model? @return false if it is to be refused
+    bool significant(const Model& model, Report& learned) const
     {
-        learned.independentInliers = data.independentInliers(inliers);
-        const int repeated = learned.inliers - learned.independentInliers;
-        learned.chance = chanceOf(learned.independentInliers, std::max(points - repeated, 1), parts.minimalSolver->sampleSize(),
-                                  randomRatio);
+        const bool automatic = params.significance == 0;
+        const double limit = automatic ? LIMIT : params.significance;
+        const SearchEffort effort = {parts.minimalSolver->sampleSize(), (double)learned.iterations,
+                                     (double)learned.models - learned.rejectedModels,
+                                     params.quality == QUALITY_INLIERS && parts.localOptimizer, params.quality == QUALITY_LMEDS};
+        Significance test(*parts.residual, model, data.points(), data.maskThreshold(), effort);
+        learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
+        return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
     }
 
     //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
@@ -142,11 +150,18 @@ private:
         }
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS)
             learned.stop = STOP_NO_MODEL;
+        if (!result.empty() && (report || params.significance < 1) && !significant(state.best, learned))
+        {
+            learned.stop = STOP_NOT_SIGNIFICANT;
+            learned.inliers = 0;
+            std::fill(inliers.begin(), inliers.end(), (uchar)0);
+            result.release();
+        }
         if (mask.needed())
             Mat(inliers, false).reshape(1, context.points.inputSize).copyTo(mask);
         learned.threshold = data.threshold();
         if (report && !result.empty())
-            judge(context.points.size, inliers, learned);
+            learned.independentInliers = data.independentInliers(inliers);
         learned.polishMs = milliseconds(start);
         if (report)
             *report = learned;
@@ -158,7 +173,6 @@ private:
     ProblemData data;
     Components parts;
     const double givenReach;
-    double randomRatio;  //!< of the points, agree with a wrong model
 };
 
 } // namespace

@@ -56,6 +56,7 @@ struct Fields
         f.push_back(std::make_pair("widestReach", &Params::widestReach));
         f.push_back(std::make_pair("spatialWeight", &Params::spatialWeight));
         f.push_back(std::make_pair("relaxation", &Params::relaxation));
+        f.push_back(std::make_pair("significance", &Params::significance));
         return f;
     }
 

@@ -242,8 +242,10 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
     if (!broken.empty())
         return broken;
     if (model.empty())
-        return inliers > 0 ? "inliers without a model" :
-               report.stop != STOP_TOO_FEW_POINTS && report.stop != STOP_NO_MODEL ? "no reason for no model" : "";
+    {
+        const bool reason = report.stop == STOP_TOO_FEW_POINTS || report.stop == STOP_NO_MODEL || report.stop == STOP_NOT_SIGNIFICANT;
+        return inliers > 0 ? "inliers without a model" : reason ? "" : "no reason for no model";
+    }
     if (report.stop < STOP_MAX_ITERATIONS || (inliers == 0 && call.params.widestReach <= call.params.reach))
         return "a model and no reason for it: " + report.describe();
     if (call.params.quality != QUALITY_LMEDS && std::abs(report.threshold / call.params.threshold - 1) > 1e-12)

@@ -68,7 +68,8 @@ TEST(Usac_Params, ranges_of_reals)
         {"threshold", {1e-300, 1e300}, {0, -1, inf}}, {"confidence", {1e-300, 1 - 1e-15}, {0, 1, 2}},
         {"neighbourRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}},
         {"widestReach", {1, 1e6}, {0.99, 1.001e6, inf}},
-        {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}}};
+        {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}},
+        {"significance", {0, 1}, {-1e-9, 1.001, -inf}}};
     ASSERT_EQ(Fields::doubles().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::doubles().size(); ++i)
     {
@@ -212,6 +213,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED, p.degeneracy);
     EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);
     EXPECT_EQ(6, p.polishingSteps);
+    EXPECT_EQ(0, p.significance);
 }
 
 //! All fields different from their defaults and right.
@@ -251,6 +253,7 @@ Params unusual()
     p.degeneracy = DEGENERACY_DEGENSAC;
     p.polishing = POLISHING_NONE;
     p.polishingSteps = 9;
+    p.significance = 0.001;
     return p;
 }
 

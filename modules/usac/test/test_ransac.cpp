@@ -140,7 +140,7 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_TRUE(r.cost >= 0 && r.cost <= 1);
             EXPECT_EQ(params.threshold, r.threshold);
             EXPECT_TRUE(r.independentInliers > 0 && r.independentInliers <= r.inliers);
-            EXPECT_LT(r.chance, 1e-10) << "half of the matches are right";
+            EXPECT_LE(r.chance, 1e-6) << "half of the matches are right";
             EXPECT_TRUE(r.setupMs >= 0 && r.searchMs >= 0 && r.localMs >= 0 && r.polishMs >= 0);
             EXPECT_FALSE(r.describe().empty());
         }
@@ -301,7 +301,7 @@ TEST(Usac_Ransac_Report, nonRandomness)
         options.inliers = 1;
         options.outliers = 200;
         const Answer random = answer(makeScene((ProblemType)problem, options), Params());
-        EXPECT_GT(random.report.chance, 1e-6) << problem;
+        EXPECT_GT(random.report.chance, 0.01) << problem;
         options.inliers = 30;
         options.outliers = 0;
         Scene repeated = makeScene((ProblemType)problem, options);

@@ -83,7 +83,9 @@ public:
     {
         uint64 bits[2];
         std::memcpy(bits, cell.val, sizeof(bits));
-        uint64 h = (bits[0] ^ (bits[1] << 1 | bits[1] >> 63)) * 0x9e3779b97f4a7c15ULL;
+        // small whole numbers have zeros but for their highest bits, which a product moves nowhere but up
+        uint64 h = bits[0] ^ (bits[1] << 1 | bits[1] >> 63);
+        h = (h ^ h >> 32) * 0x9e3779b97f4a7c15ULL;
         int at = (int)(h >> 40) & mask;
         for (; slots[at][0] == slots[at][0]; at = (at + 1) & mask)
             if (slots[at] == cell)
@@ -122,7 +124,10 @@ int independentInliers(const double* x1, const double* y1, const double* x2, con
 
 int markRepeated(const double* x, const double* y, const int* order, const uchar* mask, int count, double side, uchar* repeated)
 {
-    Cells cells(countNonZero(Mat(1, count, CV_8U, const_cast<uchar*>(mask))));
+    int marked = 0;
+    for (int i = 0; i < count; ++i)
+        marked += mask[i] != 0;
+    Cells cells(marked);
     for (int i = 0; i < count; ++i)
         if (mask[i])
         {

@@ -246,6 +246,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int polishing;
     //! Most fits of the polishing, each with the inliers or weights under the last one; fewer when they settle; 1..100. Default 6.
     CV_PROP_RW int polishingSteps;
+    /** The largest Report::chance with which a model is returned; 0..1. 1: a model is always returned. Default 0: 0.01 where there are
+    enough independent points for a quarter of them to be that significant, else 1. */
+    CV_PROP_RW double significance;
 
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();

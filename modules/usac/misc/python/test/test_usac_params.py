@@ -21,7 +21,7 @@ class ParamsTest(unittest.TestCase):
         params = usac.Params()
         self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "prior", "scores",
                               "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence", "degeneracy",
-                              "polishing", "polishingSteps", "runnersUp", "orderedEvery"}, set(fields(params)))
+                              "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach", "significance"}, set(fields(params)))
         for name in fields(params):
             if name == "scores":
                 continue
@@ -77,7 +77,8 @@ class ParamsTest(unittest.TestCase):
         usac.Params().check()
         usac.Params().check(10)
         for name, wrong in (("threshold", float("nan")), ("threshold", 0), ("confidence", 1.0), ("confidence", 0.0),
-                            ("maxIterations", 0), ("sampler", 99), ("quality", -1), ("threads", -1)):
+                            ("maxIterations", 0), ("sampler", 99), ("quality", -1), ("threads", -1), ("significance", 1.5),
+                            ("significance", float("nan"))):
             params = usac.Params()
             setattr(params, name, wrong)
             for function, args in ((params.check, ()),

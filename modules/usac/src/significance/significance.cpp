@@ -1,0 +1,77 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "significance/significance.hpp"
+#include "statistics/beta_binomial.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Inliers beside a sample that are looked at first, so many times more if they do not settle it; wrong matches of all points.
+enum { FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096 };
+//! Wider thresholds that are looked at, in units of the given one.
+const double WIDE[] = {4, 16};
+
+//! T, see Significance.
+double trialsOf(const SearchEffort& effort, int points)
+{
+    const double m = effort.sampleSize, n = std::max<double>(points, m);
+    const double logSamples = logFactorial(n) - logFactorial(m) - logFactorial(n - m);
+    const double drawn = std::max(effort.samples, 1.);
+    const double models = std::max(effort.models, 1.) * std::min(1., std::exp(logSamples) / drawn);
+    const double more = std::max((n - m) / (m + 1), 1.), optimized = effort.countsInliers ? more : std::sqrt(more);
+    return std::max(models, 1.) * optimized * (effort.ownThreshold ? std::max(n - m, 1.) : 1.);
+}
+
+} // namespace
+
+const double Significance::MAIN_SHARE = 0.8, Significance::WIDE_SHARE = 0.1;
+
+Significance::Significance(const Residual& residual_, const Model& model_, const Correspondences& points_, double threshold_,
+                           const SearchEffort& effort)
+    : residual(residual_), model(model_), points(points_), threshold(threshold_), sampleSize(effort.sampleSize),
+      trials(trialsOf(effort, points_.size)), last()
+{
+}
+
+double Significance::chance(int inliers, double clear)
+{
+    const double first = std::ceil((sampleSize + FIRST_INLIERS) * (double)points.size / std::max(inliers, 1));
+    for (double count = first; count < MORE * points.size; count *= MORE)
+    {
+        last = look((int)std::min<double>(count, points.size), 1, 0);
+        const double bound = chanceOf(last);
+        if (bound <= clear)
+            return bound;
+    }
+    last = look(points.size, 1, PAIRS);
+    double least = chanceOf(last);
+    for (int i = 0; i < 2 && least > clear; ++i)
+        least = std::min(least, chanceOf(look(points.size, WIDE[i], PAIRS), WIDE_SHARE));
+    return least;
+}
+
+bool Significance::decisive(double inlierRatio, double limit) const
+{
+    Agreement few = last;
+    few.inliers = (int)(inlierRatio * few.points);
+    return chanceOf(few) <= limit;
+}
+
+Agreement Significance::look(int count, double scale, int pairs) const
+{
+    return countAgreement(residual, model, points, count, scale * threshold, pairs);
+}
+
+double Significance::chanceOf(const Agreement& found, double share) const
+{
+    const double p = betaBinomialTail(found.inliers - sampleSize, found.points - sampleSize, found.agreeing, found.pairs);
+    return -std::expm1(trials / share * std::log1p(-p));
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,204 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "scenes.hpp"
+#include "statistics/beta_binomial.hpp"
+
+namespace opencv_test { namespace {
+
+//! Random matches: but for one, no match is right.
+Scene randomScene(ProblemType problem, int size, uint64 seed)
+{
+    SceneOptions options;
+    options.inliers = 1;
+    options.outliers = size - 1;
+    options.seed = seed;
+    return makeScene(problem, options);
+}
+
+Scene rightScene(ProblemType problem, int size, double inlierRatio, uint64 seed)
+{
+    SceneOptions options;
+    options.setSize(size, inlierRatio);
+    options.seed = seed;
+    return makeScene(problem, options);
+}
+
+Report reportOf(const Scene& scene, Params params)
+{
+    params.significance = 1;
+    Report report;
+    estimate(scene, params, noArray(), &report);
+    return report;
+}
+
+//! Against an urn: each trial succeeds as often as those before it, two imagined ones (one a success) among them.
+TEST(Usac_Significance, betaBinomialAgainstAnUrn)
+{
+    const int trials[] = {1, 7, 60, 500}, earlier[] = {0, 9, 300, 4000};
+    const double ratios[] = {0, 0.01, 0.3, 1};
+    for (int t = 0; t < 4; ++t)
+        for (int e = 0; e < 4; ++e)
+            for (int r = 0; r < 4; ++r)
+            {
+                const int c = cvRound(ratios[r] * earlier[e]);
+                std::vector<long double> all(1, 1.L);
+                for (int i = 0; i < trials[t]; ++i)
+                {
+                    all.push_back(0);
+                    for (int s = i + 1; s >= 0; --s)
+                    {
+                        const long double fails = (s <= i) ? 1 - (c + 1.L + s) / (earlier[e] + 2.L + i) : 0;
+                        all[s] = all[s] * fails + (s > 0 ? all[s - 1] * (c + (long double)s) / (earlier[e] + 2.L + i) : 0);
+                    }
+                }
+                long double tail = 0;
+                for (int k = trials[t]; k >= 1; --k)
+                {
+                    tail += all[k];
+                    const double found = betaBinomialTail(k, trials[t], c, earlier[e]);
+                    if (tail > 1e-290L)
+                    {
+                        ASSERT_NEAR(1, (double)(found / tail), 1e-8) << k << " of " << trials[t] << ", " << c << " before";
+                    }
+                }
+                EXPECT_EQ(1, betaBinomialTail(0, trials[t], c, earlier[e]));
+                EXPECT_EQ(0, betaBinomialTail(trials[t] + 1, trials[t], c, earlier[e]));
+            }
+}
+
+//! The chance of random matches is at most a with a probability of at most a; and it is not 1 always.
+TEST(Usac_Significance, calibratedOnRandomMatches)
+{
+    const int sizes[] = {15, 60, 300}, iterations[] = {100, 500}, RUNS = 40;
+    const Params presets[] = {Params::usacV20(), Params::magsacPlusPlus(), Params::loRansac()};
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        int calls = 0, below[3] = {0}, half = 0;
+        const double levels[] = {0.1, 0.01, 0.001};
+        for (int s = 0; s < 3; ++s)
+            for (int i = 0; i < 2; ++i)
+                for (int p = 0; p < 3; ++p)
+                    for (int run = 0; run < RUNS; ++run, ++calls)
+                    {
+                        Params params = presets[p];
+                        params.maxIterations = iterations[i];
+                        const double chance = reportOf(randomScene((ProblemType)problem, sizes[s], run + 1), params).chance;
+                        half += chance <= 0.5;
+                        for (int level = 0; level < 3; ++level)
+                            below[level] += chance <= levels[level];
+                    }
+        for (int level = 0; level < 3; ++level)
+        {
+            const double expected = calls * levels[level];
+            EXPECT_LE(below[level], expected + 3 * std::sqrt(expected)) << "problem " << problem << " level " << levels[level];
+        }
+        if (problem != HOMOGRAPHY)  // whose random models have 4 to 6 inliers, all of them likely
+        {
+            EXPECT_GE(half, calls / 25) << "problem " << problem;
+        }
+    }
+}
+
+//! With how few points a right model is told from a random one.
+TEST(Usac_Significance, rightModelsOfFewPoints)
+{
+    const struct { ProblemType problem; int size; double inlierRatio; } cases[] = {
+        {HOMOGRAPHY, 15, 0.7}, {HOMOGRAPHY, 30, 0.6}, {FUNDAMENTAL, 15, 0.9}, {FUNDAMENTAL, 30, 0.6}, {ESSENTIAL, 15, 0.8},
+        {ESSENTIAL, 30, 0.6}, {HOMOGRAPHY, 200, 0.2}, {FUNDAMENTAL, 200, 0.4}, {ESSENTIAL, 200, 0.3}};
+    for (size_t c = 0; c < sizeof(cases) / sizeof(cases[0]); ++c)
+    {
+        int significant = 0;
+        for (uint64 seed = 1; seed <= 20; ++seed)
+        {
+            const Scene scene = rightScene(cases[c].problem, cases[c].size, cases[c].inlierRatio, seed);
+            significant += reportOf(scene, Params()).chance < 1e-3;
+        }
+        EXPECT_GE(significant, 19) << "problem " << cases[c].problem << ", " << cases[c].size << " points";
+    }
+}
+
+//! By default from about a hundred points on; with a limit of the caller's always.
+TEST(Usac_Significance, randomMatchesGiveNoModel)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        int models[2] = {0}, few = 0;
+        for (uint64 seed = 1; seed <= 20; ++seed)
+        {
+            const Scene many = randomScene((ProblemType)problem, 200, seed), scarce = randomScene((ProblemType)problem, 15, seed);
+            Params params;
+            params.maxIterations = 1000;
+            Report report;
+            Mat mask;
+            const Mat model = estimate(many, params, mask, &report);
+            models[0] += !model.empty();
+            EXPECT_EQ(model.empty(), estimate(many, params).empty()) << "the same without a report";
+            if (model.empty())
+            {
+                EXPECT_EQ((int)STOP_NOT_SIGNIFICANT, report.stop);
+                EXPECT_EQ(0, countNonZero(mask));
+                EXPECT_EQ(0, report.inliers);
+                EXPECT_EQ(0, report.independentInliers);
+                EXPECT_GT(report.chance, 0.01);
+                EXPECT_NE(String::npos, report.describe().find("random"));
+            }
+            few += !estimate(scarce, params).empty();
+            params.significance = 0.01;
+            models[1] += !estimate(scarce, params).empty();
+            params.significance = 1;
+            EXPECT_FALSE(estimate(many, params).empty());
+        }
+        EXPECT_LE(models[0], 1) << "problem " << problem;
+        EXPECT_LE(models[1], 1) << "problem " << problem;
+        EXPECT_EQ(20, few) << "problem " << problem << ": 15 points decide nothing";
+    }
+}
+
+//! Few points, points that are the sample only, thresholds far below the noise and far above the image: nothing is refused.
+TEST(Usac_Significance, rightModelsAreReturned)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (uint64 seed = 1; seed <= 5; ++seed)
+        {
+            const int sizes[] = {8, 15, 40, 300};
+            for (int s = 0; s < 4; ++s)
+                EXPECT_FALSE(estimate(rightScene((ProblemType)problem, sizes[s], 1, seed), Params()).empty()) << sizes[s];
+            Params params;
+            params.threshold = 0.05;  // a tenth of the noise
+            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << problem;
+            params.threshold = 1000;
+            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << problem;
+        }
+    SceneOptions options;
+    options.inliers = 4;
+    options.outliers = 0;
+    EXPECT_FALSE(estimate(makeScene(HOMOGRAPHY, options), Params()).empty()) << "a sample and no more";
+}
+
+//! Random matches, each found many times: what repeats is no evidence.
+TEST(Usac_Significance, repeatedMatches)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        int models = 0;
+        for (uint64 seed = 1; seed <= 10; ++seed)
+        {
+            Scene scene = randomScene((ProblemType)problem, 20, seed);
+            for (int i = 0; i < 80; ++i)
+            {
+                scene.points1.push_back(scene.points1[i]);
+                scene.points2.push_back(scene.points2[i]);
+            }
+            Params params;
+            params.maxIterations = 500;
+            params.significance = 0.01;
+            models += !estimate(scene, params).empty();
+        }
+        EXPECT_LE(models, 1) << "problem " << problem;
+    }
+}
+
+}} // namespace
