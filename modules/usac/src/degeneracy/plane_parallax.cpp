@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "degeneracy/plane_parallax.hpp"
-#include "residuals/simd.hpp"
+#include "residuals/places.inl.hpp"
 #include "termination/termination.hpp"
 
 namespace cv {
@@ -12,8 +12,6 @@ namespace usacv20 {
 
 namespace {
 
-//! Parts of the closed line of places for the epipole. One is about a threshold of 1.5 px wide in the middle of a VGA image.
-enum { BINS = 256 };
 //! A place so many bins from the match's own points does not count: there the match agrees with anything, it is no evidence.
 enum { NEAR = 2 };
 
@@ -32,30 +30,22 @@ const double GOES_ON = 8, WORTH_RATING = 3;
 const double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
 //! Epipoles at an angle (as unit vectors) with a smaller squared sine are the same.
 const double SAME = 1e-6;
-
-/* The place u + t v of a line as a number that grows with t and needs no arc tangent: t = s / c itself up to 1, beyond that
-2 - 1 / t. The circle closes at -1 and 3. */
-inline float placeOf(float s, float c)
-{
-    const bool small = std::abs(s) <= std::abs(c);
-    const float ratio = (small ? s : c) / (small ? c : s);
-    return small ? ratio : 2.f - ratio;
-}
-
-//! NaN is in the first bin.
-inline int binOf(float place)
-{
-    const float bin = (place + 1) * (0.25f * BINS);
-    const float low = bin > 0 ? bin : 0.f, last = (float)(BINS - 1);
-    return (int)(low < last ? low : last);
-}
+//! The same for epipoles from votes, whose places are known to a bin: two bins.
+const double SAME_PLACE = 1e-3;
 
 //! The middle of the bins first .. last of the line through the orthonormal u and v.
 Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
 {
-    const double place = 2. * (first + last + 1) / BINS - 1;
+    const double place = 2. * (first + last + 1) / ARCS_BINS - 1;
     const Vec3d e = place <= 1 ? u + v * place : u * (2 - place) + v;
     return e * (1 / norm(e));
+}
+
+//! Squared sine of the angle between unit vectors below a limit?
+bool isNear(const Vec3d& a, const Vec3d& b, double limit)
+{
+    const double cosine = a.dot(b);
+    return 1 - cosine * cosine < limit;
 }
 
 //! Two orthonormal vectors that are normal to n, which is not zero.
@@ -87,7 +77,7 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
 int densest(const int* change, const int* own, int& first, int& last)
 {
     int sum = 0, most = 0;
-    for (int k = 0; k < BINS; ++k)
+    for (int k = 0; k < ARCS_BINS; ++k)
     {
         sum += change[k];
         if (std::abs(k - own[0]) <= NEAR || std::abs(k - own[1]) <= NEAR)
@@ -133,8 +123,8 @@ void PlaneParallax::setPlane(const Correspondences& points, const std::vector<in
     H = homography * (1 / norm(homography));
     limit = points.threshold * points.threshold;
     voters.gather(points, offPlane);
-    stride = (size() + BLOCK - 1) / BLOCK * BLOCK;
-    numbers.resize((size_t)NUMBERS * stride);
+    stride = (size() + ARCS_BLOCK - 1) / ARCS_BLOCK * ARCS_BLOCK;
+    numbers.resize((size_t)ARCS_ROWS * stride);
     best = Quality();
     lastFit = Vec3d(0, 0, 0);
     next = fitted = 0;
@@ -174,35 +164,12 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
         const int votes = vote(next, e) + 1;  // and its own
         if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
             continue;
+        if (votes <= best.inliers && isNear(e, lastFit, SAME_PLACE))
+            continue;
         refine(context, e, model, quality);
         needed = linesNeeded(failure, wanted);
     }
     return quality.betterThan(before);
-}
-
-/* For e = u + t v of a line, (e n)^2 <= e^T G e reads A t^2 + 2 B t + C <= 0. The arc begins where this becomes negative, at
-t = (-B - sqrt(D)) / A, and ends at (-B + sqrt(D)) / A, through infinity if A is negative. D is written without the fourth
-powers of r, which cancel. A point that every e suits, D <= 0, does not vote: `from` is -1. */
-void PlaneParallax::arcs(const float* w, int begin, int* from, int* to) const
-{
-    const float *n0 = number(N0) + begin, *n1 = number(N1) + begin, *n2 = number(N2) + begin;
-    const float *g00 = number(G00) + begin, *g01 = number(G01) + begin, *g02 = number(G02) + begin;
-    const float *g11 = number(G11) + begin, *g12 = number(G12) + begin, *g22 = number(G22) + begin;
-    USAC_SIMD
-    for (int k = 0; k < BLOCK; ++k)
-    {
-        const float r0 = w[0] * n0[k] + w[1] * n1[k] + w[2] * n2[k], r1 = w[3] * n0[k] + w[4] * n1[k] + w[5] * n2[k];
-        const float d0 = w[6] * g00[k] + w[7] * g01[k] + w[8] * g02[k] + w[9] * g11[k] + w[10] * g12[k] + w[11] * g22[k];
-        const float d1 = w[12] * g00[k] + w[13] * g01[k] + w[14] * g02[k] + w[15] * g11[k] + w[16] * g12[k] + w[17] * g22[k];
-        const float d2 = w[18] * g00[k] + w[19] * g01[k] + w[20] * g02[k] + w[21] * g11[k] + w[22] * g12[k] + w[23] * g22[k];
-        const float A = r1 * r1 - d2, B = r0 * r1 - d1, C = r0 * r0 - d0;
-        const float D = (d2 * r0 * r0 + d0 * r1 * r1 - 2 * d1 * r0 * r1) - (d0 * d2 - d1 * d1);
-        const float root = std::sqrt(D > 0 ? D : 0.f);
-        const float q = B >= 0 ? -B - root : root - B;
-        const int one = binOf(placeOf(q, A)), other = binOf(placeOf(C, q));
-        from[k] = D > 0 ? (B >= 0 ? one : other) : -1;
-        to[k] = B >= 0 ? other : one;
-    }
 }
 
 //! The place on the line of a voter that suits most of the others, and how many these are.
@@ -214,7 +181,7 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
         return 0;
     Vec3d u, v;
     lineBasis(n, u, v);
-    float weights[WEIGHTS];
+    float weights[ARCS_WEIGHTS];
     for (int k = 0; k < 3; ++k)
     {
         weights[k] = (float)u[k];
@@ -223,12 +190,15 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     formWeights(u, u, weights + 6);
     formWeights(u, v, weights + 12);
     formWeights(v, v, weights + 18);
-    int change[BINS + 1] = {0};
-    for (int begin = 0; begin < p.size; begin += BLOCK)
+    int change[ARCS_BINS + 1] = {0};
+    for (int begin = 0; begin < p.size; begin += ARCS_BLOCK)
     {
-        int from[BLOCK], to[BLOCK];
-        arcs(weights, begin, from, to);
-        const int count = std::min<int>(BLOCK, p.size - begin);
+        int from[ARCS_BLOCK], to[ARCS_BLOCK];
+        const float* rows[ARCS_ROWS];
+        for (int k = 0; k < ARCS_ROWS; ++k)
+            rows[k] = number(k) + begin;
+        kernels().arcs(rows, weights, from, to);
+        const int count = std::min<int>(ARCS_BLOCK, p.size - begin);
         for (int k = 0; k < count; ++k)
             if (from[k] >= 0)
             {
@@ -257,8 +227,7 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
         const Quality here = support(F);
         if (step == 1)
         {
-            const double cosine = e.dot(lastFit);
-            if (here.cost > best.cost + GOES_ON || cosine * cosine > 1 - SAME)
+            if (here.cost > best.cost + GOES_ON || isNear(e, lastFit, SAME))
                 return;
             lastFit = e;
             ++fitted;

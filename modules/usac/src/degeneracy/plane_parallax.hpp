@@ -54,25 +54,20 @@ public:
     int fits() const { return fitted; }
 
 private:
-    //! Points of one turn of the vector loop.
-    enum { BLOCK = 16 };
     //! Numbers of each voter: its line n and the matrix G, symmetric; see setPlane().
-    enum { N0, N1, N2, G00, G01, G02, G11, G12, G22, NUMBERS };
-    //! Coefficients of a point on a line, see vote().
-    enum { WEIGHTS = 24 };
+    enum { N0, N1, N2, G00, G01, G02, G11, G12, G22 };
 
     const float* number(int which) const { return &numbers[(size_t)which * stride]; }
     Quality support(const Model& model) const { return voters.msac(Residual::SAMPSON, model, limit); }
     int linesNeeded(double failure, double wanted) const;
     int vote(int line, Vec3d& epipole) const;
-    void arcs(const float* weights, int begin, int* from, int* to) const;
     void refine(const Context& context, Vec3d epipole, Model& model, Quality& quality);
     bool fit(const Model& F, double width, Vec3d& epipole) const;
 
     Matx33d H;      //!< unit Frobenius norm
     double limit;   //!< squared threshold
     SideBySide<MAX_POINTS> voters;
-    std::vector<float> numbers;  //!< NUMBERS rows of `stride`
+    std::vector<float> numbers;  //!< ARCS_ROWS rows of `stride`
     int stride;     //!< size(), rounded up to whole blocks
     Quality best;   //!< lowest cost of the voters
     Vec3d lastFit;  //!< the last epipole that was fitted

@@ -6,6 +6,7 @@
 instantiated here, as inline functions of other headers would be merged with those of the other instruction sets. */
 
 #include <cmath>
+#include "residuals/arcs.inl.hpp"
 #include "residuals/formulas.hpp"
 #include "residuals/kernels.hpp"
 #include "residuals/simd.hpp"
@@ -102,6 +103,7 @@ Kernels allKernels()
     addKernels<TransferError>(Residual::TRANSFER, transferSums, transferCost, all);
     addKernels<SampsonError>(Residual::SAMPSON, sampsonSums, sampsonCost, all);
     addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost, all);
+    all.arcs = arcsKernel;
     addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums, symmetricEpipolarCost, all);
     return all;
 }
