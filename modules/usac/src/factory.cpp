@@ -118,6 +118,8 @@ void createDegeneracies(int flags, ProblemType problem, std::vector<Ptr<Degenera
         degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
     if ((flags & DEGENERACY_DEGENSAC) && problem == FUNDAMENTAL)
         degeneracies.push_back(createDegensac());
+    if ((flags & DEGENERACY_DEGENSAC) && problem == ESSENTIAL)
+        degeneracies.push_back(createPlanarMotion());
     if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of their own models
         degeneracies.push_back(problem == HOMOGRAPHY ? createRepeatedPoints() : createSharedPoints());
 }

@@ -14,6 +14,8 @@ namespace usacv20 {
 Ptr<Degeneracy> createHomographyOrientation();
 //! F, E: see OrientedEpipolar.
 Ptr<Degeneracy> createOrientedEpipolar();
+//! E: scenes dominated by a plane, see PlanarMotion.
+Ptr<Degeneracy> createPlanarMotion();
 //! F: samples dominated by a plane, see Degensac.
 Ptr<Degeneracy> createDegensac();
 

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "degeneracy/degeneracy.hpp"
-#include "degeneracy/epipole.hpp"
+#include "degeneracy/dominant_plane.hpp"
 #include "degeneracy/share_a_point.hpp"
 #include "degeneracy/plane_parallax.hpp"
 #include "degeneracy/side_by_side.hpp"
@@ -33,7 +33,7 @@ public:
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {
         Matx33d H;
-        if (sample ? !planeOfSample(context.points, sample, model, H) : !planeOfInliers(context, state, model, H))
+        if (sample ? !planeOfSample(context.points, sample, model, H) : !plane.find(context, state.rng, model, DOMINANT, H))
             return true;
         state.report.degenerate = true;
         const Quality before = quality;
@@ -58,10 +58,8 @@ public:
     }
 
 private:
-    //! Most triples and points of the test of the inliers, and points of the fit of a plane.
-    enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, MAX_FIT = 256 };
-    //! Most fits of a plane, and steps of each.
-    enum { MAX_FITS = 5, FIT_STEPS = 2 };
+    //! Most points of the fit of a plane, most fits, and steps of each.
+    enum { MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2 };
     //! Points of a plane that was known are clearly more if they are so many times as many.
     static const double CLEARLY;
     //! A plane has so many of the model's inliers at least; before it is fitted, so many of these.
@@ -80,64 +78,21 @@ private:
         if (sample)
             return mapped(p, known, sample, 7) >= 5;
         int both = 0, here = 0;
+        const std::vector<int>& inliers = plane.inliers();
         for (size_t k = 0; k < inliers.size(); ++k)
         {
-            const bool on = error(p, H, inliers[k]) <= limit(p);
+            const bool on = error(p, H, inliers[k]) <= planeLimit(p);
             here += on;
-            both += on && error(p, known, inliers[k]) <= limit(p);
+            both += on && error(p, known, inliers[k]) <= planeLimit(p);
         }
         return both > 0.9 * here;
-    }
-
-    //! Squared errors above this are off a plane that was found from three points: three thresholds.
-    static double limit(const Correspondences& p) { return 9 * p.threshold * p.threshold; }
-
-    //! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F.
-    static bool planeOf(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e, Matx33d& H)
-    {
-        for (int k = 0; k < 3; ++k)  // their plane would map everything to that point
-            if (shareAPoint(p, triple[k], triple[(k + 1) % 3]))
-                return false;
-        Matx33d M;
-        Vec3d b;
-        for (int k = 0; k < 3; ++k)
-        {
-            const int i = triple[k];
-            const Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1);
-            const Vec3d side = x2.cross(e);
-            const double length = side.dot(side);
-            if (!(length > 0))
-                return false;
-            b[k] = x2.cross(A * x1).dot(side) / length;
-            for (int j = 0; j < 3; ++j)
-                M(k, j) = x1[j];
-        }
-        const double det = determinant(M);
-        if (!(std::abs(det) > 1e-9))
-            return false;
-        const Vec3d v = M.inv() * b;
-        H = A - Matx33d(e[0] * v[0], e[0] * v[1], e[0] * v[2], e[1] * v[0], e[1] * v[1], e[1] * v[2],
-                        e[2] * v[0], e[2] * v[1], e[2] * v[2]);
-        return true;
-    }
-
-    //! A = [e]x F with the unit epipole e of image 2; false if F has none.
-    static bool epipolar(const Model& F, Vec3d& e, Matx33d& A)
-    {
-        e = epipole2(F);
-        const double length = norm(e);
-        if (!(length > 0))
-            return false;
-        e *= 1 / length;
-        A = crossMatrix(e) * F;
-        return true;
     }
 
     static int mapped(const Correspondences& p, const Matx33d& H, const int* indices, int count)
     {
         int result = 0;
         for (int k = 0; k < count; ++k)
-            result += error(p, H, indices[k]) <= limit(p);
+            result += error(p, H, indices[k]) <= planeLimit(p);
         return result;
     }
 
@@ -152,46 +107,10 @@ private:
         for (int t = 0; t < 5; ++t)
         {
             const int triple[3] = {sample[triples[t][0]], sample[triples[t][1]], sample[triples[t][2]]};
-            if (planeOf(p, triple, A, e, H) && mapped(p, H, sample, 7) >= 5)
+            if (planeOfThree(p, triple, A, e, H) && mapped(p, H, sample, 7) >= 5)
                 return true;
         }
         return false;
-    }
-
-    //! True if more than half of (a part of) the inliers are mapped by the homography of three random ones.
-    bool planeOfInliers(const Context& context, State& state, const Model& F, Matx33d& H)
-    {
-        const Correspondences& p = context.points;
-        Vec3d e;
-        Matx33d A;
-        inliers.clear();
-        for (int i = 0; i < p.size && (int)inliers.size() < MAX_INLIERS; ++i)
-            if (SampsonError::squared(F.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]) <= p.threshold * p.threshold)
-                inliers.push_back(i);
-        const int count = (int)inliers.size();
-        if (count < 8 || !epipolar(F, e, A))
-            return false;
-        someInliers.gather(p, inliers);
-        int most = count / 2;
-        bool found = false;
-        for (int t = 0; t < MAX_TRIPLES; ++t)
-        {
-            int triple[3];
-            state.rng.distinct(count, 3, triple);
-            for (int k = 0; k < 3; ++k)
-                triple[k] = inliers[triple[k]];
-            Matx33d candidate;
-            if (!planeOf(p, triple, A, e, candidate))
-                continue;
-            const int support = someInliers.count(Residual::TRANSFER, candidate, limit(p));
-            if (support > most)
-            {
-                most = support;
-                H = candidate;
-                found = true;
-            }
-        }
-        return found;
     }
 
     static double error(const Correspondences& p, const Matx33d& H, int i)
@@ -204,7 +123,7 @@ private:
         float m[9];
         toFloat(H, m);
         Quality sum(0, 0);
-        kernels().inliers[Residual::TRANSFER](p, m, (float)limit(p), 0, p.size, sum);
+        kernels().inliers[Residual::TRANSFER](p, m, (float)planeLimit(p), 0, p.size, sum);
         return sum.inliers;
     }
 
@@ -226,7 +145,7 @@ private:
     @return false if they are fewer than `least`; else onPlane and offPlane are those for the parallax */
     bool fitPlane(const Correspondences& p, double least, Matx33d& H)
     {
-        split(p, H, limit(p));
+        split(p, H, planeLimit(p));
         if (onPlane.size() < 8 || onPlane.size() < ROUGHLY * least)
             return false;
         size_t before = 0;
@@ -235,7 +154,7 @@ private:
             before = onPlane.size();
             if (!fitter->fit(p, onPlane.data(), std::min((int)before, (int)MAX_FIT), 0, H, FIT_STEPS))
                 return false;
-            split(p, H, limit(p));
+            split(p, H, planeLimit(p));
         }
         if (onPlane.size() < least)
             return false;
@@ -260,9 +179,9 @@ private:
     int knownPoints;       //!< on it
     Model knownModel;      //!< the F found with it
     Quality knownQuality;  //!< infinite cost: none better than what was known
-    std::vector<int> inliers, onPlane, offPlane;
+    DominantPlane plane;
+    std::vector<int> onPlane, offPlane;
     std::vector<float> errors;  //!< of all points under a plane
-    SideBySide<MAX_INLIERS> someInliers;
     Ptr<PlaneParallax> parallax;  //!< from the first plane on
 };
 

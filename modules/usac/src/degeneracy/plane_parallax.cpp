@@ -164,7 +164,7 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
         const int votes = vote(next, e) + 1;  // and its own
         if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
             continue;
-        if (votes <= best.inliers && isNear(e, lastFit, SAME_PLACE))
+        if (isNear(e, lastFit, SAME_PLACE))
             continue;
         refine(context, e, model, quality);
         needed = linesNeeded(failure, wanted);

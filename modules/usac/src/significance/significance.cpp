@@ -57,7 +57,10 @@ double Significance::chance(int inliers, double clear)
 
 bool Significance::decisive(double inlierRatio, double limit) const
 {
+    // where inliers are there several times the other matches are, too
+    const double all = points.size - last.points + last.inliers, different = all > 0 ? last.inliers / all : 1;
     Agreement few = last;
+    few.points = (int)(different * points.size);
     few.inliers = (int)(inlierRatio * few.points);
     return chanceOf(few) <= limit;
 }

@@ -39,12 +39,12 @@ double goodSampleProbability(const Context& context, const State& state, double 
 {
     const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
     if ((context.params.termination & TERMINATION_EXACT) == 0)
-        return goodSampleProbability(inliers, n, m, false);
+        return goodSampleProbability(inliers, n, m, false) * state.yield;
     const double different = std::max(n / copiesOf(state, n, m), (double)std::min(n, m + 1));
     double p = 1;
     for (int i = 0; i < m; ++i)
         p *= std::max(inliers / n * different - i, 0.0) / (different - i);
-    return std::min(p, 1.0);
+    return std::min(p, 1.0) * state.yield;
 }
 
 double goodModelProbability(const Context& context, const State& state, double inliers)

@@ -116,7 +116,7 @@ struct Context;
 //! All that changes during a run.
 struct CV_EXPORTS State
 {
-    State() : iteration(0), counts(true), countedSamples(0), repeatedSamples(0), subsetSize(0) {}
+    State() : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0), subsetSize(0) {}
 
     //! The points, best first, as the Prior says; sorted at the first call.
     const std::vector<int>& bestFirst(const Context& context)
@@ -129,6 +129,7 @@ struct CV_EXPORTS State
     Rng rng;                 //!< generator of the current iteration
     int iteration;           //!< samples drawn so far
     bool counts;             //!< the present sample is as good as a uniform one of all points; true unless the sampler says no
+    double yield;            //!< part of the samples of inliers only that lead to the best model; 1, but for degenerate scenes
     int countedSamples;      //!< samples so far that count: what the confidence rests on
     int repeatedSamples;     //!< samples that do not count only because a match was in them twice
     int subsetSize;          //!< the sampler draws from the `subsetSize` best points now; all points: size

@@ -153,7 +153,7 @@ enum TerminationFlags
 enum DegeneracyFlags
 {
     DEGENERACY_ORIENTATION = 1, //!< H: orientation of the sample; F, E: oriented epipolar constraint @cite chum2004epipolar
-    DEGENERACY_DEGENSAC    = 2, //!< F: samples dominated by a plane, plane and parallax @cite chum2005two
+    DEGENERACY_DEGENSAC    = 2, //!< F: samples dominated by a plane, plane and parallax @cite chum2005two. E: more samples of a plane
     DEGENERACY_REPEATED    = 4  //!< samples of matches that share a point; F, E: also but for the noise, and models of such matches
 };
 
@@ -252,7 +252,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
-    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with two fifths more inliers would have been found,
+    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers beside its sample would have been found,
     whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and three steps of polishing. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks for, up to ten
