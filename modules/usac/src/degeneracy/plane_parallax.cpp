@@ -221,7 +221,7 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
 {
     Model F = crossMatrix(e) * H, candidate = F;
     Quality lowest;
-    for (size_t step = 0; step < sizeof(WIDTHS) / sizeof(WIDTHS[0]) && fit(F, WIDTHS[step], e); ++step)
+    for (size_t step = 0; step < sizeof(WIDTHS) / sizeof(WIDTHS[0]) && fit(F, WIDTHS[step], step < 2 ? FIRST_FIT : MAX_POINTS, e); ++step)
     {
         F = crossMatrix(e) * H;
         const Quality here = support(F);
@@ -249,20 +249,21 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
     quality = whole;
 }
 
-//! Least squares of the errors of the voters within so many thresholds of F = [e]x H; their denominators are those of e.
-bool PlaneParallax::fit(const Model& F, double width, Vec3d& e) const
+//! Least squares of the errors of `most` voters within so many thresholds of F = [e]x H; their denominators are those of e.
+bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
 {
     const Correspondences& p = voters.view();
     float m[9], errors[MAX_POINTS];
     toFloat(F, m);
     kernels().errors[Residual::SAMPSON](p, m, 0, p.size, errors);
-    const float most = (float)(width * width * limit);
+    const float widest = (float)(width * width * limit);
     double weights[6], sums[6] = {0};
     formWeights(e, e, weights);
-    for (int i = 0; i < p.size; ++i)
+    for (int i = 0, count = 0; i < p.size && count < most; ++i)
     {
-        if (!(errors[i] <= most))
+        if (!(errors[i] <= widest))
             continue;
+        ++count;
         double d = 0;
         for (int k = 0; k < 6; ++k)
             d += weights[k] * number(G00 + k)[i];

@@ -54,6 +54,8 @@ public:
     int fits() const { return fitted; }
 
 private:
+    //! Points of the first two steps of a fit, which tell whether it is worth while.
+    enum { FIRST_FIT = 128 };
     //! Numbers of each voter: its line n and the matrix G, symmetric; see setPlane().
     enum { N0, N1, N2, G00, G01, G02, G11, G12, G22 };
 
@@ -62,7 +64,7 @@ private:
     int linesNeeded(double failure, double wanted) const;
     int vote(int line, Vec3d& epipole) const;
     void refine(const Context& context, Vec3d epipole, Model& model, Quality& quality);
-    bool fit(const Model& F, double width, Vec3d& epipole) const;
+    bool fit(const Model& F, double width, int most, Vec3d& epipole) const;
 
     Matx33d H;      //!< unit Frobenius norm
     double limit;   //!< squared threshold

@@ -59,14 +59,14 @@ void mix(EssentialBasis& basis)
     EssentialBasis q;
     for (int k = 0; k < 4; ++k)
     {
-        std::copy(basis[k], basis[k] + 9, q[k]);
-        orthonormalize(q, k);
+        const double inverse = 1 / std::sqrt(61608 * product(basis[k], basis[k]));
+        for (int i = 0; i < 9; ++i)
+            q[k][i] = inverse * basis[k][i];
     }
-    const double unit = 1 / std::sqrt(61608.);
     for (int k = 0; k < 4; ++k)
         for (int i = 0; i < 9; ++i)
-            basis[k][i] = unit * (ROTATION[k][0] * q[0][i] + ROTATION[k][1] * q[1][i] + ROTATION[k][2] * q[2][i] +
-                                  ROTATION[k][3] * q[3][i]);
+            basis[k][i] = ROTATION[k][0] * q[0][i] + ROTATION[k][1] * q[1][i] + ROTATION[k][2] * q[2][i] +
+                          ROTATION[k][3] * q[3][i];
 }
 
 double align(const Correspondences& points, const int* sample, EssentialBasis& basis)

@@ -14,7 +14,7 @@ namespace usacv20 {
 E = x X + y Y + z Z + W, and loses digits where x, y or z is large, or where all its solutions are close together. */
 typedef double EssentialBasis[4][9];
 
-/** Makes a basis orthonormal and mixes it. What elimination leaves has zeros in places that the motion determines: without
+/** Brings the vectors of a basis to unit length and mixes them by a rotation. What elimination leaves has zeros in places that the motion determines: without
 mixing, the motions of rectified cameras and of a camera that moves forward or sideways have no finite x, y, z. */
 void mix(EssentialBasis& basis);
 
