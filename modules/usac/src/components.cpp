@@ -48,7 +48,7 @@ bool Degeneracy::mayBeGood(const Context&, const int*) const { return false; }
 bool Degeneracy::validModel(const Context&, const int*, const Model&) const { return true; }
 bool Degeneracy::recover(const Context&, State&, const int*, Model&, Quality&) { return true; }
 
-bool Termination::countsAll() const { return false; }
+bool Termination::countsAll() const { return true; }
 int Termination::reason() const { return STOP_CUSTOM; }
 
 } // namespace usacv20

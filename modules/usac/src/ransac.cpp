@@ -57,6 +57,7 @@ bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();
     const double localBefore = state.report.localMs;
+    int repeatedBefore = state.repeatedSamples;
     bool ended = true;
     if (parts.verifier)
         parts.verifier->adapt(context, state);
@@ -103,9 +104,11 @@ bool Ransac::run(int pause)
         if (first && found)
             improve(best, Quality());
         const size_t tests = state.tests.size();
+        const bool repeated = state.repeatedSamples != repeatedBefore;
+        repeatedBefore = state.repeatedSamples;
         if (parts.verifier)
             parts.verifier->adapt(context, state);
-        if (state.tests.size() != tests)
+        if (state.tests.size() != tests || repeated)
             updateTermination();
     }
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
@@ -148,7 +151,8 @@ them: whatever points the samples prefer, they do not miss it. */
 int Ransac::samplesThatCount() const
 {
     const int m = parts.minimalSolver->sampleSize();
-    const bool most = 2 * (state.bestQuality.inliers - m) > context.points.size - m;
+    const bool planar = state.report.degenerate || state.yield < 1;  // then it may share nearly all with a wrong one
+    const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - state.repeatedSamples : state.countedSamples;
 }
 
@@ -185,10 +189,9 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
     h.rejectedSample = h.repeated = false;
     for (size_t d = 0; d < parts.degeneracies.size() && !h.rejectedSample; ++d)             // 4
-    {
         h.rejectedSample = !parts.degeneracies[d]->validSample(context, sample);
-        h.repeated = h.rejectedSample && parts.degeneracies[d]->mayBeGood(context, sample);
-    }
+    for (size_t d = 0; d < parts.degeneracies.size() && h.rejectedSample && !h.repeated; ++d)
+        h.repeated = parts.degeneracies[d]->mayBeGood(context, sample);
     if (h.rejectedSample)
         return;                                                                             // 5
     h.computed = parts.minimalSolver->solve(context.points, sample, h.models);              // 6
@@ -241,6 +244,7 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
     Model model = candidate.model;
     Quality quality = candidate.quality;
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
+    const double yield = state.yield;
     const bool valid = recover(candidate.sample.val, model, quality);                      // 14
     if (!valid || candidate.quality.betterThan(quality))
         state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
@@ -249,7 +253,10 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
     if (parts.localOptimizer)
         optimize(model, quality);                                                           // 19 - 24
     if (!quality.betterThan(state.bestQuality))                                             // 18
+    {
+        state.yield = yield;  // that of the best model
         return;
+    }
     state.best = model;                                                                     // 25
     state.bestQuality = quality;
     updateTermination();                                                                    // 26
@@ -258,7 +265,8 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
 double Ransac::uselessCost() const
 {
     const double best = state.sampleQuality.cost, size = context.points.size;
-    return std::min(runnersUp.uselessCost(best), size - WORTHWHILE * (size - best));
+    // runners-up may be better than the best one, where a check has lowered the quality of theirs when they were the best
+    return std::max(best, std::min(runnersUp.uselessCost(best), size - WORTHWHILE * (size - best)));
 }
 
 /* A model whose inliers are those of the best one leads to the same optimum. Not so for E: a plane has two motions

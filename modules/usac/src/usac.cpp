@@ -29,6 +29,8 @@ const double REACH = 5, GROWS = 1.5, SHRINKS = 0.7;
 
 //! Params::significance 0: the limit, and the part of the points that must be able to reach it.
 const double LIMIT = 0.01, DECISIVE = 0.25;
+//! Part of what a model gains over no model at all that must be left after polishing.
+const double KEPT = 0.9;
 //! Chances that are smaller need not be known.
 const double CLEAR = 1e-6;
 
@@ -119,9 +121,34 @@ private:
         const SearchEffort effort = {parts.minimalSolver->sampleSize(), (double)learned.iterations,
                                      (double)learned.models - learned.rejectedModels,
                                      params.quality == QUALITY_INLIERS && parts.localOptimizer, params.quality == QUALITY_LMEDS};
-        Significance test(*parts.residual, model, data.points(), data.maskThreshold(), effort);
+        const double grown = std::max(params.reach / givenReach, 1.);  // as far as the threshold is below the noise
+        Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown, effort);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
         return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
+    }
+
+    //! What a minimal solver or a polisher found may miss the constraints of F and E.
+    Model projected(const Model& model) const
+    {
+        const ProblemType problem = data.points().problem;
+        return problem == HOMOGRAPHY ? model : Parameterization(problem, model).model();
+    }
+
+    /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse after it, the
+    model stays as the search found it. @return quality of the model */
+    Quality polish(const Context& context, Model& best)
+    {
+        const Model found = projected(best);
+        const Quality before = context.rate(found);
+        if (parts.polisher)
+            parts.polisher->polish(context, best);
+        best = projected(best);
+        const Quality after = context.rate(best);
+        const double size = context.points.size;
+        if (size - after.cost >= KEPT * (size - before.cost))  // false for NaN
+            return after;
+        best = found;
+        return before;
     }
 
     //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
@@ -134,12 +161,7 @@ private:
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
             data.setThreshold(parts.score->threshold(context, state.best));
-            if (parts.polisher)
-                parts.polisher->polish(context, state.best);
-            if (data.points().problem != HOMOGRAPHY)  // what a minimal solver found may miss the constraints
-                state.best = Parameterization(data.points().problem, state.best).model();
-            if (report)
-                learned.cost = context.rate(state.best).cost / context.points.size;
+            learned.cost = polish(context, state.best).cost / context.points.size;
             Matx33d model;
             if (data.toInput(state.best, model))
             {

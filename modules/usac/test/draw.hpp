@@ -13,7 +13,7 @@ namespace opencv_test {
 class Draw
 {
 public:
-    Draw(ProblemType problem, int count, const Ptr<Sampler>& sampler_, uint64 seed_ = 0, const Params& params_ = Params())
+    Draw(ProblemType problem, int count, const Ptr<Sampler>& sampler_, uint64 seed_ = 0, const Params& params_ = ordered())
         : params(params_), sampler(sampler_), scene(makeScene(problem, optionsOf(count))), usac(createUsac(scene, params)),
           context(usac->points(), usac->components(), params), m(usac->components().minimalSolver->sampleSize()),
           seed(seed_)
@@ -21,6 +21,14 @@ public:
         state.order.resize(count);
         for (int i = 0; i < count; ++i)  // any permutation
             state.order[i] = (i * 11 + 3) % count;
+    }
+
+    //! All samples are drawn as the sampler prefers, none from all points.
+    static Params ordered()
+    {
+        Params result;
+        result.orderedEvery = 1;
+        return result;
     }
 
     void next()

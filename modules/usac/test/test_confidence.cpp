@@ -175,7 +175,7 @@ TEST(Usac_Confidence, standard)
     }
 }
 
-//! P-NAPSAC: a model with a tenth more inliers is not missed.
+//! P-NAPSAC: a model with a tenth more inliers beside its sample is not missed.
 TEST(Usac_Confidence, pNapsac)
 {
     const Rivals rivals(110, 99, 91);
@@ -186,13 +186,13 @@ TEST(Usac_Confidence, pNapsac)
     int asComputed = 0;
     for (int i = 0; i < RUNS; ++i)
     {
-        const double k = closedForm(subsets(runs.inliers[i] * 1.1, n, 4));
+        const double k = closedForm(subsets(4 + (runs.inliers[i] - 4) * 1.1, n, 4));
         EXPECT_GE(runs.iterations[i], k);
         asComputed += runs.iterations[i] == k;
     }
     EXPECT_GT(asComputed, RUNS * 0.7);
     const int decoys = count(rivals.inliers(false, params.threshold));
-    runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys * 1.1, n, 4))), STOP_P_NAPSAC);
+    runs.check(failureRate(rivals, params.threshold, closedForm(subsets(4 + (decoys - 4) * 1.1, n, 4))), STOP_P_NAPSAC);
 }
 
 //! SPRT drops models and asks for more samples in return; few, as its threshold is high for a solver that costs as much.
@@ -223,6 +223,7 @@ TEST(Usac_Confidence, prosac)
         Params params = plainParams(TERMINATION_PROSAC | TERMINATION_EXACT);
         params.sampler = sampler;
         params.prior = PRIOR_INPUT_ORDER;
+        params.orderedEvery = 1;
         const double ratio = randomInlierRatio(createUsac(rivals.scene, params)->points());
         int samples[2], length[2];
         for (int right = 0; right < 2; ++right)

@@ -9,7 +9,7 @@ namespace opencv_test { namespace {
 
 Params withScores(const std::vector<float>& scores)
 {
-    Params params;
+    Params params = Draw::ordered();
     params.scores = scores;
     params.scoreOrder = SCORES_HIGHER_IS_BETTER;
     return params;
@@ -177,7 +177,7 @@ TEST(Usac_Importance, findsTheModelSooner)
             options.outliers = 300;
             options.seed = seed;
             const Scene scene = makeScene((ProblemType)problem, options);
-            Params params;
+            Params params = Draw::ordered();
             params.scoreOrder = SCORES_HIGHER_IS_BETTER;
             for (int i = 0; i < scene.size(); ++i)
                 params.scores.push_back(scene.truth[i] ? 0.9f : 0.1f);

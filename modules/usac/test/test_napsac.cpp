@@ -10,7 +10,7 @@ namespace opencv_test { namespace {
 
 Params withNeighbours(int neighbours)
 {
-    Params params;
+    Params params = Draw::ordered();
     params.neighbourhood = NEIGHBOURHOOD_KNN;
     params.neighbours = neighbours;
     return params;
@@ -18,7 +18,7 @@ Params withNeighbours(int neighbours)
 
 Params withRadius(double radius)
 {
-    Params params;
+    Params params = Draw::ordered();
     params.neighbourhood = NEIGHBOURHOOD_RADIUS;
     params.neighbourRadius = radius;
     return params;
@@ -144,7 +144,7 @@ TEST(Usac_Napsac, findsALocalModel)
                     scene.points2[i] = scene.clean2[i] = scene.clean2[i] * 0.25 + Point2d(200, 150);
                 }
             scene.model = shrink * scene.model * shrink.inv();
-            Params params;
+            Params params = Draw::ordered();
             params.neighbourhood = kind;
             params.neighbours = 3;
             params.neighbourRadius = 8;

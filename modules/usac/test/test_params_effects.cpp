@@ -235,6 +235,7 @@ TEST_P(UsacEffects, sampler)
 {
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
     Params params;
+    params.orderedEvery = 1;
     params.prior = PRIOR_INPUT_ORDER;
     params.sampler = SAMPLER_PROSAC;
     const std::vector<int> prosac = samplesOf(scene, params, 50);
@@ -254,6 +255,7 @@ TEST_P(UsacEffects, prior)
     for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
     {
         Params params;
+        params.orderedEvery = 1;
         params.sampler = sampler;
         std::vector<int> samples[4];
         for (params.prior = PRIOR_AUTO; params.prior <= PRIOR_NONE; ++params.prior)
@@ -270,6 +272,7 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
 {
     const Scene scene = sceneOf(problem(), 60, 240);
     Params params, none;
+    params.orderedEvery = none.orderedEvery = 1;
     params.sampler = none.sampler = SAMPLER_PROSAC;
     for (int i = 0; i < scene.size(); ++i)
         params.scores.push_back(scene.truth[i] ? 0.4f : 0.8f);
@@ -287,6 +290,24 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
     const std::vector<int> rows = samplesOf(scene, params, 20);
     for (size_t i = 0; i < rows.size(); ++i)
         EXPECT_NE(0, rows[i] % 3) << "a match whose score is NaN is the worst";
+}
+
+//! Points in the order of the caller, true matches first: one sample in so many is of the first of them, the others are uniform.
+TEST_P(UsacEffects, orderedEvery)
+{
+    const Scene scene = sorted(sceneOf(problem(), 60, 240));
+    const int m = SAMPLE_SIZES[problem()];
+    Params params;
+    params.prior = PRIOR_INPUT_ORDER;
+    params.sampler = SAMPLER_PROSAC;
+    for (params.orderedEvery = 1; params.orderedEvery <= 8; params.orderedEvery *= 2)
+    {
+        const std::vector<int> rows = samplesOf(scene, params, 80);
+        int good = 0;
+        for (int i = 0; i < 80; ++i)
+            good += goodPart(scene, std::vector<int>(rows.begin() + i * m, rows.begin() + (i + 1) * m)) == 1;
+        EXPECT_NEAR(80 / params.orderedEvery, good, 3);
+    }
 }
 
 TEST_P(UsacEffects, quality)

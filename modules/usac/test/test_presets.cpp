@@ -30,12 +30,12 @@ TEST(Usac_Presets, change_what_they_say)
         {"msac", Params::msac(), ransac, "quality "},
         {"lmeds", Params::lmeds(), ransac, "quality "},
         {"mlesac", Params::mlesac(), ransac, "quality "},
-        {"prosac", Params::prosac(), ransac, "sampler prior termination "},
+        {"prosac", Params::prosac(), ransac, "sampler prior termination orderedEvery "},
         {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
         {"gcRansac", Params::gcRansac(), Params::msac(), "neighbourhood localOptimization localIterations localSampleMultiple localSamples "
                                                           "neighbourRadius "},
-        {"usac2013", Params::usac2013(), lo, "sampler prior verification termination degeneracy "},
+        {"usac2013", Params::usac2013(), lo, "sampler prior verification termination orderedEvery degeneracy "},
         {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach widestReach "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing polishingSteps reach widestReach "}};
     const int count = sizeof(all) / sizeof(all[0]);

@@ -175,13 +175,14 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
     }
 }
 
-//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new. With an
-//! order that is a guess this holds for every second sample, and the others are uniform.
+//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new. This holds for
+//! one sample in Params::orderedEvery, but none of the first eight if the order is a guess; the others are uniform, and they count.
 void expectGrowth(int prior, int period)
 {
-    const int N = 300;
+    const int N = 300, first = prior == PRIOR_DENSITY ? 8 : 0;
     Draw draw(FUNDAMENTAL, N, createPNapsacSampler());
     draw.params.prior = prior;
+    draw.params.orderedEvery = period;
     const std::vector<double> limit = publishedGrowth(N, draw.m);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0;
     for (int t = 1; t <= 20000; ++t)
@@ -193,7 +194,9 @@ void expectGrowth(int prior, int period)
         wrongSize += draw.state.subsetSize != n;
         const std::vector<int>::const_iterator end = draw.state.order.begin() + draw.state.subsetSize;
         const bool out = std::find(draw.state.order.cbegin(), end, draw.sample[0]) == end;
-        if (t % period != 0 || (period > 1 && t <= 8))  // uniform ones
+        const bool ordered = (t - 1) % period == 0 && (t > first || period == 1);
+        EXPECT_EQ(!ordered || period == 1, draw.state.counts) << t;
+        if (!ordered)
         {
             early += out;
             continue;
@@ -205,13 +208,14 @@ void expectGrowth(int prior, int period)
     EXPECT_LE(wrongSize, 30);
     EXPECT_EQ(0, notNewest);
     EXPECT_EQ(0, outside);
-    EXPECT_EQ(period == 2, early > 1000) << early;
+    EXPECT_EQ(period > 1, early > 1000) << early;
 }
 
 TEST(Usac_Samplers, pNapsacCentresGrowLikeProsac)
 {
     expectGrowth(PRIOR_INPUT_ORDER, 1);
-    expectGrowth(PRIOR_DENSITY, 2);
+    expectGrowth(PRIOR_INPUT_ORDER, 3);
+    expectGrowth(PRIOR_DENSITY, 4);
 }
 
 TEST(Usac_Samplers, asManyPointsAsASampleNeeds)

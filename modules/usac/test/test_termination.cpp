@@ -112,7 +112,7 @@ TEST(Usac_Termination, pNapsac)
             for (int inliers = 0; inliers <= 60; ++inliers)
             {
                 const int k = counts.iterations(createPNapsacTermination(), inliers);
-                const double significant = std::min(inliers * (1 + relaxations[r]), 60.);
+                const double significant = std::min(counts.m + (inliers - counts.m) * (1 + relaxations[r]), 60.);
                 EXPECT_EQ(inliers <= counts.m ? INT_MAX : counts.needed(counts.good(significant)), k) << inliers;
             }
         }

@@ -211,6 +211,7 @@ Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
     RNG rng(scene.size());
     Params params;
     params.sampler = sampler;
+    params.orderedEvery = 1;
     params.termination = TERMINATION_PROSAC;
     params.verification = VERIFICATION_NONE;
     params.maxIterations = 20000;

@@ -28,7 +28,7 @@ find F. A plane that was dealt with is looked at again if clearly more points ar
 class Degensac : public Degeneracy
 {
 public:
-    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)), known(Matx33d::zeros()), knownPoints(0) {}
+    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)), known(Matx33d::zeros()), knownThreshold(0), knownPoints(0) {}
 
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {
@@ -37,7 +37,7 @@ public:
             return true;
         state.report.degenerate = true;
         const Quality before = quality;
-        if (isKnown(context.points, H, sample))
+        if (knownThreshold == context.points.threshold && isKnown(context.points, H, sample))
         {
             if (knownQuality.betterThan(quality))
             {
@@ -50,6 +50,7 @@ public:
         if (!fitPlane(context.points, std::max(DOMINANT * before.inliers, SEEN * context.points.size), H))
             return true;
         known = H;
+        knownThreshold = context.points.threshold;
         knownPoints = pointsOn(context.points, H);
         planeAndParallax(context, state, H, model, quality);
         knownModel = model;
@@ -176,6 +177,7 @@ private:
 
     Ptr<NonMinimalSolver> fitter;
     Matx33d known;         //!< homography of the last plane
+    double knownThreshold; //!< of that time
     int knownPoints;       //!< on it
     Model knownModel;      //!< the F found with it
     Quality knownQuality;  //!< infinite cost: none better than what was known

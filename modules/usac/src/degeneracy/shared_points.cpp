@@ -105,7 +105,7 @@ public:
         if (sum.inliers < 2)
             return true;
         quality.cost += (count - sum.cost) * (sum.inliers - 1) / sum.inliers;
-        quality.inliers -= sum.inliers - 1;
+        quality.inliers = std::max(quality.inliers - sum.inliers + 1, 1);
         return true;
     }
 

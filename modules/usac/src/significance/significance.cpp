@@ -72,6 +72,8 @@ Agreement Significance::look(int count, double scale, int pairs) const
 
 double Significance::chanceOf(const Agreement& found, double share) const
 {
+    if (found.inliers <= sampleSize)
+        return 1;
     const double p = betaBinomialTail(found.inliers - sampleSize, found.points - sampleSize, found.agreeing, found.pairs);
     return -std::expm1(trials / share * std::log1p(-p));
 }

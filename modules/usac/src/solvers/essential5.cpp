@@ -237,22 +237,23 @@ Vec3d stepOf(const double (&T)[20][10], double x, double y, double z, const doub
 }
 
 /** Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots are small; the
-steps bring them back. False if the constraints stay violated: this is no essential matrix.
+steps bring them back.
 @param T coefficients of the constraints, a row for each monomial
 @param length of Z; those of X, Y and W are 1
-@param x, y, z solution, in and out */
-bool correct(const double (&T)[20][10], double length, double& x, double& y, double& z)
+@param x, y, z solution, in and out
+@return what is left of the constraints */
+double correct(const double (&T)[20][10], double length, double& x, double& y, double& z)
 {
     enum { STEPS = 4 };
     for (int k = 0;; ++k)
     {
         double r[10];
-        const double squared = 1 + x * x + y * y + length * length * z * z, left = violation(T, x, y, z, r) / (squared * std::sqrt(squared));
-        if (left < EXACT || k == STEPS)
-            return left < VIOLATED;  // false for NaN
+        const double squared = 1 + x * x + y * y + length * length * z * z, left = violation(T, x, y, z, r);
+        if (left < EXACT * squared * std::sqrt(squared) || k == STEPS)
+            return left;
         const Vec3d step = stepOf(T, x, y, z, r);
         if (!(step[0] * step[0] + step[1] * step[1] + length * length * step[2] * step[2] < 0.1 * squared))  // also for NaN
-            return left < VIOLATED;
+            return left;
         x -= step[0];
         y -= step[1];
         z -= step[2];
@@ -326,15 +327,16 @@ public:
         for (int r = 0; r < count; ++r)
         {
             double x, y, z = roots[r], squares = 0;
-            if (!backSubstitute(system.B, z, x, y) || !correct(system.transposed, length, x, y, z))
+            if (!backSubstitute(system.B, z, x, y))
                 continue;
+            const double left = correct(system.transposed, length, x, y, z);
             for (int i = 0; i < 9; ++i)
             {
                 const double e = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
                 models[found].val[i] = e;
                 squares += e * e;
             }
-            if (squares > 0 && squares <= DBL_MAX)
+            if (left < VIOLATED * squares * std::sqrt(squares) && squares <= DBL_MAX)  // false for NaN
                 models[found++] *= 1 / std::sqrt(squares);
         }
         return found;

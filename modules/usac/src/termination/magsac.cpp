@@ -43,6 +43,7 @@ public:
         return mean < INT_MAX ? (int)mean : INT_MAX;
     }
 
+    bool countsAll() const CV_OVERRIDE { return false; }
     int reason() const CV_OVERRIDE { return STOP_MAGSAC; }
 
 private:

@@ -26,6 +26,7 @@ public:
         return samplesNeeded(goodModelProbability(context, state, significant), std::log(1 - context.params.confidence));
     }
 
+    bool countsAll() const CV_OVERRIDE { return false; }
     int reason() const CV_OVERRIDE { return STOP_P_NAPSAC; }
 };
 

@@ -98,7 +98,6 @@ public:
         return prosacSamples(inliers, repeated, m, kept, randomRatio, logFailure, exact, length);
     }
 
-    bool countsAll() const CV_OVERRIDE { return true; }
     int reason() const CV_OVERRIDE { return STOP_PROSAC; }
 
 private:

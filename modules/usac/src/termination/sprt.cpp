@@ -37,6 +37,7 @@ public:
         return more < INT_MAX - (int)tested ? (int)tested + more : INT_MAX;
     }
 
+    bool countsAll() const CV_OVERRIDE { return false; }
     int reason() const CV_OVERRIDE { return STOP_SPRT; }
 
 private:

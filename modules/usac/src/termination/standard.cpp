@@ -21,6 +21,7 @@ public:
                              std::log(1 - context.params.confidence));
     }
 
+    bool countsAll() const CV_OVERRIDE { return false; }
     int reason() const CV_OVERRIDE { return STOP_STANDARD; }
 };
 

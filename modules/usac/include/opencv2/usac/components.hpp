@@ -315,7 +315,7 @@ public:
     //! Number of samples after which the run can stop, given the best model so far. INT_MAX: not yet known. Asked when the best
     //! model changes, and when the verifier begins another of `state.tests`. See #countsAll.
     virtual int iterations(const Context& context, const State& state) const = 0;
-    //! True: the number is one of all samples; false, the default: only those are counted that State::counts.
+    //! True, the default: the number is one of all samples; false: only those are counted that State::counts.
     virtual bool countsAll() const;
     //! @ref StopReason. Default #STOP_CUSTOM.
     virtual int reason() const;
