@@ -221,7 +221,8 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
 {
     Model F = crossMatrix(e) * H, candidate = F;
     Quality lowest;
-    for (size_t step = 0; step < sizeof(WIDTHS) / sizeof(WIDTHS[0]) && fit(F, WIDTHS[step], step < 2 ? FIRST_FIT : MAX_POINTS, e); ++step)
+    for (size_t step = 0;
+         step < sizeof(WIDTHS) / sizeof(WIDTHS[0]) && fit(F, WIDTHS[step], step < 2 ? FIRST_FIT : MAX_POINTS, e); ++step)
     {
         F = crossMatrix(e) * H;
         const Quality here = support(F);

@@ -14,8 +14,8 @@ namespace {
 /** @brief Refuses samples in which two matches share a point of image 1 or of image 2.
 
 A point has one counterpart at most: of two such matches one is wrong, or they are the same match twice. Without this, many
-matches of one target (repeated patterns, matching without cross-check) win by an F whose epipole is the target, which fits them all.
-Compares all pairs of the sample. */
+matches of one target (repeated patterns, matching without cross-check) win by an F whose epipole is the target, which fits them
+all. Compares all pairs of the sample. */
 class RepeatedPoints : public Degeneracy
 {
 public:

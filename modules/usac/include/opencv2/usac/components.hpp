@@ -280,15 +280,16 @@ public:
     virtual void adapt(const Context& context, State& state) = 0;
 };
 
-//! Degenerate configurations (paper, section "Degeneracy"). Members of Components::degeneracies are asked in turn, until one says no.
+//! Degenerate configurations (paper, section "Degeneracy"). Members of Components::degeneracies are asked in turn,
+//! until one says no.
 class CV_EXPORTS Degeneracy
 {
 public:
     virtual ~Degeneracy();
     //! False: no model shall be computed from the sample. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
-    //! Of a sample that validSample() has refused: might all of it be inliers (a match is in it twice), so that it does not count as
-    //! one that failed? Default: false.
+    //! Of a sample that validSample() has refused: might all of it be inliers (a match is in it twice), so that it does not count
+    //! as one that failed? Default: false.
     virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model shall not be tested. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;

@@ -63,14 +63,14 @@ enum ProblemType
     ESSENTIAL   = 2  //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
 };
 
-//! How minimal samples are drawn (paper, section "Sampling"); all but one of Params::orderedEvery samples are uniform with any of these.
+//! How minimal samples are drawn (paper, section "Sampling"); all but one of Params::orderedEvery samples are uniform with any.
 enum SamplerType
 {
     SAMPLER_UNIFORM  = 0, //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC   = 1, //!< the best points first, then ever more of them @cite chum2005matching
     //! The best point first and its neighbours, ever wider @cite barath2019progressive. Of the samples that are not uniform
-    //! (Params::orderedEvery) one in four is local, every second one where the order is the density; in the paper all are until the
-    //! neighbourhood has grown to everything. It doubles when its point is chosen again; in the paper it grows as PROSAC's set.
+    //! (Params::orderedEvery) one in four is local, every second one where the order is the density; in the paper all are until
+    //! the neighbourhood has grown to everything. It doubles when its point is chosen again; in the paper as PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC   = 3, //!< any point and its neighbours @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4 //!< points as often as Params::scores, their probabilities of being right, say
@@ -155,7 +155,8 @@ enum TerminationFlags
 enum DegeneracyFlags
 {
     DEGENERACY_ORIENTATION = 1, //!< H: orientation of the sample; F, E: oriented epipolar constraint @cite chum2004epipolar
-    //! F: samples dominated by a plane, plane and parallax @cite chum2005two. E: twice the samples where the best model is of a plane
+    //! F: samples dominated by a plane, plane and parallax @cite chum2005two. E: twice the samples where most
+    //! inliers of the best model are on a plane
     DEGENERACY_DEGENSAC    = 2,
     //! samples of matches that share a point; F, E: also but for the noise, and models of such matches
     DEGENERACY_REPEATED    = 4
@@ -216,7 +217,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double reach;
     /** Where the errors of the best model show that the noise is larger than `threshold`, `reach` grows with it, up to this, a
     multiple of `threshold`; 1..1e6; what is not above `reach` changes nothing. The mask stays that of `threshold` and may then be
-    empty with a right model. The scale of the noise is found as in @cite moisan2004probabilistic. Default 1; presets of MAGSAC 1000. */
+    empty with a right model. The scale of the noise is found as in @cite moisan2004probabilistic. Default 1; presets of MAGSAC
+    1000. */
     CV_PROP_RW double widestReach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;
@@ -236,17 +238,17 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Models beside those that beat all samples before them that are optimised before the search ends, at most; 0..100. Without
     //! local optimisation none. Default 16.
     CV_PROP_RW int runnersUp;
-    /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer, the others are
-    uniform among all points. Only the uniform ones count for the criteria of termination but #TERMINATION_PROSAC: what is drawn
-    from some points may never meet the best model, and `confidence` would not hold; but where one model has more than half of
-    the points beside its sample, all count. 1: all samples are as preferred, and all count, as in the papers (prosac(),
+    /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer, the others
+    are uniform among all points. Only the uniform ones count for the criteria of termination but #TERMINATION_PROSAC: what is
+    drawn from some points may never meet the best model, and `confidence` would not hold; but where one model has more than half
+    of the points beside its sample, all count. 1: all samples are as preferred, and all count, as in the papers (prosac(),
     usac2013()); 1..1000. Default 4. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0 runs all `maxIterations`.
     //! Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
     CV_PROP_RW int termination;
-    //! What a "significantly" better model has more for #TERMINATION_P_NAPSAC, as a fraction of the inliers of the best one beside
-    //! those of its sample; 0..1. Default 0.05.
+    //! What a "significantly" better model has more for #TERMINATION_P_NAPSAC, as a fraction of the inliers of the best one
+    //! beside those of its sample; 0..1. Default 0.05.
     CV_PROP_RW double relaxation;
     //! Times as many samples as the termination criteria ask for, as if 1 - confidence were this power of it; 1..100. Default 1.
     CV_PROP_RW int persistence;
@@ -254,7 +256,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int degeneracy;
     //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
-    //! Most fits of the polishing, each with the inliers or weights under the last one; fewer when they settle; 1..100. Default 6.
+    //! Most fits of the polishing, each with the inliers or weights under the last one; fewer when they settle; 1..100.
+    //! Default 6.
     CV_PROP_RW int polishingSteps;
     /** The largest Report::chance with which a model is returned, a probability; 0..1, after @cite moisan2004probabilistic. 1: a
     model is always returned. Default 0: 0.01 where there are enough independent points for a quarter of them to be that
@@ -263,9 +266,9 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
-    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers beside its sample would have been
-    found (`relaxation`), whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and three
-    steps of polishing. */
+    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers beside its sample would have
+    been found (`relaxation`), whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and
+    three steps of polishing. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks for, up to
     ten alternations of ten inner samples in the local optimisation, 24 runners-up and 20 steps of polishing. */
@@ -287,7 +290,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     ransac(), least squares over the inliers; the paper's minimises the negative log-likelihood of all points. */
     CV_WRAP static Params mlesac();
     /** @brief As ransac(), with PROSAC's samples (`orderedEvery` 1: all of them) and termination; the caller has sorted the
-    points, best first @cite chum2005matching. Where the termination differs from the paper is said at the class ProsacTermination. */
+    points, best first @cite chum2005matching. Where the termination differs from the paper is said at the class
+    ProsacTermination. */
     CV_WRAP static Params prosac();
     /** @brief LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally, each with four
     steps of a shrinking threshold. Fits are least squares of the geometric error, not of the algebraic one; so in all presets. */
@@ -301,8 +305,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     time. */
     CV_WRAP static Params gcRansac();
     /** @brief USAC of 2013: PROSAC samples of sorted points (`orderedEvery` 1: all of them), SPRT, LO-RANSAC, DEGENSAC, the
-    terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC stands for the paper's general test of degeneracy; H has a test
-    of orientation only, E one of planes beside it. */
+    terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC stands for the paper's general test of degeneracy; H has a
+    test of orientation only, E one of planes beside it. */
     CV_WRAP static Params usac2013();
     /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac.
     The largest standard deviation of the noise is `reach` times `threshold` over the 0.99 quantile of chi. The errors have one
@@ -310,9 +314,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     coordinates, of which a model leaves the others free. The fit takes five parts of the noise's range. Where the data show more
     noise, the range grows (`widestReach`); the paper asks for a bound that is far too large instead. */
     CV_WRAP static Params magsac();
-    /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac. What
-    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more noise
-    (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests of degeneracy are those of usacV20(). */
+    /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac.
+    What #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more
+    noise (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests of degeneracy are those of
+    usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
     //! The preset behind a flag.
     static Params fromMethod(UsacV20Method method);

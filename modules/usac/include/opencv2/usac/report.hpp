@@ -62,9 +62,9 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Inliers that are more than a threshold apart from each other in both images: repeated matches count once.
     CV_PROP_RW int independentInliers;
     /** Probability that the same search finds a model with as many independent inliers (at the threshold, or at 4 or 16 times of
-    it) in random matches of the same points, 0..1: an upper bound, after @cite moisan2004probabilistic. Values below a millionth, and
-    below a hundredth of Params::significance, may come from a part of the points. Kept if the model was refused; 1 if there was
-    none. */
+    it) in random matches of the same points, 0..1: an upper bound, after @cite moisan2004probabilistic. Values below a millionth,
+    and below a hundredth of Params::significance, may come from a part of the points. Kept if the model was refused; 1 if there
+    was none. */
     CV_PROP_RW double chance;
     //! Threshold of the mask in pixels, that of Params; #QUALITY_LMEDS: found from the data.
     CV_PROP_RW double threshold;
