@@ -287,7 +287,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     samples is that for half of the points being right. */
     CV_WRAP static Params lmeds();
     /** @brief As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac. The last fit is, as in
-    ransac(), least squares over the inliers; the paper's minimises the negative log-likelihood of all points. */
+    ransac(), least squares over the inliers; the paper's minimizes the negative log-likelihood of all points. */
     CV_WRAP static Params mlesac();
     /** @brief As ransac(), with PROSAC's samples (`orderedEvery` 1: all of them) and termination; the caller has sorted the
     points, best first @cite chum2005matching. Where the termination differs from the paper is said at the class
