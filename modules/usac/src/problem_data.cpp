@@ -112,9 +112,9 @@ void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, in
     }
 }
 
-/** Tells the allocator how much memory a call needs. At the end of a call glibc gives the top of its heap back to the system if that
-is more than twice the largest block freed so far, 128 kB at least; then each page that the next call writes to is a page fault,
-together up to a quarter of its time. A block that nobody writes to costs nothing. */
+/** Tells the allocator how much memory a call needs. At the end of a call glibc gives the top of its heap back to the system if
+that is more than twice the largest block freed so far, 128 kB at least; then each page that the next call writes to is a page
+fault, together up to a quarter of its time. A block that nobody writes to costs nothing. */
 void announceMemory(int points)
 {
     enum { BYTES_OF_POINT = 200, BYTES_OF_CALL = 1 << 16, LARGEST = 1 << 23 };

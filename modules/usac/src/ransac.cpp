@@ -31,8 +31,8 @@ const double WORTHWHILE = 0.6;
 const double SAME = 0.9;
 enum { LOOKED_AT = 1024 };
 
-/** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where no model has
-more inliers than its own sample. */
+/** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where no model
+has more inliers than its own sample. */
 int exhaustiveSamples(const Context& context)
 {
     const int n = context.points.size, m = context.components.minimalSolver->sampleSize();
@@ -160,7 +160,8 @@ int Ransac::samplesThatCount() const
 void Ransac::drawBatch()
 {
     const int left = context.params.maxIterations - state.iteration;
-    const int size = samples.empty() ? FIRST_BATCH[context.points.problem] : std::min<int>(2 * (int)samples.size(), LARGEST_BATCH);
+    const int size = samples.empty() ? FIRST_BATCH[context.points.problem]
+                                     : std::min<int>(2 * (int)samples.size(), LARGEST_BATCH);
     samples.resize(std::min(size, left));
     counts.resize(samples.size());
     firstOfBatch = state.iteration;

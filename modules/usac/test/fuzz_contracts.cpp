@@ -90,8 +90,9 @@ bool namesAnArgument(const std::string& message)
     static const char* const names[] = {
         "threshold", "confidence", "maxIterations", "threads", "sampler", "prior", "scores", "scoreOrder", "neighbourhood",
         "neighbours", "neighbourRadius", "residual", "quality", "reach", "widestReach", "verification", "tddPoints",
-        "localOptimization", "localIterations", "localSampleMultiple", "localSamples", "spatialWeight", "runnersUp", "orderedEvery",
-        "termination", "relaxation", "persistence", "degeneracy", "polishing", "polishingSteps", "significance", "points1", "points2",
+        "localOptimization", "localIterations", "localSampleMultiple", "localSamples", "spatialWeight", "runnersUp",
+        "orderedEvery", "termination", "relaxation", "persistence", "degeneracy", "polishing", "polishingSteps", "significance",
+        "points1", "points2",
         "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2"};
     for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); ++i)
         if (message.compare(0, std::strlen(names[i]), names[i]) == 0)

@@ -122,8 +122,8 @@ Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoi
     return squareRoot(symmetric ? r * r * (one / n1 + one / n2) : r * r / (n1 + n2));
 }
 
-/** Points of one image as the errors of the problem see them. What cv::undistortPoints makes of a point has no bound: then it gets
-the same doubles as the module's. */
+/** Points of one image as the errors of the problem see them. What cv::undistortPoints makes of a point has no bound: then it
+gets the same doubles as the module's. */
 std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const Mat& camera, const Mat& distortion)
 {
     std::vector<BoundedPoint> result(points.size());
@@ -243,7 +243,8 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
         return broken;
     if (model.empty())
     {
-        const bool reason = report.stop == STOP_TOO_FEW_POINTS || report.stop == STOP_NO_MODEL || report.stop == STOP_NOT_SIGNIFICANT;
+        const bool reason = report.stop == STOP_TOO_FEW_POINTS || report.stop == STOP_NO_MODEL ||
+                            report.stop == STOP_NOT_SIGNIFICANT;
         return inliers > 0 ? "inliers without a model" : reason ? "" : "no reason for no model";
     }
     if (report.stop < STOP_MAX_ITERATIONS || (inliers == 0 && call.params.widestReach <= call.params.reach))

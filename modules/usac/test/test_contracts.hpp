@@ -25,8 +25,10 @@ Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, 
 //! An estimation of the scene, for the oracle.
 EstimatorCall callOf(const Scene& scene, const Params& params);
 
-//! What is promised of any result of the standard residual with a threshold in pixels; the second form is for points that need not be doubles, with their camera matrix.
-void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report, double widestReach = 1);
+//! What is promised of any result of the standard residual with a threshold in pixels; the second form is for points that need
+//! not be doubles, with their camera matrix.
+void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report,
+                 double widestReach = 1);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
                  double pixels, const Mat& model, const Mat& mask, const Report& report,
                  const Matx33d& K = sceneCamera(), double widestReach = 1);
@@ -39,8 +41,8 @@ struct NamedPreset
 
 std::vector<NamedPreset> allPresets();
 
-/** Every preset on the points, by the estimate function and by Usac::create, and every flag by the find functions: no exception, the
-same bits by each way, and whatever comes back is what is promised. @return the models of the presets */
+/** Every preset on the points, by the estimate function and by Usac::create, and every flag by the find functions: no exception,
+the same bits by each way, and whatever comes back is what is promised. @return the models of the presets */
 std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
                                double pixels = 1.5, int maxIterations = 200, const Matx33d& K = sceneCamera());
 

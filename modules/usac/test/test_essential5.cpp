@@ -130,7 +130,8 @@ void addProduct(const Cubic& a, const Cubic& b, long double factor, Cubic& sum)
     for (int i = 0; i < 20; ++i)
         for (int j = 0; j < 20 && a[i] != 0; ++j)
             for (int k = 0; k < 20 && b[j] != 0; ++k)
-                if (MONOMIALS[i][0] + MONOMIALS[j][0] == MONOMIALS[k][0] && MONOMIALS[i][1] + MONOMIALS[j][1] == MONOMIALS[k][1] &&
+                if (MONOMIALS[i][0] + MONOMIALS[j][0] == MONOMIALS[k][0] &&
+                    MONOMIALS[i][1] + MONOMIALS[j][1] == MONOMIALS[k][1] &&
                     MONOMIALS[i][2] + MONOMIALS[j][2] == MONOMIALS[k][2])
                     sum[k] += factor * a[i] * b[j];
 }

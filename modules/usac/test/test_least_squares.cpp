@@ -51,7 +51,8 @@ Residual::Kind kindOf(int param)
 Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p, const std::vector<int>& indices,
                           const double* weights, const Model& M)
 {
-    const int rows = kind == Residual::TRANSFER ? 2 : kind == Residual::SYMMETRIC_TRANSFER ? 4 : kind == Residual::SAMPSON ? 1 : 2;
+    const int rows = kind == Residual::TRANSFER ? 2 : kind == Residual::SYMMETRIC_TRANSFER ? 4
+                   : kind == Residual::SAMPSON ? 1 : 2;
     Eigen::VectorXd r(rows * indices.size());
     for (size_t k = 0; k < indices.size(); ++k)
     {

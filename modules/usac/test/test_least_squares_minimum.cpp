@@ -44,7 +44,8 @@ private:
 //! Problem and residual.
 typedef testing::TestWithParam<std::tuple<int, int> > Usac_LeastSquares_Minimum;
 
-//! The method of Nelder and Mead, which uses no derivatives, finds nothing better nearby, and gets there from a model that is off.
+//! The method of Nelder and Mead, which uses no derivatives, finds nothing better nearby, and gets there from a model that
+//! is off.
 TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
 {
     for (uint64 seed = 1; seed <= 3; ++seed)

@@ -26,8 +26,8 @@ TEST(Usac_Params, ranges_of_integers)
         {"verification", VERIFICATION_NONE, VERIFICATION_TDD}, {"tddPoints", 1, 100},
         {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC},
         {"localIterations", 1, 1000}, {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 63},
-        {"runnersUp", 0, 100}, {"orderedEvery", 1, 1000}, {"persistence", 1, 100}, {"degeneracy", 0, 7}, {"polishing", POLISHING_NONE, POLISHING_ROBUST},
-        {"polishingSteps", 1, 100}};
+        {"runnersUp", 0, 100}, {"orderedEvery", 1, 1000}, {"persistence", 1, 100}, {"degeneracy", 0, 7},
+        {"polishing", POLISHING_NONE, POLISHING_ROBUST}, {"polishingSteps", 1, 100}};
     ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::ints().size(); ++i)
     {

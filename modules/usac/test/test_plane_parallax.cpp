@@ -134,7 +134,7 @@ TEST(Usac_PlaneParallax, allMotions)
             EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality));
             EXPECT_NEAR(1, cv::norm(model), 1e-9);
             EXPECT_EQ(p.context.rate(model).cost, quality.cost);
-            // no optimisation of all seven parameters, so a little more than the optimum
+            // no optimization of all seven parameters, so a little more than the optimum
             found += quality.cost <= p.context.rate(p.truth).cost + 5;
         }
         EXPECT_GE(found, SCENES - 1) << "motion " << m;

@@ -85,7 +85,8 @@ TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
                                           optionsOf((Motion)std::get<1>(GetParam()), noises[k], seed));
             Params params;
             params.threshold = THRESHOLD;
-            const double exact = modelError(scene, leastSquares(trueMatches(scene))), ours = modelError(scene, polished(scene, params));
+            const double exact = modelError(scene, leastSquares(trueMatches(scene)));
+            const double ours = modelError(scene, polished(scene, params));
             best += exact * exact;
             reached += ours * ours;
         }
@@ -101,7 +102,8 @@ TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
     for (int k = 0; k < 3; ++k)
         for (uint64 seed = 1; seed <= 3; ++seed)
         {
-            const Scene scene = makeScene((ProblemType)std::get<0>(GetParam()), optionsOf((Motion)std::get<1>(GetParam()), 0, seed));
+            const Scene scene = makeScene((ProblemType)std::get<0>(GetParam()),
+                                          optionsOf((Motion)std::get<1>(GetParam()), 0, seed));
             Params params = presets[k];
             params.threshold = THRESHOLD;
             EXPECT_LE(modelError(scene, estimate(scene, params)), 1e-9) << "preset " << k << ", seed " << seed;

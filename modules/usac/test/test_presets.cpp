@@ -33,11 +33,12 @@ TEST(Usac_Presets, change_what_they_say)
         {"prosac", Params::prosac(), ransac, "sampler prior termination orderedEvery "},
         {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
-        {"gcRansac", Params::gcRansac(), Params::msac(), "neighbourhood localOptimization localIterations localSampleMultiple localSamples "
-                                                          "neighbourRadius "},
+        {"gcRansac", Params::gcRansac(), Params::msac(),
+         "neighbourhood localOptimization localIterations localSampleMultiple localSamples neighbourRadius "},
         {"usac2013", Params::usac2013(), lo, "sampler prior verification termination orderedEvery degeneracy "},
         {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach widestReach "},
-        {"magsacPlusPlus", Params::magsacPlusPlus(), v20, "quality localOptimization polishing polishingSteps reach widestReach "}};
+        {"magsacPlusPlus", Params::magsacPlusPlus(), v20,
+         "quality localOptimization polishing polishingSteps reach widestReach "}};
     const int count = sizeof(all) / sizeof(all[0]);
     for (int i = 0; i < count; ++i)
     {
@@ -164,7 +165,8 @@ TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
                     const Params params = Params::fromUsacParams(other);
                     EXPECT_NO_THROW(params.check());
                     EXPECT_EQ(samplers[s], params.sampler);
-                    EXPECT_EQ(q == SCORE_METHOD_LMEDS ? (int)LOCAL_OPTIMIZATION_NONE : optimizations[l], params.localOptimization);
+                    EXPECT_EQ(q == SCORE_METHOD_LMEDS ? (int)LOCAL_OPTIMIZATION_NONE : optimizations[l],
+                              params.localOptimization);
                     EXPECT_EQ(qualities[q], params.quality);
                     EXPECT_EQ(neighbourhoods[n], params.neighbourhood);
                 }

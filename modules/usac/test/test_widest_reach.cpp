@@ -110,7 +110,8 @@ TEST_P(Usac_WidestReach, thresholdsBelowTheNoise)
     EXPECT_GT(between, 1.1 * usual);
 }
 
-//! Where no more noise is found than the threshold allows for, nothing changes; and it does not depend on the threads where it is.
+//! Where no more noise is found than the threshold allows for, nothing changes; and it does not depend on the threads
+//! where it is.
 TEST_P(Usac_WidestReach, bits)
 {
     const Scene scene = makeScene((ProblemType)GetParam());

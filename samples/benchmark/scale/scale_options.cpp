@@ -115,7 +115,8 @@ bool ScaleOptions::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Time over the size and over the hardness of synthetic scenes, and the time of the search over its lower bound.\n"
+    parser.about("Time over the size and over the hardness of synthetic scenes, and the time of the search over its lower "
+                 "bound.\n"
                  "Methods: " + knownMethods() + ".");
     if (parser.has("help") || argc == 1)
     {

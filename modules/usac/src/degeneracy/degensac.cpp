@@ -68,7 +68,7 @@ private:
     //! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its seven points, 21 w^5;
     //! what is seen is chance.
     static const double SEEN;
-    //! A model has so many of the inliers of the best one to be of interest: what it lacks the optimisation may add.
+    //! A model has so many of the inliers of the best one to be of interest: what it lacks the optimization may add.
     static const double OF_INTEREST;
     //! Squared, in squared thresholds: off the plane for the parallax. Closer to it a match agrees with any epipole.
     static const double OFF_PLANE;

@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F. False if they determine none.
+//! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F. False if they determine
+//! none.
 bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e, Matx33d& H);
 
 //! A = [e]x F with the unit epipole e of image 2; false if F has none.

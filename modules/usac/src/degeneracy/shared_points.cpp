@@ -45,7 +45,7 @@ epipolar lines are that line. So
   rest of them. The model stays, as there may be no better one; but it does not beat those with real support any more.
 
 Which inliers these are: where the line F^T x2 has next to no normal (its first two entries), a shift of x2 within the noise turns
-it anywhere, and x1 tells nothing. The lengths of the normals of F x1 and F^T x2 are as the distances of neighbouring epipolar
+it anywhere, and x1 tells nothing. The lengths of the normals of F x1 and F^T x2 are as the distances of neighboring epipolar
 lines in the two images, which in right geometries are as the local scales; a ratio of #FAR_APART times that of the images' sizes
 is taken for too much. Points beside the epipole of a camera that moves forwards are beside both epipoles, and pass.
 

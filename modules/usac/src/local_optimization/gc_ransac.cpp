@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Local optimisation of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a faster
+/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a faster
 one.
 
 Each alternation cuts the graph for the inliers of the model (Labelling) and fits models to random samples of them, of

@@ -25,7 +25,8 @@ enum { TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55 };
 
 //! Of ArcsKernel: points of a call, rows of numbers, coefficients of the line, parts of the line.
 enum { ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256 };
-/** Of #ARCS_BLOCK points, the arcs of a line on which an epipole keeps them within the threshold, see PlaneParallax and arcs.inl.hpp.
+/** Of #ARCS_BLOCK points, the arcs of a line on which an epipole keeps them within the threshold, see PlaneParallax and
+arcs.inl.hpp.
 @param rows n (3 of them) and the upper triangle of G (6)
 @param weights of the line
 @param from, to output: first and last bin of each arc; from is -1 where every place suits */

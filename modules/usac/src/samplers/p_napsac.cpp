@@ -21,11 +21,12 @@ bool isGuess(const Context& context)
 
 The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood: the
 finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
-that is everything and the sample is PROSAC's. One in four of the samples that are not uniform (Params::orderedEvery) is local, every
-second one if the order of the points is a guess (the density). With more, small groups of wrong matches that agree
-with each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order
-is a guess, the first #BEFORE_ORDER samples of F and E are uniform: easy problems need no more, and so neither order nor
-neighbourhood. The first #ORDERED samples of H then all keep to the order: they come from the few densest points, and four right ones among these are soon met. */
+that is everything and the sample is PROSAC's. One in four of the samples that are not uniform (Params::orderedEvery) is local,
+every second one if the order of the points is a guess (the density). With more, small groups of wrong matches that agree with
+each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order is a
+guess, the first #BEFORE_ORDER samples of F and E are uniform: easy problems need no more, and so neither order nor neighbourhood.
+The first #ORDERED samples of H then all keep to the order: they come from the few densest points, and four right ones among these
+are soon met. */
 class PNapsacSampler : public Sampler
 {
 public:

@@ -21,8 +21,8 @@ inline void drawUniform(const Context& context, State& state, int* sample)
     state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
 }
 
-/** @brief True if the sampler shall draw the sample as it prefers, see Params::orderedEvery; it does then not count for the criteria,
-unless all samples are of this kind. Else it has been drawn from all points. */
+/** @brief True if the sampler shall draw the sample as it prefers, see Params::orderedEvery; it does then not count for the
+criteria, unless all samples are of this kind. Else it has been drawn from all points. */
 inline bool isOrdered(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;

@@ -16,7 +16,7 @@ struct SearchEffort
     int sampleSize;
     double samples;      //!< drawn
     double models;       //!< of them that were compared with the points
-    bool countsInliers;  //!< the local optimisation maximises their number
+    bool countsInliers;  //!< the local optimization maximizes their number
     bool ownThreshold;   //!< the threshold was chosen from the errors, #QUALITY_LMEDS
 };
 
@@ -26,11 +26,11 @@ The sample's own m points agree in any case. Each other one agrees with a model 
 probability as a wrong match; of these some are counted, see Agreement. That gives the probability p of as many inliers for one
 such model, a beta-binomial tail. The best of T models has them with a probability of at most 1 - (1 - p)^T.
 
-What T is: the models that were compared with the points; not more than of all C(n, m) samples. Local optimisation and
+What T is: the models that were compared with the points; not more than of all C(n, m) samples. Local optimization and
 polishing move a model to where it has more inliers than any sample gives. An optimum is held by one more point than a sample
 has (as the narrowest strip around points of a plane is held by three of them, and a line by two), and there are C(n, m + 1) /
 C(n, m) = (n - m) / (m + 1) times as many sets of m + 1 points as samples: so many times more models has a search whose local
-optimisation maximises the number of inliers, and the root of that any other. With T = models min(1, C(n, m) / samples) times this
+optimization maximizes the number of inliers, and the root of that any other. With T = models min(1, C(n, m) / samples) times this
 factor the chance was measured on random points (doc/design.md); LO-RANSAC needs 30 and 40 at 1000 points (F, E) of 124 and 166,
 USACV20 10 of 11 and 13. The bound that counts all samples, drawn or not, is that of @cite moisan2004probabilistic.
 

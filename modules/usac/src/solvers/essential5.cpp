@@ -293,14 +293,15 @@ struct System
     double B[3][3][5];          //!< B(z) (x, y, 1)^T = 0
 };
 
-//! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a scene with parallax is among them.
+//! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a scene with parallax is
+//! among them.
 const double SMALL_PIVOT = 5e-4;
 
 /** @brief Up to ten essential matrices from five points of calibrated cameras @cite nister2004efficient.
 
 The epipolar constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3 matrix of polynomials
-in z whose determinant, of degree 10, vanishes; its real roots give z, its null vectors x and y. Roots that satisfy the constraints
-only roughly, even after a correction, are no solutions. */
+in z whose determinant, of degree 10, vanishes; its real roots give z, its null vectors x and y. Roots that satisfy the
+constraints only roughly, even after a correction, are no solutions. */
 class Essential5Solver : public MinimalSolver
 {
 public:

@@ -31,9 +31,9 @@ Eigen::Matrix3d completion(const Eigen::Vector3d& n)
     return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
 }
 
-/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction of the time of a singular value
-decomposition: all rows of its cofactors are multiples of the one, all columns of the other. False if its rank is not 2 but for
-rounding. */
+/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction of the time of a singular
+value decomposition: all rows of its cofactors are multiples of the one, all columns of the other. False if its rank is not 2 but
+for rounding. */
 bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
 {
     Eigen::Matrix3d cofactors;
@@ -146,7 +146,8 @@ Parameterization Parameterization::plusFundamental(const Step& step) const
         C += step[k] * directions[k];
     const Eigen::Matrix2d inverse = C.inverse();
     const Eigen::Vector2d x = inverse * step.segment<2>(3), y = inverse.transpose() * step.segment<2>(5);
-    const Eigen::Matrix3d left = completion(Eigen::Vector3d(-y[0], -y[1], 1)), right = completion(Eigen::Vector3d(-x[0], -x[1], 1));
+    const Eigen::Matrix3d left = completion(Eigen::Vector3d(-y[0], -y[1], 1));
+    const Eigen::Matrix3d right = completion(Eigen::Vector3d(-x[0], -x[1], 1));
     result.U = U * left;
     result.V = V * right;
     // the new corner is that of (left^T [I; y^T]) C ([I, x] right)

@@ -17,8 +17,8 @@ threshold stands for is returned, 1 / thresholdInSigmas(degrees).
 
 Noise that is less than #leastSigma needs evidence: that next to no error lies between four of its standard deviations and the
 threshold, but those that outliers explain, whose density shows beyond the threshold. Else the noise has long tails, or the
-model does not fit all of the points alike (a surface that is not quite a plane): then a fit to the closest points would be one to a part of
-the scene, and #leastSigma is returned. */
+model does not fit all of the points alike (a surface that is not quite a plane): then a fit to the closest points would be one to
+a part of the scene, and #leastSigma is returned. */
 class NoiseScale
 {
 public:

@@ -11,8 +11,8 @@ namespace usacv20 {
 namespace {
 
 /** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one, that is with
-(1 + Params::relaxation) times as many @cite barath2019progressive. Those of the sample do not count here: any model has them, so that
-of a few points a wrong one has not many less than the right one. */
+(1 + Params::relaxation) times as many @cite barath2019progressive. Those of the sample do not count here: any model has them, so
+that of a few points a wrong one has not many less than the right one. */
 class PNapsacTermination : public Termination
 {
 public:

@@ -55,7 +55,8 @@ the paper:
 
 - There the set stops growing at n*, and the n* with the fewest samples needed for maximality is chosen. Here the set grows on, as
 other criteria may need it; so the samples up to the T'_n*-th count, which were drawn from the n* best points (with P-NAPSAC
-but for the local and the uniform ones), and the n* that is reached first is chosen. Of all lengths only n* = N has samples without end.
+but for the local and the uniform ones), and the n* that is reached first is chosen. Of all lengths only n* = N has samples
+without end.
 - There each sample counts. But the first ones must contain the newest of a few points: they are worth T_n* uniform samples,
 however the inliers are ordered, and more only by good luck. With all of them, two or three samples of the very best
 points ended real runs with whatever model they gave.

@@ -41,8 +41,8 @@ public:
     int reason() const CV_OVERRIDE { return STOP_SPRT; }
 
 private:
-    /** The positive root h, by Newton's method from above: the left side is convex, so that it never steps over the root. 0 if the
-    test would more often than not drop a model with this epsilon. */
+    /** The positive root h, by Newton's method from above: the left side is convex, so that it never steps over the root. 0 if
+    the test would more often than not drop a model with this epsilon. */
     static double exponent(const SequentialTest& test, double epsilon)
     {
         const double inlier = std::log(test.delta / test.epsilon);

@@ -280,18 +280,20 @@ public:
     virtual void adapt(const Context& context, State& state) = 0;
 };
 
-//! Degenerate configurations (paper, section "Degeneracy"). Members of Components::degeneracies are asked in turn, until one says no.
+//! Degenerate configurations (paper, section "Degeneracy"). Members of Components::degeneracies are asked in turn,
+//! until one says no.
 class CV_EXPORTS Degeneracy
 {
 public:
     virtual ~Degeneracy();
     //! False: no model shall be computed from the sample. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
-    //! A sample that has been refused: might all of it be inliers, so that it does not count as one that failed? Default: false.
+    //! Of a sample that validSample() has refused: might all of it be inliers (a match is in it twice), so that it does not count
+    //! as one that failed? Default: false.
     virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model shall not be tested. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
-    /** @brief Looks at a new so-far-the-best model and may replace it by a better one.
+    /** @brief Looks at a new so-far-the-best model and may replace it by a better one, lower its quality, or set `state.yield`.
     @param sample the sample that the model was computed from; null after the local optimisation
     @param context, state, model, quality what does not change, what does, the model and its quality
     @return false: the model is degenerate and could not be mended, it is dropped. Default: true. */
@@ -313,9 +315,10 @@ class CV_EXPORTS Termination
 public:
     virtual ~Termination();
     //! Number of samples after which the run can stop, given the best model so far. INT_MAX: not yet known. Asked when the best
-    //! model changes, and when the verifier begins another of `state.tests`. See #countsAll.
+    //! model changes, and when the verifier begins another of `state.tests`. Which samples are counted, countsAll() says.
     virtual int iterations(const Context& context, const State& state) const = 0;
-    //! True, the default: the number is one of all samples; false: only those are counted that State::counts.
+    //! True, the default: the number is one of all samples. False: of those for which State::counts is true, or of all where one
+    //! model has more than half of the points beside its sample.
     virtual bool countsAll() const;
     //! @ref StopReason. Default #STOP_CUSTOM.
     virtual int reason() const;

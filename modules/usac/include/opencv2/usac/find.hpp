@@ -19,6 +19,8 @@ Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssent
 defaults of the arguments. Overload resolution picks these for a #UsacV20Method, and the old ones for an `int`; an `int` that may
 hold a flag of this module is for usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat.
 Results are those of usacv20::estimateHomography, usacv20::estimateFundamental and usacv20::estimateEssential.
+A flag does not tell whether `maxIters` ended the search: one of these three functions does, called with the flag's options
+(usacv20::Params::fromMethod), by usacv20::Report::stop == usacv20::STOP_MAX_ITERATIONS.
 @{ */
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method,
                               double ransacReprojThreshold = 3, OutputArray mask = noArray(),

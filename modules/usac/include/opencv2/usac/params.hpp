@@ -35,7 +35,8 @@ usacv20::methodFromInt makes a flag of a number, usacv20::isUsacV20Method tells 
 */
 enum class UsacV20Method : int
 {
-    USACV20          = 0x4000, //!< the configuration chosen in @cite ivashechkin2021usacv20, with robust polishing; usacv20::Params::usacV20()
+    //! the configuration chosen in @cite ivashechkin2021usacv20, with robust polishing; usacv20::Params::usacV20()
+    USACV20          = 0x4000,
     USACV20_FAST     = 0x4001, //!< early stop and a short local optimisation; usacv20::Params::fast()
     USACV20_ACCURATE = 0x4002, //!< late stop and a long local optimisation; usacv20::Params::accurate()
     USACV20_PROSAC   = 0x4003, //!< the caller's points are sorted, best first; usacv20::Params::sorted()
@@ -62,15 +63,14 @@ enum ProblemType
     ESSENTIAL   = 2  //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
 };
 
-//! How minimal samples are drawn (paper, section "Sampling").
+//! How minimal samples are drawn (paper, section "Sampling"); all but one of Params::orderedEvery samples are uniform with any.
 enum SamplerType
 {
     SAMPLER_UNIFORM  = 0, //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC   = 1, //!< the best points first, then ever more of them @cite chum2005matching
-    //! The best point first and its neighbours, ever wider @cite barath2019progressive. One sample in four is local, in the paper
-    //! all are until the neighbourhood has grown to everything; it doubles when its point is chosen again, in the paper it grows
-    //! as PROSAC's set; and where the order is the density, every second sample is uniform: real pairs have been found sooner,
-    //! and lost less often.
+    //! The best point first and its neighbours, ever wider @cite barath2019progressive. Of the samples that are not uniform
+    //! (Params::orderedEvery) one in four is local, every second one where the order is the density; in the paper all are until
+    //! the neighbourhood has grown to everything. It doubles when its point is chosen again; in the paper as PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC   = 3, //!< any point and its neighbours @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4 //!< points as often as Params::scores, their probabilities of being right, say
@@ -79,7 +79,8 @@ enum SamplerType
 //! Which points are neighbours in the joint space (x1, y1, x2, y2).
 enum NeighbourhoodType
 {
-    NEIGHBOURHOOD_GRID   = 0, //!< points in the same cell of a grid with layers of finer and wider cells @cite barath2019progressive
+    //! points in the same cell of a grid with layers of finer and wider cells @cite barath2019progressive
+    NEIGHBOURHOOD_GRID   = 0,
     NEIGHBOURHOOD_KNN    = 1, //!< the Params::neighbours nearest points, through cv::flann
     NEIGHBOURHOOD_RADIUS = 2  //!< the points within Params::neighbourRadius pixels, through cv::flann
 };
@@ -88,7 +89,8 @@ enum NeighbourhoodType
 enum ResidualType
 {
     RESIDUAL_STANDARD  = 0, //!< H: transfer error in image 2. F, E: Sampson distance
-    RESIDUAL_SYMMETRIC = 1  //!< H: root of the summed squared transfer errors in both images. F, E: of the squared distances to both epipolar lines
+    //! H: root of the summed squared transfer errors in both images. F, E: of the squared distances to both epipolar lines
+    RESIDUAL_SYMMETRIC = 1
 };
 
 //! Where the order of the points ("best first") comes from (paper, section "Other features").
@@ -153,8 +155,11 @@ enum TerminationFlags
 enum DegeneracyFlags
 {
     DEGENERACY_ORIENTATION = 1, //!< H: orientation of the sample; F, E: oriented epipolar constraint @cite chum2004epipolar
-    DEGENERACY_DEGENSAC    = 2, //!< F: samples dominated by a plane, plane and parallax @cite chum2005two. E: more samples of a plane
-    DEGENERACY_REPEATED    = 4  //!< samples of matches that share a point; F, E: also but for the noise, and models of such matches
+    //! F: samples dominated by a plane, plane and parallax @cite chum2005two. E: twice the samples where most
+    //! inliers of the best model are on a plane
+    DEGENERACY_DEGENSAC    = 2,
+    //! samples of matches that share a point; F, E: also but for the noise, and models of such matches
+    DEGENERACY_REPEATED    = 4
 };
 
 //! What is done to the best model at the end (Algorithm 1, last line).
@@ -177,7 +182,8 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! Inlier threshold in pixels, not squared; > 0. H: distance in image 2. F, E: Sampson distance. Default 1.5.
     CV_PROP_RW double threshold;
-    //! Probability that the returned model is the best one; in (0, 1). Default 0.99.
+    /** Probability that the search does not miss a better model (#TERMINATION_P_NAPSAC: one that is significantly better, see
+    `relaxation`), unless `maxIterations` ends it; in (0, 1). Default 0.99. */
     CV_PROP_RW double confidence;
     /** Upper bound of the number of minimal samples; >= 1. Default 5000. With any criterion of `termination` a run also ends when
     no sample is left to be drawn, or when none of the first million gave a model. */
@@ -199,7 +205,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int neighbourhood;
     //! Neighbours of a point for #NEIGHBOURHOOD_KNN in the finest of four layers, each of twice as many; 1..1000. Default 10.
     CV_PROP_RW int neighbours;
-    //! Radius for #NEIGHBOURHOOD_RADIUS in the finest of four layers, each twice as wide, pixels in the joint space; > 0. Default 40.
+    //! Radius for #NEIGHBOURHOOD_RADIUS in the finest of four layers, each twice as wide, pixels in the joint space; > 0.
+    //! Default 40.
     CV_PROP_RW double neighbourRadius;
     //! @ref ResidualType. Default #RESIDUAL_STANDARD.
     CV_PROP_RW int residual;
@@ -208,9 +215,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Search, local optimisation and polishing work with so many times `threshold`, the mask with `threshold` itself; 1..10. For
     qualities and fits that are marginalised over the noise. Default 1. */
     CV_PROP_RW double reach;
-    /** Where the errors of the best model show that the noise is larger than `threshold`, `reach` grows with it, up to this;
-    1..1e6; what is not above `reach` changes nothing. The mask stays that of `threshold` and may then be empty with a right model.
-    Default 1. */
+    /** Where the errors of the best model show that the noise is larger than `threshold`, `reach` grows with it, up to this, a
+    multiple of `threshold`; 1..1e6; what is not above `reach` changes nothing. The mask stays that of `threshold` and may then be
+    empty with a right model. The scale of the noise is found as in @cite moisan2004probabilistic. Default 1; presets of MAGSAC
+    1000. */
     CV_PROP_RW double widestReach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;
@@ -218,7 +226,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int tddPoints;
     //! @ref LocalOptimizationType. Default #LOCAL_OPTIMIZATION_GRAPH_CUT.
     CV_PROP_RW int localOptimization;
-    //! Rounds of one local optimisation: alternations of labelling and fitting, steps of the shrinking threshold, re-weightings; 1..1000. Default 5.
+    //! Rounds of one local optimisation: alternations of labelling and fitting, steps of the shrinking threshold, re-weightings;
+    //! 1..1000. Default 5.
     CV_PROP_RW int localIterations;
     //! Size of the inner samples of a local optimisation as a multiple of the minimal one; 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
@@ -229,14 +238,17 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Models beside those that beat all samples before them that are optimised before the search ends, at most; 0..100. Without
     //! local optimisation none. Default 16.
     CV_PROP_RW int runnersUp;
-    /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer, the others are
-    uniform among all points. Only the uniform ones count for the criteria of termination but #TERMINATION_PROSAC: what is drawn from
-    some points may never meet the best model, and `confidence` would not hold. 1: all samples are as preferred, and all count, as in the
-    papers; 1..1000. Default 4. */
+    /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer, the others
+    are uniform among all points. Only the uniform ones count for the criteria of termination but #TERMINATION_PROSAC: what is
+    drawn from some points may never meet the best model, and `confidence` would not hold; but where one model has more than half
+    of the points beside its sample, all count. 1: all samples are as preferred, and all count, as in the papers (prosac(),
+    usac2013()); 1..1000. Default 4. */
     CV_PROP_RW int orderedEvery;
-    //! Set of @ref TerminationFlags; 0 runs all `maxIterations`. Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
+    //! Set of @ref TerminationFlags; 0 runs all `maxIterations`.
+    //! Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
     CV_PROP_RW int termination;
-    //! What a "significantly" better model has more, as a fraction of the inliers of the best one; 0..1. Default 0.05. Used by #TERMINATION_P_NAPSAC.
+    //! What a "significantly" better model has more for #TERMINATION_P_NAPSAC, as a fraction of the inliers of the best one
+    //! beside those of its sample; 0..1. Default 0.05.
     CV_PROP_RW double relaxation;
     //! Times as many samples as the termination criteria ask for, as if 1 - confidence were this power of it; 1..100. Default 1.
     CV_PROP_RW int persistence;
@@ -244,21 +256,25 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int degeneracy;
     //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
-    //! Most fits of the polishing, each with the inliers or weights under the last one; fewer when they settle; 1..100. Default 6.
+    //! Most fits of the polishing, each with the inliers or weights under the last one; fewer when they settle; 1..100.
+    //! Default 6.
     CV_PROP_RW int polishingSteps;
-    /** The largest Report::chance with which a model is returned; 0..1. 1: a model is always returned. Default 0: 0.01 where there are
-    enough independent points for a quarter of them to be that significant, else 1. */
+    /** The largest Report::chance with which a model is returned, a probability; 0..1, after @cite moisan2004probabilistic. 1: a
+    model is always returned. Default 0: 0.01 where there are enough independent points for a quarter of them to be that
+    significant, else 1. */
     CV_PROP_RW double significance;
 
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
-    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers beside its sample would have been found,
-    whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and three steps of polishing. */
+    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers beside its sample would have
+    been found (`relaxation`), whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and
+    three steps of polishing. */
     CV_WRAP static Params fast();
-    /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks for, up to ten
-    alternations of ten inner samples in the local optimisation, 24 runners-up and 20 steps of polishing. */
+    /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks for, up to
+    ten alternations of ten inner samples in the local optimisation, 24 runners-up and 20 steps of polishing. */
     CV_WRAP static Params accurate();
-    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first. What #USACV20_PROSAC uses. */
+    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in four
+    (`orderedEvery`), the others are uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
     /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
@@ -271,10 +287,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     samples is that for half of the points being right. */
     CV_WRAP static Params lmeds();
     /** @brief As ransac(), with the likelihood of a mixture of inliers and outliers @cite torr2000mlesac. The last fit is, as in
-    ransac(), least squares over the inliers; the paper's minimises the negative log-likelihood of all points. */
+    ransac(), least squares over the inliers; the paper's minimizes the negative log-likelihood of all points. */
     CV_WRAP static Params mlesac();
-    /** @brief As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first
-    @cite chum2005matching. Where the termination differs from the paper is said at the class ProsacTermination. */
+    /** @brief As ransac(), with PROSAC's samples (`orderedEvery` 1: all of them) and termination; the caller has sorted the
+    points, best first @cite chum2005matching. Where the termination differs from the paper is said at the class
+    ProsacTermination. */
     CV_WRAP static Params prosac();
     /** @brief LO-RANSAC: as ransac(), each new best model is refined by ten inner samples @cite chum2003locally, each with four
     steps of a shrinking threshold. Fits are least squares of the geometric error, not of the algebraic one; so in all presets. */
@@ -287,8 +304,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     after ten. Every new best model is refined; the paper waits until enough samples have been drawn to expect it to be worth the
     time. */
     CV_WRAP static Params gcRansac();
-    /** @brief USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC
-    @cite raguram2013usac. DEGENSAC stands for the paper's general test of degeneracy; H has a test of orientation only. */
+    /** @brief USAC of 2013: PROSAC samples of sorted points (`orderedEvery` 1: all of them), SPRT, LO-RANSAC, DEGENSAC, the
+    terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC stands for the paper's general test of degeneracy; H has a
+    test of orientation only, E one of planes beside it. */
     CV_WRAP static Params usac2013();
     /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac.
     The largest standard deviation of the noise is `reach` times `threshold` over the 0.99 quantile of chi. The errors have one
@@ -296,19 +314,22 @@ struct CV_EXPORTS_W_SIMPLE Params
     coordinates, of which a model leaves the others free. The fit takes five parts of the noise's range. Where the data show more
     noise, the range grows (`widestReach`); the paper asks for a bound that is far too large instead. */
     CV_WRAP static Params magsac();
-    /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac. What
-    #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more noise
-    (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests of degeneracy are those of usacV20(). */
+    /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac.
+    What #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more
+    noise (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests of degeneracy are those of
+    usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
     //! The preset behind a flag.
     static Params fromMethod(UsacV20Method method);
-    /** @brief The preset behind the value of a flag. @param method value of one of #UsacV20Method; anything else raises cv::Exception. */
+    /** @brief The preset behind the value of a flag.
+    @param method value of one of #UsacV20Method; anything else raises cv::Exception. */
     CV_WRAP static Params fromMethod(int method);
 
     //! The nearest configuration to one of OpenCV's own USAC; `threshold`, `confidence`, `maxIterations` are taken as they are.
     static Params fromUsacParams(const cv::UsacParams& params);
 
-    /** @brief Raises a cv::Exception that names the first field with a wrong value. @param count number of correspondences, -1 if unknown. */
+    /** @brief Raises a cv::Exception that names the first field with a wrong value.
+    @param count number of correspondences, -1 if unknown. */
     CV_WRAP void check(int count = -1) const;
 
     //! Writes all fields into an open map of a cv::FileStorage.

@@ -26,7 +26,8 @@ enum StopReason
     STOP_CUSTOM            = 7, //!< a Termination of the caller's fired
     STOP_PROSAC            = 8, //!< #TERMINATION_PROSAC fired
     STOP_MAGSAC            = 9, //!< #TERMINATION_MAGSAC fired
-    STOP_NOT_SIGNIFICANT   = 10 //!< the best model has no more support than random points give, see Params::significance: no model
+    //! the best model has no more support than random points give, see Params::significance: no model
+    STOP_NOT_SIGNIFICANT   = 10
 };
 
 /** @brief What one estimation learned on its way. Times are of the steady clock and decide nothing. */
@@ -38,7 +39,7 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int stop;
     //! Minimal samples drawn.
     CV_PROP_RW int iterations;
-    //! Samples refused by a check of the sample (orientation).
+    //! Samples refused by a check of the sample (orientation, matches that share a point).
     CV_PROP_RW int rejectedSamples;
     //! Samples that determine no model (repeated or collinear points, no real solution).
     CV_PROP_RW int degenerateSamples;
@@ -60,9 +61,10 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int inliers;
     //! Inliers that are more than a threshold apart from each other in both images: repeated matches count once.
     CV_PROP_RW int independentInliers;
-    /** Probability that the same search finds a model with as many independent inliers (at the threshold, or at 4 or 16 times of it) in
-    random matches of the same points: an upper bound. Values below a millionth, and below a hundredth of Params::significance, may
-    come from a part of the points. Kept if the model was refused; 1 if there was none. */
+    /** Probability that the same search finds a model with as many independent inliers (at the threshold, or at 4 or 16 times of
+    it) in random matches of the same points, 0..1: an upper bound, after @cite moisan2004probabilistic. Values below a millionth,
+    and below a hundredth of Params::significance, may come from a part of the points. Kept if the model was refused; 1 if there
+    was none. */
     CV_PROP_RW double chance;
     //! Threshold of the mask in pixels, that of Params; #QUALITY_LMEDS: found from the data.
     CV_PROP_RW double threshold;

@@ -20,8 +20,9 @@ class ParamsTest(unittest.TestCase):
     def test_fields_can_be_read_and_written(self):
         params = usac.Params()
         self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "prior", "scores",
-                              "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence", "degeneracy",
-                              "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach", "significance"}, set(fields(params)))
+                              "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence",
+                              "degeneracy", "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach",
+                              "significance"}, set(fields(params)))
         for name in fields(params):
             if name == "scores":
                 continue
@@ -60,8 +61,8 @@ class ParamsTest(unittest.TestCase):
         self.assertIn("scores", str(context.exception))
 
     def test_presets(self):
-        for name in ("usacV20", "fast", "accurate", "sorted", "parallel", "ransac", "msac", "lmeds", "mlesac", "prosac", "loRansac",
-                     "floRansac", "gcRansac", "usac2013", "magsac", "magsacPlusPlus"):
+        for name in ("usacV20", "fast", "accurate", "sorted", "parallel", "ransac", "msac", "lmeds", "mlesac", "prosac",
+                     "loRansac", "floRansac", "gcRansac", "usac2013", "magsac", "magsacPlusPlus"):
             params = getattr(usac.Params, name)()
             self.assertIsInstance(params, usac.Params)
             params.check()

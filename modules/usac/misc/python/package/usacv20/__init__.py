@@ -23,7 +23,9 @@ Three levels of use:
 
        H, mask, report = cv2.usacv20.estimateHomography(points1, points2, params)
 
-The model is None, the mask zero and report.stop says why where there is no model.
+Where there is no model (too few or degenerate points, or random ones, see Params.significance) the model is None, the mask zero,
+and report.stop says why; report.chance bounds the probability that random matches give as good a model. A flag does not tell
+whether maxIters ended the search; with Params.fromMethod(cv2.USACV20) report.stop == STOP_MAX_ITERATIONS does.
 
 The loader of cv2 imports this package and adds all else of the extension module's own `usacv20` to it: the enumerations,
 Params, Report, isUsacV20Method, and find* as the extension has them (with flags of the module and of OpenCV alike).
@@ -55,7 +57,7 @@ def estimateHomography(points1, points2, params=None, mask=None):
     mask -- Nx1 array of uint8 that receives the mask, if given
     retval -- 3x3 array of float64, or None if there is none
     mask -- Nx1 array of uint8, 1 for inliers
-    report -- Report
+    report -- Report: report.stop says why the search ended or why there is no model
     """
     return _native.estimateHomography(points1, points2, params, mask)
 
