@@ -112,8 +112,9 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
     }
 }
 
-void createDegeneracies(int flags, ProblemType problem, std::vector<Ptr<Degeneracy> >& degeneracies)
+void createDegeneracies(int flags, const Correspondences& points, std::vector<Ptr<Degeneracy> >& degeneracies)
 {
+    const ProblemType problem = points.problem;
     if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples of H
         degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
     if ((flags & DEGENERACY_DEGENSAC) && problem == FUNDAMENTAL)
@@ -121,7 +122,7 @@ void createDegeneracies(int flags, ProblemType problem, std::vector<Ptr<Degenera
     if ((flags & DEGENERACY_DEGENSAC) && problem == ESSENTIAL)
         degeneracies.push_back(createPlanarMotion());
     if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of their own models
-        degeneracies.push_back(problem == HOMOGRAPHY ? createRepeatedPoints() : createSharedPoints());
+        degeneracies.push_back(problem == HOMOGRAPHY ? createRepeatedPoints() : createSharedPoints(points));
 }
 
 void createTerminations(int flags, const Correspondences& points, std::vector<Ptr<Termination> >& terminations)
@@ -163,7 +164,7 @@ Components createComponents(const Correspondences& points, const Params& params)
     parts.neighbourhood = createNeighbourhood(params);
     parts.sampler = createSampler(params.sampler);
     parts.nonMinimalSolver = createLeastSquaresSolver(problem, parts.residual->kind());
-    createDegeneracies(params.degeneracy, problem, parts.degeneracies);
+    createDegeneracies(params.degeneracy, points, parts.degeneracies);
     parts.verifier = createVerifier(params, problem);
     parts.localOptimizer = createLocalOptimizer(params.localOptimization);
     createTerminations(params.termination, points, parts.terminations);

@@ -55,8 +55,10 @@ TEST(Usac_SharedPoints_Samples, shareATarget)
         a.push_back(Point2d(5 + pairs[i].x1, 5));
         b.push_back(Point2d(7, 7 - pairs[i].x2));
         const OwnPoints points(FUNDAMENTAL, a, b, 1);
-        EXPECT_EQ(pairs[i].same, shareATarget(points.view(), 0, 1)) << i;
-        EXPECT_EQ(pairs[i].same, shareATarget(points.view(), 1, 0)) << i;
+        const float sizes[] = {600, 600};
+        const TargetLimits limits(1, sizes);
+        EXPECT_EQ(pairs[i].same, shareATarget(points.view(), limits, 0, 1)) << i;
+        EXPECT_EQ(pairs[i].same, shareATarget(points.view(), limits, 1, 0)) << i;
     }
 }
 
@@ -75,7 +77,7 @@ struct Checked
         const Model same = model;
         State state;
         before = after = context.rate(model);
-        EXPECT_TRUE(createSharedPoints()->recover(context, state, 0, model, after));
+        EXPECT_TRUE(createSharedPoints(context.points)->recover(context, state, 0, model, after));
         EXPECT_EQ(same, model);
     }
 

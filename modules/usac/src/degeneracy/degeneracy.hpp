@@ -22,7 +22,7 @@ Ptr<Degeneracy> createDegensac();
 //! H: see RepeatedPoints.
 Ptr<Degeneracy> createRepeatedPoints();
 //! F, E: see SharedPoints.
-Ptr<Degeneracy> createSharedPoints();
+Ptr<Degeneracy> createSharedPoints(const Correspondences& points);
 
 } // namespace usacv20
 } // namespace cv

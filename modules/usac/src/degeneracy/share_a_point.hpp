@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_SHARE_A_POINT_HPP
 #define OPENCV_USACV20_SHARE_A_POINT_HPP
 
+#include <algorithm>
 #include "opencv2/usac/components.hpp"
 
 namespace cv {
@@ -45,16 +46,33 @@ template <class T> T square(T x)
     return x * x;
 }
 
-/** True if two matches have the same point of an image; or if they are, within the threshold each, matches of one point of an
+//! Squared distances in the two images below which two points may be one but for the noise, and above which they are far apart.
+struct TargetLimits
+{
+    /** Two thresholds are near, but no more than a fiftieth of the image: a threshold may be as wide as an image.
+    @param threshold of the errors
+    @param sizes extents of the points in the two images, above 0 */
+    TargetLimits(double threshold, const float* sizes)
+    {
+        for (int k = 0; k < 2; ++k)
+        {
+            const float distance = std::min((float)(2 * threshold), sizes[k] / 50);
+            near[k] = square(distance);
+            far[1 - k] = square(FAR_APART * distance * sizes[1 - k] / sizes[k]);
+        }
+    }
+
+    float near[2], far[2];
+};
+
+/** True if two matches have the same point of an image; or if they are, but for the noise each, matches of one point of an
 image, but FAR_APART times as far from each other in the other image: at most one of them is right. */
-inline bool shareATarget(const Correspondences& p, int i, int j)
+inline bool shareATarget(const Correspondences& p, const TargetLimits& limits, int i, int j)
 {
     const float dx1 = p.x1[i] - p.x1[j], dy1 = p.y1[i] - p.y1[j], dx2 = p.x2[i] - p.x2[j], dy2 = p.y2[i] - p.y2[j];
-    const float first = dx1 * dx1 + dy1 * dy1, second = dx2 * dx2 + dy2 * dy2, limit = (float)square(2 * p.threshold);
-    if (!(first <= limit || second <= limit))
-        return false;
-    const float far = FAR_APART * FAR_APART * limit;
-    return (first <= limit && second > far) || (second <= limit && first > far) || shareAPoint(p, i, j);
+    const float first = dx1 * dx1 + dy1 * dy1, second = dx2 * dx2 + dy2 * dy2;
+    return (first <= limits.near[0] && second > limits.far[1]) || (second <= limits.near[1] && first > limits.far[0]) ||
+           shareAPoint(p, i, j);
 }
 
 } // namespace usacv20

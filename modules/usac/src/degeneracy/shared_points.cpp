@@ -54,26 +54,35 @@ left. */
 class SharedPoints : public Degeneracy
 {
 public:
+    /** How large the images are, as far as there are points: by the frame of the points, which some that are far out do not
+    change, or by the first points, of which the matches of one target are not all; the images are most often of one size. */
+    explicit SharedPoints(const Correspondences& p)
+    {
+        const int count = std::min<int>(p.size, LOOKED_AT);
+        const float* const rows[4] = {p.x1, p.y1, p.x2, p.y2};
+        float first[2] = {FLT_MIN, FLT_MIN};
+        sizes[0] = sizes[1] = FLT_MIN;
+        for (int k = 0; k < 4 && count > 0; ++k)
+        {
+            float values[LOOKED_AT];
+            std::copy(rows[k], rows[k] + count, values);
+            std::sort(values, values + count);
+            first[k / 2] = std::max(first[k / 2], values[count - 1 - count / 10] - values[count / 10]);
+            sizes[k / 2] = std::max(sizes[k / 2], p.upper[k] - p.lower[k]);
+        }
+        if (std::abs(std::log(first[1] / first[0])) < std::abs(std::log(sizes[1] / sizes[0])))
+            std::copy(first, first + 2, sizes);
+    }
+
     bool validSample(const Context& context, const int* sample) const CV_OVERRIDE
     {
         const Correspondences& p = context.points;
         const int m = context.components.minimalSolver->sampleSize();
-        const float limit = (float)square(2 * p.threshold);
-        float x1[MAX_SAMPLE_SIZE], y1[MAX_SAMPLE_SIZE], x2[MAX_SAMPLE_SIZE], y2[MAX_SAMPLE_SIZE];
-        for (int i = 0; i < m; ++i)
-        {
-            x1[i] = p.x1[sample[i]];
-            y1[i] = p.y1[sample[i]];
-            x2[i] = p.x2[sample[i]];
-            y2[i] = p.y2[sample[i]];
-            for (int k = 0; k < i; ++k)  // most are near each other in neither image
-            {
-                const float first = square(x1[i] - x1[k]) + square(y1[i] - y1[k]);
-                const float second = square(x2[i] - x2[k]) + square(y2[i] - y2[k]);
-                if ((first <= limit || second <= limit) && shareATarget(p, sample[i], sample[k]))
+        const TargetLimits limits(p.threshold, sizes);
+        for (int i = 1; i < m; ++i)
+            for (int k = 0; k < i; ++k)
+                if (shareATarget(p, limits, sample[i], sample[k]))
                     return false;
-            }
-        }
         return true;
     }
 
@@ -88,7 +97,7 @@ public:
         const Score& score = *context.components.score;
         if (score.wholeModel())
             return true;
-        const OneEnd one(model, scaleOf(p));
+        const OneEnd one(model, sizes[1] / sizes[0]);
         int seen = 0;
         for (int i = 0; i < std::min<int>(p.size, LOOKED_AT); ++i)
             seen += one.counts(p.x1[i], p.y1[i], p.x2[i], p.y2[i]);
@@ -113,17 +122,6 @@ private:
     //! Fewer than 5 % of the first points are no matter; all of few points are looked at.
     enum { LOOKED_AT = 64, FEW = 3 };
 
-    //! Size of image 2 over that of image 1, as far as there are points; a quarter to four, as matches of one target hide the
-    //! size.
-    static double scaleOf(const Correspondences& p)
-    {
-        double sides[4];
-        for (int k = 0; k < 4; ++k)
-            sides[k] = (double)p.upper[k] - p.lower[k];
-        const double ratio = (sides[2] + sides[3]) / (sides[0] + sides[1]);
-        return ratio > 0.25 ? std::min(ratio, 4.) : 0.25;
-    }
-
     void find(const Correspondences& p, const OneEnd& one)
     {
         const double* const from[4] = {p.dx1, p.dy1, p.dx2, p.dy2};
@@ -135,15 +133,16 @@ private:
                     coordinates[k].push_back(from[k][i]);
     }
 
+    float sizes[2];  //!< of the images
     std::vector<double> coordinates[4], errors;  //!< of the matches that tell nothing
     std::vector<float> floats;
 };
 
 } // namespace
 
-Ptr<Degeneracy> createSharedPoints()
+Ptr<Degeneracy> createSharedPoints(const Correspondences& points)
 {
-    return makePtr<SharedPoints>();
+    return makePtr<SharedPoints>(points);
 }
 
 } // namespace usacv20

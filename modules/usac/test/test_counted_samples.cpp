@@ -1,0 +1,160 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "degeneracy/degeneracy.hpp"
+
+namespace opencv_test { namespace {
+
+//! Uniform samples, of which every second one is said not to count.
+class HalfCounting : public Sampler
+{
+public:
+    void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
+    {
+        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
+        state.counts = state.iteration % 2 == 0;
+    }
+};
+
+Scene sceneOf(ProblemType problem, int inliers, int outliers, uint64 seed = 1)
+{
+    SceneOptions options;
+    options.inliers = inliers;
+    options.outliers = outliers;
+    options.seed = seed;
+    return makeScene(problem, options);
+}
+
+Report reportOf(const Scene& scene, const Params& params, const Ptr<Sampler>& sampler)
+{
+    const Ptr<Usac> usac = createUsac(scene, params);
+    usac->components().sampler = sampler;
+    Report report;
+    EXPECT_FALSE(usac->run(noArray(), &report).empty());
+    return report;
+}
+
+//! log(1 - confidence) / log(1 - C(I, m) / C(n, m)), of the default parameters.
+double samplesNeeded(double inliers, double n, int m)
+{
+    double p = 1;
+    for (int i = 0; i < m; ++i)
+        p *= (inliers - i) / (n - i);
+    return std::log(0.01) / std::log1p(-p);
+}
+
+TEST(Usac_CountedSamples, the_others_do_not_end_the_search)
+{
+    Params params;
+    params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
+    const Scene scene = sceneOf(HOMOGRAPHY, 100, 150);
+    const Report report = reportOf(scene, params, makePtr<HalfCounting>());
+    EXPECT_EQ((int)STOP_STANDARD, report.stop);
+    const double needed = samplesNeeded(report.inliers, scene.size(), 4);
+    EXPECT_NEAR(2 * needed, report.iterations, 0.3 * needed);
+}
+
+TEST(Usac_CountedSamples, all_count_where_one_model_has_most_points)
+{
+    Params params;
+    params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
+    const Scene scene = sceneOf(FUNDAMENTAL, 230, 130);
+    const Report report = reportOf(scene, params, makePtr<HalfCounting>());
+    EXPECT_EQ((int)STOP_STANDARD, report.stop);
+    const double needed = samplesNeeded(report.inliers, scene.size(), 7);
+    EXPECT_GT(2 * report.inliers, scene.size() + 14);
+    EXPECT_NEAR(needed, report.iterations, 0.3 * needed + 2);
+}
+
+TEST(Usac_CountedSamples, same_match_twice_may_be_good)
+{
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 6; ++i)
+    {
+        points1.push_back(Point2d(0.3 * i, 0.1 * i * i));
+        points2.push_back(Point2d(1 + 0.2 * i, 0.3 * i));
+    }
+    points1[4] = points1[3];  // the same match
+    points2[4] = points2[3];
+    points2[5] = points2[0];  // two matches of one point
+    const OwnPoints points(HOMOGRAPHY, points1, points2);
+    Components parts;
+    parts.minimalSolver = createUsac(sceneOf(HOMOGRAPHY, 20, 5), Params())->components().minimalSolver;
+    const Params params;
+    const Context context(points.view(), parts, params);
+    const int different[] = {0, 1, 2, 3}, twice[] = {0, 1, 3, 4}, shared[] = {0, 1, 2, 5}, both[] = {0, 5, 3, 4};
+    const Ptr<Degeneracy> repeated = createRepeatedPoints();
+    EXPECT_TRUE(repeated->validSample(context, different));
+    EXPECT_FALSE(repeated->validSample(context, twice));
+    EXPECT_FALSE(repeated->validSample(context, shared));
+    EXPECT_TRUE(repeated->mayBeGood(context, twice));
+    EXPECT_FALSE(repeated->mayBeGood(context, shared));
+    EXPECT_FALSE(repeated->mayBeGood(context, both));
+}
+
+//! As many samples as the different ones of the matches need, not as few as the same part of all would.
+TEST(Usac_CountedSamples, repeated_matches_take_more_samples)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        double once = 0, often = 0;
+        for (uint64 seed = 1; seed <= 8; ++seed)
+        {
+            SceneOptions options;
+            options.inliers = 18;
+            options.outliers = 12;
+            options.seed = seed;
+            Params params;
+            params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
+            params.significance = 1;
+            Report report;
+            estimate(makeScene((ProblemType)problem, options), params, noArray(), &report);
+            once += std::log((double)report.iterations);
+            options.copies = 5;
+            estimate(makeScene((ProblemType)problem, options), params, noArray(), &report);
+            often += std::log((double)report.iterations);
+        }
+        EXPECT_GT(often, once - 8 * std::log(1.3)) << problem;
+    }
+}
+
+//! A wrong match that is a quarter of all: any H through it has that quarter.
+TEST(Usac_CountedSamples, one_match_many_times_is_one)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        Scene scene = sceneOf(HOMOGRAPHY, 200, 100, seed);
+        const Scene original = scene;
+        scene.points1.insert(scene.points1.end(), 100, scene.points1[0]);
+        scene.points2.insert(scene.points2.end(), 100, Point2d(scene.points2[0].x + 200, 20));
+        EXPECT_LT(modelError(original, estimate(scene, Params())), 1) << seed;
+        EXPECT_LT(modelError(original, estimate(scene, Params::fast())), 1) << seed;
+    }
+}
+
+TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
+{
+    int planar = 0, general = 0;
+    for (uint64 seed = 1; seed <= 10; ++seed)
+        for (int plane = 0; plane < 2; ++plane)
+        {
+            SceneOptions options;
+            options.seed = seed;
+            options.planeFraction = plane ? 0.95 : 0;
+            const Scene scene = makeScene(ESSENTIAL, options);
+            const Params params;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            const Context context(usac->points(), usac->components(), params);
+            State state;
+            Model model = scene.model;
+            Quality quality = context.rate(model);
+            EXPECT_TRUE(createPlanarMotion()->recover(context, state, 0, model, quality));
+            (plane ? planar : general) += state.yield < 1;
+        }
+    EXPECT_EQ(10, planar);
+    EXPECT_EQ(0, general);
+}
+
+}} // namespace

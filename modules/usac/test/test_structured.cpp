@@ -1,0 +1,87 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+namespace opencv_test { namespace {
+
+//! Scenes with the structure that machines give them; see doc/structured.md for the rates, which take more runs than a test has.
+struct Structure
+{
+    const char* name;
+    Motion motion;
+    double angle, plane, nearest, farthest;
+};
+
+const Structure STRUCTURES[] = {
+    {"forward", MOTION_FORWARD, 2, 0, 4, 9}, {"sideways", MOTION_SIDEWAYS, 2, 0, 4, 9}, {"rectified", MOTION_RECTIFIED, 0, 0, 4, 9},
+    {"aerial", MOTION_RECTIFIED, 0, 0, 5.4, 6.6}, {"planar", MOTION_PLANAR, 10, 0, 4, 9}, {"car", MOTION_CAR, 10, 0, 4, 9},
+    {"plane", MOTION_GENERAL, 12, 0.9, 4, 9}};
+
+std::ostream& operator<<(std::ostream& out, const Structure& s)
+{
+    return out << s.name;
+}
+
+typedef testing::TestWithParam<Structure> Usac_Structured;
+
+TEST_P(Usac_Structured, no_flag_is_wrong)
+{
+    const UsacV20Method flags[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_MAGSAC};
+    for (int problem = 0; problem < 3; ++problem)
+        for (size_t k = 0; k < sizeof(flags) / sizeof(flags[0]); ++k)
+        {
+            int wrong = 0;
+            for (uint64 seed = 1; seed <= 8; ++seed)
+            {
+                SceneOptions options;
+                options.setSize(200, 0.8);
+                options.seed = seed;
+                options.motion = GetParam().motion;
+                options.angle = GetParam().angle;
+                options.planeFraction = GetParam().plane;
+                options.nearest = GetParam().nearest;
+                options.farthest = GetParam().farthest;
+                const Scene scene = makeScene((ProblemType)problem, options);
+                Params params = Params::fromMethod(flags[k]);
+                params.threshold = 1.5;
+                wrong += !(modelError(scene, estimate(scene, params)) < 1.5);
+            }
+            EXPECT_EQ(0, wrong) << problem << ", flag " << k;
+        }
+}
+
+INSTANTIATE_TEST_CASE_P(Motions, Usac_Structured, testing::ValuesIn(STRUCTURES));
+
+//! Few points, and scores that help, tell nothing, or are upside down: the scores make the search shorter or longer, not wrong.
+TEST(Usac_Structured, any_order_of_scores)
+{
+    const double information[] = {0.9, 0.5, 0.05};
+    for (int problem = 0; problem < 3; ++problem)
+        for (int order = 0; order < 3; ++order)
+        {
+            int missed = 0;
+            for (uint64 seed = 1; seed <= 20; ++seed)
+            {
+                SceneOptions options;
+                options.setSize(30, 0.6);
+                options.seed = seed;
+                options.scoreInformation = information[order];
+                const Scene scene = makeScene((ProblemType)problem, options);
+                const Ptr<Usac> usac = createUsac(scene, Params());
+                const Params params;
+                const Context context(usac->points(), usac->components(), params);
+                const double truth = context.rate(toInternal(usac->points(), scene.model)).cost;
+                Params sorted = Params::sorted();
+                sorted.prior = PRIOR_AUTO;
+                sorted.scores = scene.scores;
+                Report report;
+                estimate(scene, sorted, noArray(), &report);
+                missed += !(report.cost * scene.size() < truth + 1);
+            }
+            EXPECT_LE(missed, 1) << problem << ", order " << order;
+        }
+}
+
+}} // namespace
