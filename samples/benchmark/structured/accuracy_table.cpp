@@ -129,7 +129,7 @@ void AccuracyTable::row(const Cell& cell, double noise, std::ostream& out, std::
         sceneOptions.seed = settings.seed = options.seed + run;
         const opencv_test::Scene scene = opencv_test::makeScene(cell.problem, sceneOptions);
         const ImagePair pair = toImagePair(scene);
-        const Judge judge(scene, pair, settings);
+        const Judge judge(scene, pair, settings, sceneOptions.noise);
         Estimate reference;
         reference.model = judge.leastSquares();
         add(judge.judge(reference), all.back());

@@ -4,6 +4,7 @@
 
 #include "judge.hpp"
 
+#include <algorithm>
 #include <limits>
 #include "measures.hpp"
 #include "true_model.hpp"
@@ -18,13 +19,14 @@ const double MARGIN = 0.5;
 const double LOST = 2;
 //! ... and a model that loses at most this part of them is the same one, found but less well refined.
 const double FEW = 0.01;
-//! Limits of a result that is right: thresholds (H, F) and degrees (E).
+//! Limits of a result that is right: thresholds, or deviations of the noise if that is more (H, F), and degrees (E).
 const double WRONG_ERROR = 3, WRONG_POSE = 5;
 
 } // namespace
 
-Judge::Judge(const opencv_test::Scene& scene_, const ImagePair& pair_, const Settings& settings_)
-    : scene(scene_), pair(pair_), settings(settings_), bestCost(std::numeric_limits<double>::infinity())
+Judge::Judge(const opencv_test::Scene& scene_, const ImagePair& pair_, const Settings& settings_, double noise)
+    : scene(scene_), pair(pair_), settings(settings_), farLimit(WRONG_ERROR * std::max(settings_.threshold, noise)),
+      bestCost(std::numeric_limits<double>::infinity())
 {
     const TrueModel exact(scene);
     std::vector<int> right;
@@ -73,7 +75,7 @@ Verdict Judge::judge(const Estimate& estimate) const
     verdict.error = modelError(pair, settings.problem, estimate.model);
     verdict.poseError = settings.problem == cv::usacv20::ESSENTIAL ? poseError(pair, settings.problem, estimate) : -1;
     verdict.none = !(verdict.error < std::numeric_limits<double>::infinity());
-    verdict.far = !(verdict.error <= WRONG_ERROR * settings.threshold);
+    verdict.far = !(verdict.error <= farLimit);
     verdict.wrong = verdict.poseError < 0 ? verdict.far : verdict.none || verdict.poseError > WRONG_POSE;
     verdict.worse = verdict.none || costOf(estimate.model) > bestCost + MARGIN;
     verdict.failed = verdict.none;

@@ -16,7 +16,7 @@ struct Verdict
 {
     bool worse;        //!< costs more than the true model
     bool failed;       //!< a search failure: worse, and another model than the true one
-    bool far;          //!< RMS distance of the right matches without noise above three thresholds
+    bool far;          //!< RMS distance of the right matches without noise above three thresholds and three times the noise
     bool wrong;        //!< H, F: far from the truth, whatever it costs; E: its pose is, by more than 5 degrees
     bool none;         //!< no model; counts as worse, failed, far and wrong, too
     double error;      //!< RMS distance of the right matches without noise, pixels; infinite without a model
@@ -30,7 +30,8 @@ that of MSAC, the sum of min(1, (error / threshold)^2) over all matches. */
 class Judge
 {
 public:
-    Judge(const opencv_test::Scene& scene, const ImagePair& pair, const Settings& settings);
+    //! @param noise of the scene, pixels
+    Judge(const opencv_test::Scene& scene, const ImagePair& pair, const Settings& settings, double noise);
 
     Verdict judge(const Estimate& estimate) const;
 
@@ -47,6 +48,7 @@ private:
     const opencv_test::Scene& scene;
     const ImagePair& pair;
     const Settings& settings;
+    const double farLimit;  //!< pixels
     cv::Mat fit, best;
     double bestCost;
 };

@@ -103,7 +103,7 @@ void SearchGrid::measure(const Cell& cell, const opencv_test::SceneOptions& scen
         own.seed = settings.seed = options.seed + run;
         const opencv_test::Scene scene = opencv_test::makeScene(cell.problem, own);
         const ImagePair pair = toImagePair(scene);
-        const Judge judge(scene, pair, settings);
+        const Judge judge(scene, pair, settings, own.noise);
         for (size_t m = 0; m < methods.size(); ++m)
             if (Method* const method = methodOf(m, cell))
             {
