@@ -9,7 +9,8 @@
 namespace {
 
 /** Draws the points of a sample from different cells of a grid over image 1, as long as enough of the cells hold points. A
-model from points far apart extrapolates less, at the price that local structures are found later. */
+model from points far apart extrapolates less, at the price that local structures are found later. Its samples count for the
+criteria of termination (State::counts stays true): any point can be drawn. */
 class SpreadSampler : public cv::usacv20::Sampler
 {
 public:
