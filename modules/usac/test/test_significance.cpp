@@ -116,7 +116,7 @@ TEST(Usac_Significance, rightModelsOfFewPoints)
             const Scene scene = rightScene(cases[c].problem, cases[c].size, cases[c].inlierRatio, seed);
             significant += reportOf(scene, Params()).chance < 1e-3;
         }
-        EXPECT_GE(significant, 19) << "problem " << cases[c].problem << ", " << cases[c].size << " points";
+        EXPECT_GE(significant, 19) << "problem " << (int)cases[c].problem << ", " << cases[c].size << " points";
     }
 }
 
