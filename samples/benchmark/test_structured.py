@@ -44,10 +44,10 @@ class StructuredTest(FolderTest):
 
     def test_one_sample_is_not_enough(self):
         """One sample of an F with half of the matches wrong holds right ones only once in 128 times."""
-        methods = "preset:ransac{maxIterations=1},preset:ransac{maxIterations=1000}"
-        rows, _ = self.rows("--problems=F", "--methods=" + methods, "--kinds=generic", "--orders=none", "--sizes=100",
+        methods = ["preset:ransac{maxIterations=%d,significance=1}" % limit for limit in (1, 1000)]
+        rows, _ = self.rows("--problems=F", "--methods=" + ",".join(methods), "--kinds=generic", "--orders=none", "--sizes=100",
                             "--ratios=0.5", "--runs=50")
-        self.assertEqual([row["method"] for row in rows], methods.split(","))
+        self.assertEqual([row["method"] for row in rows], methods)
         one, many = rows
         self.assertEqual((one["calls"], one["limited"], float(one["mean_iterations"])), ("50", "50", 1))
         self.assertEqual((one["failures"], one["failures_low"], one["failures_high"]), ("0", "0", "1"), "none ended by itself")

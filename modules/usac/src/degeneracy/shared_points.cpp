@@ -40,7 +40,8 @@ Matches of one target (repeated patterns, matching without cross-check) are fitt
 target, whatever their other ends are; those of two targets, or of points on a line, by an F of nearly rank 1, to which all
 epipolar lines are that line. So
 
-- samples are refused in which two matches share a point (shareATarget);
+- samples are refused in which two matches share a point; if many matches do, also but for the noise (shareATarget: where they are few, two
+  of them may be right ones that one camera sees close together);
 - of a new best model, the inliers that would be inliers whatever their other ends were count as one. Quality is changed by the
   rest of them. The model stays, as there may be no better one; but it does not beat those with real support any more.
 
@@ -72,6 +73,12 @@ public:
         }
         if (std::abs(std::log(first[1] / first[0])) < std::abs(std::log(sizes[1] / sizes[0])))
             std::copy(first, first + 2, sizes);
+        const TargetLimits limits(p.threshold, sizes);
+        int shared = 0;
+        for (int i = 1; i < std::min<int>(p.size, FIRST_PAIRS); ++i)
+            for (int k = 0; k < i; ++k)
+                shared += shareATarget(p, limits, i, k);
+        targets = shared >= SHARED_PAIRS;
     }
 
     bool validSample(const Context& context, const int* sample) const CV_OVERRIDE
@@ -81,7 +88,7 @@ public:
         const TargetLimits limits(p.threshold, sizes);
         for (int i = 1; i < m; ++i)
             for (int k = 0; k < i; ++k)
-                if (shareATarget(p, limits, sample[i], sample[k]))
+                if (targets ? shareATarget(p, limits, sample[i], sample[k]) : shareAPoint(p, sample[i], sample[k]))
                     return false;
         return true;
     }
@@ -119,8 +126,10 @@ public:
     }
 
 private:
-    //! Fewer than 5 % of the first points are no matter; all of few points are looked at.
-    enum { LOOKED_AT = 64, FEW = 3 };
+    //! Fewer than so many of the first points are no matter; all of few points are looked at.
+    enum { LOOKED_AT = 64, FEW = 8 };
+    //! Many matches share points if so many pairs of the first points do, 3 %: of two targets with a third of the matches each a fifth.
+    enum { FIRST_PAIRS = 32, SHARED_PAIRS = 16 };
 
     void find(const Correspondences& p, const OneEnd& one)
     {
@@ -134,6 +143,7 @@ private:
     }
 
     float sizes[2];  //!< of the images
+    bool targets;    //!< many matches share points
     std::vector<double> coordinates[4], errors;  //!< of the matches that tell nothing
     std::vector<float> floats;
 };
