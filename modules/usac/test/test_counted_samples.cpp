@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "degeneracy/degeneracy.hpp"
+#include "termination/termination.hpp"
 
 namespace opencv_test { namespace {
 
@@ -36,13 +37,19 @@ Report reportOf(const Scene& scene, const Params& params, const Ptr<Sampler>& sa
     return report;
 }
 
-//! log(1 - confidence) / log(1 - C(I, m) / C(n, m)), of the default parameters.
-double samplesNeeded(double inliers, double n, int m)
+//! C(inliers, m) / C(n, m)
+double subsets(double inliers, double n, int m)
 {
     double p = 1;
     for (int i = 0; i < m; ++i)
         p *= (inliers - i) / (n - i);
-    return std::log(0.01) / std::log1p(-p);
+    return p;
+}
+
+//! log(1 - confidence) / log(1 - C(I, m) / C(n, m)), of the default parameters.
+double wantedSamples(double inliers, double n, int m)
+{
+    return std::log(0.01) / std::log1p(-subsets(inliers, n, m));
 }
 
 TEST(Usac_CountedSamples, the_others_do_not_end_the_search)
@@ -52,7 +59,7 @@ TEST(Usac_CountedSamples, the_others_do_not_end_the_search)
     const Scene scene = sceneOf(HOMOGRAPHY, 100, 150);
     const Report report = reportOf(scene, params, makePtr<HalfCounting>());
     EXPECT_EQ((int)STOP_STANDARD, report.stop);
-    const double needed = samplesNeeded(report.inliers, scene.size(), 4);
+    const double needed = wantedSamples(report.inliers, scene.size(), 4);
     EXPECT_NEAR(2 * needed, report.iterations, 0.3 * needed);
 }
 
@@ -63,7 +70,7 @@ TEST(Usac_CountedSamples, all_count_where_one_model_has_most_points)
     const Scene scene = sceneOf(FUNDAMENTAL, 230, 130);
     const Report report = reportOf(scene, params, makePtr<HalfCounting>());
     EXPECT_EQ((int)STOP_STANDARD, report.stop);
-    const double needed = samplesNeeded(report.inliers, scene.size(), 7);
+    const double needed = wantedSamples(report.inliers, scene.size(), 7);
     EXPECT_GT(2 * report.inliers, scene.size() + 14);
     EXPECT_NEAR(needed, report.iterations, 0.3 * needed + 2);
 }
@@ -94,29 +101,26 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
     EXPECT_FALSE(repeated->mayBeGood(context, both));
 }
 
-//! As many samples as the different ones of the matches need, not as few as the same part of all would.
-TEST(Usac_CountedSamples, repeated_matches_take_more_samples)
+//! 30 matches, each five times, 18 of them right: what is refused tells the criteria that they are 30, not 150.
+TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
 {
     for (int problem = 0; problem < 3; ++problem)
     {
-        double once = 0, often = 0;
-        for (uint64 seed = 1; seed <= 8; ++seed)
-        {
-            SceneOptions options;
-            options.inliers = 18;
-            options.outliers = 12;
-            options.seed = seed;
-            Params params;
-            params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
-            params.significance = 1;
-            Report report;
-            estimate(makeScene((ProblemType)problem, options), params, noArray(), &report);
-            once += std::log((double)report.iterations);
-            options.copies = 5;
-            estimate(makeScene((ProblemType)problem, options), params, noArray(), &report);
-            often += std::log((double)report.iterations);
-        }
-        EXPECT_GT(often, once - 8 * std::log(1.3)) << problem;
+        const Scene scene = sceneOf((ProblemType)problem, 90, 60);
+        const Params params;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const int m = usac->components().minimalSolver->sampleSize();
+        State state;
+        EXPECT_NEAR(subsets(90, 150, m), goodSampleProbability(context, state, 90), 1e-9) << problem;
+        double passed = 1;
+        for (int i = 0; i < m; ++i)
+            passed *= (150 - 5. * i) / (150 - i);
+        state.countedSamples = cvRound(1e6 * passed);
+        state.repeatedSamples = 1000000 - state.countedSamples;
+        const double p = goodSampleProbability(context, state, 90), exact = subsets(18, 30, m);
+        EXPECT_LE(p, exact * 1.001) << problem;
+        EXPECT_GE(p, exact * 0.8) << problem;
     }
 }
 

@@ -55,11 +55,12 @@ TEST_P(UsacReal, truth_fits_the_check_points)
 TEST_P(UsacReal, every_flag)
 {
     Mat mask;
+    const bool graf = real.name == std::string("graf");  // of 200 seeds 7 (MAGSAC: 12) end in another optimum, 1.7 px off
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
-    verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, 3);  // 3 % of the seeds of graf
+    verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, graf ? 3 : 1.5);
     verify("USACV20_ACCURATE", set.find(USACV20_ACCURATE, real.threshold, mask), mask);
     // its reach is three thresholds, and the wall is not quite a plane
-    verify("USACV20_MAGSAC", set.find(USACV20_MAGSAC, real.threshold / 2, mask), mask, 4);
+    verify("USACV20_MAGSAC", set.find(USACV20_MAGSAC, real.threshold / 2, mask), mask, graf ? 4 : 2);
     verify("USACV20_PROSAC", set.sorted().find(USACV20_PROSAC, real.threshold, mask), mask);
 }
 

@@ -28,7 +28,11 @@ find F. A plane that was dealt with is looked at again if clearly more points ar
 class Degensac : public Degeneracy
 {
 public:
-    Degensac() : fitter(createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)), known(Matx33d::zeros()), knownThreshold(0), knownPoints(0) {}
+    Degensac()
+        : fitter(createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)), known(Matx33d::zeros()), knownThreshold(0),
+          knownPoints(0)
+    {
+    }
 
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {

@@ -25,11 +25,7 @@ public:
     {
         const Correspondences& p = context.points;
         const int m = context.components.minimalSolver->sampleSize();
-        for (int i = 1; i < m; ++i)
-            for (int k = 0; k < i; ++k)
-                if (shareAPoint(p, sample[i], sample[k]))
-                    return false;
-        return true;
+        return !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
     }
 
     bool mayBeGood(const Context& context, const int* sample) const CV_OVERRIDE

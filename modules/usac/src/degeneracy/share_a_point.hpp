@@ -23,19 +23,22 @@ inline bool sameMatch(const Correspondences& p, int i, int j)
     return p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j] && p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j];
 }
 
+//! True if `share(i, k)` is, for two points i and k of a sample of m.
+template <class Share>
+inline bool anyPair(const int* sample, int m, const Share& share)
+{
+    for (int i = 1; i < m; ++i)
+        for (int k = 0; k < i; ++k)
+            if (share(sample[i], sample[k]))
+                return true;
+    return false;
+}
+
 //! True if a match is twice in a sample of m, and no two different ones share a point: of these one would be wrong.
 inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 {
-    bool repeated = false;
-    for (int i = 1; i < m; ++i)
-        for (int k = 0; k < i; ++k)
-        {
-            const bool same = sameMatch(p, sample[i], sample[k]);
-            if (!same && shareAPoint(p, sample[i], sample[k]))
-                return false;
-            repeated |= same;
-        }
-    return repeated;
+    return anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
+           !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
 }
 
 //! The scale between the images of a small surface is less.

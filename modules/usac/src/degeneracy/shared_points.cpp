@@ -40,8 +40,8 @@ Matches of one target (repeated patterns, matching without cross-check) are fitt
 target, whatever their other ends are; those of two targets, or of points on a line, by an F of nearly rank 1, to which all
 epipolar lines are that line. So
 
-- samples are refused in which two matches share a point; if many matches do, also but for the noise (shareATarget: where they are few, two
-  of them may be right ones that one camera sees close together);
+- samples are refused in which two matches share a point; if many matches do, also but for the noise (shareATarget: where they
+  are few, two of them may be right ones that one camera sees close together);
 - of a new best model, the inliers that would be inliers whatever their other ends were count as one. Quality is changed by the
   rest of them. The model stays, as there may be no better one; but it does not beat those with real support any more.
 
@@ -85,12 +85,10 @@ public:
     {
         const Correspondences& p = context.points;
         const int m = context.components.minimalSolver->sampleSize();
+        if (!targets)
+            return !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
         const TargetLimits limits(p.threshold, sizes);
-        for (int i = 1; i < m; ++i)
-            for (int k = 0; k < i; ++k)
-                if (targets ? shareATarget(p, limits, sample[i], sample[k]) : shareAPoint(p, sample[i], sample[k]))
-                    return false;
-        return true;
+        return !anyPair(sample, m, [&](int i, int k) { return shareATarget(p, limits, i, k); });
     }
 
     bool mayBeGood(const Context& context, const int* sample) const CV_OVERRIDE
