@@ -29,8 +29,8 @@ const double REACH = 5, GROWS = 1.5, SHRINKS = 0.7;
 
 //! Params::significance 0: the limit, and the part of the points that must be able to reach it.
 const double LIMIT = 0.01, DECISIVE = 0.25;
-/* Part of what a model gains over no model at all that must be left after polishing. With 0.9 polishing is undone where the threshold
-is no more than the noise: the error of H is 3.1 times that of least squares, with 0.5 it is 1.2. */
+/* Part of what a model gains over no model at all that must be left after polishing. With 0.9 polishing is undone where the
+threshold is no more than the noise: the error of H is 3.1 times that of least squares, with 0.5 it is 1.2. */
 const double KEPT = 0.5;
 //! Chances that are smaller need not be known.
 const double CLEAR = 1e-6;
@@ -135,8 +135,8 @@ private:
         return problem == HOMOGRAPHY ? model : Parameterization(problem, model).model();
     }
 
-    /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse after it, the
-    model stays as the search found it. @return quality of the model */
+    /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse after it,
+    the model stays as the search found it. @return quality of the model */
     Quality polish(const Context& context, Model& best)
     {
         const Model found = projected(best);

@@ -126,7 +126,8 @@ public:
 private:
     //! Fewer than so many of the first points are no matter; all of few points are looked at.
     enum { LOOKED_AT = 64, FEW = 8 };
-    //! Many matches share points if so many pairs of the first points do, 3 %: of two targets with a third of the matches each a fifth.
+    //! Many matches share points if so many pairs of the first points do, 3 %. With two targets of a third of the matches each a
+    //! fifth of the pairs do.
     enum { FIRST_PAIRS = 32, SHARED_PAIRS = 16 };
 
     void find(const Correspondences& p, const OneEnd& one)
