@@ -13,7 +13,7 @@ Params::Params()
       neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), widestReach(1),
       verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
-      spatialWeight(0.14), runnersUp(16), orderedEvery(4),
+      spatialWeight(0.14), runnersUp(16), orderedEvery(8),
       termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT),
       relaxation(0.05), persistence(1), degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED),
       polishing(POLISHING_ROBUST), polishingSteps(6), significance(0)

@@ -15,7 +15,7 @@ Params Params::usacV20()
 Params Params::fast()
 {
     Params params;
-    params.relaxation = 0.25;
+    params.relaxation = 0.5;
     params.localIterations = 1;
     params.localSamples = 0;
     params.spatialWeight = 0;

@@ -175,7 +175,14 @@ TEST(Usac_Confidence, standard)
     }
 }
 
-//! P-NAPSAC: a model with a tenth more inliers beside its sample is not missed.
+//! Inliers of a homography that P-NAPSAC calls significantly better than one with `inliers`.
+double significant(double inliers, double relaxation)
+{
+    const double beside = inliers - 4;
+    return 4 + beside * (1 + relaxation * beside / (beside + 30));
+}
+
+//! P-NAPSAC: a significantly better model is not missed.
 TEST(Usac_Confidence, pNapsac)
 {
     const Rivals rivals(110, 99, 91);
@@ -186,13 +193,14 @@ TEST(Usac_Confidence, pNapsac)
     int asComputed = 0;
     for (int i = 0; i < RUNS; ++i)
     {
-        const double k = closedForm(subsets(4 + (runs.inliers[i] - 4) * 1.1, n, 4));
+        const double k = closedForm(subsets(significant(runs.inliers[i], params.relaxation), n, 4));
         EXPECT_GE(runs.iterations[i], k);
         asComputed += runs.iterations[i] == k;
     }
     EXPECT_GT(asComputed, RUNS * 0.7);
     const int decoys = count(rivals.inliers(false, params.threshold));
-    runs.check(failureRate(rivals, params.threshold, closedForm(subsets(4 + (decoys - 4) * 1.1, n, 4))), STOP_P_NAPSAC);
+    runs.check(failureRate(rivals, params.threshold, closedForm(subsets(significant(decoys, params.relaxation), n, 4))),
+               STOP_P_NAPSAC);
 }
 
 //! SPRT drops models and asks for more samples in return; few, as its threshold is high for a solver that costs as much.

@@ -208,7 +208,7 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, p.termination);
     EXPECT_EQ(0.05, p.relaxation);
     EXPECT_EQ(16, p.runnersUp);
-    EXPECT_EQ(4, p.orderedEvery);
+    EXPECT_EQ(8, p.orderedEvery);
     EXPECT_EQ(1, p.persistence);
     EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED, p.degeneracy);
     EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);

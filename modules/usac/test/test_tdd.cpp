@@ -148,7 +148,8 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                 for (int inliers = m + 1; inliers < 48; inliers += 5)
                 {
                     state.bestQuality = Quality(50 - inliers, inliers);
-                    const double more = m + (inliers - m) * (1 + params.relaxation), failure = std::log(1 - params.confidence);
+                    const double beside = inliers - m, failure = std::log(1 - params.confidence);
+                    const double more = m + beside * (1 + params.relaxation * beside / (beside + 30));
                     double good = std::pow(inliers / 50., m + d), better = std::pow(more / 50, m + d);
                     if (exactly)
                     {

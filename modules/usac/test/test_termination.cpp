@@ -112,11 +112,30 @@ TEST(Usac_Termination, pNapsac)
             for (int inliers = 0; inliers <= 60; ++inliers)
             {
                 const int k = counts.iterations(createPNapsacTermination(), inliers);
-                const double significant = std::min(counts.m + (inliers - counts.m) * (1 + relaxations[r]), 60.);
+                const double beside = inliers - counts.m;
+                const double significant = std::min(counts.m + beside * (1 + relaxations[r] * beside / (beside + 30)), 60.);
                 EXPECT_EQ(inliers <= counts.m ? INT_MAX : counts.needed(counts.good(significant)), k) << inliers;
             }
         }
     EXPECT_EQ((int)STOP_P_NAPSAC, createPNapsacTermination()->reason());
+}
+
+//! Nothing is relaxed where the best model may be one of a plane, and less where the inliers are few, each several times.
+TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
+{
+    Params params;
+    params.relaxation = 0.5;
+    Counts counts(ESSENTIAL, 100, params);
+    const Ptr<Termination> standard = createStandardTermination(), relaxed = createPNapsacTermination();
+    EXPECT_LT(counts.iterations(relaxed, 40), counts.iterations(standard, 40) / 2);
+    counts.state.yield = 0.5;
+    EXPECT_EQ(counts.iterations(standard, 40), counts.iterations(relaxed, 40));
+    counts.state.yield = 1;
+    counts.state.countedSamples = 1000;
+    const double once = (double)counts.iterations(relaxed, 40) / counts.iterations(standard, 40);
+    counts.state.repeatedSamples = 500;
+    const double copies = (double)counts.iterations(relaxed, 40) / counts.iterations(standard, 40);
+    EXPECT_GT(copies, 1.2 * once);
 }
 
 SequentialTest makeTest(double epsilon, double delta, double A, int samples)

@@ -21,7 +21,7 @@ enum { NEAR = 2 };
 //! with 0.3 they stay.
 const double GOOD_LINES = 0.5;
 //! A place with so many votes, as a part of the best support, is worth a fit: the same number of inliers can be a lower cost. 0.6
-//! changes nothing.
+//! changes nothing but the time; 0.9 saves 2 % of the time of F and misses 1 % of the epipoles of cameras that move forwards.
 const double WORTH_A_FIT = 0.8;
 //! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the lowest
 //! one: the points on the plane decide between similar epipoles. More changes nothing.
@@ -76,20 +76,17 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
 @param own bins that do not count, with those near them @return the number of arcs */
 int densest(const int* change, const int* own, int& first, int& last)
 {
-    int sum = 0, most = 0;
+    int votes[ARCS_BINS];
+    for (int k = 0, sum = 0; k < ARCS_BINS; ++k)
+        votes[k] = sum += change[k];
+    for (int i = 0; i < 2; ++i)
+        std::fill(votes + std::max(own[i] - NEAR, 0), votes + std::min(own[i] + NEAR + 1, (int)ARCS_BINS), 0);
+    int most = 0;
     for (int k = 0; k < ARCS_BINS; ++k)
-    {
-        sum += change[k];
-        if (std::abs(k - own[0]) <= NEAR || std::abs(k - own[1]) <= NEAR)
-            continue;
-        if (sum > most)
-        {
-            most = sum;
-            first = last = k;
-        }
-        else if (most > 0 && sum == most && last == k - 1)
-            last = k;
-    }
+        most = std::max(most, votes[k]);
+    first = last = (int)(std::find(votes, votes + ARCS_BINS, most) - votes);
+    while (last + 1 < ARCS_BINS && votes[last + 1] == most)
+        ++last;
     return most;
 }
 
@@ -190,22 +187,13 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     formWeights(u, u, weights + 6);
     formWeights(u, v, weights + 12);
     formWeights(v, v, weights + 18);
-    int change[ARCS_BINS + 1] = {0};
-    for (int begin = 0; begin < p.size; begin += ARCS_BLOCK)
+    int change[ARCS_BINS + 1] = {0}, from[MAX_POINTS], to[MAX_POINTS];
+    kernels().arcs(numbers.data(), stride, weights, from, to);
+    for (int k = 0; k < p.size; ++k)
     {
-        int from[ARCS_BLOCK], to[ARCS_BLOCK];
-        const float* rows[ARCS_ROWS];
-        for (int k = 0; k < ARCS_ROWS; ++k)
-            rows[k] = number(k) + begin;
-        kernels().arcs(rows, weights, from, to);
-        const int count = std::min<int>(ARCS_BLOCK, p.size - begin);
-        for (int k = 0; k < count; ++k)
-            if (from[k] >= 0)
-            {
-                ++change[from[k]];
-                --change[to[k] + 1];
-                change[0] += from[k] > to[k];
-            }
+        ++change[from[k]];
+        --change[to[k] + 1];
+        change[0] += from[k] > to[k] + 1;
     }
     const Vec3d x2(p.x2[line], p.y2[line], 1), y = H * Vec3d(p.x1[line], p.y1[line], 1);
     const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))), binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
@@ -258,25 +246,31 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
     toFloat(F, m);
     kernels().errors[Residual::SAMPSON](p, m, 0, p.size, errors);
     const float widest = (float)(width * width * limit);
+    int near[MAX_POINTS + 1], count = 0;
+    for (int i = 0; i < p.size && count < most; ++i)  // no branches, which could not be foretold
+    {
+        near[count] = i;
+        count += errors[i] <= widest;
+    }
+    const float* rows[ARCS_ROWS];
+    for (int k = 0; k < ARCS_ROWS; ++k)
+        rows[k] = number(k);
     double weights[6], sums[6] = {0};
     formWeights(e, e, weights);
-    for (int i = 0, count = 0; i < p.size && count < most; ++i)
+    for (int j = 0; j < count; ++j)
     {
-        if (!(errors[i] <= widest))
-            continue;
-        ++count;
+        const int i = near[j];
         double d = 0;
         for (int k = 0; k < 6; ++k)
-            d += weights[k] * number(G00 + k)[i];
-        if (!(d > 0))
-            continue;
-        const double n0 = number(N0)[i], n1 = number(N1)[i], n2 = number(N2)[i], a = n0 / d, b = n1 / d;
+            d += weights[k] * rows[G00 + k][i];
+        const double inverse = d > 0 ? 1 / d : 0, n0 = rows[N0][i], n1 = rows[N1][i], n2 = rows[N2][i], a = n0 * inverse,
+                     b = n1 * inverse;
         sums[0] += a * n0;
         sums[1] += a * n1;
         sums[2] += a * n2;
         sums[3] += b * n1;
         sums[4] += b * n2;
-        sums[5] += n2 * n2 / d;
+        sums[5] += n2 * n2 * inverse;
     }
     return smallestEigenvector(Matx33d(sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5]), e);
 }

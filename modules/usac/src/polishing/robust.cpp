@@ -61,15 +61,17 @@ private:
     {
         const Correspondences& p = context.points;
         const float limit = (float)(REACH * REACH * p.threshold * p.threshold);
-        int begin = 0, found = 0;
-        while (begin < p.size && found < wanted)
+        int looked = 0, found = 0;
+        while (looked < p.size && found < wanted)
         {
-            const int end = std::min(begin + BLOCK, p.size);
-            context.components.residual->squaredErrors(p, model, begin, end, errors.data() + begin);
-            for (; begin < end; ++begin)
-                found += errors[begin] <= limit;
+            const int size = std::min<int>(BLOCK, p.size - looked);
+            float* const block = &errors[looked];
+            context.components.residual->squaredErrors(p, model, looked, looked + size, block);
+            for (int i = 0; i < size; ++i)
+                found += block[i] <= limit;
+            looked += size;
         }
-        return begin;
+        return looked;
     }
 
     /** Finds the points within the support of those looked at, and their weights. @return the loss of those looked at, of which
@@ -78,19 +80,23 @@ private:
     {
         const double support = SUPPORT * sigma * p.threshold, scale = 1 / (support * support);
         const float limit = (float)(support * support);
-        count = 0;
+        const float* const e = errors.data();
+        int* const members = near.data();
+        int size = 0;
         for (int i = 0; i < looked; ++i)  // no branches, which could not be foretold
         {
-            near[count] = i;
-            count += errors[i] < limit;  // false for NaN
+            members[size] = i;
+            size += e[i] < limit;  // false for NaN
         }
-        lossNear = 0;
-        for (int k = 0; k < count; ++k)
+        double sum = 0;
+        for (int k = 0; k < size; ++k)
         {
-            const double rest = 1 - errors[near[k]] * scale;
+            const double rest = 1 - e[members[k]] * scale;
             weights[k] = rest * rest;
-            lossNear += 1 - weights[k] * rest;
+            sum += 1 - rest * rest * rest;
         }
+        count = size;
+        lossNear = sum;
         return lossNear + looked - count;
     }
 

@@ -13,16 +13,16 @@ namespace {
 
 /* For e = u + t v of a line, (e n)^2 <= e^T G e reads A t^2 + 2 B t + C <= 0. The arc begins where this becomes negative, at
 t = (-B - sqrt(D)) / A, and ends at (-B + sqrt(D)) / A, through infinity if A is negative. D is written without the fourth
-powers of r, which cancel. A point that every e suits, D <= 0, does not vote: `from` is -1. */
-void arcsKernel(const float* const* rows, const float* weights, int* USAC_RESTRICT from, int* USAC_RESTRICT to)
+powers of r, which cancel. A point that every e suits, D <= 0, does not vote: its arc is from 0 to -1. */
+void arcsKernel(const float* rows, int stride, const float* weights, int* USAC_RESTRICT from, int* USAC_RESTRICT to)
 {
-    const float *n0 = rows[0], *n1 = rows[1], *n2 = rows[2], *g00 = rows[3], *g01 = rows[4], *g02 = rows[5], *g11 = rows[6],
-                *g12 = rows[7], *g22 = rows[8];
+    const float *n0 = rows, *n1 = n0 + stride, *n2 = n1 + stride, *g00 = n2 + stride, *g01 = g00 + stride, *g02 = g01 + stride,
+                *g11 = g02 + stride, *g12 = g11 + stride, *g22 = g12 + stride;
     float w[ARCS_WEIGHTS];
     for (int k = 0; k < ARCS_WEIGHTS; ++k)
         w[k] = weights[k];
     USAC_SIMD
-    for (int k = 0; k < ARCS_BLOCK; ++k)
+    for (int k = 0; k < stride; ++k)
     {
         const float r0 = w[0] * n0[k] + w[1] * n1[k] + w[2] * n2[k], r1 = w[3] * n0[k] + w[4] * n1[k] + w[5] * n2[k];
         const float d0 = w[6] * g00[k] + w[7] * g01[k] + w[8] * g02[k] + w[9] * g11[k] + w[10] * g12[k] + w[11] * g22[k];
@@ -33,8 +33,9 @@ void arcsKernel(const float* const* rows, const float* weights, int* USAC_RESTRI
         const float root = std::sqrt(D > 0 ? D : 0.f);
         const float q = B >= 0 ? -B - root : root - B;
         const int one = binOf(placeOf(q, A)), other = binOf(placeOf(C, q));
-        from[k] = D > 0 ? (B >= 0 ? one : other) : -1;
-        to[k] = B >= 0 ? other : one;
+        const int begin = B >= 0 ? one : other, end = B >= 0 ? other : one;
+        from[k] = D > 0 ? begin : 0;
+        to[k] = D > 0 ? end : -1;
     }
 }
 

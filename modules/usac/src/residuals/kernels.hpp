@@ -23,14 +23,14 @@ typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* mode
 //! Length of `sums` for the transfer error and the epipolar distances.
 enum { TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55 };
 
-//! Of ArcsKernel: points of a call, rows of numbers, coefficients of the line, parts of the line.
+//! Of ArcsKernel: points come in multiples of this, rows of numbers, coefficients of the line, parts of the line.
 enum { ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256 };
-/** Of #ARCS_BLOCK points, the arcs of a line on which an epipole keeps them within the threshold, see PlaneParallax and
-arcs.inl.hpp.
-@param rows n (3 of them) and the upper triangle of G (6)
-@param weights of the line
-@param from, to output: first and last bin of each arc; from is -1 where every place suits */
-typedef void (*ArcsKernel)(const float* const* rows, const float* weights, int* from, int* to);
+/** Of `stride` points, the arcs of a line on which an epipole keeps them within the threshold, see PlaneParallax and arcs.inl.hpp.
+@param rows #ARCS_ROWS rows of `stride` numbers: n (3 of them) and the upper triangle of G (6)
+@param stride points, a multiple of #ARCS_BLOCK
+@param weights #ARCS_WEIGHTS coefficients of the line
+@param from, to output: first and last bin of each arc; where every place suits, 0 and -1 */
+typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
 
 /** The loops over points, compiled once for each instruction set. All versions return the same bits: the sums run in
 the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind; the sums and the

@@ -20,39 +20,45 @@ element @cite golub2013matrix. The matrix is given column by column: all loops o
 template <int ROWS, int COLS, int PADDED>
 bool nullSpace(double (&A)[COLS][PADDED], double (&basis)[COLS - ROWS][COLS])
 {
-    double least = 0;
+    double largest[PADDED] = {0}, scale = 0;
     for (int j = 0; j < COLS; ++j)
-        for (int i = 0; i < ROWS; ++i)
-            least = std::max(least, std::abs(A[j][i]));
-    least *= 1e-9;
+        for (int i = 0; i < PADDED; ++i)
+            largest[i] = std::max(largest[i], std::abs(A[j][i]));
+    for (int i = 0; i < ROWS; ++i)
+        scale = std::max(scale, largest[i]);
+    const double least = 1e-9 * scale;
     int order[COLS];  // of the columns
     for (int j = 0; j < COLS; ++j)
         order[j] = j;
     for (int k = 0; k < ROWS; ++k)
     {
         int best = k;
+        double most = std::abs(A[k][k]);
         for (int j = k + 1; j < COLS; ++j)
-            if (std::abs(A[order[j]][k]) > std::abs(A[order[best]][k]))
+            if (std::abs(A[j][k]) > most)
+            {
                 best = j;
+                most = std::abs(A[j][k]);
+            }
+        if (!(most > least))  // also for NaN
+            return false;
         std::swap(order[k], order[best]);
         double pivot[PADDED];
-        std::copy(A[order[k]], A[order[k]] + PADDED, pivot);
-        if (!(std::abs(pivot[k]) > least))  // also for NaN
-            return false;
+        std::copy(A[best], A[best] + PADDED, pivot);
+        std::copy(A[k], A[k] + PADDED, A[best]);
         const double inverse = 1 / pivot[k];
         for (int j = k + 1; j < COLS; ++j)
         {
-            double* const column = A[order[j]];
-            const double factor = column[k] * inverse;
+            const double factor = A[j][k] * inverse;
             for (int i = 0; i < PADDED; ++i)
-                column[i] -= factor * pivot[i];
-            column[k] = factor;
+                A[j][i] -= factor * pivot[i];
+            A[j][k] = factor;
         }
     }
     for (int v = 0; v < COLS - ROWS; ++v)
     {
         for (int k = 0; k < ROWS; ++k)
-            basis[v][order[k]] = -A[order[ROWS + v]][k];
+            basis[v][order[k]] = -A[ROWS + v][k];
         for (int k = ROWS; k < COLS; ++k)
             basis[v][order[k]] = k == ROWS + v;
     }

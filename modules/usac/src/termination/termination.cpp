@@ -25,9 +25,7 @@ double keptProbability(const Context& context, double inliers)
     return goodSampleProbability(inliers, n, std::min(context.params.tddPoints, n), exact);
 }
 
-/** Matches for each different one, if each is there equally often: of the m (m - 1) / 2 pairs of a sample each is of the same
-match with a probability of (copies - 1) / (n - 1), and a sample is not refused if none is. */
-static double copiesOf(const State& state, int n, int m)
+double copiesOf(const State& state, int n, int m)
 {
     if (state.repeatedSamples == 0)
         return 1;

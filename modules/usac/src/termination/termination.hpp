@@ -28,6 +28,9 @@ double goodSampleProbability(double inliers, int n, int m, bool exact = true);
 of d inliers among d points, epsilon^d or, with #TERMINATION_EXACT, C(inliers, d) / C(n, d). So T(d,d) needs epsilon^-d times as
 many samples @cite matas2004randomized. (SPRT has a criterion of its own.) */
 double keptProbability(const Context& context, double inliers);
+/** Matches for each different one, if each is there equally often: of the m (m - 1) / 2 pairs of a sample each is of the same
+match with a probability of (copies - 1) / (n - 1), and a sample is not refused if none is. */
+double copiesOf(const State& state, int n, int m);
 /** Probability that a sample that counts gives a good model that is kept, if that has `inliers` of all points. Samples that were
 refused as a match was in them twice do not count; how many they are tells how many different matches there are. */
 double goodModelProbability(const Context& context, const State& state, double inliers);

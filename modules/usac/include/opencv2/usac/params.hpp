@@ -242,13 +242,13 @@ struct CV_EXPORTS_W_SIMPLE Params
     are uniform among all points. Only the uniform ones count for the criteria of termination but #TERMINATION_PROSAC: what is
     drawn from some points may never meet the best model, and `confidence` would not hold; but where one model has more than half
     of the points beside its sample, all count. 1: all samples are as preferred, and all count, as in the papers (prosac(),
-    usac2013()); 1..1000. Default 4. */
+    usac2013()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0 runs all `maxIterations`.
     //! Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
     CV_PROP_RW int termination;
-    //! What a "significantly" better model has more for #TERMINATION_P_NAPSAC, as a fraction of the inliers of the best one
-    //! beside those of its sample; 0..1. Default 0.05.
+    //! What a "significantly" better model has more for #TERMINATION_P_NAPSAC, as a fraction of the k inliers of the best one
+    //! beside those of its sample if these are many; of few it is k / (k + 30) times that; 0..1. Default 0.05.
     CV_PROP_RW double relaxation;
     //! Times as many samples as the termination criteria ask for, as if 1 - confidence were this power of it; 1..100. Default 1.
     CV_PROP_RW int persistence;
@@ -266,14 +266,14 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
-    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with a quarter more inliers beside its sample would have
-    been found (`relaxation`), whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and
+    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with half as many inliers more would have been found, less
+    of few (`relaxation`), whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and
     three steps of polishing. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks for, up to
     ten alternations of ten inner samples in the local optimisation, 24 runners-up and 20 steps of polishing. */
     CV_WRAP static Params accurate();
-    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in four
+    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in eight
     (`orderedEvery`), the others are uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
     /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
