@@ -33,6 +33,32 @@ void State::sort(const Context& context)
 
 Residual::Kind Residual::kind() const { return CUSTOM; }
 
+int Residual::error(const Model& model, const double* match, double* error) const
+{
+    squaredErrors(model, match, match + 1, match + 2, match + 3, 1, error);
+    *error = std::sqrt(*error);
+    return 1;
+}
+
+int Residual::linearize(const Model& model, const double* match, double* error, double* derivative) const
+{
+    // the step at which rounding and the third derivative cost as many digits
+    const double step = std::cbrt(DBL_EPSILON) * norm(model);
+    double above[MAX_COMPONENTS], below[MAX_COMPONENTS];
+    const int components = this->error(model, match, error);
+    for (int j = 0; j < 9; ++j)
+    {
+        Model moved = model;
+        moved.val[j] = model.val[j] + step;
+        this->error(moved, match, above);
+        moved.val[j] = model.val[j] - step;
+        this->error(moved, match, below);
+        for (int k = 0; k < components; ++k)
+            derivative[9 * k + j] = (above[k] - below[k]) / (2 * step);
+    }
+    return components;
+}
+
 FusedKernel Score::fused(const Residual&) const { return 0; }
 bool Score::wholeModel() const { return false; }
 double Score::threshold(const Context& context, const Model&) const { return context.points.threshold; }

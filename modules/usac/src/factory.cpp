@@ -4,15 +4,12 @@
 
 #include "precomp.hpp"
 #include "factory.hpp"
-#include "degeneracy/degeneracy.hpp"
 #include "local_optimization/local_optimization.hpp"
 #include "neighbourhood/neighbourhood.hpp"
 #include "polishing/polishing.hpp"
 #include "prior/prior.hpp"
-#include "residuals/residuals.hpp"
 #include "samplers/samplers.hpp"
 #include "scores/scores.hpp"
-#include "solvers/solvers.hpp"
 #include "termination/termination.hpp"
 #include "verification/verification.hpp"
 
@@ -20,16 +17,6 @@ namespace cv {
 namespace usacv20 {
 
 namespace {
-
-Ptr<MinimalSolver> createMinimalSolver(ProblemType problem)
-{
-    switch (problem)
-    {
-    case HOMOGRAPHY: return createHomography4Solver();
-    case FUNDAMENTAL: return createFundamental7Solver();
-    default: return createEssential5Solver();
-    }
-}
 
 Ptr<Sampler> createSampler(int type)
 {
@@ -64,17 +51,6 @@ Ptr<Neighbourhood> createNeighbourhood(const Params& params)
     }
 }
 
-Ptr<Residual> createResidual(ProblemType problem, int type)
-{
-    switch (type)
-    {
-    case RESIDUAL_SYMMETRIC:
-        return problem == HOMOGRAPHY ? createSymmetricTransferResidual() : createSymmetricEpipolarResidual();
-    default:
-        return problem == HOMOGRAPHY ? createTransferResidual() : createSampsonResidual();
-    }
-}
-
 Ptr<Score> createScore(int type, const Correspondences& points, int sampleSize)
 {
     switch (type)
@@ -83,18 +59,18 @@ Ptr<Score> createScore(int type, const Correspondences& points, int sampleSize)
     case QUALITY_MLESAC: return createMlesacScore(points);
     case QUALITY_LMEDS: return createLmedsScore(points, sampleSize);
     case QUALITY_MAGSAC: return createMagsacScore(points);
-    case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(points.problem);
+    case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(points.problem->errorDimension());
     default: return createMsacScore();
     }
 }
 
-Ptr<Verifier> createVerifier(const Params& params, ProblemType problem)
+Ptr<Verifier> createVerifier(const Params& params, const SampleCost& cost)
 {
     switch (params.verification)
     {
     case VERIFICATION_NONE: return Ptr<Verifier>();
     case VERIFICATION_TDD: return createTddVerifier(params.tddPoints);
-    default: return createSprtVerifier(problem);
+    default: return createSprtVerifier(cost);
     }
 }
 
@@ -110,19 +86,6 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
     case LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS: return createSigmaConsensusPlusPlus();
     default: return createGraphCutOptimizer();
     }
-}
-
-void createDegeneracies(int flags, const Correspondences& points, std::vector<Ptr<Degeneracy> >& degeneracies)
-{
-    const ProblemType problem = points.problem;
-    if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples of H
-        degeneracies.push_back(problem == HOMOGRAPHY ? createHomographyOrientation() : createOrientedEpipolar());
-    if ((flags & DEGENERACY_DEGENSAC) && problem == FUNDAMENTAL)
-        degeneracies.push_back(createDegensac());
-    if ((flags & DEGENERACY_DEGENSAC) && problem == ESSENTIAL)
-        degeneracies.push_back(createPlanarMotion());
-    if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of their own models
-        degeneracies.push_back(problem == HOMOGRAPHY ? createRepeatedPoints() : createSharedPoints(points));
 }
 
 void createTerminations(int flags, const Correspondences& points, std::vector<Ptr<Termination> >& terminations)
@@ -154,18 +117,18 @@ Ptr<Polisher> createPolisher(int type)
 
 Components createComponents(const Correspondences& points, const Params& params)
 {
-    const ProblemType problem = points.problem;
+    const Problem& problem = *points.problem;
     Components parts;
-    parts.residual = createResidual(problem, params.residual);
-    parts.minimalSolver = createMinimalSolver(problem);
+    parts.residual = problem.createResidual(params.residual);
+    parts.minimalSolver = problem.createMinimalSolver();
     parts.score = createScore(params.quality, points, parts.minimalSolver->sampleSize());
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
         parts.prior = createPrior(params.prior, points.scores != 0);
     parts.neighbourhood = createNeighbourhood(params);
     parts.sampler = createSampler(params.sampler);
-    parts.nonMinimalSolver = createLeastSquaresSolver(problem, parts.residual->kind());
-    createDegeneracies(params.degeneracy, points, parts.degeneracies);
-    parts.verifier = createVerifier(params, problem);
+    parts.nonMinimalSolver = problem.createNonMinimalSolver(parts.residual);
+    problem.createDegeneracies(params.degeneracy, points, parts.degeneracies);
+    parts.verifier = createVerifier(params, problem.sampleCost());
     parts.localOptimizer = createLocalOptimizer(params.localOptimization);
     createTerminations(params.termination, points, parts.terminations);
     parts.polisher = createPolisher(params.polishing);

@@ -59,59 +59,6 @@ Mat readPoints(InputArray array, const char* name)
     return plane;
 }
 
-Matx33d readCamera(InputArray array, const char* name)
-{
-    Mat camera = array.getMat();
-    if (camera.rows != 3 || camera.cols != 3 || camera.channels() != 1)
-        CV_Error_(Error::StsBadArg, ("%s: a 3x3 matrix is expected, not %dx%d with %d channel(s)", name, camera.rows,
-                  camera.cols, camera.channels()));
-    Matx33d K;
-    camera.convertTo(Mat(3, 3, CV_64F, K.val), CV_64F);
-    const double focalProduct = K(0, 0) * K(1, 1);
-    if (!checkRange(Mat(3, 3, CV_64F, K.val)) || K(0, 0) == 0 || K(1, 1) == 0 || K(2, 0) != 0 || K(2, 1) != 0 ||
-        !(std::abs(determinant(K)) > 1e-12 * std::abs(focalProduct * K(2, 2))))
-        CV_Error_(Error::StsBadArg, ("%s: an invertible matrix with focal lengths and the last row 0 0 1 is expected, fx = %g, "
-                  "fy = %g, determinant = %g, last row %g %g %g", name, K(0, 0), K(1, 1), determinant(K), K(2, 0), K(2, 1),
-                  K(2, 2)));
-    return K * (1 / K(2, 2));  // a multiple is the same camera
-}
-
-//! Coefficients as cv::undistortPoints takes them; empty where there is no distortion.
-Mat readDistortion(InputArray array, const char* name)
-{
-    const Mat coefficients = array.getMat();
-    if (coefficients.empty())
-        return Mat();
-    const size_t count = coefficients.total();
-    const bool known = count == 4 || count == 5 || count == 8 || count == 12 || count == 14;
-    if (!known || (coefficients.rows != 1 && coefficients.cols != 1) || coefficients.channels() != 1)
-        CV_Error_(Error::StsBadArg, ("%s: 4, 5, 8, 12 or 14 coefficients are expected, not %dx%d with %d channel(s)", name,
-                  coefficients.rows, coefficients.cols, coefficients.channels()));
-    if (!checkRange(coefficients))
-        CV_Error_(Error::StsBadArg, ("%s: finite coefficients are expected", name));
-    return countNonZero(coefficients) ? coefficients : Mat();
-}
-
-/** From pixels to the normalised image plane, in place. cv::undistortPoints knows no skew, so that the camera matrix is taken off
-before. */
-void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, int count)
-{
-    const Matx33d inverse = K.inv();
-    std::vector<Point2d> points(count);
-    for (int i = 0; i < count; ++i)
-    {
-        const Vec3d p = inverse * Vec3d(x[i], y[i], 1);
-        points[i] = Point2d(p[0] / p[2], p[1] / p[2]);
-    }
-    if (count > 0 && !distCoeffs.empty())
-        undistortPoints(points, points, Matx33d::eye(), distCoeffs);
-    for (int i = 0; i < count; ++i)
-    {
-        x[i] = points[i].x;
-        y[i] = points[i].y;
-    }
-}
-
 /** Tells the allocator how much memory a call needs. At the end of a call glibc gives the top of its heap back to the system if
 that is more than twice the largest block freed so far, 128 kB at least; then each page that the next call writes to is a page
 fault, together up to a quarter of its time. A block that nobody writes to costs nothing. */
@@ -144,18 +91,14 @@ bool allFinite(const double* values, int count)
 
 } // namespace
 
-ProblemData::ProblemData(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
-                         InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
-                         InputArray distCoeffs2)
+ProblemData::ProblemData(const Problem& problem, InputArray points1, InputArray points2, const Params& params)
 {
-    CV_Assert(problem == HOMOGRAPHY || problem == FUNDAMENTAL || problem == ESSENTIAL);
     read(points1, points2);
     params.check(view.inputSize);
-    pixelThreshold = inputThreshold = params.threshold;
-    pixels = 1;
-    if (problem == ESSENTIAL)
-        calibrate(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
-    view.problem = problem;
+    pixelThreshold = params.threshold;
+    pixels = problem.toModelCoordinates(input[0], input[1], input[2], input[3], view.inputSize);
+    inputThreshold = std::min(pixelThreshold / pixels, DBL_MAX);
+    view.problem = &problem;
     shuffle(params);
     scale(params);
 }
@@ -182,18 +125,6 @@ void ProblemData::read(InputArray points1, InputArray points2)
             y[i] = from[i][1];
         }
     }
-}
-
-void ProblemData::calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
-                            InputArray distCoeffs2)
-{
-    const Matx33d K1 = readCamera(cameraMatrix1, "cameraMatrix1");
-    const Matx33d K2 = cameraMatrix2.empty() ? K1 : readCamera(cameraMatrix2, "cameraMatrix2");
-    const int count = view.inputSize;
-    undistort(K1, readDistortion(distCoeffs1, "distCoeffs1"), input[0], input[1], count);
-    undistort(K2, readDistortion(distCoeffs2, "distCoeffs2"), input[2], input[3], count);
-    pixels = (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
-    inputThreshold = std::min(inputThreshold / pixels, DBL_MAX);
 }
 
 /** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. */
@@ -242,25 +173,26 @@ void ProblemData::shuffle(const Params& params)
     view.scores = scores.empty() ? 0 : scores.data();
 }
 
-/** Moves H and F to the centre and to unit scale; E keeps the scale that its constraints need. */
+//! Moves the points to the center and to unit scale, as far as the problem allows.
 void ProblemData::scale(const Params& params)
 {
-    double s[2] = {1, 1}, low[4], high[4];
+    const int normalization = view.problem->normalization(params.residual);
+    double centre[4], deviation[4], s[2] = {1, 1}, low[4], high[4];
     for (int k = 0; k < 4; ++k)
         robustFrame(doubles.ptr<double>(k), view.size, centre[k], deviation[k], low[k], high[k]);
-    if (view.problem != ESSENTIAL)
+    if (normalization != SCALE_NONE)
     {
         for (int image = 0; image < 2; ++image)
         {
             const double size = (deviation[2 * image] + deviation[2 * image + 1]) / 2;
             s[image] = size > 1e-300 ? 1 / size : 1;
         }
-        if (view.problem == FUNDAMENTAL || params.residual == RESIDUAL_SYMMETRIC)  // a common scale, with which the errors scale
+        if (normalization == SCALE_COMMON)
             s[0] = s[1] = std::sqrt(s[0] * s[1]);
     }
     for (int k = 0; k < 4; ++k)
     {
-        const double shift = view.problem == ESSENTIAL ? 0 : centre[k], factor = s[k / 2];
+        const double shift = normalization == SCALE_NONE ? 0 : centre[k], factor = s[k / 2];
         double* const values = doubles.ptr<double>(k);
         float* const single = floats.ptr<float>(k);
         for (int i = 0; i < view.size; ++i)
@@ -273,7 +205,7 @@ void ProblemData::scale(const Params& params)
         view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }
     view.T1 = view.T2 = Matx33d::eye();
-    if (view.problem != ESSENTIAL)
+    if (normalization != SCALE_NONE)
     {
         view.T1 = Matx33d(s[0], 0, -s[0] * centre[0], 0, s[0], -s[0] * centre[1], 0, 0, 1);
         view.T2 = Matx33d(s[1], 0, -s[1] * centre[2], 0, s[1], -s[1] * centre[3], 0, 0, 1);
@@ -297,48 +229,6 @@ void ProblemData::setThreshold(double threshold)
     view.threshold = std::max(threshold, 1e-6);
     inputThreshold = view.threshold / view.T2(0, 0);
     pixelThreshold = inputThreshold * pixels;
-}
-
-/** Of unit norm. T2^T F T1 has rank 2 up to the rounding of its largest terms; where these cancel, as with both epipoles at
-the origin of large coordinates, that is not small against what is left. */
-static Matx33d toRankTwo(const Matx33d& F)
-{
-    Vec3d w;
-    Matx33d U, Vt;
-    SVD::compute(F, w, U, Vt);
-    if (w[2] <= 1e-12)
-        return F;
-    const Matx33d closest = F - w[2] * U.col(2) * Vt.row(2);
-    return closest * (1 / norm(closest));
-}
-
-bool ProblemData::toInput(const Model& model, Matx33d& result) const
-{
-    if (view.problem == HOMOGRAPHY)
-    {
-        // T2^-1 in closed form: an inverse of a similarity
-        const Matx33d& T = view.T2;
-        const double s = 1 / T(0, 0);
-        const Matx33d inverse(s, 0, -s * T(0, 2), 0, s, -s * T(1, 2), 0, 0, 1);
-        result = inverse * model * view.T1;
-    }
-    else
-        result = view.T2.t() * model * view.T1;
-    const double size = norm(result);
-    if (!(size > 0) || !finite(size))
-        return false;
-    result *= 1 / size;
-    if (view.problem == FUNDAMENTAL)
-        result = toRankTwo(result);
-    // the weight of the origin, against the weights where the points are
-    const double weights = std::abs(result(2, 0)) * (std::abs(centre[0]) + deviation[0]) +
-                           std::abs(result(2, 1)) * (std::abs(centre[1]) + deviation[1]);
-    if (view.problem == HOMOGRAPHY && std::abs(result(2, 2)) > 1e-12 * weights)
-    {
-        result *= 1 / result(2, 2);
-        result(2, 2) = 1;  // which the product may miss by a bit
-    }
-    return true;
 }
 
 int ProblemData::independentInliers(const std::vector<uchar>& mask) const

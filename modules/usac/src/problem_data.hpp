@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_PROBLEM_DATA_HPP
 #define OPENCV_USACV20_PROBLEM_DATA_HPP
 
-#include "opencv2/usac/components.hpp"
+#include "opencv2/usac/problem.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -15,8 +15,8 @@ finite ones scaled, shuffled and as structure of arrays (Correspondences). O(N) 
 class ProblemData
 {
 public:
-    ProblemData(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
-                InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
+    //! `problem` must outlive this object.
+    ProblemData(const Problem& problem, InputArray points1, InputArray points2, const Params& params);
 
     const Correspondences& points() const { return view; }
 
@@ -26,8 +26,6 @@ public:
     void setThreshold(double threshold);
     //! So many times as large a Correspondences::threshold for the rest of the run; the mask has that of before.
     void scaleReach(double factor) { view.threshold *= factor; }
-    //! Model in the caller's (E: normalised) coordinates, normalised as documented; false if it is not finite.
-    bool toInput(const Model& model, Matx33d& result) const;
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.
     int mask(const Residual& residual, const Matx33d& model, std::vector<uchar>& mask) const;
     //! Of the mask, in the coordinates of points().
@@ -37,7 +35,6 @@ public:
 
 private:
     void read(InputArray points1, InputArray points2);
-    void calibrate(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
     void scale(const Params& params);
     void shuffle(const Params& params);
 
@@ -47,7 +44,6 @@ private:
     double pixels;                        //!< in one unit of `input`
     Mat inputRows;                        //!< memory of `input`
     double* input[4];                     //!< all rows: x1, y1, x2, y2 (E: on the normalised image plane)
-    double centre[4], deviation[4];       //!< of each of them, robust
     Mat floats, doubles;                  //!< 4 rows each; cv::Mat aligns them
     std::vector<int> indices;
     std::vector<float> scores;

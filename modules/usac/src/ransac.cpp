@@ -13,10 +13,11 @@ namespace usacv20 {
 namespace {
 
 enum { LARGEST_BATCH = 256 };
-//! Of H, F and E, whose samples take as long as seven of F.
-const int FIRST_BATCH[] = {8, 8, 4};
-//! Smaller batches are not worth the threads: about a tenth of a millisecond for H, F and E.
-const size_t PARALLEL_BATCH[] = {256, 64, 16};
+/** The first batch has so many samples; half of that if they are expensive, as five points of E: models beside the best of them are
+optimized late. */
+enum { FIRST_BATCH = 8, EXPENSIVE = 2000 };
+//! Tests of a point. Batches of less work, about a tenth of a millisecond, are not worth the threads.
+const double PARALLEL_WORK = 44800;
 //! Streams of random numbers beside those of the iterations.
 const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
@@ -68,7 +69,7 @@ bool Ransac::run(int pause)
             break;
         drawBatch();                                                                        // 3
         const bool first = state.iteration == 0;
-        const bool together = threads > 1 && samples.size() >= PARALLEL_BATCH[context.points.problem];
+        const bool together = threads > 1 && samples.size() * context.points.problem->sampleCost().time >= PARALLEL_WORK;
         batch.resize(together ? samples.size() : 1);
         if (together)
             hypothesiseBatch();
@@ -160,7 +161,8 @@ int Ransac::samplesThatCount() const
 void Ransac::drawBatch()
 {
     const int left = context.params.maxIterations - state.iteration;
-    const int size = samples.empty() ? FIRST_BATCH[context.points.problem]
+    const bool expensive = context.points.problem->sampleCost().time > EXPENSIVE;
+    const int size = samples.empty() ? (expensive ? FIRST_BATCH / 2 : (int)FIRST_BATCH)
                                      : std::min<int>(2 * (int)samples.size(), LARGEST_BATCH);
     samples.resize(std::min(size, left));
     counts.resize(samples.size());
@@ -270,8 +272,7 @@ double Ransac::uselessCost() const
     return std::max(best, std::min(runnersUp.uselessCost(best), size - WORTHWHILE * (size - best)));
 }
 
-/* A model whose inliers are those of the best one leads to the same optimum. Not so for E: a plane has two motions
-@cite ma2004invitation, and whether the best one is the right one of the two is told by the few points beside it. */
+//! A model whose inliers are those of the best one leads to the same optimum, if the problem is not ambiguous.
 bool Ransac::improveRunnersUp()
 {
     const int size = context.points.size;
@@ -281,7 +282,7 @@ bool Ransac::improveRunnersUp()
         const Candidate& candidate = candidates[i];
         if (size - candidate.quality.cost < WORTHWHILE * (size - state.sampleQuality.cost))
             break;
-        if (context.points.problem == ESSENTIAL || !sameInliers(candidate.model, state.best))
+        if (context.points.problem->ambiguous() || !sameInliers(candidate.model, state.best))
             improve(candidate, state.sampleQuality);
     }
     return !terminate();

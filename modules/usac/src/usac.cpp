@@ -4,10 +4,10 @@
 
 #include "precomp.hpp"
 #include "factory.hpp"
+#include "problems/problems.hpp"
 #include "problem_data.hpp"
 #include "ransac.hpp"
 #include "significance/significance.hpp"
-#include "solvers/parameterization.hpp"
 #include "statistics/chi_square.hpp"
 #include "statistics/significant_scale.hpp"
 #include "termination/termination.hpp"
@@ -38,11 +38,9 @@ const double CLEAR = 1e-6;
 class UsacImpl : public Usac
 {
 public:
-    UsacImpl(ProblemType problem, InputArray points1, InputArray points2, const Params& params_,
-             InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
-        : created(getTickCount()), params(params_),
-          data(problem, points1, points2, params_, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2),
-          parts(createComponents(data.points(), params_)), givenReach(params_.reach)
+    UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2, const Params& params_)
+        : created(getTickCount()), params(params_), problem(problem_), data(*problem, points1, points2, params_), parts(createComponents(data.points(), params_)), made(parts),
+          givenReach(params_.reach)
     {
     }
 
@@ -52,6 +50,8 @@ public:
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
     {
         CV_Assert(parts.residual && parts.score && parts.sampler && parts.minimalSolver);
+        if (parts.residual != made.residual && parts.nonMinimalSolver == made.nonMinimalSolver)
+            parts.nonMinimalSolver = problem->createNonMinimalSolver(parts.residual);
         const Context context(data.points(), parts, params);
         State state;
         if (data.points().size >= parts.minimalSolver->sampleSize())
@@ -110,7 +110,7 @@ private:
         parts.residual->squaredErrors(p, state.best, 0, (int)errors.size(), errors.data());
         const int m = parts.minimalSolver->sampleSize();
         const double sigma = SignificantScale::estimate(errors.data(), (int)errors.size(), p.threshold,
-                                                        usacv20::randomInlierRatio(p), degreesOfFreedom(p.problem), m);
+                                                        p.problem->randomInlierRatio(p), p.problem->errorDimension(), m);
         return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 
@@ -128,22 +128,15 @@ private:
         return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
     }
 
-    //! What a minimal solver or a polisher found may miss the constraints of F and E.
-    Model projected(const Model& model) const
-    {
-        const ProblemType problem = data.points().problem;
-        return problem == HOMOGRAPHY ? model : Parameterization(problem, model).model();
-    }
-
     /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse after it,
     the model stays as the search found it. @return quality of the model */
     Quality polish(const Context& context, Model& best)
     {
-        const Model found = projected(best);
+        const Model found = problem->closest(best);
         const Quality before = context.rate(found);
         if (parts.polisher)
             parts.polisher->polish(context, best);
-        best = projected(best);
+        best = problem->closest(best);
         const Quality after = context.rate(best);
         const double size = context.points.size;
         if (size - after.cost >= KEPT * (size - before.cost))  // false for NaN
@@ -164,7 +157,7 @@ private:
             data.setThreshold(parts.score->threshold(context, state.best));
             learned.cost = polish(context, state.best).cost / context.points.size;
             Matx33d model;
-            if (data.toInput(state.best, model))
+            if (problem->toInput(state.best, context.points, model))
             {
                 learned.inliers = data.mask(*parts.residual, model, inliers);
                 if (learned.inliers > 0 || params.reach > givenReach)
@@ -193,8 +186,10 @@ private:
 
     const int64 created;
     Params params;  //!< `reach` is the present one
+    const Ptr<Problem> problem;
     ProblemData data;
     Components parts;
+    const Components made;  //!< for `params`, some of which the caller may have replaced
     const double givenReach;
 };
 
@@ -204,7 +199,14 @@ Ptr<Usac> Usac::create(ProblemType problem, InputArray points1, InputArray point
                        InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
                        InputArray distCoeffs2)
 {
-    return makePtr<UsacImpl>(problem, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
+    return create(createProblem(problem, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2), points1, points2, params);
+}
+
+Ptr<Usac> Usac::create(const Ptr<Problem>& problem, InputArray points1, InputArray points2, const Params& params)
+{
+    if (!problem)
+        CV_Error(Error::StsNullPtr, "problem: it is empty");
+    return makePtr<UsacImpl>(problem, points1, points2, params);
 }
 
 } // namespace usacv20

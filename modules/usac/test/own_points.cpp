@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "own_points.hpp"
+#include "problem_objects.hpp"
 
 #include <algorithm>
 
@@ -28,7 +29,7 @@ OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1, c
         }
         index.push_back(i);
     }
-    points.problem = problem;
+    points.problem = &problemObject(problem);
     points.size = points.inputSize = size;
     points.x1 = floats.ptr<float>(0);
     points.y1 = floats.ptr<float>(1);

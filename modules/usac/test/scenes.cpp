@@ -368,7 +368,7 @@ Mat estimate(const Scene& scene, const Params& params, OutputArray mask, Report*
 
 Matx33d toInternal(const Correspondences& points, const Matx33d& model)
 {
-    const Matx33d M = points.problem == HOMOGRAPHY ? points.T2 * model * points.T1.inv()
+    const Matx33d M = points.problem->errorDimension() == 2 ? points.T2 * model * points.T1.inv()
                                                    : points.T2.inv().t() * model * points.T1.inv();
     return M * (1 / cv::norm(M));
 }

@@ -232,7 +232,8 @@ TEST(Usac_Confidence, prosac)
         params.sampler = sampler;
         params.prior = PRIOR_INPUT_ORDER;
         params.orderedEvery = 1;
-        const double ratio = randomInlierRatio(createUsac(rivals.scene, params)->points());
+        const Ptr<Usac> usac = createUsac(rivals.scene, params);
+        const double ratio = usac->points().problem->randomInlierRatio(usac->points());
         int samples[2], length[2];
         for (int right = 0; right < 2; ++right)
             samples[right] = prosacSamples(rivals.inliers(right != 0, params.threshold), std::vector<uchar>(), 4,

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "degeneracy/degeneracy.hpp"
+#include "problem_objects.hpp"
 #include "termination/termination.hpp"
 
 namespace opencv_test { namespace {

@@ -3,9 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "solvers/parameterization.hpp"
-#include "solvers/normal_equations.hpp"
-#include "solvers/solvers.hpp"
+#include "problem_objects.hpp"
+#include "optimization/normal_equations.hpp"
 
 #include <Eigen/SVD>
 
@@ -123,7 +122,7 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
             J.col(i) = (residuals(kind, points, indices, w, plus) - residuals(kind, points, indices, w, minus)) / (2 * step);
         }
         NormalEquations sums;
-        sums.accumulate(kind, PointChunks(points, indices.data(), points.size, w), model);
+        sums.accumulate(*residualOf(kind), PointChunks(points, indices.data(), points.size, w), model);
         EXPECT_NEAR(r.squaredNorm(), sums.cost, 1e-10 * r.squaredNorm());
         const Vector9 Jtr = J.transpose() * r;
         const Eigen::Matrix<double, 9, 9> JtJ = J.transpose() * J;
@@ -144,7 +143,7 @@ TEST_P(Usac_LeastSquares, normalEquationsOfSomePoints)
     const int some[] = {7, 3, 50, 12, 3};
     const std::vector<int> indices(some, some + 5);
     NormalEquations sums;
-    sums.accumulate(kind, PointChunks(points, some, 5, 0), model);
+    sums.accumulate(*residualOf(kind), PointChunks(points, some, 5, 0), model);
     const double expected = costOf(kind, points, indices, 0, model);
     EXPECT_NEAR(expected, sums.cost, 1e-10 * expected);
 }
@@ -221,7 +220,7 @@ double slope(Residual::Kind kind, const Correspondences& points, const std::vect
              const Model& model)
 {
     NormalEquations sums;
-    sums.accumulate(kind, PointChunks(points, indices.data(), (int)indices.size(), weights), model);
+    sums.accumulate(*residualOf(kind), PointChunks(points, indices.data(), (int)indices.size(), weights), model);
     const Parameterization::Basis basis = Parameterization(points.problem, model).tangent();
     double largest = 0;
     for (int k = 0; k < basis.cols(); ++k)

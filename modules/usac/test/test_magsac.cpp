@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "problem_objects.hpp"
 #include "scores/scores.hpp"
 #include "statistics/chi_square.hpp"
 #include "statistics/marginalized_weights.hpp"
@@ -50,7 +51,7 @@ typedef testing::TestWithParam<int> Usac_Magsac_Problem;
 TEST_P(Usac_Magsac_Problem, magsacAgainstItsDefinition)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const int degrees = degreesOfFreedom(problem);
+    const int degrees = problemObject(problem).errorDimension();
     for (double inlierThreshold = 0.5; inlierThreshold < 9; inlierThreshold *= 4)
     {
         const double sigmaMax = inlierThreshold / thresholdInSigmas(degrees);
@@ -69,8 +70,8 @@ TEST_P(Usac_Magsac_Problem, magsacAgainstItsDefinition)
 TEST_P(Usac_Magsac_Problem, magsacPlusPlusAgainstItsFormula)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const Ptr<Score> score = createMagsacPlusPlusScore(problem);
-    const MarginalizedWeights weights(degreesOfFreedom(problem));
+    const Ptr<Score> score = createMagsacPlusPlusScore(problemObject(problem).errorDimension());
+    const MarginalizedWeights weights(problemObject(problem).errorDimension());
     EXPECT_FALSE(score->wholeModel());
     for (double u = 0; u < 1.2; u += 0.0123)
         EXPECT_NEAR(weights.loss(u * u), costOf(*score, 7 * u, 7), 1e-3) << u;
@@ -84,7 +85,7 @@ TEST_P(Usac_Magsac_Problem, bounds)
     for (int t = 0; t < 2; ++t)
     {
         const Ptr<OwnPoints> points(spanning(problem, thresholds[t]));
-        const Ptr<Score> scores[] = {createMagsacScore(points->view()), createMagsacPlusPlusScore(problem)};
+        const Ptr<Score> scores[] = {createMagsacScore(points->view()), createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
         for (int s = 0; s < 2; ++s)
         {
             EXPECT_EQ(0, costOf(*scores[s], 0, thresholds[t]));
@@ -107,7 +108,7 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const Ptr<OwnPoints> points(spanning(problem, 2));
-    const Ptr<Score> scores[] = {createMagsacScore(points->view()), createMagsacPlusPlusScore(problem)};
+    const Ptr<Score> scores[] = {createMagsacScore(points->view()), createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
     for (int s = 0; s < 2; ++s)
     {
         float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0, 4.f,

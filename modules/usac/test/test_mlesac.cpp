@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "problem_objects.hpp"
 #include "scores/scores.hpp"
 #include "statistics/chi_square.hpp"
 #include "statistics/mixture.hpp"
@@ -75,7 +76,7 @@ typedef testing::TestWithParam<int> Usac_Mlesac_Problem;
 TEST_P(Usac_Mlesac_Problem, costAgainstGrid)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const int degrees = degreesOfFreedom(problem);
+    const int degrees = problemObject(problem).errorDimension();
     const double side = 300, k = thresholdInSigmas(degrees);
     const Ptr<OwnPoints> points(spanning(problem, side, k));
     const Ptr<Score> score = createMlesacScore(points->view());

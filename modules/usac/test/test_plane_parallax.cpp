@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "degeneracy/plane_parallax.hpp"
-#include "solvers/solvers.hpp"
+#include "problems/fundamental/plane_parallax.hpp"
+#include "problem_objects.hpp"
 
 namespace opencv_test { namespace {
 

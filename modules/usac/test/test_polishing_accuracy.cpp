@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "solvers/solvers.hpp"
+#include "problem_objects.hpp"
 
 // What polishing reaches, against the best that is possible: least squares over the true matches.
 
@@ -31,7 +31,7 @@ Scene trueMatches(const Scene& scene)
 
 Mat inPixels(const Correspondences& points, const Model& model)
 {
-    return Mat(points.problem == HOMOGRAPHY ? points.T2.inv() * model * points.T1 : points.T2.t() * model * points.T1, true);
+    return Mat(points.problem->errorDimension() == 2 ? points.T2.inv() * model * points.T1 : points.T2.t() * model * points.T1, true);
 }
 
 //! Least squares over all matches.

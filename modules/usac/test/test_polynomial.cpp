@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "solvers/polynomial.hpp"
+#include "core/polynomial.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
-#include "degeneracy/degeneracy.hpp"
-#include "degeneracy/share_a_point.hpp"
+#include "problem_objects.hpp"
+#include "problems/two_view/share_a_point.hpp"
 
 namespace opencv_test { namespace {
 

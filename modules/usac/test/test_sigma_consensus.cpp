@@ -87,7 +87,7 @@ std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, in
 {
     const Correspondences& p = bench.usac->points();
     const Components& components = bench.usac->components();
-    const int degrees = degreesOfFreedom(p.problem), m = components.minimalSolver->sampleSize();
+    const int degrees = p.problem->errorDimension(), m = components.minimalSolver->sampleSize();
     const double sigmaMax = p.threshold / thresholdInSigmas(degrees);
     std::vector<double> initial(p.size), errors(p.size), weights(p.size, 0.);
     components.residual->squaredErrors(start, p.dx1, p.dy1, p.dx2, p.dy2, p.size, initial.data());

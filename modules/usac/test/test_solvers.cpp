@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "solvers/solvers.hpp"
+#include "problem_objects.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SVD>
@@ -44,7 +44,7 @@ double constraintError(const Correspondences& p, const int* sample, int count, c
         x1 *= 1 / cv::norm(x1);
         x2 *= 1 / cv::norm(x2);
         const Vec3d y = model * x1;
-        largest = std::max(largest, p.problem == HOMOGRAPHY ? cv::norm(x2.cross(y)) : std::abs(x2.dot(y)));
+        largest = std::max(largest, p.problem->errorDimension() == 2 ? cv::norm(x2.cross(y)) : std::abs(x2.dot(y)));
     }
     return largest;
 }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "problem_objects.hpp"
 #include "verification/verification.hpp"
 
 namespace opencv_test { namespace {
@@ -15,7 +16,7 @@ class Trained
 public:
     Trained(ProblemType problem, double epsilon, double delta)
         : scene(makeScene(problem, optionsOf())), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params), verifier(createSprtVerifier(problem))
+          context(usac->points(), usac->components(), params), verifier(createSprtVerifier(problemObject(problem).sampleCost()))
     {
         verifier->adapt(context, state);
         learn(delta, 100000);
@@ -165,7 +166,7 @@ INSTANTIATE_TEST_CASE_P(All, Usac_Sprt, testing::Values(0, 1, 2));
 
 TEST(Usac_SprtAdaptation, dropsNothingBeforeTheFirstModel)
 {
-    const Ptr<Verifier> verifier = createSprtVerifier(HOMOGRAPHY);
+    const Ptr<Verifier> verifier = createSprtVerifier(problemObject(HOMOGRAPHY).sampleCost());
     for (int tested = 16; tested < 5000; tested += verifier->nextBlock(tested))
         EXPECT_TRUE(verifier->proceed(0, tested));
 }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "problem_objects.hpp"
 #include "residuals/residuals.hpp"
 #include "statistics/chi_square.hpp"
 #include "statistics/gamma.hpp"
@@ -123,7 +124,7 @@ TEST(Usac_Statistics, degreesOfFreedomOfTheErrors)
         options.outliers = 0;
         const Scene scene = makeScene(problems[k / 2], options);
         const Matx33d inverse = problems[k / 2] == HOMOGRAPHY ? scene.model.inv() : Matx33d::eye();
-        const int degrees = degreesOfFreedom(problems[k / 2]), COUNT = 20000;
+        const int degrees = problemObject(problems[k / 2]).errorDimension(), COUNT = 20000;
         EXPECT_EQ(k < 2 ? 2 : 1, degrees);
         RNG rng(k + 1);
         double ratio = 0;
@@ -220,8 +221,8 @@ TEST(Usac_Statistics, marginalizedWeightsTables)
             lastWeight = weight;
         }
     }
-    EXPECT_EQ(&MarginalizedWeights::of(FUNDAMENTAL), &MarginalizedWeights::of(ESSENTIAL));
-    EXPECT_NE(&MarginalizedWeights::of(FUNDAMENTAL), &MarginalizedWeights::of(HOMOGRAPHY));
+    EXPECT_EQ(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()), &MarginalizedWeights::of(problemObject(ESSENTIAL).errorDimension()));
+    EXPECT_NE(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()), &MarginalizedWeights::of(problemObject(HOMOGRAPHY).errorDimension()));
 }
 
 //! Points are as dense as their extent says, H: in image 2, F: on the mean over both images.
@@ -234,10 +235,10 @@ TEST(Usac_Statistics, outlierExtent)
         points2.push_back(Point2d(5 + 100 * i, -400 * i));
     }
     const OwnPoints H(HOMOGRAPHY, points1, points2), F(FUNDAMENTAL, points1, points2);
-    EXPECT_NEAR(200, outlierExtent(H.view()), 1e-6);
-    EXPECT_NEAR(std::sqrt(20. * 200.), outlierExtent(F.view()), 1e-6);
+    EXPECT_NEAR(200, H.view().problem->outlierExtent(H.view()), 1e-6);
+    EXPECT_NEAR(std::sqrt(20. * 200.), F.view().problem->outlierExtent(F.view()), 1e-6);
     const OwnPoints line(HOMOGRAPHY, points1, std::vector<Point2d>(2));
-    EXPECT_EQ(0, outlierExtent(line.view()));
+    EXPECT_EQ(0, line.view().problem->outlierExtent(line.view()));
     EXPECT_NEAR(std::log(200 / (std::sqrt(2 * CV_PI) * 0.5)), logDensityRatio(200, 0.5, 2), 1e-12);
     for (int degrees = 1; degrees <= 2; ++degrees)  // equally likely at the threshold
     {

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "draw.hpp"
+#include "problem_objects.hpp"
 #include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 
@@ -184,7 +185,7 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
         Params params;
         params.threshold = 8;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const double ratio = randomInlierRatio(usac->points());
+        const double ratio = usac->points().problem->randomInlierRatio(usac->points());
         const Context context(usac->points(), usac->components(), params);
         RNG rng(3);
         double inliers = 0, models = 0;
@@ -202,7 +203,7 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
         EXPECT_GE(measured, ratio * 0.25) << "problem " << problem;
     }
     const std::vector<Point2d> equal(20, Point2d(1, 2));
-    EXPECT_EQ(1, randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
+    EXPECT_EQ(1, problemObject(HOMOGRAPHY).randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
 }
 
 //! A scene whose scores sort the points: a part of the best ones are true matches.
@@ -266,7 +267,7 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     c.m = 4;
     c.kept = kept;
     c.exact = (params.termination & TERMINATION_EXACT) != 0;
-    c.randomRatio = randomInlierRatio(usac->points());
+    c.randomRatio = usac->points().problem->randomInlierRatio(usac->points());
     c.confidence = params.confidence;
     int length;
     const int iterations = termination.iterations(context, state);

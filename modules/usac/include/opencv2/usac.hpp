@@ -23,5 +23,6 @@ The RANSAC framework of @cite ivashechkin2021usacv20 behind the functions of the
 #include "opencv2/usac/find.hpp"
 #include "opencv2/usac/estimate.hpp"
 #include "opencv2/usac/components.hpp"
+#include "opencv2/usac/problem.hpp"
 
 #endif

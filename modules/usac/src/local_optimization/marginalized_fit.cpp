@@ -12,7 +12,7 @@ namespace usacv20 {
 double MarginalizedFit::weigh(const Context& context, double threshold, const Model& model)
 {
     const Correspondences& points = context.points;
-    const MarginalizedWeights& table = MarginalizedWeights::of(points.problem);
+    const MarginalizedWeights& table = MarginalizedWeights::of(points.problem->errorDimension());
     const float scale = (float)(1 / (threshold * threshold));
     errors.resize(points.size);
     context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());

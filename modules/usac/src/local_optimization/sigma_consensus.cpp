@@ -44,7 +44,7 @@ void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model
 
 void SigmaConsensus::marginalize(const Context& context, const Model& model, int part)
 {
-    const MarginalizedWeights& table = MarginalizedWeights::of(context.points.problem);
+    const MarginalizedWeights& table = MarginalizedWeights::of(context.points.problem->errorDimension());
     const int count = (int)indices.size();
     squared.resize(count);
     context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(), coordinates[2].data(),

@@ -25,7 +25,7 @@ public:
     void polish(const Context& context, Model& model) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
-        const int steps = context.params.polishingSteps, degrees = degreesOfFreedom(p.problem);
+        const int steps = context.params.polishingSteps, degrees = p.problem->errorDimension();
         double sigma = 0, lossBefore = DBL_MAX;
         int wanted = FEW, lookedBefore = 0;
         errors.resize(p.size);

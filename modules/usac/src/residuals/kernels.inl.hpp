@@ -10,7 +10,7 @@ instantiated here, as inline functions of other headers would be merged with tho
 #include "residuals/formulas.hpp"
 #include "residuals/kernels.hpp"
 #include "residuals/simd.hpp"
-#include "solvers/sums.inl.hpp"
+#include "optimization/sums.inl.hpp"
 
 namespace cv {
 namespace usacv20 {

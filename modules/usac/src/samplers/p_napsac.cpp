@@ -24,9 +24,9 @@ finest layer of the graph with 2 m members at first, and with twice as many each
 that is everything and the sample is PROSAC's. One in four of the samples that are not uniform (Params::orderedEvery) is local,
 every second one if the order of the points is a guess (the density). With more, small groups of wrong matches that agree with
 each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order is a
-guess, the first #BEFORE_ORDER samples of F and E are uniform: easy problems need no more, and so neither order nor neighbourhood.
-The first #ORDERED samples of H then all keep to the order: they come from the few densest points, and four right ones among these
-are soon met. */
+guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more, and so neither order nor neighbourhood. Of samples of at
+most #SMALL points (H), the first #ORDERED all keep to the order instead: they come from the few densest points, and four right
+ones among these are soon met. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -52,17 +52,18 @@ public:
     }
 
 private:
-    enum { BEFORE_ORDER = 8, ORDERED = 16 };
+    enum { BEFORE_ORDER = 8, ORDERED = 16, SMALL = 4 };
 
     //! As isOrdered(), but for the first samples.
     static bool isOrderedGuess(const Context& context, State& state, int* sample)
     {
-        if (context.params.orderedEvery > 1 && context.points.problem == HOMOGRAPHY && state.iteration < ORDERED)
+        const bool small = context.components.minimalSolver->sampleSize() <= SMALL;
+        if (context.params.orderedEvery > 1 && small && state.iteration < ORDERED)
         {
             state.counts = false;
             return true;
         }
-        if (context.params.orderedEvery > 1 && context.points.problem != HOMOGRAPHY && state.iteration < BEFORE_ORDER)
+        if (context.params.orderedEvery > 1 && !small && state.iteration < BEFORE_ORDER)
         {
             drawUniform(context, state, sample);
             return false;

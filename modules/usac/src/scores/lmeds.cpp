@@ -26,8 +26,8 @@ class LmedsScore : public Score
 {
 public:
     LmedsScore(const Correspondences& points, int sampleSize_)
-        : extent(std::max(outlierExtent(points), (double)FLT_MIN)), sampleSize(sampleSize_),
-          sigmas(sigmasInMedian(degreesOfFreedom(points.problem)))
+        : extent(std::max(points.problem->outlierExtent(points), (double)FLT_MIN)), sampleSize(sampleSize_),
+          sigmas(sigmasInMedian(points.problem->errorDimension()))
     {
     }
 

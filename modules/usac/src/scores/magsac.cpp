@@ -33,7 +33,7 @@ class MagsacScore : public Score
 {
 public:
     explicit MagsacScore(const Correspondences& points)
-        : degrees(degreesOfFreedom(points.problem)), k(thresholdInSigmas(degrees)), extent(outlierExtent(points)),
+        : degrees(points.problem->errorDimension()), k(thresholdInSigmas(degrees)), extent(points.problem->outlierExtent(points)),
           bends(SIZE + 2, 0.f)
     {
         const double curvature = 0.5 * k * k / degrees;

@@ -16,7 +16,7 @@ the scale of the noise, see MarginalizedWeights. A look-up for each inlier. */
 class MagsacPlusPlusScore : public Score
 {
 public:
-    explicit MagsacPlusPlusScore(ProblemType problem) : table(MarginalizedWeights::of(problem)) {}
+    explicit MagsacPlusPlusScore(int errorDimension) : table(MarginalizedWeights::of(errorDimension)) {}
 
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
@@ -34,9 +34,9 @@ private:
 
 } // namespace
 
-Ptr<Score> createMagsacPlusPlusScore(ProblemType problem)
+Ptr<Score> createMagsacPlusPlusScore(int errorDimension)
 {
-    return makePtr<MagsacPlusPlusScore>(problem);
+    return makePtr<MagsacPlusPlusScore>(errorDimension);
 }
 
 } // namespace usacv20

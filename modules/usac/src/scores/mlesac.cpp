@@ -27,7 +27,7 @@ class MlesacScore : public Score
 {
 public:
     explicit MlesacScore(const Correspondences& points)
-        : degrees(degreesOfFreedom(points.problem)), extent(outlierExtent(points))
+        : degrees(points.problem->errorDimension()), extent(points.problem->outlierExtent(points))
     {
     }
 

@@ -21,7 +21,7 @@ Ptr<Score> createLmedsScore(const Correspondences& points, int sampleSize);
 //! See MagsacScore.
 Ptr<Score> createMagsacScore(const Correspondences& points);
 //! See MagsacPlusPlusScore.
-Ptr<Score> createMagsacPlusPlusScore(ProblemType problem);
+Ptr<Score> createMagsacPlusPlusScore(int errorDimension);
 
 //! What rating one model found out.
 struct Rating

@@ -9,11 +9,6 @@
 namespace cv {
 namespace usacv20 {
 
-int degreesOfFreedom(ProblemType problem)
-{
-    return problem == HOMOGRAPHY ? 2 : 1;
-}
-
 double chiSquareDistribution(double x, int degrees)
 {
     return lowerGamma(0.5 * degrees, 0.5 * x) / std::tgamma(0.5 * degrees);

@@ -10,12 +10,6 @@
 namespace cv {
 namespace usacv20 {
 
-/** Degrees of freedom of the error of an inlier, that is the codimension of the manifold on which exact matches lie in the
-4-D joint space: H 2, F and E 1. So it is for the symmetric errors also: their terms are functions of each other (both
-distances to an epipolar line are multiples of x2^T F x1, both transfer errors of the other by H's derivative), so the
-second term changes the scale of the error only. */
-int degreesOfFreedom(ProblemType problem);
-
 //! Probability that the squared error of an inlier, in units of the variance, is at most x.
 double chiSquareDistribution(double x, int degrees);
 //! The x at which chiSquareDistribution is p; 0 <= p < 1.

@@ -41,10 +41,10 @@ double MarginalizedWeights::sumOfLosses(float* u, int count) const
     return sumOfLookUps(losses.data(), u, count);
 }
 
-const MarginalizedWeights& MarginalizedWeights::of(ProblemType problem)
+const MarginalizedWeights& MarginalizedWeights::of(int degrees)
 {
     static const MarginalizedWeights one(1), two(2);
-    return degreesOfFreedom(problem) == 1 ? one : two;
+    return degrees == 1 ? one : two;
 }
 
 MarginalizedWeights::MarginalizedWeights(int degrees)

@@ -50,8 +50,8 @@ public:
     //! Cells of the tables; below u = 1/SIZE the weight is constant.
     enum { SIZE = 2048 };
 
-    //! Those of a problem, made at first use.
-    static const MarginalizedWeights& of(ProblemType problem);
+    //! Those of errors of so many degrees of freedom, made at first use.
+    static const MarginalizedWeights& of(int degrees);
 
     explicit MarginalizedWeights(int degrees);
 

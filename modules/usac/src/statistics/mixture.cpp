@@ -9,15 +9,6 @@
 namespace cv {
 namespace usacv20 {
 
-double outlierExtent(const Correspondences& points)
-{
-    double side[4];
-    for (int k = 0; k < 4; ++k)
-        side[k] = std::max((double)points.upper[k] - points.lower[k], 0.0);
-    const double second = std::sqrt(side[2] * side[3]);
-    return points.problem == HOMOGRAPHY ? second : std::sqrt(std::sqrt(side[0] * side[1]) * second);
-}
-
 double logDensityRatio(double extent, double sigma, int degrees)
 {
     const double k = thresholdInSigmas(degrees), least = 0.5 * k * k / degrees;

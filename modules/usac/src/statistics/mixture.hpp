@@ -5,15 +5,8 @@
 #ifndef OPENCV_USACV20_MIXTURE_HPP
 #define OPENCV_USACV20_MIXTURE_HPP
 
-#include "opencv2/usac/components.hpp"
-
 namespace cv {
 namespace usacv20 {
-
-/** Side of the square (H, in image 2) or of the mean square of both images (F, E) that has the area on which the points
-lie. Outliers are taken to be uniform on it: the vector of their transfer error has the density extent^-2, their distance
-to an epipolar line about 1 / extent. */
-double outlierExtent(const Correspondences& points);
 
 /** Log of how much more likely an inlier without error is than an outlier, divided by the degrees of freedom:
 log(extent / (sqrt(2 pi) sigma)). Not less than what makes both equally likely at the threshold, thresholdInSigmas: wide

@@ -37,15 +37,6 @@ int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& r
     return INT_MAX;
 }
 
-double randomInlierRatio(const Correspondences& points)
-{
-    const double t = points.threshold, width = points.upper[2] - points.lower[2], height = points.upper[3] - points.lower[3];
-    // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both images are equal
-    const double within = points.problem == HOMOGRAPHY ? CV_PI * t * t
-                                                       : 2 * std::sqrt(2.) * t * std::sqrt(width * width + height * height);
-    return within < width * height ? within / (width * height) : 1;
-}
-
 namespace {
 
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
@@ -118,7 +109,7 @@ private:
 
 Ptr<Termination> createProsacTermination(const Correspondences& points)
 {
-    return makePtr<ProsacTermination>(randomInlierRatio(points));
+    return makePtr<ProsacTermination>(points.problem->randomInlierRatio(points));
 }
 
 } // namespace usacv20

@@ -55,9 +55,6 @@ As all points are drawn from once the set has grown to them, the samples that T_
 @param length output: n*, 0 if there is none; the result is then INT_MAX */
 int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& repeated, int m, double kept, double randomRatio,
                   double logFailure, bool exact, int& length);
-/** Probability that a point is an inlier of a wrong model: the part of image 2 that is within the threshold of
-a point (H) or of the longest line (F, E), if wrong matches are everywhere. At most 1. */
-double randomInlierRatio(const Correspondences& points);
 
 } // namespace usacv20
 } // namespace cv

@@ -22,10 +22,8 @@ a best model nothing is dropped. The test changes only between batches of sample
 class SprtVerifier : public Verifier
 {
 public:
-    explicit SprtVerifier(ProblemType problem)
-        // measured: microseconds of the solver over those of a point in the kernel; models left after the checks
-        : modelTime(problem == HOMOGRAPHY ? 250. : problem == FUNDAMENTAL ? 700. : 4000.),
-          modelsPerSample(problem == HOMOGRAPHY ? 1. : problem == FUNDAMENTAL ? 1.2 : 2.), current(), inlierStep(0),
+    explicit SprtVerifier(const SampleCost& cost_)
+        : cost(cost_), current(), inlierStep(0),
           outlierStep(0), logA(0), inliersSeen(0), pointsSeen(0)
     {
     }
@@ -64,7 +62,7 @@ private:
         inlierStep = std::log(delta / epsilon);
         outlierStep = std::log((1 - delta) / (1 - epsilon));
         const double C = (1 - delta) * outlierStep + delta * inlierStep;
-        const double K = 1 + modelTime * C / modelsPerSample;
+        const double K = 1 + cost.time * C / cost.models;
         double A = K;
         for (int i = 0; i < 10; ++i)
             A = K + std::log(A);
@@ -75,7 +73,7 @@ private:
         current.samples = 0;
     }
 
-    const double modelTime, modelsPerSample;
+    const SampleCost cost;
     SequentialTest current;
     double inlierStep, outlierStep, logA;
     double inliersSeen, pointsSeen;
@@ -83,9 +81,9 @@ private:
 
 } // namespace
 
-Ptr<Verifier> createSprtVerifier(ProblemType problem)
+Ptr<Verifier> createSprtVerifier(const SampleCost& cost)
 {
-    return makePtr<SprtVerifier>(problem);
+    return makePtr<SprtVerifier>(cost);
 }
 
 } // namespace usacv20

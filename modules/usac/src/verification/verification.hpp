@@ -5,13 +5,13 @@
 #ifndef OPENCV_USACV20_VERIFICATION_HPP
 #define OPENCV_USACV20_VERIFICATION_HPP
 
-#include "opencv2/usac/components.hpp"
+#include "opencv2/usac/problem.hpp"
 
 namespace cv {
 namespace usacv20 {
 
 //! Wald's sequential probability ratio test, see SprtVerifier.
-Ptr<Verifier> createSprtVerifier(ProblemType problem);
+Ptr<Verifier> createSprtVerifier(const SampleCost& cost);
 //! T(d,d) with d `points`, see TddVerifier.
 Ptr<Verifier> createTddVerifier(int points);
 

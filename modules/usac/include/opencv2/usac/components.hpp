@@ -34,6 +34,8 @@ enum { MAX_SAMPLE_SIZE = 8 };
 //! Most models a minimal solver can return.
 enum { MAX_MODELS = 10 };
 
+class Problem;
+
 /** @brief The correspondences as the components see them: scaled, shuffled, structure of arrays.
 
 H, F: translated and scaled to about unit size (F, E: the same scale in both images, so that errors scale with it).
@@ -42,7 +44,7 @@ is a random sample. Arrays have `size` elements.
 */
 struct Correspondences
 {
-    ProblemType problem;
+    const Problem* problem;                     //!< what is estimated
     int size;                                   //!< finite correspondences
     int inputSize;                              //!< rows that the caller gave
     const float *x1, *y1, *x2, *y2;             //!< for scoring, 64-byte aligned
@@ -227,6 +229,8 @@ class CV_EXPORTS Residual
 {
 public:
     enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, CUSTOM };
+    //! Most components of an error.
+    enum { MAX_COMPONENTS = 4 };
 
     virtual ~Residual();
     //! Squared errors of the points begin .. end-1. Where the error is not defined the value is NaN or infinite.
@@ -235,7 +239,18 @@ public:
     //! The same in double, for `count` points in any coordinates.
     virtual void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2,
                                const double* y2, int count, double* errors) const = 0;
-    //! Names the formula, so that a Score can offer a fused kernel for it.
+    /** @brief The error of one match as a vector whose squared length is the squared error.
+    @param model, match what, and x1, y1, x2, y2
+    @param error output, at most #MAX_COMPONENTS numbers
+    @return their number. Default: one, the root of the squared error. That is the distance to a curve but for its sign; for an
+    error with two components it is better to write this method: the root has no derivative where the error is 0. */
+    virtual int error(const Model& model, const double* match, double* error) const;
+    /** @brief The same, with the derivative by the entries of the model: what a model is fitted with.
+    @param model, match, error as above
+    @param derivative output, a row of 9 numbers for each component
+    Default: central differences of error(), at about twenty times the cost. */
+    virtual int linearize(const Model& model, const double* match, double* error, double* derivative) const;
+    //! Names the formula, so that a Score can offer a fused kernel for it. Default: CUSTOM, which has none.
     virtual Kind kind() const;
 };
 
@@ -378,6 +393,10 @@ public:
     static Ptr<Usac> create(ProblemType problem, InputArray points1, InputArray points2, const Params& params = Params(),
                             InputArray cameraMatrix1 = noArray(), InputArray cameraMatrix2 = noArray(),
                             InputArray distCoeffs1 = noArray(), InputArray distCoeffs2 = noArray());
+
+    /** @brief The same for a problem of the caller's own, which the object keeps. */
+    static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
+                            const Params& params = Params());
 
     //! The components, to be replaced before #run.
     virtual Components& components() = 0;

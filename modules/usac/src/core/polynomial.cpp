@@ -1,0 +1,264 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "core/polynomial.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! A polynomial with its derivative, evaluated together by Horner's scheme.
+struct Polynomial
+{
+    const double* c;
+    int degree;
+
+    void evaluate(double x, double& value, double& slope) const
+    {
+        value = c[degree];
+        slope = 0;
+        for (int i = degree - 1; i >= 0; --i)
+        {
+            slope = slope * x + value;
+            value = value * x + c[i];
+        }
+    }
+};
+
+/** Sturm's sequence p, p', -(p mod p'), ... Two neighbours are linked by f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0,
+so that the whole sequence at x costs three operations an element, from the last one upwards. Where a degree is (nearly)
+skipped, as for x^3 - 1, there is no such link: the sequence is then not regular and must not be used. */
+class SturmSequence
+{
+public:
+    explicit SturmSequence(const Polynomial& p) : regular(true), count(0), lastDegree(0)
+    {
+        tail[0] = 0;
+        double f[MAX_DEGREE + 1], g[MAX_DEGREE + 1];
+        int degree = p.degree;
+        for (int i = 0; i <= degree; ++i)
+            f[i] = p.c[i];
+        for (int i = 0; i < degree; ++i)
+            g[i] = (i + 1) * f[i + 1];
+        while (degree > 0)
+        {
+            Link& link = links[count++];
+            const double lead = 1 / g[degree - 1];
+            link.a = f[degree] * lead;
+            link.b = (f[degree - 1] - (degree > 1 ? link.a * g[degree - 2] : 0)) * lead;
+            double rest[MAX_DEGREE + 1], largest = 0;
+            for (int i = 0; i < degree - 1; ++i)
+            {
+                rest[i] = link.b * g[i] + (i > 0 ? link.a * g[i - 1] : 0) - f[i];
+                largest = std::max(largest, std::abs(rest[i]));
+            }
+            --degree;
+            link.s = largest;
+            regular = degree == 0 || !(largest > 1e-14) || std::abs(rest[degree - 1]) > 1e-5 * largest;
+            if (degree == 0 || !(largest > 1e-14) || !regular)
+            {
+                link.s = 0;  // g divides f as far as the precision tells: the sequence ends here
+                lastDegree = degree;
+                for (int i = 0; i <= degree; ++i)
+                    tail[i] = g[i];
+                return;
+            }
+            const double inverse = 1 / largest;
+            for (int i = 0; i <= degree; ++i)
+                f[i] = g[i];
+            for (int i = 0; i < degree; ++i)
+                g[i] = rest[i] * inverse;
+        }
+    }
+
+    bool regular;
+
+    //! Number of sign changes at x.
+    int changes(double x) const
+    {
+        double below = 0, here = tail[lastDegree];
+        for (int i = lastDegree - 1; i >= 0; --i)
+            here = here * x + tail[i];
+        int result = 0;
+        for (int k = count - 1; k >= 0; --k)
+        {
+            const double above = (links[k].a * x + links[k].b) * here - links[k].s * below;
+            result += (above < 0) != (here < 0);
+            below = here;
+            here = above;
+        }
+        return result;
+    }
+
+private:
+    struct Link { double a, b, s; };
+    Link links[MAX_DEGREE];
+    double tail[MAX_DEGREE + 1];
+    int count, lastDegree;
+};
+
+//! The root in (low, high], where the polynomial changes its sign: Newton's steps, bisection where they leave the bracket.
+double refine(const Polynomial& p, double low, double high, double atLow)
+{
+    double x = 0.5 * (low + high);
+    for (int i = 0; i < 60; ++i)
+    {
+        double value, slope;
+        p.evaluate(x, value, slope);
+        if (value == 0)
+            return x;
+        ((value < 0) == (atLow < 0) ? low : high) = x;
+        double next = x - value / slope;
+        const bool inside = next > low && next < high;
+        if (!inside)
+            next = 0.5 * (low + high);
+        if (std::abs(next - x) <= (inside ? 1e-9 : 4e-16) * std::abs(x))  // the error of a step of Newton is that of the last one squared
+            return next;
+        x = next;
+    }
+    return x;
+}
+
+//! Roots in (low, high], of which there are fromLow - fromHigh.
+int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double high, int fromLow, int fromHigh,
+            int depth, double* roots)
+{
+    const int expected = fromLow - fromHigh;
+    if (expected <= 0)
+        return 0;
+    double atLow, atHigh, slope;
+    p.evaluate(low, atLow, slope);
+    p.evaluate(high, atHigh, slope);
+    if (expected == 1 && (atLow < 0) != (atHigh < 0))
+    {
+        roots[0] = refine(p, low, high, atLow);
+        return 1;
+    }
+    const double middle = 0.5 * (low + high);
+    if (depth == 0)
+    {
+        roots[0] = middle;  // a multiple root, or a cluster too narrow to be told from one
+        return 1;
+    }
+    const int fromMiddle = sturm.changes(middle);
+    const int left = isolate(p, sturm, low, middle, fromLow, fromMiddle, depth - 1, roots);
+    return left + isolate(p, sturm, middle, high, fromMiddle, fromHigh, depth - 1, roots + left);
+}
+
+//! Where #realRoots changes from the polynomial to the reversed one; no round number, as Sturm's interval excludes it.
+const double LOWEST = -1.0009765625, HIGHEST = 1.0007;
+
+//! Roots in (LOWEST, HIGHEST], between the roots of the derivative: slower than Sturm's sequence, but without its exceptions.
+int betweenExtrema(const Polynomial& p, double* roots)
+{
+    if (p.degree <= 1)
+    {
+        roots[0] = -p.c[0] / p.c[1];
+        return roots[0] > LOWEST && roots[0] <= HIGHEST;
+    }
+    double derivative[MAX_DEGREE], bounds[MAX_DEGREE + 1], before, here, slope;
+    for (int i = 0; i < p.degree; ++i)
+        derivative[i] = (i + 1) * p.c[i + 1];
+    const Polynomial d = {derivative, p.degree - 1};
+    bounds[0] = LOWEST;
+    const int extrema = betweenExtrema(d, bounds + 1);
+    bounds[extrema + 1] = HIGHEST;
+    int count = 0;
+    p.evaluate(LOWEST, before, slope);
+    for (int k = 1; k <= extrema + 1; ++k, before = here)
+    {
+        p.evaluate(bounds[k], here, slope);
+        if (k <= extrema && std::abs(here) <= 1e-15)
+        {
+            roots[count++] = bounds[k];  // a multiple root
+            here = 0;
+        }
+        else if (before != 0 && (before < 0) != (here < 0))
+            roots[count++] = refine(p, bounds[k - 1], bounds[k], before);
+    }
+    return count;
+}
+
+int rootsNearZero(const double* c, int degree, double* roots)
+{
+    const Polynomial p = {c, degree};
+    const SturmSequence sturm(p);
+    if (!sturm.regular)
+        return betweenExtrema(p, roots);
+    return isolate(p, sturm, LOWEST, HIGHEST, sturm.changes(LOWEST), sturm.changes(HIGHEST), 40, roots);
+}
+
+//! One of Newton's steps towards a root, where it helps.
+double polish(const Polynomial& p, double x)
+{
+    double value, slope, newValue, newSlope;
+    p.evaluate(x, value, slope);
+    const double next = x - value / slope;
+    p.evaluate(next, newValue, newSlope);
+    return std::abs(newValue) < std::abs(value) ? next : x;
+}
+
+/** Roots of a cubic in closed form, by Viete's cosines or Cardano's cube root @cite press2007numerical; double roots once. The
+leading coefficient must not be small. */
+int cubicRoots(const double* c, double* roots)
+{
+    const Polynomial p = {c, 3};
+    const double a = c[2] / c[3], b = c[1] / c[3], d = c[0] / c[3];
+    const double Q = (a * a - 3 * b) / 9, R = (2 * a * a * a - 9 * a * b + 27 * d) / 54, excess = R * R - Q * Q * Q;
+    const bool twice = std::abs(excess) <= 1e-13 * R * R;
+    int count = 1;
+    if (excess < 0 && !twice)
+    {
+        const double angle = std::acos(R / std::sqrt(Q * Q * Q)), size = -2 * std::sqrt(Q);
+        for (count = 0; count < 3; ++count)
+            roots[count] = size * std::cos((angle + (count - 1) * 2 * CV_PI) / 3) - a / 3;
+    }
+    else
+    {
+        const double A = (R > 0 ? -1 : 1) * std::cbrt(std::abs(R) + std::sqrt(std::max(excess, 0.))), B = A != 0 ? Q / A : 0;
+        roots[0] = A + B - a / 3;
+        if (twice && A != 0)
+            roots[count++] = -0.5 * (A + B) - a / 3;
+    }
+    for (int i = 0; i < count; ++i)
+        roots[i] = polish(p, polish(p, roots[i]));
+    return std::abs(roots[0]) <= DBL_MAX ? count : 0;  // 0 if a coefficient is NaN
+}
+
+} // namespace
+
+int realRoots(const double* coefficients, int degree, double* roots)
+{
+    double largest = 0, c[MAX_DEGREE + 1], reversed[MAX_DEGREE + 1];
+    for (int i = 0; i <= degree; ++i)
+        largest = std::max(largest, std::abs(coefficients[i]));
+    if (!(largest > 0 && largest <= DBL_MAX))
+        return 0;
+    while (degree > 0 && std::abs(coefficients[degree]) <= 1e-14 * largest)
+        --degree;
+    if (degree == 0)
+        return 0;
+    for (int i = 0; i <= degree; ++i)
+        c[i] = reversed[degree - i] = coefficients[i] / largest;
+    if (degree == 3 && std::abs(c[3]) > 1e-3)
+        return cubicRoots(c, roots);
+    int count = rootsNearZero(c, degree, roots);
+    int lowest = 0;  // roots at 0 make the reversed polynomial lose degrees
+    while (std::abs(c[lowest]) <= 1e-14)
+        ++lowest;
+    double inverses[MAX_DEGREE];
+    const int more = degree > lowest ? rootsNearZero(reversed, degree - lowest, inverses) : 0;
+    for (int i = 0; i < more && count < degree; ++i)
+    {
+        const double root = 1 / inverses[i];
+        if (std::abs(root) <= DBL_MAX && (root <= LOWEST || root > HIGHEST))
+            roots[count++] = root;
+    }
+    return count;
+}
+
+} // namespace usacv20
+} // namespace cv

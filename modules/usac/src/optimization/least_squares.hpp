@@ -1,0 +1,137 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_LEAST_SQUARES_HPP
+#define OPENCV_USACV20_LEAST_SQUARES_HPP
+
+#include <Eigen/Cholesky>
+#include "optimization/normal_equations.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief Least squares of the geometric error by Gauss and Newton's method, damped as by Levenberg and Marquardt
+@cite more1978levenberg after a step that does not lower the cost.
+
+Minimizes the sum of (weighted) squared errors of a Residual over the models of one kind, from the given one, in a minimal
+parameterization of that kind (DIMENSION, tangent(), project(), plus(), model(), hasFullRank()). Starting from a model, not from nothing, it needs no linear estimate and is not confused by planar
+scenes, on which the eight-point method fails. About 40 (H) or 100 (F, E) operations a point and iteration, twice that for the
+symmetric errors.
+
+The first step is not damped: a polisher asks for one step at a time, and any damping that is worth its name would stop
+the movement in a weakly determined direction (along the epipole under a forward motion) each time anew. */
+template <class Parameterization>
+class LeastSquaresSolver : public NonMinimalSolver
+{
+public:
+    //! `errorDimension_`: Problem::errorDimension()
+    LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_)
+        : residual(residual_), errorDimension(errorDimension_)
+    {
+    }
+
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
+    {
+        if (errorDimension * count < DIMENSION)
+            return false;
+        Parameterization here(model);
+        const PointChunks chunks(points, indices, count, weights);
+        NormalEquations sums, trialSums;
+        sums.accumulate(*residual, chunks, here.model());
+        if (!(sums.cost <= DBL_MAX))
+            return false;
+        double damping = 0;
+        int steps = 0;
+        for (int attempt = 0; attempt < iterations + RETRIES && steps < iterations; ++attempt)
+        {
+            Step step;
+            double gain;
+            const bool solved = solve(here, sums, damping, step, gain);
+            if (!solved && damping > 0)
+                return false;
+            if (solved && !(gain > ARRIVED * sums.cost))
+                break;
+            const bool last = steps + 1 >= iterations || gain < SETTLED * sums.cost;
+            if (solved && tryStep(chunks, step, last, here, sums))
+            {
+                if (last)
+                    break;
+                damping = damping > FIRST_DAMPING ? damping * 0.1 : 0;
+                ++steps;
+            }
+            else
+                damping = std::max(damping * 10, FIRST_DAMPING);
+        }
+        if (!here.hasFullRank())
+            return false;
+        model = here.model();
+        return true;
+    }
+
+private:
+    enum { DIMENSION = Parameterization::DIMENSION };
+    typedef typename Parameterization::Step Step;
+    typedef typename Parameterization::Matrix Matrix;
+
+    //! Takes the step if it lowers the cost; with the new normal equations, or with the cost alone if it is the last one.
+    bool tryStep(const PointChunks& chunks, const Step& step, bool last, Parameterization& here,
+                 NormalEquations& sums) const
+    {
+        const Parameterization trial = here.plus(step);
+        NormalEquations trialSums;
+        if (last)
+            trialSums.cost = NormalEquations::costOf(*residual, chunks, trial.model());
+        else
+            trialSums.accumulate(*residual, chunks, trial.model());
+        if (!(trialSums.cost < sums.cost))  // also for NaN
+            return false;
+        here = trial;
+        if (!last)
+            sums = trialSums;
+        return true;
+    }
+
+    /** Step of the damped normal equations on the tangent space, and by how much it lowers the cost where the residuals are
+    linear. False if they are singular or not finite. */
+    static bool solve(const Parameterization& here, const NormalEquations& sums, double damping, Step& step, double& gain)
+    {
+        Matrix A;
+        Step b, added;
+        here.project(sums, A, b);
+        added = damping * A.diagonal();
+        added.array() += SINGULAR * A.trace() / DIMENSION;
+        A.diagonal() += added;
+        const Eigen::LLT<Matrix> llt(A);
+        if (llt.info() != Eigen::Success)
+            return false;
+        step = -llt.solve(b);
+        gain = added.dot(step.cwiseAbs2()) - b.dot(step);
+        return step.allFinite();
+    }
+
+    //! So many steps that did not lower the cost are not counted.
+    enum { RETRIES = 2 };
+    //! What is added to the diagonal of the normal equations: a part of it after a step that failed, and of their mean always.
+    static const double FIRST_DAMPING, SINGULAR;
+    //! Expected decrease, a part of the cost, of a step that is the last one, and of one that is not worth its while.
+    static const double SETTLED, ARRIVED;
+
+    const Ptr<Residual> residual;
+    const int errorDimension;
+};
+
+template <class Parameterization>
+const double LeastSquaresSolver<Parameterization>::FIRST_DAMPING = 1e-4;
+template <class Parameterization>
+const double LeastSquaresSolver<Parameterization>::SINGULAR = 1e-12;
+template <class Parameterization>
+const double LeastSquaresSolver<Parameterization>::SETTLED = 1e-4;
+template <class Parameterization>
+const double LeastSquaresSolver<Parameterization>::ARRIVED = 1e-10;
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

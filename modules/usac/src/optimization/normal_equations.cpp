@@ -1,0 +1,134 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "residuals/kernels.hpp"
+#include "optimization/normal_equations.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+void fromTransferSums(const double* sums, NormalEquations& equations)
+{
+    static const int SYMMETRIC[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+    equations.JtJ.setZero();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+        {
+            const int n = SYMMETRIC[i][j];
+            equations.JtJ(i, j) = equations.JtJ(3 + i, 3 + j) = sums[n];
+            equations.JtJ(6 + i, j) = -sums[6 + n];
+            equations.JtJ(6 + i, 3 + j) = -sums[12 + n];
+            equations.JtJ(6 + i, 6 + j) = sums[18 + n];
+        }
+    for (int i = 0; i < 9; ++i)
+        equations.Jtr[i] = sums[24 + i];
+    equations.JtJ.triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
+    equations.cost = sums[33];
+}
+
+//! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of the triangle holds the gradient and the cost.
+void fromEpipolarSums(const double* sums, NormalEquations& equations)
+{
+    for (int row = 0, n = 0; row < 9; ++row)
+        for (int col = 0; col <= row; ++col)
+            equations.JtJ(row, col) = sums[n++];
+    for (int i = 0; i < 9; ++i)
+        equations.Jtr[i] = sums[45 + i];
+    equations.JtJ.triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
+    equations.cost = sums[54];
+}
+
+/** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG = -G dH G the derivatives
+by H, entries row by row, are those by G times -G (x) G^T. */
+void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
+{
+    Eigen::Matrix<double, 9, 9, Eigen::RowMajor> L;
+    for (int i = 0; i < 9; ++i)
+        for (int j = 0; j < 9; ++j)
+            L(i, j) = -G(i / 3, j / 3) * G(j % 3, i % 3);
+    equations.JtJ += L.transpose() * inverse.JtJ * L;
+    equations.Jtr += L.transpose() * inverse.Jtr;
+    equations.cost += inverse.cost;
+}
+
+//! Of a residual without kernels, point by point.
+void addPoints(const Residual& residual, const PointChunks& points, const Model& model, NormalEquations& equations)
+{
+    double match[4], weight, error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * 9];
+    equations.JtJ.setZero();
+    equations.Jtr.setZero();
+    equations.cost = 0;
+    for (int i = 0; points.get(i, match, weight); ++i)
+    {
+        const int components = residual.linearize(model, match, error, derivative);
+        for (int k = 0; k < components; ++k)
+        {
+            const Eigen::Map<const Eigen::Matrix<double, 9, 1> > row(derivative + 9 * k);
+            equations.JtJ += weight * row * row.transpose();
+            equations.Jtr += weight * error[k] * row;
+            equations.cost += weight * error[k] * error[k];
+        }
+    }
+}
+
+double costOfPoints(const Residual& residual, const PointChunks& points, const Model& model)
+{
+    double match[4], weight, error[Residual::MAX_COMPONENTS], cost = 0;
+    for (int i = 0; points.get(i, match, weight); ++i)
+    {
+        const int components = residual.error(model, match, error);
+        for (int k = 0; k < components; ++k)
+            cost += weight * error[k] * error[k];
+    }
+    return cost;
+}
+
+} // namespace
+
+void NormalEquations::accumulate(const Residual& residual, const PointChunks& points, const Model& model)
+{
+    const Residual::Kind kind = residual.kind();
+    if (kind == Residual::CUSTOM)
+    {
+        addPoints(residual, points, model, *this);
+        return;
+    }
+    const SumsKernel kernel = kernels().sums[kind];
+    double sums[EPIPOLAR_SUMS];
+    if (kind == Residual::SAMPSON || kind == Residual::SYMMETRIC_EPIPOLAR)
+    {
+        points.sum(kernel, EPIPOLAR_SUMS, model.val, false, sums);
+        fromEpipolarSums(sums, *this);
+        return;
+    }
+    points.sum(kernel, TRANSFER_SUMS, model.val, false, sums);
+    fromTransferSums(sums, *this);
+    if (kind == Residual::SYMMETRIC_TRANSFER)
+    {
+        const Matx33d G = model.inv();
+        NormalEquations inverse;
+        points.sum(kernel, TRANSFER_SUMS, G.val, true, sums);
+        fromTransferSums(sums, inverse);
+        addInverse(inverse, G, *this);
+    }
+}
+
+double NormalEquations::costOf(const Residual& residual, const PointChunks& points, const Model& model)
+{
+    const Residual::Kind kind = residual.kind();
+    if (kind == Residual::CUSTOM)
+        return costOfPoints(residual, points, model);
+    const SumsKernel kernel = kernels().costs[kind];
+    double cost, back = 0;
+    points.sum(kernel, 1, model.val, false, &cost);
+    if (kind == Residual::SYMMETRIC_TRANSFER)
+        points.sum(kernel, 1, model.inv().val, true, &back);
+    return cost + back;
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,32 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_NORMAL_EQUATIONS_HPP
+#define OPENCV_USACV20_NORMAL_EQUATIONS_HPP
+
+#include <Eigen/Core>
+#include "optimization/point_chunks.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** Gauss-Newton sums of an error in the nine entries of the model: JtJ, Jtr and the cost r^T r. A parameterization projects
+them onto its tangent space afterwards, so that the work of a point is the same for all. */
+struct NormalEquations
+{
+    Eigen::Matrix<double, 9, 9, Eigen::RowMajor> JtJ;
+    Eigen::Matrix<double, 9, 1> Jtr;
+    double cost;
+
+    //! Sums over the points, by a kernel or, for residuals of a program's own, by Residual::linearize().
+    void accumulate(const Residual& residual, const PointChunks& points, const Model& model);
+
+    //! The cost alone, for a fraction of the time.
+    static double costOf(const Residual& residual, const PointChunks& points, const Model& model);
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

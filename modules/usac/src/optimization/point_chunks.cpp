@@ -1,0 +1,74 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "optimization/point_chunks.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+PointChunks::PointChunks(const Correspondences& points, const int* indices, int count, const double* weights)
+    : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK)
+{
+    CV_DbgAssert(count > 0);
+    rows.allocate((size_t)chunks * ROWS * SUMS_CHUNK);
+    for (int c = 0; c < chunks; ++c)
+    {
+        Row* const chunk = (Row*)rows.data() + c * ROWS;
+        const int first = c * SUMS_CHUNK, here = std::min(count - first, (int)SUMS_CHUNK);
+        for (int k = 0; k < here; ++k)
+        {
+            const int i = indices[first + k];
+            chunk[0][k] = points.dx1[i];
+            chunk[1][k] = points.dy1[i];
+            chunk[2][k] = points.dx2[i];
+            chunk[3][k] = points.dy2[i];
+            chunk[4][k] = weights ? weights[first + k] : 1;
+        }
+        for (int row = 0; row < ROWS; ++row)  // the last point again, without weight
+            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK, row < 4 ? chunk[row][here - 1] : 0.);
+    }
+}
+
+bool PointChunks::get(int index, double* match, double& weight) const
+{
+    if (index >= size)
+        return false;
+    const Row* const chunk = (const Row*)rows.data() + index / SUMS_CHUNK * ROWS;
+    for (int k = 0; k < 4; ++k)
+        match[k] = chunk[k][index % SUMS_CHUNK];
+    weight = chunk[4][index % SUMS_CHUNK];
+    return true;
+}
+
+void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const
+{
+    static const double zeros[EPIPOLAR_SUMS][SUMS_LANES] = {{0}};
+    double lanes[EPIPOLAR_SUMS][SUMS_LANES];
+    std::memcpy(lanes, zeros, count * sizeof(lanes[0]));  // a fill of this size is a slow instruction
+    for (int c = 0; c < chunks; ++c)
+    {
+        const Row* chunk = (const Row*)rows.data() + c * ROWS;
+        Row exchanged[ROWS];
+        if (swapped)
+        {
+            std::memcpy(exchanged, chunk + 2, 2 * sizeof(Row));
+            std::memcpy(exchanged + 2, chunk, 2 * sizeof(Row));
+            std::memcpy(exchanged + 4, chunk + 4, sizeof(Row));
+            chunk = exchanged;
+        }
+        kernel(chunk, model, lanes);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        double* l = lanes[i];
+        for (int width = SUMS_LANES / 2; width > 0; width /= 2)
+            for (int k = 0; k < width; ++k)
+                l[k] += l[k + width];
+        sums[i] = l[0];
+    }
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,33 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_CAMERAS_HPP
+#define OPENCV_USACV20_CAMERAS_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! The cameras of two views, with distortion.
+class Cameras
+{
+public:
+    /** @param cameraMatrix1, cameraMatrix2 3x3, any depth; the second one empty: as the first
+    @param distCoeffs1, distCoeffs2 4, 5, 8, 12 or 14 coefficients as for cv::undistortPoints; empty: none
+    Raises cv::Exception for what is no camera. */
+    Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
+
+    //! From pixels to the normalized image plane, in place. @return mean focal length in pixels
+    double toImagePlane(double* x1, double* y1, double* x2, double* y2, int count) const;
+
+private:
+    Matx33d K1, K2;
+    Mat distortion1, distortion2;  //!< empty: none
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

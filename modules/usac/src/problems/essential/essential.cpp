@@ -1,0 +1,85 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "optimization/least_squares.hpp"
+#include "problems/essential/cameras.hpp"
+#include "problems/essential/essential.hpp"
+#include "problems/essential/essential_parameterization.hpp"
+#include "problems/two_view/two_view.hpp"
+#include "residuals/residuals.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! The epipolar geometry of two calibrated views: x2^T E x1 = 0 on the normalized image planes, singular values (s, s, 0).
+class EssentialProblem : public Problem
+{
+public:
+    explicit EssentialProblem(const Cameras& cameras_) : cameras(cameras_) {}
+
+    String name() const CV_OVERRIDE { return "essential"; }
+    int dimension() const CV_OVERRIDE { return EssentialParameterization::DIMENSION; }
+    int errorDimension() const CV_OVERRIDE { return 1; }
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(4000, 2); }  // measured
+    //! A plane has two motions with the same inliers @cite ma2004invitation; which is right the few points beside it tell.
+    bool ambiguous() const CV_OVERRIDE { return true; }
+
+    double toModelCoordinates(double* x1, double* y1, double* x2, double* y2, int count) const CV_OVERRIDE
+    {
+        return cameras.toImagePlane(x1, y1, x2, y2, count);
+    }
+
+    //! Singular values (1, 1, 0) / sqrt(2).
+    bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const CV_OVERRIDE
+    {
+        result = points.T2.t() * model * points.T1;
+        return toUnitNorm(result);
+    }
+
+    Model closest(const Model& model) const CV_OVERRIDE { return EssentialParameterization(model).model(); }
+
+    Ptr<Residual> createResidual(int type) const CV_OVERRIDE
+    {
+        return type == RESIDUAL_SYMMETRIC ? createSymmetricEpipolarResidual() : createSampsonResidual();
+    }
+
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createEssential5Solver(); }
+
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        return createEssentialFit(residual);
+    }
+
+    void createDegeneracies(int flags, const Correspondences& points, std::vector<Ptr<Degeneracy> >& degeneracies) const CV_OVERRIDE
+    {
+        if (flags & DEGENERACY_ORIENTATION)
+            degeneracies.push_back(createOrientedEpipolar());
+        if (flags & DEGENERACY_DEGENSAC)
+            degeneracies.push_back(createPlanarMotion());
+        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of their own models
+            degeneracies.push_back(createSharedPoints(points));
+    }
+
+private:
+    const Cameras cameras;
+};
+
+} // namespace
+
+Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
+                                    InputArray distCoeffs2)
+{
+    return makePtr<EssentialProblem>(Cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2));
+}
+
+Ptr<NonMinimalSolver> createEssentialFit(const Ptr<Residual>& residual)
+{
+    return makePtr<LeastSquaresSolver<EssentialParameterization> >(residual, 1);
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,26 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_ESSENTIAL_HPP
+#define OPENCV_USACV20_ESSENTIAL_HPP
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! See EssentialProblem; the cameras as for #estimateEssential.
+Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
+                                    InputArray distCoeffs2);
+//! From 5 points, see Essential5Solver.
+Ptr<MinimalSolver> createEssential5Solver();
+//! Least squares of a residual.
+Ptr<NonMinimalSolver> createEssentialFit(const Ptr<Residual>& residual);
+//! Scenes dominated by a plane, see PlanarMotion.
+Ptr<Degeneracy> createPlanarMotion();
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

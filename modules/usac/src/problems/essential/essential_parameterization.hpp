@@ -1,0 +1,43 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_ESSENTIAL_PARAMETERIZATION_HPP
+#define OPENCV_USACV20_ESSENTIAL_PARAMETERIZATION_HPP
+
+#include "problems/two_view/tangent_space.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief An essential matrix and a minimal parameterization around it; parameters 0 are the model itself.
+
+E = U diag(1, 1, 0) V^T / sqrt(2); 3 rotations of U, 2 of V (the third moves E like one of U): 5 @cite helmke2007essential. */
+class EssentialParameterization
+{
+public:
+    enum { DIMENSION = 5 };
+    typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
+    typedef Eigen::Matrix<double, DIMENSION, 1> Step;
+    typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
+
+    //! Around the closest essential matrix.
+    explicit EssentialParameterization(const Model& model);
+
+    bool hasFullRank() const { return true; }
+    //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
+    Basis tangent() const;
+    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T Jtr with B = tangent().
+    void project(const NormalEquations& sums, Matrix& A, Step& b) const { projectOnTangents<DIMENSION>(sums, tangent(), A, b); }
+    //! The parameterization around the model that has these parameters.
+    EssentialParameterization plus(const Step& step) const;
+    Model model() const;
+
+private:
+    Eigen::Matrix3d U, V;
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

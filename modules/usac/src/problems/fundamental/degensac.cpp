@@ -1,0 +1,210 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/two_view/dominant_plane.hpp"
+#include "problems/two_view/share_a_point.hpp"
+#include "problems/fundamental/plane_parallax.hpp"
+#include "problems/two_view/side_by_side.hpp"
+#include "residuals/formulas.hpp"
+#include "residuals/residuals.hpp"
+#include "problems/fundamental/fundamental.hpp"
+#include "problems/homography/homography.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
+
+If five or more of the seven points lie on a plane, F fits everything on the plane and little else. One of five triples
+of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it maps
+give the degeneracy away. A locally optimised model has no sample; there it is a plane with more than half of its inliers. The
+remedy is plane and parallax: that homography H, refined on its points, and two correspondences off the plane determine
+F = [e]x H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if it beats the original, so
+that other scenes lose nothing; a plane with less than half of the model's inliers is left alone, as there the samples
+find F. A plane that was dealt with is looked at again if clearly more points are on it now. */
+class Degensac : public Degeneracy
+{
+public:
+    Degensac()
+        : fitter(createHomographyFit(createTransferResidual())), known(Matx33d::zeros()), knownThreshold(0),
+          knownPoints(0)
+    {
+    }
+
+    bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        Matx33d H;
+        if (sample ? !planeOfSample(context.points, sample, model, H) : !plane.find(context, state.rng, model, DOMINANT, H))
+            return true;
+        state.report.degenerate = true;
+        const Quality before = quality;
+        if (knownThreshold == context.points.threshold && isKnown(context.points, H, sample))
+        {
+            if (knownQuality.betterThan(quality))
+            {
+                model = knownModel;
+                quality = knownQuality;
+            }
+            if (pointsOn(context.points, H) <= CLEARLY * knownPoints)
+                return true;
+        }
+        if (!fitPlane(context.points, std::max(DOMINANT * before.inliers, SEEN * context.points.size), H))
+            return true;
+        known = H;
+        knownThreshold = context.points.threshold;
+        knownPoints = pointsOn(context.points, H);
+        planeAndParallax(context, state, H, model, quality);
+        knownModel = model;
+        knownQuality = quality.betterThan(before) ? quality : Quality();
+        return true;
+    }
+
+private:
+    //! Most points of the fit of a plane, most fits, and steps of each.
+    enum { MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2 };
+    //! Points of a plane that was known are clearly more if they are so many times as many.
+    static const double CLEARLY;
+    //! A plane has so many of the model's inliers at least; before it is fitted, so many of these.
+    static const double DOMINANT, ROUGHLY;
+    //! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its seven points, 21 w^5;
+    //! what is seen is chance.
+    static const double SEEN;
+    //! A model has so many of the inliers of the best one to be of interest: what it lacks the optimization may add.
+    static const double OF_INTEREST;
+    //! Squared, in squared thresholds: off the plane for the parallax. Closer to it a match agrees with any epipole.
+    static const double OFF_PLANE;
+
+    //! True if the plane is the last one that was dealt with: what was found then would be found again.
+    bool isKnown(const Correspondences& p, const Matx33d& H, const int* sample) const
+    {
+        if (sample)
+            return mapped(p, known, sample, 7) >= 5;
+        int both = 0, here = 0;
+        const std::vector<int>& inliers = plane.inliers();
+        for (size_t k = 0; k < inliers.size(); ++k)
+        {
+            const bool on = error(p, H, inliers[k]) <= planeLimit(p);
+            here += on;
+            both += on && error(p, known, inliers[k]) <= planeLimit(p);
+        }
+        return both > 0.9 * here;
+    }
+
+    static int mapped(const Correspondences& p, const Matx33d& H, const int* indices, int count)
+    {
+        int result = 0;
+        for (int k = 0; k < count; ++k)
+            result += error(p, H, indices[k]) <= planeLimit(p);
+        return result;
+    }
+
+    //! True if five or more of the seven points are mapped by the homography of one of the triples.
+    static bool planeOfSample(const Correspondences& p, const int* sample, const Model& F, Matx33d& H)
+    {
+        static const int triples[5][3] = {{0, 1, 2}, {3, 4, 5}, {0, 1, 6}, {3, 4, 6}, {2, 5, 6}};
+        Vec3d e;
+        Matx33d A;
+        if (!epipolar(F, e, A))
+            return false;
+        for (int t = 0; t < 5; ++t)
+        {
+            const int triple[3] = {sample[triples[t][0]], sample[triples[t][1]], sample[triples[t][2]]};
+            if (planeOfThree(p, triple, A, e, H) && mapped(p, H, sample, 7) >= 5)
+                return true;
+        }
+        return false;
+    }
+
+    static double error(const Correspondences& p, const Matx33d& H, int i)
+    {
+        return TransferError::squared(H.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]);
+    }
+
+    static int pointsOn(const Correspondences& p, const Matx33d& H)
+    {
+        float m[9];
+        toFloat(H, m);
+        Quality sum(0, 0);
+        kernels().inliers[Residual::TRANSFER](p, m, (float)planeLimit(p), 0, p.size, sum);
+        return sum.inliers;
+    }
+
+    //! Points with squared errors up to `most` are on the plane.
+    void split(const Correspondences& p, const Matx33d& H, double most)
+    {
+        float m[9];
+        toFloat(H, m);
+        errors.resize(p.size);
+        kernels().errors[Residual::TRANSFER](p, m, 0, p.size, errors.data());
+        onPlane.clear();
+        offPlane.clear();
+        for (int i = 0; i < p.size; ++i)
+            (errors[i] <= (float)most ? onPlane : offPlane).push_back(i);
+    }
+
+    /** Least squares over the points on the plane until these are no more: the homography of three noisy points has
+    often only a part of them.
+    @return false if they are fewer than `least`; else onPlane and offPlane are those for the parallax */
+    bool fitPlane(const Correspondences& p, double least, Matx33d& H)
+    {
+        split(p, H, planeLimit(p));
+        if (onPlane.size() < 8 || onPlane.size() < ROUGHLY * least)
+            return false;
+        size_t before = 0;
+        for (int k = 0; k < MAX_FITS && onPlane.size() > before; ++k)
+        {
+            before = onPlane.size();
+            if (!fitter->fit(p, onPlane.data(), std::min((int)before, (int)MAX_FIT), 0, H, FIT_STEPS))
+                return false;
+            split(p, H, planeLimit(p));
+        }
+        if (onPlane.size() < least)
+            return false;
+        split(p, H, OFF_PLANE * p.threshold * p.threshold);
+        return true;
+    }
+
+    //! The best F = [e]x H of the points off the plane replaces a worse model.
+    void planeAndParallax(const Context& context, const State& state, const Matx33d& H, Model& model, Quality& quality)
+    {
+        const double off = (double)offPlane.size(), wanted = OF_INTEREST * state.bestQuality.inliers - onPlane.size();
+        if (off < 2 || wanted > off)
+            return;
+        if (!parallax)
+            parallax = makePtr<PlaneParallax>();
+        parallax->setPlane(context.points, offPlane, H);
+        parallax->search(context, 1 - context.params.confidence, wanted * parallax->size() / off, model, quality);
+    }
+
+    Ptr<NonMinimalSolver> fitter;
+    Matx33d known;         //!< homography of the last plane
+    double knownThreshold; //!< of that time
+    int knownPoints;       //!< on it
+    Model knownModel;      //!< the F found with it
+    Quality knownQuality;  //!< infinite cost: none better than what was known
+    DominantPlane plane;
+    std::vector<int> onPlane, offPlane;
+    std::vector<float> errors;  //!< of all points under a plane
+    Ptr<PlaneParallax> parallax;  //!< from the first plane on
+};
+
+const double Degensac::CLEARLY = 1.05;
+const double Degensac::DOMINANT = 0.5;
+const double Degensac::ROUGHLY = 0.6;
+const double Degensac::SEEN = 0.1;
+const double Degensac::OF_INTEREST = 0.9;
+const double Degensac::OFF_PLANE = 4;
+
+} // namespace
+
+Ptr<Degeneracy> createDegensac()
+{
+    return makePtr<Degensac>();
+}
+
+} // namespace usacv20
+} // namespace cv

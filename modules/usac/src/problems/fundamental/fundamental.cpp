@@ -1,0 +1,88 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "optimization/least_squares.hpp"
+#include "problems/fundamental/fundamental.hpp"
+#include "problems/fundamental/fundamental_parameterization.hpp"
+#include "problems/two_view/two_view.hpp"
+#include "residuals/residuals.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Of unit norm. T2^T F T1 has rank 2 up to the rounding of its largest terms; where these cancel, as with both epipoles at
+the origin of large coordinates, that is not small against what is left. */
+Matx33d toRankTwo(const Matx33d& F)
+{
+    Vec3d w;
+    Matx33d U, Vt;
+    SVD::compute(F, w, U, Vt);
+    if (w[2] <= 1e-12)
+        return F;
+    const Matx33d closest = F - w[2] * U.col(2) * Vt.row(2);
+    return closest * (1 / norm(closest));
+}
+
+//! The epipolar geometry of two views: x2^T F x1 = 0, of rank 2.
+class FundamentalProblem : public Problem
+{
+public:
+    String name() const CV_OVERRIDE { return "fundamental"; }
+    int dimension() const CV_OVERRIDE { return FundamentalParameterization::DIMENSION; }
+    int errorDimension() const CV_OVERRIDE { return 1; }
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(700, 1.2); }  // measured
+    int normalization(int) const CV_OVERRIDE { return SCALE_COMMON; }
+
+    //! Rank 2, unit norm.
+    bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const CV_OVERRIDE
+    {
+        result = points.T2.t() * model * points.T1;
+        if (!toUnitNorm(result))
+            return false;
+        result = toRankTwo(result);
+        return true;
+    }
+
+    Model closest(const Model& model) const CV_OVERRIDE { return FundamentalParameterization(model).model(); }
+
+    Ptr<Residual> createResidual(int type) const CV_OVERRIDE
+    {
+        return type == RESIDUAL_SYMMETRIC ? createSymmetricEpipolarResidual() : createSampsonResidual();
+    }
+
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createFundamental7Solver(); }
+
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        return createFundamentalFit(residual);
+    }
+
+    void createDegeneracies(int flags, const Correspondences& points, std::vector<Ptr<Degeneracy> >& degeneracies) const CV_OVERRIDE
+    {
+        if (flags & DEGENERACY_ORIENTATION)
+            degeneracies.push_back(createOrientedEpipolar());
+        if (flags & DEGENERACY_DEGENSAC)
+            degeneracies.push_back(createDegensac());
+        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of their own models
+            degeneracies.push_back(createSharedPoints(points));
+    }
+};
+
+} // namespace
+
+Ptr<Problem> createFundamentalProblem()
+{
+    return makePtr<FundamentalProblem>();
+}
+
+Ptr<NonMinimalSolver> createFundamentalFit(const Ptr<Residual>& residual)
+{
+    return makePtr<LeastSquaresSolver<FundamentalParameterization> >(residual, 1);
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,25 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_FUNDAMENTAL_HPP
+#define OPENCV_USACV20_FUNDAMENTAL_HPP
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! See FundamentalProblem.
+Ptr<Problem> createFundamentalProblem();
+//! From 7 points, see Fundamental7Solver.
+Ptr<MinimalSolver> createFundamental7Solver();
+//! Least squares of a residual.
+Ptr<NonMinimalSolver> createFundamentalFit(const Ptr<Residual>& residual);
+//! Samples dominated by a plane, see Degensac.
+Ptr<Degeneracy> createDegensac();
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

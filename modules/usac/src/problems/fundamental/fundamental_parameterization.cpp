@@ -1,0 +1,127 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/fundamental/fundamental_parameterization.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! A reflection whose last column is a multiple of n.
+Eigen::Matrix3d completion(const Eigen::Vector3d& n)
+{
+    Eigen::Vector3d v = n.normalized();
+    v[2] += v[2] < 0 ? -1 : 1;
+    return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
+}
+
+/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction of the time of a singular
+value decomposition: all rows of its cofactors are multiples of the one, all columns of the other. False if its rank is not 2 but
+for rounding. */
+bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
+{
+    Eigen::Matrix3d cofactors;
+    for (int i = 0; i < 3; ++i)
+        cofactors.row(i) = M.row((i + 1) % 3).cross(M.row((i + 2) % 3));
+    const double size = M.norm(), det = M.row(0).dot(cofactors.row(0));
+    const double rows = cofactors.norm();  // the product of both singular values; det / rows is the third one
+    if (!(rows > 1e-3 * size * size) || !(std::abs(det) < 1e-12 * rows * size))
+        return false;
+    int row, col;
+    cofactors.rowwise().squaredNorm().maxCoeff(&row);
+    cofactors.colwise().squaredNorm().maxCoeff(&col);
+    U = completion(cofactors.col(col));
+    V = completion(cofactors.row(row).transpose());
+    return true;
+}
+
+} // namespace
+
+FundamentalParameterization::FundamentalParameterization(const Model& model)
+{
+    const Eigen::Map<const RowMajor3> M(model.val);
+    if (completeNullVectors(M, U, V))
+    {
+        corner = U.leftCols<2>().transpose() * M * V.leftCols<2>();
+        corner /= corner.norm();
+        return;
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(M), Eigen::ComputeFullU | Eigen::ComputeFullV);
+    U = svd.matrixU();
+    V = svd.matrixV();
+    const double first = svd.singularValues()[0], second = svd.singularValues()[1], norm = std::hypot(first, second);
+    corner << first / norm, 0, 0, second / norm;
+}
+
+bool FundamentalParameterization::hasFullRank() const
+{
+    return std::abs(corner.determinant()) > LEAST_RATIO;
+}
+
+/** With the corner (a, b; c, d) as a quaternion, times the three imaginary units: three matrices orthogonal to it and to each
+other, all of unit norm. */
+void FundamentalParameterization::cornerDirections(Eigen::Matrix2d (&directions)[3]) const
+{
+    const double a = corner(0, 0), b = corner(0, 1), c = corner(1, 0), d = corner(1, 1);
+    directions[0] << -b, a, -d, c;
+    directions[1] << -c, d, a, -b;
+    directions[2] << -d, -c, b, a;
+}
+
+FundamentalParameterization::Basis FundamentalParameterization::tangent() const
+{
+    RowMajor3 D[DIMENSION];
+    Eigen::Matrix2d directions[3];
+    cornerDirections(directions);
+    for (int k = 0; k < 3; ++k)
+        D[k] = U.leftCols<2>() * directions[k] * V.leftCols<2>().transpose();
+    for (int k = 0; k < 2; ++k)
+    {
+        D[3 + k] = U.col(k) * V.col(2).transpose();
+        D[5 + k] = U.col(2) * V.col(k).transpose();
+    }
+    Basis basis;
+    for (int k = 0; k < DIMENSION; ++k)
+        basis.col(k) = Eigen::Map<const Eigen::Matrix<double, 9, 1> >(D[k].data());
+    return basis;
+}
+
+/** S plus the step, with the last entry that makes its rank 2 again, is [I; y^T] C [I, x] with the new corner C, the last column
+C x and the last row y^T C. Its null vectors (-x, 1) and (-y, 1) become the last columns of V and U by a reflection each. */
+FundamentalParameterization FundamentalParameterization::plus(const Step& step) const
+{
+    FundamentalParameterization result(*this);
+    Eigen::Matrix2d directions[3];
+    cornerDirections(directions);
+    Eigen::Matrix2d C = corner;
+    for (int k = 0; k < 3; ++k)
+        C += step[k] * directions[k];
+    const Eigen::Matrix2d inverse = C.inverse();
+    const Eigen::Vector2d x = inverse * step.segment<2>(3), y = inverse.transpose() * step.segment<2>(5);
+    const Eigen::Matrix3d left = completion(Eigen::Vector3d(-y[0], -y[1], 1));
+    const Eigen::Matrix3d right = completion(Eigen::Vector3d(-x[0], -x[1], 1));
+    result.U = U * left;
+    result.V = V * right;
+    // the new corner is that of (left^T [I; y^T]) C ([I, x] right)
+    const Eigen::Matrix2d L = left.topLeftCorner<2, 2>() + y * left.block<1, 2>(2, 0);
+    const Eigen::Matrix2d R = right.topLeftCorner<2, 2>() + x * right.block<1, 2>(2, 0);
+    result.corner = L.transpose() * C * R;
+    result.corner /= result.corner.norm();
+    return result;
+}
+
+Model FundamentalParameterization::model() const
+{
+    Model result;
+    Eigen::Map<RowMajor3>(result.val) = U.leftCols<2>() * corner * V.leftCols<2>().transpose();
+    return result;
+}
+
+} // namespace usacv20
+} // namespace cv

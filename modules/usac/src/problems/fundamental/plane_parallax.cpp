@@ -1,0 +1,279 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/fundamental/plane_parallax.hpp"
+#include "residuals/places.inl.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! A place so many bins from the match's own points does not count: there the match agrees with anything, it is no evidence.
+enum { NEAR = 2 };
+
+/* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 % inliers: */
+
+//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1 failures rise from 3 to 7 %,
+//! with 0.3 they stay.
+const double GOOD_LINES = 0.5;
+//! A place with so many votes, as a part of the best support, is worth a fit: the same number of inliers can be a lower cost. 0.6
+//! changes nothing but the time; 0.9 saves 2 % of the time of F and misses 1 % of the epipoles of cameras that move forwards.
+const double WORTH_A_FIT = 0.8;
+//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the lowest
+//! one: the points on the plane decide between similar epipoles. More changes nothing.
+const double GOES_ON = 8, WORTH_RATING = 3;
+//! Widths of the steps of a fit, in thresholds: from a bin's middle the first ones must be wider than the threshold.
+const double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
+//! Epipoles at an angle (as unit vectors) with a smaller squared sine are the same.
+const double SAME = 1e-6;
+//! The same for epipoles from votes, whose places are known to a bin: two bins.
+const double SAME_PLACE = 1e-3;
+
+//! The middle of the bins first .. last of the line through the orthonormal u and v.
+Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
+{
+    const double place = 2. * (first + last + 1) / ARCS_BINS - 1;
+    const Vec3d e = place <= 1 ? u + v * place : u * (2 - place) + v;
+    return e * (1 / norm(e));
+}
+
+//! Squared sine of the angle between unit vectors below a limit?
+bool isNear(const Vec3d& a, const Vec3d& b, double limit)
+{
+    const double cosine = a.dot(b);
+    return 1 - cosine * cosine < limit;
+}
+
+//! Two orthonormal vectors that are normal to n, which is not zero.
+void lineBasis(const Vec3d& n, Vec3d& u, Vec3d& v)
+{
+    int least = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(n[k]) < std::abs(n[least]))
+            least = k;
+    Vec3d axis(0, 0, 0);
+    axis[least] = 1;
+    u = n.cross(axis);
+    u *= 1 / norm(u);
+    v = n.cross(u);
+    v *= 1 / norm(v);
+}
+
+//! The coefficients of the upper triangle of a symmetric G in a^T G b.
+template <typename T>
+void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
+{
+    for (int k = 0; k < 3; ++k)
+        for (int j = k; j < 3; ++j)
+            *weights++ = (T)(k == j ? a[k] * b[k] : a[k] * b[j] + a[j] * b[k]);
+}
+
+/** The bins with most arcs over them. @param change what begins in each bin, minus what ended in the one before
+@param own bins that do not count, with those near them @return the number of arcs */
+int densest(const int* change, const int* own, int& first, int& last)
+{
+    int votes[ARCS_BINS];
+    for (int k = 0, sum = 0; k < ARCS_BINS; ++k)
+        votes[k] = sum += change[k];
+    for (int i = 0; i < 2; ++i)
+        std::fill(votes + std::max(own[i] - NEAR, 0), votes + std::min(own[i] + NEAR + 1, (int)ARCS_BINS), 0);
+    int most = 0;
+    for (int k = 0; k < ARCS_BINS; ++k)
+        most = std::max(most, votes[k]);
+    first = last = (int)(std::find(votes, votes + ARCS_BINS, most) - votes);
+    while (last + 1 < ARCS_BINS && votes[last + 1] == most)
+        ++last;
+    return most;
+}
+
+//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, from a guess; false if all vectors are ones.
+bool smallestEigenvector(const Matx33d& M, Vec3d& e)
+{
+    enum { STEPS = 4 };
+    const Vec3d a(M(0, 0), M(0, 1), M(0, 2)), b(M(1, 0), M(1, 1), M(1, 2)), c(M(2, 0), M(2, 1), M(2, 2));
+    const Vec3d adjugate[3] = {b.cross(c), c.cross(a), a.cross(b)};
+    for (int step = 0; step < STEPS; ++step)
+    {
+        const Vec3d image(adjugate[0].dot(e), adjugate[1].dot(e), adjugate[2].dot(e));
+        const double length = norm(image);
+        if (!(length > 0 && length <= DBL_MAX))
+            return false;
+        e = image * (1 / length);
+    }
+    return true;
+}
+
+} // namespace
+
+PlaneParallax::PlaneParallax() : H(Matx33d::zeros()), limit(0), stride(0), next(0), fitted(0) {}
+
+/* With y = H x1 and h1, h2 the first two columns of H, the numerator of Sampson's error of F = [e]x H is (e n)^2 with
+n = y x x2, its denominator |F x1|^2 + |F^T x2|^2 (first two entries) the sum of the squares of four products of e with
+(0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G is that sum times the squared threshold: the error is below it if
+(e n)^2 <= e^T G e. */
+void PlaneParallax::setPlane(const Correspondences& points, const std::vector<int>& offPlane, const Matx33d& homography)
+{
+    H = homography * (1 / norm(homography));
+    limit = points.threshold * points.threshold;
+    voters.gather(points, offPlane);
+    stride = (size() + ARCS_BLOCK - 1) / ARCS_BLOCK * ARCS_BLOCK;
+    numbers.resize((size_t)ARCS_ROWS * stride);
+    best = Quality();
+    lastFit = Vec3d(0, 0, 0);
+    next = fitted = 0;
+    const Correspondences& p = voters.view();
+    const Vec3d h1(H(0, 0), H(1, 0), H(2, 0)), h2(H(0, 1), H(1, 1), H(2, 1));
+    for (int i = 0; i < p.size; ++i)
+    {
+        const Vec3d x2(p.x2[i], p.y2[i], 1), y = H * Vec3d(p.x1[i], p.y1[i], 1), n = y.cross(x2);
+        const Vec3d forms[4] = {Vec3d(0, y[2], -y[1]), Vec3d(-y[2], 0, y[0]), h1.cross(x2), h2.cross(x2)};
+        for (int k = 0; k < 3; ++k)
+            numbers[(size_t)(N0 + k) * stride + i] = (float)n[k];
+        for (int k = 0, at = G00; k < 3; ++k)
+            for (int j = k; j < 3; ++j, ++at)
+            {
+                double sum = 0;
+                for (int f = 0; f < 4; ++f)
+                    sum += forms[f][k] * forms[f][j];
+                numbers[(size_t)at * stride + i] = (float)(sum * limit);
+            }
+    }
+}
+
+int PlaneParallax::linesNeeded(double failure, double wanted) const
+{
+    const double inliers = std::max(std::max<double>(best.inliers, wanted), 2.0);
+    return std::min(size(), samplesNeeded(GOOD_LINES * inliers / std::max(size(), 1), std::log(failure)));
+}
+
+bool PlaneParallax::search(const Context& context, double failure, double wanted, Model& model, Quality& quality)
+{
+    const Quality before = quality, own = support(model);
+    if (own.betterThan(best))
+        best = own;
+    for (int needed = linesNeeded(failure, wanted); next < needed; ++next)
+    {
+        Vec3d e;
+        const int votes = vote(next, e) + 1;  // and its own
+        if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
+            continue;
+        if (isNear(e, lastFit, SAME_PLACE))
+            continue;
+        refine(context, e, model, quality);
+        needed = linesNeeded(failure, wanted);
+    }
+    return quality.betterThan(before);
+}
+
+//! The place on the line of a voter that suits most of the others, and how many these are.
+int PlaneParallax::vote(int line, Vec3d& epipole) const
+{
+    const Correspondences& p = voters.view();
+    const Vec3d n(number(N0)[line], number(N1)[line], number(N2)[line]);
+    if (!(norm(n) > 0))
+        return 0;
+    Vec3d u, v;
+    lineBasis(n, u, v);
+    float weights[ARCS_WEIGHTS];
+    for (int k = 0; k < 3; ++k)
+    {
+        weights[k] = (float)u[k];
+        weights[3 + k] = (float)v[k];
+    }
+    formWeights(u, u, weights + 6);
+    formWeights(u, v, weights + 12);
+    formWeights(v, v, weights + 18);
+    int change[ARCS_BINS + 1] = {0}, from[MAX_POINTS], to[MAX_POINTS];
+    kernels().arcs(numbers.data(), stride, weights, from, to);
+    for (int k = 0; k < p.size; ++k)
+    {
+        ++change[from[k]];
+        --change[to[k] + 1];
+        change[0] += from[k] > to[k] + 1;
+    }
+    const Vec3d x2(p.x2[line], p.y2[line], 1), y = H * Vec3d(p.x1[line], p.y1[line], 1);
+    const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))), binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
+    int first = 0, last = -1;
+    const int votes = densest(change, own, first, last);
+    if (votes > 0)
+        epipole = middleOf(first, last, u, v);
+    return votes;
+}
+
+//! Fits an epipole to the voters within shrinking multiples of the threshold; the best of the fits is rated over all points.
+void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Quality& quality)
+{
+    Model F = crossMatrix(e) * H, candidate = F;
+    Quality lowest;
+    const size_t steps = sizeof(WIDTHS) / sizeof(WIDTHS[0]);
+    for (size_t step = 0; step < steps && fit(F, WIDTHS[step], step < 2 ? (int)FIRST_FIT : (int)MAX_POINTS, e); ++step)
+    {
+        F = crossMatrix(e) * H;
+        const Quality here = support(F);
+        if (step == 1)
+        {
+            if (here.cost > best.cost + GOES_ON || isNear(e, lastFit, SAME))
+                return;
+            lastFit = e;
+            ++fitted;
+        }
+        if (here.betterThan(lowest))
+        {
+            lowest = here;
+            candidate = F;
+        }
+    }
+    if (!(lowest.cost <= best.cost + WORTH_RATING))
+        return;
+    if (lowest.betterThan(best))
+        best = lowest;
+    const Quality whole = context.rate(candidate, quality.cost);
+    if (!whole.betterThan(quality))
+        return;
+    model = candidate * (1 / norm(candidate));
+    quality = whole;
+}
+
+//! Least squares of the errors of `most` voters within so many thresholds of F = [e]x H; their denominators are those of e.
+bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
+{
+    const Correspondences& p = voters.view();
+    float m[9], errors[MAX_POINTS];
+    toFloat(F, m);
+    kernels().errors[Residual::SAMPSON](p, m, 0, p.size, errors);
+    const float widest = (float)(width * width * limit);
+    int near[MAX_POINTS + 1], count = 0;
+    for (int i = 0; i < p.size && count < most; ++i)  // no branches, which could not be foretold
+    {
+        near[count] = i;
+        count += errors[i] <= widest;
+    }
+    const float* rows[ARCS_ROWS];
+    for (int k = 0; k < ARCS_ROWS; ++k)
+        rows[k] = number(k);
+    double weights[6], sums[6] = {0};
+    formWeights(e, e, weights);
+    for (int j = 0; j < count; ++j)
+    {
+        const int i = near[j];
+        double d = 0;
+        for (int k = 0; k < 6; ++k)
+            d += weights[k] * rows[G00 + k][i];
+        const double inverse = d > 0 ? 1 / d : 0, n0 = rows[N0][i], n1 = rows[N1][i], n2 = rows[N2][i], a = n0 * inverse,
+                     b = n1 * inverse;
+        sums[0] += a * n0;
+        sums[1] += a * n1;
+        sums[2] += a * n2;
+        sums[3] += b * n1;
+        sums[4] += b * n2;
+        sums[5] += n2 * n2 * inverse;
+    }
+    return smallestEigenvector(Matx33d(sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5]), e);
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,82 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "optimization/least_squares.hpp"
+#include "problems/homography/homography.hpp"
+#include "problems/homography/homography_parameterization.hpp"
+#include "problems/two_view/two_view.hpp"
+#include "residuals/residuals.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! The map of a plane, or of all that a rotating camera sees, from image 1 to image 2: x2 ~ H x1.
+class HomographyProblem : public Problem
+{
+public:
+    String name() const CV_OVERRIDE { return "homography"; }
+    int dimension() const CV_OVERRIDE { return HomographyParameterization::DIMENSION; }
+    int errorDimension() const CV_OVERRIDE { return 2; }
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(250, 1); }  // measured
+
+    //! The transfer error is one of image 2, so that the scale of image 1 does not matter; errors in both images need one scale.
+    int normalization(int residual) const CV_OVERRIDE { return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH; }
+
+    //! h33 = 1 where that is not nearly 0 against the weights of the other points.
+    bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const CV_OVERRIDE
+    {
+        const Matx33d &T1 = points.T1, &T2 = points.T2;
+        const double s = 1 / T2(0, 0);
+        const Matx33d inverse(s, 0, -s * T2(0, 2), 0, s, -s * T2(1, 2), 0, 0, 1);  // of a similarity
+        result = inverse * model * T1;
+        if (!toUnitNorm(result))
+            return false;
+        const double weights = std::abs(result(2, 0)) * (std::abs(T1(0, 2)) + 1) / T1(0, 0) +
+                               std::abs(result(2, 1)) * (std::abs(T1(1, 2)) + 1) / T1(0, 0);
+        if (std::abs(result(2, 2)) > 1e-12 * weights)
+        {
+            result *= 1 / result(2, 2);
+            result(2, 2) = 1;  // which the product may miss by a bit
+        }
+        return true;
+    }
+
+    Ptr<Residual> createResidual(int type) const CV_OVERRIDE
+    {
+        return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual() : createTransferResidual();
+    }
+
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createHomography4Solver(); }
+
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        return createHomographyFit(residual);
+    }
+
+    void createDegeneracies(int flags, const Correspondences&, std::vector<Ptr<Degeneracy> >& degeneracies) const CV_OVERRIDE
+    {
+        if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples
+            degeneracies.push_back(createHomographyOrientation());
+        if (flags & DEGENERACY_REPEATED)
+            degeneracies.push_back(createRepeatedPoints());
+    }
+};
+
+} // namespace
+
+Ptr<Problem> createHomographyProblem()
+{
+    return makePtr<HomographyProblem>();
+}
+
+Ptr<NonMinimalSolver> createHomographyFit(const Ptr<Residual>& residual)
+{
+    return makePtr<LeastSquaresSolver<HomographyParameterization> >(residual, 2);
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,86 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/homography/homography.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Maps the four points of the standard projective basis to four given points: columns are the first three points,
+scaled so that they sum up to the fourth. False where three of the four are collinear. */
+bool fromBasis(const double* x, const double* y, const int* s, double* B)
+{
+    // barycentric-like weights: determinants of the point triples, i.e. twice the areas of the triangles
+    const double x3 = x[s[3]], y3 = y[s[3]];
+    double dx[3], dy[3];
+    for (int k = 0; k < 3; ++k)
+    {
+        dx[k] = x[s[k]] - x3;
+        dy[k] = y[s[k]] - y3;
+    }
+    const double w0 = dx[1] * dy[2] - dx[2] * dy[1];
+    const double w1 = dx[2] * dy[0] - dx[0] * dy[2];
+    const double w2 = dx[0] * dy[1] - dx[1] * dy[0];
+    const double all = w0 + w1 + w2;  // of the triangle 0, 1, 2
+    double extent = 0;
+    for (int k = 0; k < 3; ++k)
+        extent = std::max(extent, dx[k] * dx[k] + dy[k] * dy[k]);
+    const double smallest = std::min(std::min(std::abs(w0), std::abs(w1)), std::min(std::abs(w2), std::abs(all)));
+    if (!(smallest > 1e-6 * extent))  // also for NaN
+        return false;
+    const double w[3] = {w0, w1, w2};
+    for (int k = 0; k < 3; ++k)
+    {
+        B[k] = w[k] * x[s[k]];
+        B[3 + k] = w[k] * y[s[k]];
+        B[6 + k] = w[k];
+    }
+    return true;
+}
+
+/** @brief Homography from four points, exact, in closed form.
+
+Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale @cite hartley2003multiple. A
+sample with three points (nearly) on a line or two points at one place in either image is degenerate. About 150 operations. */
+class Homography4Solver : public MinimalSolver
+{
+public:
+    int sampleSize() const CV_OVERRIDE { return 4; }
+
+    int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
+    {
+        double B1[9], B2[9];
+        if (!fromBasis(p.dx1, p.dy1, sample, B1) || !fromBasis(p.dx2, p.dy2, sample, B2))
+            return 0;
+        // rows of adj(B1) are cross products of the columns of B1
+        const double adj[9] = {B1[4] * B1[8] - B1[5] * B1[7], B1[2] * B1[7] - B1[1] * B1[8], B1[1] * B1[5] - B1[2] * B1[4],
+                               B1[5] * B1[6] - B1[3] * B1[8], B1[0] * B1[8] - B1[2] * B1[6], B1[2] * B1[3] - B1[0] * B1[5],
+                               B1[3] * B1[7] - B1[4] * B1[6], B1[1] * B1[6] - B1[0] * B1[7], B1[0] * B1[4] - B1[1] * B1[3]};
+        double squares = 0;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+            {
+                const double h = B2[3 * i] * adj[j] + B2[3 * i + 1] * adj[3 + j] + B2[3 * i + 2] * adj[6 + j];
+                models[0](i, j) = h;
+                squares += h * h;
+            }
+        if (!(squares >= DBL_MIN && squares <= DBL_MAX))
+            return 0;
+        models[0] *= 1 / std::sqrt(squares);
+        return 1;
+    }
+};
+
+} // namespace
+
+Ptr<MinimalSolver> createHomography4Solver()
+{
+    return makePtr<Homography4Solver>();
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,61 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/homography/homography.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Twice the signed areas of the four triangles of four points.
+void areas(const double* x, const double* y, const int* s, double* area)
+{
+    double dx[3], dy[3];  // from the last point
+    for (int k = 0; k < 3; ++k)
+    {
+        dx[k] = x[s[k]] - x[s[3]];
+        dy[k] = y[s[k]] - y[s[3]];
+    }
+    area[0] = dx[1] * dy[2] - dx[2] * dy[1];
+    area[1] = dx[0] * dy[2] - dx[2] * dy[0];
+    area[2] = dx[0] * dy[1] - dx[1] * dy[0];
+    area[3] = (dx[1] - dx[0]) * (dy[2] - dy[0]) - (dx[2] - dx[0]) * (dy[1] - dy[0]);
+}
+
+/** Points of a plane seen by two cameras keep the orientation of all their triangles, or reverse that of all of them if
+one image is mirrored: a sample in which some triangles turn over has no homography that a camera could see
+@cite chum2004epipolar. A near-singular matrix maps the image to a line and is no model either. */
+class HomographyOrientation : public Degeneracy
+{
+public:
+    bool validSample(const Context& context, const int* s) const CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        double area1[4], area2[4];
+        areas(p.dx1, p.dy1, s, area1);
+        areas(p.dx2, p.dy2, s, area2);
+        int same = 0;
+        for (int t = 0; t < 4; ++t)
+            same += area1[t] * area2[t] > 0;
+        return same == 0 || same == 4;
+    }
+
+    bool validModel(const Context&, const int*, const Model& model) const CV_OVERRIDE
+    {
+        const double size = norm(model);
+        return std::abs(determinant(model)) > 1e-7 * size * size * size;
+    }
+};
+
+} // namespace
+
+Ptr<Degeneracy> createHomographyOrientation()
+{
+    return makePtr<HomographyOrientation>();
+}
+
+} // namespace usacv20
+} // namespace cv

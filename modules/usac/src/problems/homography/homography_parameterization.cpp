@@ -1,0 +1,68 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/homography/homography_parameterization.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Smallest determinant of H of unit norm that counts as rank 3.
+static const double LEAST_DETERMINANT = 1e-9;
+
+HomographyParameterization::HomographyParameterization(const Model& model)
+    : h(Eigen::Map<const Eigen::Matrix<double, 9, 1> >(model.val).normalized())
+{
+}
+
+bool HomographyParameterization::hasFullRank() const
+{
+    return std::abs(determinant(model())) > LEAST_DETERMINANT;
+}
+
+HomographyParameterization::Basis HomographyParameterization::tangent() const
+{
+    Basis basis;
+    Eigen::Matrix<double, 9, 1> v;
+    const double factor = reflection(v);
+    for (int k = 0; k < DIMENSION; ++k)
+    {
+        basis.col(k) = -factor * v[k] * v;
+        basis(k, k) += 1;
+    }
+    return basis;
+}
+
+void HomographyParameterization::project(const NormalEquations& sums, Matrix& A, Step& b) const
+{
+    Eigen::Matrix<double, 9, 1> v;
+    const double factor = reflection(v);
+    const Eigen::Matrix<double, 9, 1> image = sums.JtJ.lazyProduct(v);
+    const Eigen::Matrix<double, 9, 1> r = factor * image - (0.5 * factor * factor * v.dot(image)) * v;
+    for (int j = 0; j < DIMENSION; ++j)
+        for (int i = 0; i < DIMENSION; ++i)
+            A(i, j) = sums.JtJ(j, i) - (v[i] * r[j] + r[i] * v[j]);
+    b = (sums.Jtr - (factor * v.dot(sums.Jtr)) * v).head<DIMENSION>();
+}
+
+HomographyParameterization HomographyParameterization::plus(const Step& step) const
+{
+    HomographyParameterization result(*this);
+    Eigen::Matrix<double, 9, 1> v;
+    const double factor = reflection(v);
+    result.h = h - (factor * v.head<DIMENSION>().dot(step)) * v;
+    result.h.head<DIMENSION>() += step;
+    result.h.normalize();
+    return result;
+}
+
+Model HomographyParameterization::model() const
+{
+    Model result;
+    Eigen::Map<Eigen::Matrix<double, 9, 1> >(result.val) = h;
+    return result;
+}
+
+} // namespace usacv20
+} // namespace cv

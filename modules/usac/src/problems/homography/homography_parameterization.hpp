@@ -1,0 +1,52 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_HOMOGRAPHY_PARAMETERIZATION_HPP
+#define OPENCV_USACV20_HOMOGRAPHY_PARAMETERIZATION_HPP
+
+#include "optimization/normal_equations.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief A homography and a minimal parameterization around it: unit 9-vectors, 8 directions orthogonal to it. Parameters 0 are
+the model itself. */
+class HomographyParameterization
+{
+public:
+    enum { DIMENSION = 8 };
+    typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
+    typedef Eigen::Matrix<double, DIMENSION, 1> Step;
+    typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
+
+    //! Around a multiple of the model, of unit norm.
+    explicit HomographyParameterization(const Model& model);
+
+    //! False for H that maps the plane to a line or a point.
+    bool hasFullRank() const;
+    //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
+    Basis tangent() const;
+    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T Jtr with B = tangent().
+    void project(const NormalEquations& sums, Matrix& A, Step& b) const;
+    //! The parameterization around the model that has these parameters.
+    HomographyParameterization plus(const Step& step) const;
+    Model model() const;
+
+private:
+    /** Householder's reflection I - factor v v^T that takes the axis of h33 to h or -h. It takes the other axes to the
+    complement of h. */
+    double reflection(Eigen::Matrix<double, 9, 1>& v) const
+    {
+        v = h;
+        v[8] += h[8] < 0 ? -1 : 1;
+        return 2 / v.squaredNorm();
+    }
+
+    Eigen::Matrix<double, 9, 1> h;
+};
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,89 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/two_view/dominant_plane.hpp"
+#include "problems/two_view/epipole.hpp"
+#include "problems/two_view/share_a_point.hpp"
+#include "residuals/formulas.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e, Matx33d& H)
+{
+    for (int k = 0; k < 3; ++k)  // their plane would map everything to that point
+        if (shareAPoint(p, triple[k], triple[(k + 1) % 3]))
+            return false;
+    Matx33d M;
+    Vec3d b;
+    for (int k = 0; k < 3; ++k)
+    {
+        const int i = triple[k];
+        const Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1);
+        const Vec3d side = x2.cross(e);
+        const double length = side.dot(side);
+        if (!(length > 0))
+            return false;
+        b[k] = x2.cross(A * x1).dot(side) / length;
+        for (int j = 0; j < 3; ++j)
+            M(k, j) = x1[j];
+    }
+    const double det = determinant(M);
+    if (!(std::abs(det) > 1e-9))
+        return false;
+    const Vec3d v = M.inv() * b;
+    H = A - Matx33d(e[0] * v[0], e[0] * v[1], e[0] * v[2], e[1] * v[0], e[1] * v[1], e[1] * v[2],
+                    e[2] * v[0], e[2] * v[1], e[2] * v[2]);
+    return true;
+}
+
+bool epipolar(const Model& F, Vec3d& e, Matx33d& A)
+{
+    e = epipole2(F);
+    const double length = norm(e);
+    if (!(length > 0))
+        return false;
+    e *= 1 / length;
+    A = crossMatrix(e) * F;
+    return true;
+}
+
+bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, double least, Matx33d& H)
+{
+    const Correspondences& p = context.points;
+    Vec3d e;
+    Matx33d A;
+    members.clear();
+    for (int i = 0; i < p.size && (int)members.size() < MAX_INLIERS; ++i)
+        if (SampsonError::squared(F.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]) <= p.threshold * p.threshold)
+            members.push_back(i);
+    const int count = (int)members.size();
+    if (count < 8 || !epipolar(F, e, A))
+        return false;
+    someInliers.gather(p, members);
+    int most = (int)(least * count);
+    bool found = false;
+    for (int t = 0; t < MAX_TRIPLES; ++t)
+    {
+        int triple[3];
+        rng.distinct(count, 3, triple);
+        for (int k = 0; k < 3; ++k)
+            triple[k] = members[triple[k]];
+        Matx33d candidate;
+        if (!planeOfThree(p, triple, A, e, candidate))
+            continue;
+        const int support = someInliers.count(Residual::TRANSFER, candidate, planeLimit(p));
+        if (support > most)
+        {
+            most = support;
+            H = candidate;
+            found = true;
+        }
+    }
+    return found;
+}
+
+} // namespace usacv20
+} // namespace cv

@@ -1,0 +1,32 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TWO_VIEW_HPP
+#define OPENCV_USACV20_TWO_VIEW_HPP
+
+#include <cfloat>
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! F, E: see OrientedEpipolar.
+Ptr<Degeneracy> createOrientedEpipolar();
+//! F, E: see SharedPoints.
+Ptr<Degeneracy> createSharedPoints(const Correspondences& points);
+
+//! A model of normalized points, as x2^T F x1 = 0 has it, in the coordinates before; unit norm, false if it is not finite.
+inline bool toUnitNorm(Matx33d& model)
+{
+    const double size = norm(model);
+    if (!(size > 0 && size <= DBL_MAX))
+        return false;
+    model *= 1 / size;
+    return true;
+}
+
+} // namespace usacv20
+} // namespace cv
+
+#endif

@@ -1,0 +1,48 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_PROBLEM_OBJECTS_HPP
+#define OPENCV_USACV20_TEST_PROBLEM_OBJECTS_HPP
+
+#include <Eigen/Core>
+#include "problems/essential/essential.hpp"
+#include "problems/fundamental/fundamental.hpp"
+#include "problems/homography/homography.hpp"
+#include "problems/two_view/two_view.hpp"
+
+namespace opencv_test {
+
+//! The built-in problem of a type, for points on the normalized image plane. One object of each, which lives to the end.
+const cv::usacv20::Problem& problemObject(cv::usacv20::ProblemType type);
+
+//! The built-in residual of a kind.
+cv::Ptr<cv::usacv20::Residual> residualOf(cv::usacv20::Residual::Kind kind);
+
+//! What the problem fits with a residual of a kind.
+cv::Ptr<cv::usacv20::NonMinimalSolver> createLeastSquaresSolver(cv::usacv20::ProblemType type, cv::usacv20::Residual::Kind kind);
+
+//! The parameterization of any problem around a model, with matrices of any size.
+class Parameterization
+{
+public:
+    typedef Eigen::MatrixXd Basis;
+    typedef Eigen::VectorXd Step;
+
+    Parameterization(cv::usacv20::ProblemType type, const cv::usacv20::Model& model);
+    Parameterization(const cv::usacv20::Problem* problem, const cv::usacv20::Model& model);
+
+    bool hasFullRank() const;
+    int dimension() const;
+    Basis tangent() const;
+    Parameterization plus(const Step& step) const;
+    cv::usacv20::Model model() const;
+
+private:
+    cv::usacv20::ProblemType type;
+    cv::usacv20::Model given;
+};
+
+} // namespace opencv_test
+
+#endif
