@@ -16,8 +16,8 @@ namespace benchmark {
 
     usac.components().sampler = cv::makePtr<MySampler>();
 
-Called for each run, within the time measured. It makes new components each time, as they keep what they learned of the points, and
-the same ones, as the run that is timed and the one that makes the report must give the same model. */
+Called for each run, within the time measured. It makes new components each time, as they keep what they learned of the points,
+and the same ones, as the run that is timed and the one that makes the report must give the same model. */
 typedef std::function<void(cv::usacv20::Usac& usac)> ComponentChange;
 
 /** An estimator of this module with components of one's own. `+scores` and `{field=value}` do what they do for a preset. */

@@ -6,7 +6,8 @@
 //
 //     usac_custom_benchmark --data=<folder> --methods=USACV20,custom:spread,custom:tukey,custom:ransac,cv:RANSAC > tables.md
 //
-// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp. See "Your own method" in doc/benchmark.md.
+// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp. doc/benchmark.md, "Your own method", has
+// more.
 
 #include "benchmark.hpp"
 #include "components_method.hpp"

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Methods of its own for test_custom.py: what they do is known beforehand. Called with the single argument "mistakes" it prints what
-// the registry says about registrations that it must refuse, a line each.
+// Methods of its own for test_custom.py: what they do is known beforehand. With the argument "mistakes" alone it prints what the
+// registry says about registrations that it must refuse, a line each.
 
 #include <iostream>
 #include <stdexcept>
