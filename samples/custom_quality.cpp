@@ -9,26 +9,9 @@
 #include <iostream>
 #include <sstream>
 #include "opencv2/core.hpp"
-#include "opencv2/usac.hpp"
+#include "tukey_score.hpp"
 
 namespace {
-
-/** Tukey's biweight: the cost of a point is 1 - (1 - e^2 / t^2)^3 for an error e within the threshold t, 1 outside. It rises
-faster than MSAC's e^2 / t^2, so that a few exact points are worth more than many that are just within the threshold. */
-class TukeyScore : public cv::usacv20::Score
-{
-public:
-    void accumulate(float* squaredErrors, int count, float squaredThreshold, cv::usacv20::Quality& sum) const CV_OVERRIDE
-    {
-        for (int i = 0; i < count; ++i)
-        {
-            const bool inlier = squaredErrors[i] <= squaredThreshold;  // false for NaN
-            const double rest = inlier ? 1 - squaredErrors[i] / squaredThreshold : 0;
-            sum.cost += 1 - rest * rest * rest;
-            sum.inliers += inlier;
-        }
-    }
-};
 
 void readMatches(const std::string& file, std::vector<cv::Point2d>& points1, std::vector<cv::Point2d>& points2)
 {
@@ -84,7 +67,7 @@ int main(int argc, char** argv)
         params.threshold = parser.get<double>("threshold");
         std::cout << points1.size() << " matches\n";
         const cv::Mat H = run("MSAC", points1, points2, params, cv::Ptr<cv::usacv20::Score>());
-        const cv::Mat tukey = run("Tukey", points1, points2, params, cv::makePtr<TukeyScore>());
+        const cv::Mat tukey = run("Tukey", points1, points2, params, cv::makePtr<custom::TukeyScore>());
         return H.empty() || tukey.empty() ? 1 : 0;
     }
     catch (const cv::Exception& error)

@@ -61,9 +61,11 @@ private:
     USACV20, USACV20_FAST, ...                a flag of this module
     preset:usacV20, preset:ransac, ...        a preset of cv::usacv20::Params
     cv:RANSAC, cv:USAC_MAGSAC, ...            a flag of calib3d
+    custom:...                                what the program has registered, see registry.hpp
 
 `+scores` behind a name hands over the scores of the correspondences; `{field=value,...}` behind one of the first two
-kinds sets numeric fields of cv::usacv20::Params. An unknown name raises std::runtime_error. */
+kinds sets numeric fields of cv::usacv20::Params, behind one of the last what that method has. An unknown name raises
+std::runtime_error. */
 cv::Ptr<Method> createMethod(const std::string& name);
 
 //! All names that createMethod knows.

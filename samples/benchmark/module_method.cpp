@@ -5,7 +5,6 @@
 #include "module_method.hpp"
 
 #include <stdexcept>
-#include "opencv2/usac.hpp"
 #include "params_fields.hpp"
 
 namespace benchmark {
@@ -54,21 +53,10 @@ const Preset PRESETS[] = {
     { "preset:magsacPlusPlus", &Params::magsacPlusPlus },
 };
 
-Params paramsOf(const std::string& name)
-{
-    for (const Flag& flag : FLAGS)
-        if (name == flag.name)
-            return Params::fromMethod(flag.value);
-    for (const Preset& preset : PRESETS)
-        if (name == preset.name)
-            return preset.make();
-    throw std::runtime_error(name + ": no such method; there are " + knownMethods());
-}
-
 } // namespace
 
-ModuleMethod::ModuleMethod(const std::string& name, const std::string& preset, const std::string& fields_, bool scores)
-    : Method(name), base(paramsOf(preset)), fields(fields_), useScores(scores), problem(cv::usacv20::HOMOGRAPHY)
+ModuleMethod::ModuleMethod(const MethodName& name, const Params& params_)
+    : Method(name.full), base(params_), fields(name.fields), useScores(name.scores), problem(cv::usacv20::HOMOGRAPHY)
 {
     if (useScores)
         base.prior = cv::usacv20::PRIOR_AUTO;
@@ -106,11 +94,26 @@ void ModuleMethod::run(const ImagePair& pair, Estimate& estimate)
 void ModuleMethod::tell(const ImagePair& pair, Estimate& estimate)
 {
     cv::usacv20::Report report;
-    cv::Ptr<cv::usacv20::Usac> usac = cv::usacv20::Usac::create(problem, pair.points1, pair.points2, params, pair.K1, pair.K2);
-    cv::Mat mask, model = usac->run(mask, &report);
+    cv::Mat mask, model = estimator(pair)->run(mask, &report);
     if (model.empty() != estimate.model.empty() || (!model.empty() && cv::norm(model, estimate.model, cv::NORM_INF) != 0))
         throw std::runtime_error("the same call gave another model");
     estimate.iterations = report.iterations;
+}
+
+cv::Ptr<cv::usacv20::Usac> ModuleMethod::estimator(const ImagePair& pair) const
+{
+    return cv::usacv20::Usac::create(problem, pair.points1, pair.points2, params, pair.K1, pair.K2);
+}
+
+Params ModuleMethod::paramsOf(const std::string& name)
+{
+    for (const Flag& flag : FLAGS)
+        if (name == flag.name)
+            return Params::fromMethod(flag.value);
+    for (const Preset& preset : PRESETS)
+        if (name == preset.name)
+            return preset.make();
+    throw std::runtime_error(name + ": no such method; there are " + knownMethods());
 }
 
 std::string ModuleMethod::names()

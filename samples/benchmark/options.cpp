@@ -56,7 +56,8 @@ bool Options::parse(int argc, char** argv)
     const Arguments arguments(argc, argv, parser);
     parser.about("Runs robust estimators on lists of image pairs and reports accuracy and time.\n"
                  "Methods: " + knownMethods() + ".\n"
-                 "+scores behind a name hands over the scores; {field=value,...} sets fields of cv::usacv20::Params.");
+                 "+scores behind a name hands over the scores; {field=value,...} sets fields of cv::usacv20::Params"
+                 " or what a custom: method has.");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();

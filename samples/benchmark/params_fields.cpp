@@ -64,47 +64,64 @@ const DoubleField DOUBLE_FIELDS[] = {
     { "significance", &Params::significance },
 };
 
-void fail(const std::string& assignment, const std::string& what)
+void setField(Params& params, const Field& assigned)
 {
-    throw std::runtime_error("'" + assignment + "': " + what);
-}
-
-void setField(Params& params, const std::string& assignment)
-{
-    const size_t equals = assignment.find('=');
-    if (equals == std::string::npos)
-        fail(assignment, "expected field=value");
-    const std::string name = assignment.substr(0, equals), text = assignment.substr(equals + 1);
-    char* end = 0;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end)
-        fail(assignment, "expected a number");
-
     for (const DoubleField& field : DOUBLE_FIELDS)
-        if (name == field.name)
+        if (assigned.name == field.name)
         {
-            params.*field.member = value;
+            params.*field.member = assigned.value;
             return;
         }
     for (const IntField& field : INT_FIELDS)
-        if (name == field.name)
+        if (assigned.name == field.name)
         {
-            if (value != std::floor(value) || std::abs(value) > 2147483647.)
-                fail(assignment, "expected an integer");
-            params.*field.member = (int)value;
+            params.*field.member = assigned.integer();
             return;
         }
-    fail(assignment, "cv::usacv20::Params has no such numeric field");
+    assigned.fail("cv::usacv20::Params has no such numeric field");
 }
 
 } // namespace
 
-void setFields(Params& params, const std::string& assignments)
+Field::Field(const std::string& assignment_) : assignment(assignment_), value(0)
 {
+    const size_t equals = assignment.find('=');
+    if (equals == std::string::npos)
+        fail("expected field=value");
+    name = assignment.substr(0, equals);
+    const std::string text = assignment.substr(equals + 1);
+    char* end = 0;
+    value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end)
+        fail("expected a number");
+}
+
+int Field::integer() const
+{
+    if (value != std::floor(value) || std::abs(value) > 2147483647.)
+        fail("expected an integer");
+    return (int)value;
+}
+
+void Field::fail(const std::string& what) const
+{
+    throw std::runtime_error("'" + assignment + "': " + what);
+}
+
+std::vector<Field> parseFields(const std::string& assignments)
+{
+    std::vector<Field> result;
     std::istringstream in(assignments);
     std::string assignment;
     while (std::getline(in, assignment, ','))
-        setField(params, assignment);
+        result.push_back(Field(assignment));
+    return result;
+}
+
+void setFields(Params& params, const std::string& assignments)
+{
+    for (const Field& field : parseFields(assignments))
+        setField(params, field);
 }
 
 } // namespace benchmark

@@ -2,25 +2,38 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The programs of samples/benchmark, the same inside OpenCV and stand-alone. The caller defines usac_add_program(name sources).
+# The programs of samples/benchmark, the same inside OpenCV and stand-alone. The caller defines usac_add_program(name sources) and
+# usac_add_sample_library(name sources).
 
 set(_benchmark "${USAC_PROJECT_DIR}/samples/benchmark")
-file(GLOB _shared CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp")
-usac_add_program(usac_benchmark ${_shared})
 
-# Its scenes are those of the tests.
-file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/synthetic/*.cpp" "${_benchmark}/synthetic/*.hpp")
-usac_add_program(usac_synthetic ${_sources} "${_benchmark}/arguments.cpp" "${_benchmark}/program.cpp"
+# All of the benchmark but its main(), for programs that register methods of their own, see doc/benchmark.md.
+file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp")
+list(REMOVE_ITEM _sources "${_benchmark}/main.cpp")
+usac_add_sample_library(usac_benchmark_lib ${_sources})
+target_include_directories(usac_benchmark_lib PUBLIC "${_benchmark}")
+
+# Synthetic scenes, those of the tests.
+usac_add_sample_library(usac_benchmark_scenes "${_benchmark}/scale/scene_pair.cpp" "${_benchmark}/scale/scene_pair.hpp"
   "${USAC_MODULE_DIR}/test/scenes.cpp")
-target_include_directories(usac_synthetic PRIVATE "${_benchmark}" "${USAC_MODULE_DIR}/test")
+target_include_directories(usac_benchmark_scenes PUBLIC "${_benchmark}/scale" "${USAC_MODULE_DIR}/test")
+target_link_libraries(usac_benchmark_scenes PUBLIC usac_benchmark_lib)
 
-# The same scenes, the methods and measures of usac_benchmark.
-list(FILTER _shared EXCLUDE REGEX "/(main|options|pair_list|runner|tables)\\.cpp$")
-file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/scale/*.cpp" "${_benchmark}/scale/*.hpp")
-usac_add_program(usac_scale ${_sources} ${_shared} "${USAC_MODULE_DIR}/test/scenes.cpp")
-target_include_directories(usac_scale PRIVATE "${_benchmark}" "${USAC_MODULE_DIR}/test")
+# A program of the benchmark: its name, its sources, and its libraries behind LIBRARIES.
+function(usac_add_benchmark name)
+  cmake_parse_arguments(PARSE_ARGV 1 _program "" "" LIBRARIES)
+  usac_add_program(${name} ${_program_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE ${_program_LIBRARIES})
+endfunction()
 
-# The same scenes with the structure of real ones.
-file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/structured/*.cpp" "${_benchmark}/structured/*.hpp")
-usac_add_program(usac_structured ${_sources} ${_shared} "${_benchmark}/scale/scene_pair.cpp" "${USAC_MODULE_DIR}/test/scenes.cpp")
-target_include_directories(usac_structured PRIVATE "${_benchmark}" "${_benchmark}/scale" "${USAC_MODULE_DIR}/test")
+usac_add_benchmark(usac_benchmark "${_benchmark}/main.cpp" LIBRARIES usac_benchmark_lib)
+foreach(_name synthetic scale structured)
+  file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/${_name}/*.cpp" "${_benchmark}/${_name}/*.hpp")
+  list(REMOVE_ITEM _sources "${_benchmark}/scale/scene_pair.cpp")
+  usac_add_benchmark(usac_${_name} ${_sources} LIBRARIES usac_benchmark_scenes)
+endforeach()
+
+# Methods of one's own: the example, and those of the tests.
+usac_add_benchmark(usac_custom_benchmark "${_benchmark}/custom/main.cpp" LIBRARIES usac_benchmark_lib)
+target_include_directories(usac_custom_benchmark PRIVATE "${USAC_PROJECT_DIR}/samples")
+usac_add_benchmark(usac_test_methods "${_benchmark}/custom/test_methods.cpp" LIBRARIES usac_benchmark_lib)

@@ -5,7 +5,6 @@
 #include "call.hpp"
 
 #include "module_method.hpp"
-#include "opencv2/usac.hpp"
 #include "stopwatch.hpp"
 
 namespace benchmark {
@@ -13,14 +12,10 @@ namespace benchmark {
 namespace {
 
 //! The same call as ModuleMethod::run makes, with its report.
-void runModule(const ModuleMethod& method, const ImagePair& pair, ProblemType problem, Estimate& estimate, bool& limited)
+void runModule(const ModuleMethod& method, const ImagePair& pair, Estimate& estimate, bool& limited)
 {
     cv::usacv20::Report report;
-    const cv::Ptr<cv::usacv20::Usac> usac =
-        problem == cv::usacv20::ESSENTIAL
-            ? cv::usacv20::Usac::create(problem, pair.points1, pair.points2, method.parameters(), pair.K1, pair.K2)
-            : cv::usacv20::Usac::create(problem, pair.points1, pair.points2, method.parameters());
-    estimate.model = usac->run(estimate.mask, &report);
+    estimate.model = method.estimator(pair)->run(estimate.mask, &report);
     estimate.iterations = report.iterations;
     limited = report.stop == cv::usacv20::STOP_MAX_ITERATIONS;
 }
@@ -35,7 +30,7 @@ Call::Call(Method& method, const ImagePair& pair, const Settings& settings) : cp
     try
     {
         if (own)
-            runModule(*own, pair, settings.problem, estimate, limited);
+            runModule(*own, pair, estimate, limited);
         else
             method.run(pair, estimate);
     }

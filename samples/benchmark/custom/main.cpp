@@ -1,0 +1,61 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// The benchmark with methods of one's own beside all that usac_benchmark has: two components and a whole estimator.
+//
+//     usac_custom_benchmark --data=<folder> --methods=USACV20,custom:spread,custom:tukey,custom:ransac,cv:RANSAC > tables.md
+//
+// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp. doc/benchmark.md, "Your own method", has
+// more.
+
+#include "benchmark.hpp"
+#include "components_method.hpp"
+#include "estimator_method.hpp"
+#include "opencv2/calib3d.hpp"
+#include "program.hpp"
+#include "spread_sampler.hpp"
+#include "tukey_score.hpp"
+
+namespace {
+
+using namespace benchmark;
+
+void spreadSamples(cv::usacv20::Usac& usac)
+{
+    usac.components().sampler = cv::makePtr<custom::SpreadSampler>();
+}
+
+void tukeyQuality(cv::usacv20::Usac& usac)
+{
+    usac.components().score = cv::makePtr<custom::TukeyScore>();
+}
+
+//! Any function that makes a model from points. Here OpenCV's RANSAC, so that the accuracy is that of cv:RANSAC.
+Estimate opencvRansac(const Task& task)
+{
+    const Settings& settings = task.settings;
+    Estimate estimate;
+    if (settings.problem == cv::usacv20::HOMOGRAPHY)
+        estimate.model = cv::findHomography(task.points1, task.points2, cv::RANSAC, settings.threshold, estimate.mask,
+                                            settings.maxIterations, settings.confidence);
+    else
+        estimate.model = cv::findFundamentalMat(task.points1, task.points2, cv::RANSAC, settings.threshold,
+                                                settings.confidence, settings.maxIterations, estimate.mask);
+    return estimate;
+}
+
+int program(int argc, char** argv)
+{
+    registerMethod("custom:spread", withComponents(cv::usacv20::Params::usacV20(), spreadSamples));
+    registerMethod("custom:tukey", withComponents(cv::usacv20::Params::usacV20(), tukeyQuality));
+    registerMethod("custom:ransac", wholeEstimator(opencvRansac, EstimatorTraits("HF")));
+    return runBenchmark(argc, argv);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return runProgram(program, argc, argv);
+}

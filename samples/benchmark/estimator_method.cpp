@@ -1,0 +1,83 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "estimator_method.hpp"
+
+#include "arguments.hpp"
+#include "params_fields.hpp"
+
+namespace benchmark {
+
+EstimatorMethod::EstimatorMethod(const MethodName& name, const Estimator& estimator_, const EstimatorTraits& traits_)
+    : Method(name.full), estimator(estimator_), traits(traits_), fields(name.fields), useScores(name.scores)
+{
+    require(traits.takesScores || !useScores, name.full + ": takes no scores");
+    setFields();  // wrong names and values are told before anything runs
+}
+
+void EstimatorMethod::setFields()
+{
+    Settings& settings = task.settings;
+    task.fields = traits.fields;
+    for (const Field& field : parseFields(fields))
+    {
+        if (field.name == "threshold")
+            settings.threshold = field.value;
+        else if (field.name == "confidence")
+            settings.confidence = field.value;
+        else if (field.name == "maxIterations")
+            settings.maxIterations = field.integer();
+        else if (field.name == "seed")
+            settings.seed = field.integer();
+        else if (task.fields.count(field.name))
+            task.fields[field.name] = field.value;
+        else
+        {
+            std::string known = "threshold, confidence, maxIterations, seed";
+            for (const std::pair<const std::string, double>& own : traits.fields)
+                known += ", " + own.first;
+            field.fail(name() + " has no such field; there are " + known);
+        }
+    }
+    require(settings.threshold > 0, name() + ": threshold: expected a number above 0");
+    require(settings.maxIterations > 0, name() + ": maxIterations: expected a number above 0");
+    require(settings.confidence > 0 && settings.confidence < 1, name() + ": confidence: expected a number between 0 and 1");
+}
+
+void EstimatorMethod::prepare(const ImagePair& pair, const Settings& settings)
+{
+    task.settings = settings;
+    setFields();  // what was asked for by name wins
+    task.points1 = pair.points1;
+    task.points2 = pair.points2;
+    task.scores = useScores ? pair.scores : std::vector<float>();
+    const bool cameras = settings.problem == cv::usacv20::ESSENTIAL;
+    task.K1 = cameras ? pair.K1 : cv::Matx33d::eye();
+    task.K2 = cameras ? pair.K2 : cv::Matx33d::eye();
+}
+
+void EstimatorMethod::run(const ImagePair&, Estimate& estimate)
+{
+    estimate = estimator(task);
+}
+
+void EstimatorMethod::tell(const ImagePair& pair, Estimate& estimate)
+{
+    const cv::Mat &model = estimate.model, &mask = estimate.mask;
+    require(model.empty() || (model.type() == CV_64F && model.size() == cv::Size(3, 3)),
+            "expected a model of 3 x 3 doubles or none");
+    require(mask.empty() || (mask.type() == CV_8U && mask.total() == pair.points1.size() && mask.isContinuous()),
+            "expected a mask with a byte for each correspondence or none");
+}
+
+MethodFactory wholeEstimator(const Estimator& estimator, const EstimatorTraits& traits)
+{
+    require((bool)estimator, "wholeEstimator: the function is empty");
+    return [=](const MethodName& name) -> cv::Ptr<Method>
+    {
+        return cv::makePtr<EstimatorMethod>(name, estimator, traits);
+    };
+}
+
+} // namespace benchmark

@@ -1,0 +1,28 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_PROBLEM_SET_HPP
+#define OPENCV_USACV20_BENCHMARK_PROBLEM_SET_HPP
+
+#include <string>
+#include "image_pair.hpp"
+
+namespace benchmark {
+
+//! Which problems a method solves.
+class ProblemSet
+{
+public:
+    //! @param letters some of H, F and E, "HF" for example; anything else, or none, raises std::runtime_error.
+    ProblemSet(const char* letters = "HFE");
+
+    bool has(ProblemType problem) const { return letters.find(letterOf(problem)) != std::string::npos; }
+
+private:
+    std::string letters;
+};
+
+} // namespace benchmark
+
+#endif
