@@ -31,6 +31,20 @@ void State::sort(const Context& context)
         context.components.prior->sort(context, order);
 }
 
+Neighbourhood& Context::neighbourhood() const
+{
+    if (!components.neighbourhood)
+        CV_Error(Error::StsNullPtr, "components().neighbourhood: it is empty, but the sampler or the local optimizer needs one");
+    return *components.neighbourhood;
+}
+
+const NonMinimalSolver& Context::nonMinimalSolver() const
+{
+    if (!components.nonMinimalSolver)
+        CV_Error(Error::StsNullPtr, "components().nonMinimalSolver: it is empty, but the local optimizer or the polisher needs one");
+    return *components.nonMinimalSolver;
+}
+
 Residual::Kind Residual::kind() const { return CUSTOM; }
 
 int Residual::error(const Model& model, const double* match, double* error) const
@@ -59,6 +73,9 @@ int Residual::linearize(const Model& model, const double* match, double* error, 
     return components;
 }
 
+int Sampler::subsetSize(const Context& context) const { return context.points.size; }
+double Sampler::growingShare(const Context&) const { return 0; }
+
 FusedKernel Score::fused(const Residual&) const { return 0; }
 bool Score::wholeModel() const { return false; }
 double Score::threshold(const Context& context, const Model&) const { return context.points.threshold; }
@@ -68,6 +85,8 @@ bool Verifier::preTest(const Context&, const Model&, Rng&, int& inliers, int& te
     inliers = tested = 0;
     return true;
 }
+
+double Verifier::keptProbability(const Context&, double, bool) const { return 1; }
 
 bool Degeneracy::validSample(const Context&, const int*) const { return true; }
 bool Degeneracy::mayBeGood(const Context&, const int*) const { return false; }

@@ -51,13 +51,13 @@ Ptr<Neighbourhood> createNeighbourhood(const Params& params)
     }
 }
 
-Ptr<Score> createScore(int type, const Correspondences& points, int sampleSize)
+Ptr<Score> createScore(int type, const Correspondences& points)
 {
     switch (type)
     {
     case QUALITY_INLIERS: return createInlierScore();
     case QUALITY_MLESAC: return createMlesacScore(points);
-    case QUALITY_LMEDS: return createLmedsScore(points, sampleSize);
+    case QUALITY_LMEDS: return createLmedsScore(points);
     case QUALITY_MAGSAC: return createMagsacScore(points);
     case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(points.problem->errorDimension());
     default: return createMsacScore();
@@ -113,7 +113,41 @@ Ptr<Polisher> createPolisher(int type)
     }
 }
 
+template <class T>
+void replaceMade(Ptr<T>& part, const Ptr<T>& made, const Ptr<T>& fresh)
+{
+    if (part == made)
+        part = fresh;
+}
+
+template <class T>
+void replaceMade(std::vector<Ptr<T> >& parts, const std::vector<Ptr<T> >& made, const std::vector<Ptr<T> >& fresh)
+{
+    for (size_t i = 0; i < parts.size(); ++i)
+    {
+        const size_t at = std::find(made.begin(), made.end(), parts[i]) - made.begin();
+        if (at < made.size())
+            parts[i] = fresh[at];
+    }
+}
+
 } // namespace
+
+void replaceComponents(Components& parts, const Components& made, const Components& fresh)
+{
+    replaceMade(parts.residual, made.residual, fresh.residual);
+    replaceMade(parts.score, made.score, fresh.score);
+    replaceMade(parts.prior, made.prior, fresh.prior);
+    replaceMade(parts.neighbourhood, made.neighbourhood, fresh.neighbourhood);
+    replaceMade(parts.sampler, made.sampler, fresh.sampler);
+    replaceMade(parts.minimalSolver, made.minimalSolver, fresh.minimalSolver);
+    replaceMade(parts.nonMinimalSolver, made.nonMinimalSolver, fresh.nonMinimalSolver);
+    replaceMade(parts.degeneracies, made.degeneracies, fresh.degeneracies);
+    replaceMade(parts.verifier, made.verifier, fresh.verifier);
+    replaceMade(parts.localOptimizer, made.localOptimizer, fresh.localOptimizer);
+    replaceMade(parts.terminations, made.terminations, fresh.terminations);
+    replaceMade(parts.polisher, made.polisher, fresh.polisher);
+}
 
 Components createComponents(const Correspondences& points, const Params& params)
 {
@@ -121,7 +155,7 @@ Components createComponents(const Correspondences& points, const Params& params)
     Components parts;
     parts.residual = problem.createResidual(params.residual);
     parts.minimalSolver = problem.createMinimalSolver();
-    parts.score = createScore(params.quality, points, parts.minimalSolver->sampleSize());
+    parts.score = createScore(params.quality, points);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
         parts.prior = createPrior(params.prior, points.scores != 0);
     parts.neighbourhood = createNeighbourhood(params);

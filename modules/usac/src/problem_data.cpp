@@ -101,6 +101,16 @@ ProblemData::ProblemData(const Problem& problem, InputArray points1, InputArray 
     view.problem = &problem;
     shuffle(params);
     scale(params);
+    givenThreshold[0] = view.threshold;
+    givenThreshold[1] = inputThreshold;
+    givenThreshold[2] = pixelThreshold;
+}
+
+void ProblemData::restoreThreshold()
+{
+    view.threshold = givenThreshold[0];
+    inputThreshold = givenThreshold[1];
+    pixelThreshold = givenThreshold[2];
 }
 
 void ProblemData::read(InputArray points1, InputArray points2)

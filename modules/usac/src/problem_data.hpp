@@ -24,6 +24,8 @@ public:
     double threshold() const { return pixelThreshold; }
     //! Another one for the rest of the run, in the coordinates of points().
     void setThreshold(double threshold);
+    //! That of before the run, which may have changed it.
+    void restoreThreshold();
     //! So many times as large a Correspondences::threshold for the rest of the run; the mask has that of before.
     void scaleReach(double factor) { view.threshold *= factor; }
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.
@@ -39,6 +41,7 @@ private:
     void shuffle(const Params& params);
 
     Correspondences view;
+    double givenThreshold[3];             //!< that of points(), of the mask and in pixels before the run
     double inputThreshold;                //!< of the mask, in the coordinates of `input`
     double pixelThreshold;                //!< the same in pixels
     double pixels;                        //!< in one unit of `input`

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "check_components.hpp"
 #include "ransac.hpp"
 #include "scores/scores.hpp"
 #include "termination/termination.hpp"
@@ -44,12 +45,12 @@ int exhaustiveSamples(const Context& context)
 
 } // namespace
 
-Ransac::Ransac(const Context& context_, State& state_)
+Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
     : context(context_), parts(context_.components), state(state_),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0),
       threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
-      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0)
+      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)
 {
 }
 
@@ -172,6 +173,8 @@ void Ransac::drawBatch()
         state.rng = Rng(context.params.seed, state.iteration);
         state.counts = true;
         parts.sampler->sample(context, state, samples[i].val);
+        if (checkSamples)
+            checkSample(samples[i].val, parts.minimalSolver->sampleSize(), context.points.size);
         counts[i] = state.counts;
     }
     state.iteration = firstOfBatch;
@@ -220,7 +223,7 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
             ++h.refused;
             continue;                                                                       // 11
         }
-        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start); // 10, 12
+        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start, h.errors); // 10, 12
         if (tested == 0)  // else only models that have passed would count
         {
             h.firstInliers += rating.firstInliers;

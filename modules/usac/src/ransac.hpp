@@ -22,6 +22,7 @@ struct Hypotheses
     int firstInliers, firstTested;         //!< of their first blocks, for the verifier
     int stopped;                           //!< models that the verifier dropped while they were rated
     double costs[MAX_MODELS];              //!< theirs before their last block
+    std::vector<float> errors;             //!< memory, see rate()
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
@@ -34,7 +35,8 @@ model is optimised: the first models are soon beaten @cite lebeda2012fixing. Whe
 class Ransac
 {
 public:
-    Ransac(const Context& context, State& state);
+    //! `checkSamples`: the sampler may make mistakes.
+    Ransac(const Context& context, State& state, bool checkSamples = false);
 
     /** Fills State::best; its quality stays infinite if no model was found. Searches until a criterion ends the search, or so
     many samples have been drawn. @return false in the second case; the search goes on when it is called again. */
@@ -74,6 +76,7 @@ private:
     //! Samples that count, and samples in all, after which the run can stop, and the criterion that says so.
     int required, requiredReason, requiredOfAll, reasonOfAll;
     double localTicks;
+    const bool checkSamples;
 };
 
 } // namespace usacv20

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "check_components.hpp"
 #include "factory.hpp"
 #include "problems/problems.hpp"
 #include "problem_data.hpp"
@@ -39,22 +40,35 @@ class UsacImpl : public Usac
 {
 public:
     UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2, const Params& params_)
-        : created(getTickCount()), params(params_), problem(problem_), data(*problem, points1, points2, params_), parts(createComponents(data.points(), params_)), made(parts),
-          givenReach(params_.reach)
+        : params(params_), problem(problem_), givenReach(params_.reach), used(false)
     {
+        setPoints(points1, points2);
+        parts = made = createComponents(data->points(), params);
+        used = false;
     }
 
     Components& components() CV_OVERRIDE { return parts; }
-    const Correspondences& points() const CV_OVERRIDE { return data.points(); }
+    const Correspondences& points() const CV_OVERRIDE { return data->points(); }
+
+    void setPoints(InputArray points1, InputArray points2) CV_OVERRIDE
+    {
+        created = getTickCount();
+        params.reach = givenReach;
+        data = makePtr<ProblemData>(*problem, points1, points2, params);
+        used = true;  // what the components know is of other points
+    }
 
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
     {
-        CV_Assert(parts.residual && parts.score && parts.sampler && parts.minimalSolver);
+        if (used)
+            renew();
+        used = true;
         if (parts.residual != made.residual && parts.nonMinimalSolver == made.nonMinimalSolver)
             parts.nonMinimalSolver = problem->createNonMinimalSolver(parts.residual);
-        const Context context(data.points(), parts, params);
+        checkComponents(parts, made);
+        const Context context(data->points(), parts, params);
         State state;
-        if (data.points().size >= parts.minimalSolver->sampleSize())
+        if (data->points().size >= parts.minimalSolver->sampleSize())
             search(context, state);
         else
             state.report.stop = STOP_TOO_FEW_POINTS;
@@ -62,10 +76,21 @@ public:
     }
 
 private:
+    //! Components as new, but for those of the caller.
+    void renew()
+    {
+        created = getTickCount();
+        params.reach = givenReach;
+        data->restoreThreshold();
+        const Components fresh = createComponents(data->points(), params);
+        replaceComponents(parts, made, fresh);
+        made = fresh;
+    }
+
     void search(const Context& context, State& state)
     {
         state.report.setupMs = milliseconds(created);
-        Ransac ransac(context, state);
+        Ransac ransac(context, state, parts.sampler != made.sampler);
         if (params.widestReach > params.reach)
             searchWithReach(context, state, ransac);
         else
@@ -95,7 +120,7 @@ private:
 
     void setReach(double reach, Ransac& ransac)
     {
-        data.scaleReach(reach / params.reach);
+        data->scaleReach(reach / params.reach);
         params.reach = reach;
         ransac.thresholdChanged();
     }
@@ -123,7 +148,7 @@ private:
                                      (double)learned.models - learned.rejectedModels,
                                      params.quality == QUALITY_INLIERS && parts.localOptimizer, params.quality == QUALITY_LMEDS};
         const double grown = std::max(params.reach / givenReach, 1.);  // as far as the threshold is below the noise
-        Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown, effort);
+        Significance test(*parts.residual, model, data->points(), data->maskThreshold() * grown, effort);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
         return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
     }
@@ -154,12 +179,12 @@ private:
         Mat result;
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
-            data.setThreshold(parts.score->threshold(context, state.best));
+            data->setThreshold(parts.score->threshold(context, state.best));
             learned.cost = polish(context, state.best).cost / context.points.size;
             Matx33d model;
             if (problem->toInput(state.best, context.points, model))
             {
-                learned.inliers = data.mask(*parts.residual, model, inliers);
+                learned.inliers = data->mask(*parts.residual, model, inliers);
                 if (learned.inliers > 0 || params.reach > givenReach)
                     result = Mat(model, true);
             }
@@ -175,22 +200,23 @@ private:
         }
         if (mask.needed())
             Mat(inliers, false).reshape(1, context.points.inputSize).copyTo(mask);
-        learned.threshold = data.threshold();
+        learned.threshold = data->threshold();
         if (report && !result.empty())
-            learned.independentInliers = data.independentInliers(inliers);
+            learned.independentInliers = data->independentInliers(inliers);
         learned.polishMs = milliseconds(start);
         if (report)
             *report = learned;
         return result;
     }
 
-    const int64 created;
+    int64 created;
     Params params;  //!< `reach` is the present one
     const Ptr<Problem> problem;
-    ProblemData data;
+    Ptr<ProblemData> data;
     Components parts;
-    const Components made;  //!< for `params`, some of which the caller may have replaced
+    Components made;  //!< for `params`, some of which the caller may have replaced
     const double givenReach;
+    bool used;  //!< the components have been used, or made for other points
 };
 
 } // namespace

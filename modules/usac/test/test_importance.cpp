@@ -72,7 +72,7 @@ TEST(Usac_Importance, distributionByChiSquared)
         {
             draw.next();
             ASSERT_TRUE(draw.valid());
-            ASSERT_EQ(N, draw.state.subsetSize);
+            ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
             ++first[draw.sample[0]];
             ++pairs[draw.sample[0] * N + draw.sample[1]];
             ++grouped[draw.sample[1]];

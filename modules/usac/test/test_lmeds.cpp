@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "problem_objects.hpp"
 #include "given_residual.hpp"
 #include "scores/scores.hpp"
 #include "statistics/chi_square.hpp"
@@ -40,11 +41,12 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
         std::vector<Point2d> corners(count, Point2d(0, 0));
         corners.back() = Point2d(side, side);
         const OwnPoints points(problem, corners, corners);
-        const Ptr<Score> score = createLmedsScore(points.view(), m);
+        const Ptr<Score> score = createLmedsScore(points.view());
         EXPECT_TRUE(score->wholeModel());
         Components parts;
         const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
         parts.residual = residual;
+        parts.minimalSolver = problemObject(problem).createMinimalSolver();
         const Params params;
         const Context context(points.view(), parts, params);
         for (int i = 0; i < count; ++i)
@@ -71,6 +73,7 @@ TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
     Components parts;
     const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
     parts.residual = residual;
+    parts.minimalSolver = problemObject(problem).createMinimalSolver();
     const Params params;
     const Context context(points.view(), parts, params);
     RNG rng(13);
@@ -79,7 +82,7 @@ TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
         const double a = rng.gaussian(3), b = problem == HOMOGRAPHY ? rng.gaussian(3) : 0;
         residual->given.push_back((float)(a * a + b * b));
     }
-    const double limit = createLmedsScore(points.view(), 4)->threshold(context, Model::eye());
+    const double limit = createLmedsScore(points.view())->threshold(context, Model::eye());
     int within = 0;
     for (int i = 0; i < COUNT; ++i)
         within += residual->given[i] <= limit * limit;
@@ -92,7 +95,7 @@ TEST_P(Usac_Lmeds_Problem, undefinedErrors)
     std::vector<Point2d> corners(1, Point2d(0, 0));
     corners.push_back(Point2d(1, 1));
     const OwnPoints points(problem, corners, corners);
-    const Ptr<Score> score = createLmedsScore(points.view(), 4);
+    const Ptr<Score> score = createLmedsScore(points.view());
     std::vector<float> most(21, std::numeric_limits<float>::quiet_NaN()), some(21, 0.25f), zero(21, 0.f);
     std::fill(most.begin(), most.begin() + 10, 0.25f);
     std::fill(some.begin(), some.begin() + 10, std::numeric_limits<float>::quiet_NaN());
@@ -160,7 +163,7 @@ TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
 TEST_P(Usac_Lmeds_Problem, noPoints)
 {
     const OwnPoints none((ProblemType)GetParam(), std::vector<Point2d>(), std::vector<Point2d>());
-    const Ptr<Score> score = createLmedsScore(none.view(), 4);
+    const Ptr<Score> score = createLmedsScore(none.view());
     const Components parts;
     const Params params;
     Quality quality(0, 0);

@@ -38,7 +38,7 @@ TEST(Usac_Napsac, uniformAmongNeighbours)
         {
             draw.next();
             ASSERT_TRUE(draw.valid());
-            ASSERT_EQ(N, draw.state.subsetSize);
+            ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
             ++centres[draw.sample[0]];
             const int* members = 0;
             const int count = neighbourhood.members(draw.context, neighbourhood.layers() - 1, draw.sample[0], members);

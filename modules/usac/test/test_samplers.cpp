@@ -20,7 +20,7 @@ TEST(Usac_Samplers, uniformByChiSquared)
         {
             draw.next();
             ASSERT_TRUE(draw.valid());
-            ASSERT_EQ(N, draw.state.subsetSize);
+            ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
             for (int k = 0; k < draw.m; ++k)
                 ++places[k][draw.sample[k]];
             ++firstPair[draw.sample[0] * N + draw.sample[1]];
@@ -94,12 +94,12 @@ TEST(Usac_Samplers, prosacGrowsAsPublished)
                 draw.next();
                 ASSERT_TRUE(draw.valid());
                 // where a difference T_{n+1} - T_n is an integer, rounding may decide: one size more or less for a while
-                wrongSize += draw.state.subsetSize != n;
-                if (draw.state.subsetSize < N)
-                    withoutNewest += !draw.contains(draw.state.order[draw.state.subsetSize - 1]);
+                wrongSize += draw.sampler->subsetSize(draw.context) != n;
+                if (draw.sampler->subsetSize(draw.context) < N)
+                    withoutNewest += !draw.contains(draw.state.order[draw.sampler->subsetSize(draw.context) - 1]);
                 for (int i = 0; i < draw.m; ++i)
-                    outside += std::find(draw.state.order.begin(), draw.state.order.begin() + draw.state.subsetSize,
-                                         draw.sample[i]) == draw.state.order.begin() + draw.state.subsetSize;
+                    outside += std::find(draw.state.order.begin(), draw.state.order.begin() + draw.sampler->subsetSize(draw.context),
+                                         draw.sample[i]) == draw.state.order.begin() + draw.sampler->subsetSize(draw.context);
             }
             EXPECT_LE(wrongSize, 30) << "N " << N << " m " << draw.m;
             EXPECT_EQ(0, withoutNewest);
@@ -111,7 +111,7 @@ TEST(Usac_Samplers, prosacEndsUniform)
 {
     const int N = 25, SAMPLES = 60000;
     Draw draw(HOMOGRAPHY, N, createProsacSampler());
-    while (draw.state.subsetSize < N)
+    while (draw.sampler->subsetSize(draw.context) < N)
     {
         draw.next();
         ASSERT_LT(draw.state.iteration, 210000);
@@ -167,7 +167,7 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
         for (int i = 0; i < WINDOW; ++i)
         {
             draw.next();
-            ASSERT_EQ(N, draw.state.subsetSize);
+            ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
             for (int k = 0; k < 2; ++k)
                 ++singles[draw.sample[k]];
         }
@@ -191,8 +191,8 @@ void expectGrowth(int prior, int period)
             ++n;
         draw.next();
         ASSERT_TRUE(draw.valid());
-        wrongSize += draw.state.subsetSize != n;
-        const std::vector<int>::const_iterator end = draw.state.order.begin() + draw.state.subsetSize;
+        wrongSize += draw.sampler->subsetSize(draw.context) != n;
+        const std::vector<int>::const_iterator end = draw.state.order.begin() + draw.sampler->subsetSize(draw.context);
         const bool out = std::find(draw.state.order.cbegin(), end, draw.sample[0]) == end;
         const bool ordered = (t - 1) % period == 0 && (t > first || period == 1);
         EXPECT_EQ(!ordered || period == 1, draw.state.counts) << t;
@@ -201,8 +201,8 @@ void expectGrowth(int prior, int period)
             early += out;
             continue;
         }
-        if (draw.state.subsetSize < N)
-            notNewest += draw.sample[0] != draw.state.order[draw.state.subsetSize - 1];
+        if (draw.sampler->subsetSize(draw.context) < N)
+            notNewest += draw.sample[0] != draw.state.order[draw.sampler->subsetSize(draw.context) - 1];
         outside += out;
     }
     EXPECT_LE(wrongSize, 30);
@@ -231,8 +231,8 @@ TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
                 {
                     draw.next();
                     ASSERT_TRUE(draw.valid()) << problem << " " << kind << " " << more;
-                    ASSERT_LE(draw.state.subsetSize, N);
-                    ASSERT_GE(draw.state.subsetSize, draw.m);
+                    ASSERT_LE(draw.sampler->subsetSize(draw.context), N);
+                    ASSERT_GE(draw.sampler->subsetSize(draw.context), draw.m);
                 }
             }
 }

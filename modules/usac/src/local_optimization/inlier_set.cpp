@@ -34,7 +34,7 @@ int InlierSet::select(Rng& rng, int count)
 
 bool InlierSet::fit(const Context& context, int count, Model& model, int iterations) const
 {
-    return context.components.nonMinimalSolver->fit(context.points, members.data(), count, 0, model, iterations);
+    return context.nonMinimalSolver().fit(context.points, members.data(), count, 0, model, iterations);
 }
 
 bool InlierSet::improve(const Context& context, int count, Model& model, Quality& quality, int iterations) const

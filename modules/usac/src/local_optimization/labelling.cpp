@@ -84,7 +84,7 @@ void Labelling::cut(const Context& context, const Model& model, std::vector<int>
 {
     weigh(context, model);
     const float lambda = (float)context.params.spatialWeight;
-    const std::vector<Vec2i>& edges = context.components.neighbourhood->edges(context);
+    const std::vector<Vec2i>& edges = context.neighbourhood().edges(context);
     fix(edges, lambda);
     label(edges, lambda);
     inliers.clear();

@@ -48,7 +48,7 @@ void MarginalizedFit::reduce(int most, Rng& rng)
 bool MarginalizedFit::fit(const Context& context, Model& model) const
 {
     return size() > context.components.minimalSolver->sampleSize() &&
-           context.components.nonMinimalSolver->fit(context.points, indices.data(), size(), weights.data(), model);
+           context.nonMinimalSolver().fit(context.points, indices.data(), size(), weights.data(), model);
 }
 
 } // namespace usacv20

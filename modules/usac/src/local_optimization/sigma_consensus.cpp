@@ -66,7 +66,7 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
     const int size = (int)indices.size(), m = context.components.minimalSolver->sampleSize();
     if (size <= m)
         return false;
-    const NonMinimalSolver& solver = *context.components.nonMinimalSolver;
+    const NonMinimalSolver& solver = context.nonMinimalSolver();
     weights.assign(size, 0.0);
     Model fitted = model;
     for (int part = 1, count = 0, last = 0; part <= partitions; ++part, last = count)

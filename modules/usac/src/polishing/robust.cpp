@@ -49,7 +49,7 @@ public:
             }
             lossBefore = loss;
             lookedBefore = looked;
-            if (!context.components.nonMinimalSolver->fit(p, near.data(), count, weights.data(), model,
+            if (!context.nonMinimalSolver().fit(p, near.data(), count, weights.data(), model,
                                                           i + 1 < steps ? 1 : LAST))
                 return;
         }

@@ -26,7 +26,6 @@ public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
-        state.subsetSize = context.points.size;
         if (!isOrdered(context, state, sample))
             return;
         if (points.empty() && rest.empty())

@@ -25,8 +25,7 @@ public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
-        Neighbourhood& neighbourhood = *context.components.neighbourhood;
-        state.subsetSize = size;
+        Neighbourhood& neighbourhood = context.neighbourhood();
         if (!isOrdered(context, state, sample))
             return;
         for (int i = 0; i < TRIES; ++i)

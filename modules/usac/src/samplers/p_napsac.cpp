@@ -40,19 +40,32 @@ public:
         }
         growth->next();
         const int n = growth->size();
-        state.subsetSize = n;
         const bool guess = isGuess(context);
         if (!(guess ? isOrderedGuess(context, state, sample) : isOrdered(context, state, sample)))
             return;
         const int centre = state.bestFirst(context)[growth->newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = centre;
-        const int turn = state.iteration / context.params.orderedEvery, localEvery = guess ? LOCAL_EVERY / 2 : LOCAL_EVERY;
-        if (turn % localEvery != localEvery - 1 || !local(context, state, m, sample))
+        const int turn = state.iteration / context.params.orderedEvery, every = localEvery(context);
+        if (turn % every != every - 1 || !local(context, state, m, sample))
             global(state, m, n, sample);
+    }
+
+    int subsetSize(const Context& context) const CV_OVERRIDE
+    {
+        return growth ? growth->size() : context.components.minimalSolver->sampleSize();
+    }
+
+    double growingShare(const Context& context) const CV_OVERRIDE
+    {
+        return (1 - 1. / localEvery(context)) / context.params.orderedEvery;
     }
 
 private:
     enum { BEFORE_ORDER = 8, ORDERED = 16, SMALL = 4 };
+    //! Of so many samples that are not uniform, one is local.
+    enum { LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2 };
+
+    static int localEvery(const Context& context) { return isGuess(context) ? LOCAL_EVERY_GUESS : LOCAL_EVERY; }
 
     //! As isOrdered(), but for the first samples.
     static bool isOrderedGuess(const Context& context, State& state, int* sample)
@@ -81,7 +94,7 @@ private:
     //! Draws the other points from the neighbourhood of sample[0]; false if that is everything.
     bool local(const Context& context, State& state, int m, int* sample)
     {
-        Neighbourhood& neighbourhood = *context.components.neighbourhood;
+        Neighbourhood& neighbourhood = context.neighbourhood();
         Centre& centre = centres[sample[0]];
         const int wanted = 2 * m << std::min(centre.chosen++, 16);
         for (; centre.layer < neighbourhood.layers(); ++centre.layer)  // finer ones will never do again

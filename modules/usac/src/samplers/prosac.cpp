@@ -22,7 +22,6 @@ public:
             growth = makePtr<GrowingSet>(m, context.points.size);
         growth->next();
         const int n = growth->size();
-        state.subsetSize = n;
         if (!isOrdered(context, state, sample))
             return;
         if (growth->newest())
@@ -36,6 +35,13 @@ public:
         for (int k = 0; k < m; ++k)
             sample[k] = order[sample[k]];
     }
+
+    int subsetSize(const Context& context) const CV_OVERRIDE
+    {
+        return growth ? growth->size() : context.components.minimalSolver->sampleSize();
+    }
+
+    double growingShare(const Context& context) const CV_OVERRIDE { return 1. / context.params.orderedEvery; }
 
 private:
     Ptr<GrowingSet> growth;

@@ -11,9 +11,6 @@
 namespace cv {
 namespace usacv20 {
 
-//! Of so many samples of P-NAPSAC that are not uniform, one is local.
-enum { LOCAL_EVERY = 4 };
-
 //! Draws a sample from all points.
 inline void drawUniform(const Context& context, State& state, int* sample)
 {

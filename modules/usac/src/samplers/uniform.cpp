@@ -16,7 +16,6 @@ class UniformSampler : public Sampler
 public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
-        state.subsetSize = context.points.size;
         state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
     }
 };

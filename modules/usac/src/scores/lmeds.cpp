@@ -25,8 +25,8 @@ as unlikely for two (H). It does not fall below the rounding of the errors. Line
 class LmedsScore : public Score
 {
 public:
-    LmedsScore(const Correspondences& points, int sampleSize_)
-        : extent(std::max(points.problem->outlierExtent(points), (double)FLT_MIN)), sampleSize(sampleSize_),
+    explicit LmedsScore(const Correspondences& points)
+        : extent(std::max(points.problem->outlierExtent(points), (double)FLT_MIN)),
           sigmas(sigmasInMedian(points.problem->errorDimension()))
     {
     }
@@ -56,7 +56,8 @@ public:
             return 0;
         std::vector<float> errors(count);
         context.components.residual->squaredErrors(context.points, model, 0, count, errors.data());
-        return std::sqrt(squaredLimit(median(errors.data(), count), count));
+        const int beside = count - context.components.minimalSolver->sampleSize();
+        return std::sqrt(squaredLimit(median(errors.data(), count), beside));
     }
 
 private:
@@ -67,9 +68,9 @@ private:
         return std::sqrt(chiSquareQuantile(certainty, degrees) / chiSquareQuantile(0.5, degrees));
     }
 
-    double squaredLimit(double squaredMedian, int count) const
+    double squaredLimit(double squaredMedian, int beside) const
     {
-        const double factor = sigmas * (1 + 5.0 / std::max(count - sampleSize, 1));
+        const double factor = sigmas * (1 + 5.0 / std::max(beside, 1));
         const double rounding = 8 * FLT_EPSILON * extent;
         return std::min(std::max(factor * factor * squaredMedian, rounding * rounding), (double)FLT_MAX);
     }
@@ -84,15 +85,14 @@ private:
     }
 
     const double extent;
-    const int sampleSize;
     const double sigmas;
 };
 
 } // namespace
 
-Ptr<Score> createLmedsScore(const Correspondences& points, int sampleSize)
+Ptr<Score> createLmedsScore(const Correspondences& points)
 {
-    return makePtr<LmedsScore>(points, sampleSize);
+    return makePtr<LmedsScore>(points);
 }
 
 } // namespace usacv20

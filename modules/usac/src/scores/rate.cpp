@@ -74,16 +74,15 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
 }
 
 //! All points at once. A verifier looks at the numbers of inliers before.
-void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound, int start, Rating& rating)
+void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound, int start, Rating& rating,
+               std::vector<float>& errors)
 {
     const Correspondences& points = context.points;
-    static const Ptr<Score> counter = createInlierScore();
-    if (verifier && !rateBlocks(Judge(context, *counter, model), points.size, verifier, DBL_MAX, start, rating))
+    if (verifier && !rateBlocks(Judge(context, *createInlierScore(), model), points.size, verifier, DBL_MAX, start, rating))
     {
         rating.costBefore = 0;  // that was the counter's
         return;
     }
-    static thread_local std::vector<float> errors;  // kept, as this is called for each model
     errors.resize(points.size);
     context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
     rating.quality = Quality(0, 0);
@@ -94,12 +93,13 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
 
 } // namespace
 
-Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start)
+Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
+            std::vector<float>& errors)
 {
     Rating rating = {Quality(0, 0), false, false, 0, 0, 0};
     const Score& score = *context.components.score;
     if (score.wholeModel())
-        rateWhole(context, verifier, model, bound, start, rating);
+        rateWhole(context, verifier, model, bound, start, rating, errors);
     else
         rating.complete = rateBlocks(Judge(context, score, model), context.points.size, verifier, bound, start, rating);
     return rating;
@@ -107,7 +107,8 @@ Rating rate(const Context& context, const Verifier* verifier, const Model& model
 
 Quality Context::rate(const Model& model, double bound) const
 {
-    return usacv20::rate(*this, 0, model, bound, 0).quality;
+    std::vector<float> errors;
+    return usacv20::rate(*this, 0, model, bound, 0, errors).quality;
 }
 
 } // namespace usacv20

@@ -17,7 +17,7 @@ Ptr<Score> createMsacScore();
 //! See MlesacScore.
 Ptr<Score> createMlesacScore(const Correspondences& points);
 //! See LmedsScore. @param points, sampleSize the correspondences, and how many of them the minimal solver takes
-Ptr<Score> createLmedsScore(const Correspondences& points, int sampleSize);
+Ptr<Score> createLmedsScore(const Correspondences& points);
 //! See MagsacScore.
 Ptr<Score> createMagsacScore(const Correspondences& points);
 //! See MagsacPlusPlusScore.
@@ -36,8 +36,9 @@ struct Rating
 
 /** Rates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points. After each block the
 verifier may drop the model, and it is dropped when its cost reaches the bound. The blocks start at point `start`
-and wrap around, so that no point is always the first to be asked. */
-Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start);
+and wrap around, so that no point is always the first to be asked. `errors` is memory for scores that want all errors at once. */
+Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
+            std::vector<float>& errors);
 
 } // namespace usacv20
 } // namespace cv

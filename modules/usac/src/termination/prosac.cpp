@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "samplers/samplers.hpp"
+#include "samplers/growth.hpp"
 #include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 
@@ -67,7 +67,8 @@ public:
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
-        if (state.bestQuality.inliers <= m || state.order.empty())  // a sampler that asks for no order
+        const double share = context.components.sampler->growingShare(context);
+        if (state.bestQuality.inliers <= m || state.order.empty() || !(share > 0))
             return INT_MAX;
         std::vector<float> errors(size);
         context.components.residual->squaredErrors(context.points, state.best, 0, size, errors.data());
@@ -75,10 +76,7 @@ public:
         std::vector<uchar> inliers(size);
         for (int i = 0; i < size; ++i)
             inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
-        double kept = keptProbability(context, state.bestQuality.inliers);
-        kept /= context.params.orderedEvery;
-        if (context.params.sampler == SAMPLER_P_NAPSAC)
-            kept *= 1 - 1. / LOCAL_EVERY;
+        const double kept = share * keptProbability(context, state.bestQuality.inliers);
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
         const double logFailure = std::log(1 - context.params.confidence);
         int length;

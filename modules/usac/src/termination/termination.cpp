@@ -8,21 +8,11 @@
 namespace cv {
 namespace usacv20 {
 
-double goodSampleProbability(double inliers, int n, int m, bool exact)
-{
-    double p = 1;
-    for (int i = 0; i < m; ++i)
-        p *= exact ? std::max(inliers - i, 0.0) / (n - i) : inliers / n;
-    return std::min(p, 1.0);
-}
-
 double keptProbability(const Context& context, double inliers)
 {
-    if (context.params.verification != VERIFICATION_TDD)
-        return 1;
-    const int n = context.points.size;
+    const Ptr<Verifier>& verifier = context.components.verifier;
     const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
-    return goodSampleProbability(inliers, n, std::min(context.params.tddPoints, n), exact);
+    return verifier ? verifier->keptProbability(context, inliers, exact) : 1;
 }
 
 double copiesOf(const State& state, int n, int m)
@@ -48,16 +38,6 @@ double goodSampleProbability(const Context& context, const State& state, double 
 double goodModelProbability(const Context& context, const State& state, double inliers)
 {
     return goodSampleProbability(context, state, inliers) * keptProbability(context, inliers);
-}
-
-int samplesNeeded(double p, double logFailure)
-{
-    if (!(p > 0))
-        return INT_MAX;
-    if (p >= 1 || logFailure >= 0)
-        return logFailure >= 0 ? 0 : 1;
-    const double k = std::ceil(logFailure / std::log1p(-p));
-    return k < INT_MAX ? (int)k : INT_MAX;
 }
 
 } // namespace usacv20

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_TERMINATION_HPP
 #define OPENCV_USACV20_TERMINATION_HPP
 
+#include "core/sample_counts.hpp"
 #include "opencv2/usac/components.hpp"
 
 namespace cv {
@@ -21,12 +22,9 @@ Ptr<Termination> createMagsacTermination();
 //! See ProsacTermination.
 Ptr<Termination> createProsacTermination(const Correspondences& points);
 
-/** Probability that a sample of m of n points has inliers only, if there are `inliers` of them. `exact`: no point is drawn
-twice, C(inliers, m) / C(n, m); else (inliers / n)^m. */
-double goodSampleProbability(double inliers, int n, int m, bool exact = true);
-/** Probability that the model of a good sample is not dropped, if it has `inliers` of all points: 1, but with T(d,d) that
-of d inliers among d points, epsilon^d or, with #TERMINATION_EXACT, C(inliers, d) / C(n, d). So T(d,d) needs epsilon^-d times as
-many samples @cite matas2004randomized. (SPRT has a criterion of its own.) */
+/** Probability that the model of a good sample is not dropped before it is rated, if it has `inliers` of all points: what the verifier
+says, see Verifier::keptProbability(). So T(d,d) needs epsilon^-d times as many samples @cite matas2004randomized. (SPRT has a
+criterion of its own.) */
 double keptProbability(const Context& context, double inliers);
 /** Matches for each different one, if each is there equally often: of the m (m - 1) / 2 pairs of a sample each is of the same
 match with a probability of (copies - 1) / (n - 1), and a sample is not refused if none is. */
@@ -36,8 +34,6 @@ refused as a match was in them twice do not count; how many they are tells how m
 double goodModelProbability(const Context& context, const State& state, double inliers);
 /** As goodSampleProbability() with or without repetition as Params::termination says, among the different ones of the matches. */
 double goodSampleProbability(const Context& context, const State& state, double inliers);
-//! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX where it is no int.
-int samplesNeeded(double p, double logFailure);
 
 /** @brief PROSAC's criterion for a model, see ProsacTermination. @return the smallest T'_n, see Growth, of a length n* such that
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/sample_counts.hpp"
 #include "verification/verification.hpp"
 
 namespace cv {
@@ -38,6 +39,12 @@ public:
                 return false;
         }
         return true;
+    }
+
+    double keptProbability(const Context& context, double inliers, bool withoutRepetition) const CV_OVERRIDE
+    {
+        const int n = context.points.size;
+        return goodSampleProbability(inliers, n, std::min(points, n), withoutRepetition);
     }
 
     int nextBlock(int) const CV_OVERRIDE { return 256; }

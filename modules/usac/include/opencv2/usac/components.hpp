@@ -118,7 +118,7 @@ struct Context;
 //! All that changes during a run.
 struct CV_EXPORTS State
 {
-    State() : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0), subsetSize(0) {}
+    State() : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0) {}
 
     //! The points, best first, as the Prior says; sorted at the first call.
     const std::vector<int>& bestFirst(const Context& context)
@@ -134,7 +134,6 @@ struct CV_EXPORTS State
     double yield;            //!< part of the samples of inliers only that lead to the best model; 1, but for degenerate scenes
     int countedSamples;      //!< samples so far that count: what the confidence rests on
     int repeatedSamples;     //!< samples that do not count only because a match was in them twice
-    int subsetSize;          //!< the sampler draws from the `subsetSize` best points now; all points: size
     std::vector<int> order;  //!< what bestFirst() has returned; empty before
     Model best;              //!< the best model so far
     Quality bestQuality;     //!< and what it is worth
@@ -147,6 +146,8 @@ private:
 };
 
 struct Components;
+class Neighbourhood;
+class NonMinimalSolver;
 
 //! What does not change during a run; handed to the components that need more than their own data.
 struct CV_EXPORTS Context
@@ -157,6 +158,10 @@ struct CV_EXPORTS Context
     /** @brief Quality of a model over all points.
     @param bound stop as soon as the cost reaches it; the result is then only known not to be better. */
     Quality rate(const Model& model, double bound = std::numeric_limits<double>::infinity()) const;
+
+    //! Those of Components; raise cv::Exception that names what is missing.
+    Neighbourhood& neighbourhood() const;
+    const NonMinimalSolver& nonMinimalSolver() const;
 
     const Correspondences& points;
     const Components& components;
@@ -192,9 +197,14 @@ public:
     virtual ~Sampler();
     /** @brief Draws the next sample with `state.rng`.
     @param sample output, as many distinct point indices as the minimal solver needs.
-    May set `state.subsetSize`. Sets `state.counts` to false if the criteria of termination must not take the sample for one
+    Sets `state.counts` to false if the criteria of termination must not take the sample for one
     that is uniform among all points: what is drawn from a part of the points may never meet the best model. */
     virtual void sample(const Context& context, State& state, int* sample) = 0;
+    //! The samples that are not uniform come from so many of the best points (State::bestFirst()) now. Default: all.
+    virtual int subsetSize(const Context& context) const;
+    //! Part of the samples that are drawn as PROSAC does, from its growing set, and that its criterion may count. Default: 0,
+    //! so that this criterion never ends the search.
+    virtual double growingShare(const Context& context) const;
 };
 
 //! From a minimal sample to models.
@@ -289,6 +299,11 @@ public:
     virtual int nextBlock(int tested) const = 0;
     //! False: the model, of whose first `tested` points `inliers` are inliers, is dropped.
     virtual bool proceed(int inliers, int tested) const = 0;
+    /** @brief Probability that a good model passes preTest(), which takes more samples accordingly. Default: 1.
+    @param context the points
+    @param inliers of the model, of all points
+    @param withoutRepetition no point is drawn twice: hypergeometric, not binomial */
+    virtual double keptProbability(const Context& context, double inliers, bool withoutRepetition) const;
     //! A sample has been dealt with; its models had `inliers` among the `tested` points that each was tested with first.
     virtual void sampleTested(State& state, int inliers, int tested) = 0;
     //! Called before the first sample and between batches of samples: may adapt the test.
@@ -398,11 +413,17 @@ public:
     static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
                             const Params& params = Params());
 
-    //! The components, to be replaced before #run.
+    /** The components, to be replaced before #run. Those that nobody has replaced fit each other, whatever is replaced: a residual is also
+    what models are fitted with. A component that is missing, a sampler that draws what is no sample and a score that
+    counts no inliers end in a cv::Exception that names it. */
     virtual Components& components() = 0;
     //! The points as the components see them.
     virtual const Correspondences& points() const = 0;
-    /** @brief Runs the estimation; to be called once.
+    /** @brief Other points for the next #run, of any number, in the place of those of #create.
+    @param points1, points2 as there */
+    virtual void setPoints(InputArray points1, InputArray points2) = 0;
+    /** @brief Runs the estimation. May be called again, with the same result for the same points: the components that #create has made
+    begin anew, those of the caller are used as they are.
     @param mask output, N x 1, CV_8U
     @param report output, may be null
     @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it, empty if there is none. */

@@ -1,0 +1,77 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "check_components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+template <class T>
+void checkPresent(const Ptr<T>& part, const char* name)
+{
+    if (!part)
+        CV_Error_(Error::StsNullPtr, ("components().%s: it is empty", name));
+}
+
+template <class T>
+void checkEntries(const std::vector<Ptr<T> >& parts, const char* name)
+{
+    for (size_t i = 0; i < parts.size(); ++i)
+        if (!parts[i])
+            CV_Error_(Error::StsNullPtr, ("components().%s[%d]: it is empty", name, (int)i));
+}
+
+//! Points without error, and points as far away as can be.
+void checkScore(const Score& score)
+{
+    enum { COUNT = 16 };
+    const float errors[] = {0, FLT_MAX};
+    for (int far = 0; far < 2; ++far)
+    {
+        float values[COUNT];
+        std::fill(values, values + COUNT, errors[far]);
+        Quality sum(0, 0);
+        score.accumulate(values, COUNT, 1, sum);
+        if (!(sum.cost >= 0 && sum.cost <= COUNT * (1 + FLT_EPSILON)) || (!far && sum.inliers != COUNT))
+            CV_Error_(Error::StsOutOfRange, ("components().score: %d points %s have the cost %g and %d inliers; a cost from 0 to 1 a point "
+                      "is expected, and that points without error are inliers", (int)COUNT,
+                      far ? "far from the model" : "without error", sum.cost, sum.inliers));
+    }
+}
+
+} // namespace
+
+void checkComponents(const Components& parts, const Components& made)
+{
+    checkPresent(parts.residual, "residual");
+    checkPresent(parts.score, "score");
+    checkPresent(parts.sampler, "sampler");
+    checkPresent(parts.minimalSolver, "minimalSolver");
+    checkEntries(parts.degeneracies, "degeneracies");
+    checkEntries(parts.terminations, "terminations");
+    const int m = parts.minimalSolver->sampleSize();
+    if (m < 1 || m > MAX_SAMPLE_SIZE)
+        CV_Error_(Error::StsOutOfRange, ("components().minimalSolver: samples of 1 to %d points are expected, not of %d",
+                  (int)MAX_SAMPLE_SIZE, m));
+    if (parts.score != made.score)
+        checkScore(*parts.score);
+}
+
+void checkSample(const int* sample, int m, int size)
+{
+    for (int k = 0; k < m; ++k)
+    {
+        if (sample[k] < 0 || sample[k] >= size)
+            CV_Error_(Error::StsOutOfRange, ("components().sampler: a sample has the index %d, 0 to %d are expected", sample[k],
+                      size - 1));
+        if (std::find(sample, sample + k, sample[k]) != sample + k)
+            CV_Error_(Error::StsBadArg, ("components().sampler: a sample has the index %d twice", sample[k]));
+    }
+}
+
+} // namespace usacv20
+} // namespace cv

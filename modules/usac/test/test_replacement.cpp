@@ -1,0 +1,323 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "core/sample_counts.hpp"
+
+// A component of a caller's does what it says, and what does not fit ends in a message.
+
+namespace opencv_test { namespace {
+
+//! Distance in image 2 to the epipolar line, signed; with its derivative or without.
+class LineDistance : public Residual
+{
+public:
+    explicit LineDistance(bool derived_) : derived(derived_) {}
+
+    void squaredErrors(const Correspondences& p, const Model& F, int begin, int end, float* errors) const CV_OVERRIDE
+    {
+        for (int i = begin; i < end; ++i)
+        {
+            const double match[] = {p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]};
+            const double d = distance(F, match);
+            errors[i - begin] = (float)(d * d);
+        }
+    }
+
+    void squaredErrors(const Model& F, const double* x1, const double* y1, const double* x2, const double* y2, int count,
+                       double* errors) const CV_OVERRIDE
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            const double match[] = {x1[i], y1[i], x2[i], y2[i]};
+            errors[i] = distance(F, match) * distance(F, match);
+        }
+    }
+
+    int error(const Model& F, const double* match, double* out) const CV_OVERRIDE
+    {
+        *out = distance(F, match);
+        return 1;
+    }
+
+    int linearize(const Model& F, const double* m, double* out, double* derivative) const CV_OVERRIDE
+    {
+        if (!derived)
+            return Residual::linearize(F, m, out, derivative);
+        const double x1[] = {m[0], m[1], 1}, x2[] = {m[2], m[3], 1};
+        const Vec3d line = F * Vec3d(m[0], m[1], 1);
+        const double length = std::hypot(line[0], line[1]);
+        *out = line.dot(Vec3d(m[2], m[3], 1)) / length;
+        for (int row = 0; row < 3; ++row)
+            for (int col = 0; col < 3; ++col)
+            {
+                const double ofLength = row < 2 ? line[row] / length * x1[col] : 0;
+                derivative[3 * row + col] = (x2[row] * x1[col] - *out * ofLength) / length;
+            }
+        return 1;
+    }
+
+private:
+    static double distance(const Model& F, const double* m)
+    {
+        const Vec3d line = F * Vec3d(m[0], m[1], 1);
+        return line.dot(Vec3d(m[2], m[3], 1)) / std::hypot(line[0], line[1]);
+    }
+
+    const bool derived;
+};
+
+//! Root of the mean squared distance of the marked matches to their lines in image 2, pixels.
+double lineError(const Scene& scene, const Mat& model, const Mat& mask)
+{
+    const Matx33d F((const double*)model.ptr());
+    double sum = 0;
+    for (int i = 0; i < scene.size(); ++i)
+        if (mask.at<uchar>(i))
+        {
+            const Vec3d line = F * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
+            const double d = line.dot(Vec3d(scene.points2[i].x, scene.points2[i].y, 1)) / std::hypot(line[0], line[1]);
+            sum += d * d;
+        }
+    return std::sqrt(sum / countNonZero(mask));
+}
+
+Scene zoomedScene()
+{
+    SceneOptions options;
+    options.motion = MOTION_FORWARD;
+    options.outliers = 60;
+    options.noise = 1;
+    return makeScene(FUNDAMENTAL, options);
+}
+
+//! What is scored is fitted, and what the mask says: least squares over the mask cannot lower the error any more.
+TEST(Usac_Replacement, residual)
+{
+    const Scene scene = zoomedScene();
+    Params params;
+    params.threshold = 3;
+    params.polishing = POLISHING_LEAST_SQUARES;
+    params.polishingSteps = 100;
+    Mat models[2];
+    for (int derived = 0; derived < 2; ++derived)
+    {
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Ptr<Residual> residual = makePtr<LineDistance>(derived != 0);
+        usac->components().residual = residual;
+        Mat mask;
+        models[derived] = usac->run(mask);
+        ASSERT_FALSE(models[derived].empty());
+        const double found = lineError(scene, models[derived], mask);
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            Mat one = Mat::zeros(scene.size(), 1, CV_8U);
+            one.at<uchar>(i) = 1;
+            EXPECT_EQ(lineError(scene, models[derived], one) <= params.threshold, mask.at<uchar>(i) != 0) << i;
+        }
+        RNG rng(5);
+        for (int i = 0; i < 200; ++i)  // other models of rank 2 beside it
+        {
+            Matx33d other((const double*)models[derived].ptr());
+            for (int k = 0; k < 9; ++k)
+                other.val[k] *= 1 + rng.gaussian(1e-3);
+            Matx33d U, Vt;
+            Vec3d w;
+            SVD::compute(other, w, U, Vt);
+            const Mat near(U * Matx33d::diag(Vec3d(w[0], w[1], 0)) * Vt, true);
+            EXPECT_GE(lineError(scene, near, mask), found * (1 - 1e-9));
+        }
+    }
+    EXPECT_LE(cv::norm(models[0], models[1]), 1e-6);
+    Mat mask;
+    const Mat sampson = estimate(scene, params, mask);
+    EXPECT_GT(cv::norm(models[0], sampson), 1e-5) << "another error has another minimum";
+}
+
+//! The residual of one component of a caller's that has not written any derivative.
+TEST(Usac_Replacement, derivativeByDifferences)
+{
+    RNG rng(3);
+    const LineDistance derived(true), plain(false);
+    for (int i = 0; i < 100; ++i)
+    {
+        Model F;
+        for (int k = 0; k < 9; ++k)
+            F.val[k] = rng.gaussian(1);
+        const double match[] = {rng.gaussian(1), rng.gaussian(1), rng.gaussian(1), rng.gaussian(1)};
+        double a, b, exact[9], differences[9];
+        EXPECT_EQ(1, derived.linearize(F, match, &a, exact));
+        EXPECT_EQ(1, plain.linearize(F, match, &b, differences));
+        EXPECT_NEAR(a, b, 1e-12 * (1 + std::abs(a)));
+        const double length = std::hypot(F.val[0] * match[0] + F.val[1] * match[1] + F.val[2],
+                                         F.val[3] * match[0] + F.val[4] * match[1] + F.val[5]);
+        for (int k = 0; k < 9 && length > 0.1; ++k)
+            EXPECT_NEAR(exact[k], differences[k], 1e-6 * (1 + a * a) / std::pow(length, 3));
+    }
+}
+
+//! Uniform whatever Params::sampler says; it may make mistakes.
+class OwnSampler : public Sampler
+{
+public:
+    explicit OwnSampler(int mistake_ = 0) : mistake(mistake_) {}
+
+    void sample(const Context& context, State& state, int* out) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        state.rng.distinct(context.points.size, m, out);
+        if (mistake == 1)
+            out[1] = context.points.size;
+        if (mistake == 2)
+            out[1] = out[0];
+        if (mistake == 3)
+            out[0] = -1;
+    }
+
+private:
+    const int mistake;
+};
+
+//! Uniform samples end a run where the theory says; PROSAC's criterion, which knows nothing of them, does not.
+TEST(Usac_Replacement, uniformSampler)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    for (int sorted = 0; sorted < 2; ++sorted)
+    {
+        Params params = Params::prosac();
+        params.sampler = sorted ? SAMPLER_PROSAC : SAMPLER_P_NAPSAC;
+        params.termination = TERMINATION_STANDARD | TERMINATION_EXACT | TERMINATION_PROSAC;
+        params.maxIterations = 100000;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        usac->components().sampler = makePtr<OwnSampler>();
+        Report report;
+        EXPECT_FALSE(usac->run(noArray(), &report).empty());
+        EXPECT_EQ((int)STOP_STANDARD, report.stop);
+        const int least = samplesNeeded(goodSampleProbability(scene.size(), scene.size() + 1, 4), std::log(1 - params.confidence));
+        EXPECT_GE(report.iterations, least);
+    }
+}
+
+//! Keeps half of the good models, so that twice as many samples are needed.
+class HalfVerifier : public Verifier
+{
+public:
+    explicit HalfVerifier(double kept_) : kept(kept_) {}
+    int nextBlock(int) const CV_OVERRIDE { return 256; }
+    bool proceed(int, int) const CV_OVERRIDE { return true; }
+    double keptProbability(const Context&, double, bool) const CV_OVERRIDE { return kept; }
+    void sampleTested(State&, int, int) CV_OVERRIDE {}
+    void adapt(const Context&, State&) CV_OVERRIDE {}
+
+private:
+    const double kept;
+};
+
+TEST(Usac_Replacement, verifierThatDropsGoodModels)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    Params params = Params::ransac();
+    params.confidence = 0.999999;
+    params.maxIterations = 1000000;
+    int iterations[2];
+    for (int half = 0; half < 2; ++half)
+    {
+        const Ptr<Usac> usac = createUsac(scene, params);
+        usac->components().verifier = makePtr<HalfVerifier>(half ? 0.01 : 1.);
+        Report report;
+        EXPECT_FALSE(usac->run(noArray(), &report).empty());
+        EXPECT_EQ((int)STOP_STANDARD, report.stop);
+        iterations[half] = report.iterations;
+    }
+    EXPECT_GT(iterations[1], 50 * iterations[0]);
+}
+
+//! A score that counts no inliers, or whose cost is out of range.
+class BadScore : public Score
+{
+public:
+    explicit BadScore(int mistake_) : mistake(mistake_) {}
+
+    void accumulate(float*, int count, float, Quality& sum) const CV_OVERRIDE
+    {
+        sum.cost += mistake == 0 ? 0.5 * count : mistake == 1 ? 2. * count : -1;
+        sum.inliers += mistake == 0 ? 0 : count;
+    }
+
+private:
+    const int mistake;
+};
+
+//! The message of what a run throws.
+std::string complaint(const Ptr<Usac>& usac)
+{
+    try
+    {
+        usac->run();
+    }
+    catch (const cv::Exception& e)
+    {
+        return e.err;
+    }
+    return "";
+}
+
+#define EXPECT_COMPLAINT(name, usac) EXPECT_EQ(0u, complaint(usac).find("components()." name)) << complaint(usac)
+
+TEST(Usac_Replacement, mistakesAreNamed)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        const Scene scene = makeScene((ProblemType)problem);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        const Components given = usac->components();
+        Components& parts = usac->components();
+        parts.residual.release();
+        EXPECT_COMPLAINT("residual", usac);
+        parts = given;
+        parts.score.release();
+        EXPECT_COMPLAINT("score", usac);
+        parts = given;
+        parts.sampler.release();
+        EXPECT_COMPLAINT("sampler", usac);
+        parts = given;
+        parts.minimalSolver.release();
+        EXPECT_COMPLAINT("minimalSolver", usac);
+        parts = given;
+        parts.degeneracies.push_back(Ptr<Degeneracy>());
+        EXPECT_COMPLAINT("degeneracies[", usac);
+        parts = given;
+        parts.terminations.push_back(Ptr<Termination>());
+        EXPECT_COMPLAINT("terminations[", usac);
+        for (int mistake = 1; mistake <= 3; ++mistake)
+        {
+            parts = given;
+            parts.sampler = makePtr<OwnSampler>(mistake);
+            EXPECT_COMPLAINT("sampler", usac);
+        }
+        for (int mistake = 0; mistake < 3; ++mistake)
+        {
+            parts = given;
+            parts.score = makePtr<BadScore>(mistake);
+            EXPECT_COMPLAINT("score", usac);
+        }
+        parts = given;
+        parts.nonMinimalSolver.release();
+        EXPECT_COMPLAINT("nonMinimalSolver", usac);
+        parts = given;
+        parts.neighbourhood.release();
+        EXPECT_COMPLAINT("neighbourhood", usac);
+        parts = createUsac(scene, Params())->components();
+        EXPECT_EQ("", complaint(usac)) << "all are there again";
+    }
+}
+
+//! A problem without a fit for a residual, and no problem at all.
+TEST(Usac_Replacement, problem)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    EXPECT_THROW(Usac::create(Ptr<Problem>(), scene.points1, scene.points2), cv::Exception);
+}
+
+}} // namespace
