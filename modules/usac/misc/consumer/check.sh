@@ -44,15 +44,16 @@ relocatable()
     [ -d "$work/prefix" ] && ! grep -rIF -e "$project" -e "$work" "$work/prefix"
 }
 
-# The one project for all ways; the package must be the one that is asked for, and the OpenCV, where that is known, its own.
-consumer() # name, option of CMake, directory of the package, directory of OpenCV's package or nothing
+# The one project for all ways; the package must be the one that is asked for, and the OpenCV, where that is known, its own. The
+# libraries of an OpenCV that was moved need a path to find each other.
+consumer() # name, option of CMake, directory of the package, directory of OpenCV's package or nothing, LD_LIBRARY_PATH or nothing
 {
     cmake -S "$here" -B "$work/$1" "$2" > "$work/$1.cmake.log" 2>&1 || { cat "$work/$1.cmake.log"; return 1; }
     cat "$work/$1.cmake.log"
     grep -qF -e "-- opencv_usac $version of $3, OpenCV " "$work/$1.cmake.log" || { echo "not the package of $3"; return 1; }
     [ -z "${4:-}" ] || grep -q " of $4\$" "$work/$1.cmake.log" || { echo "not the OpenCV of $4"; return 1; }
     cmake --build "$work/$1" &&
-    "$work/$1/usac_consumer"
+    LD_LIBRARY_PATH="${5:-}" "$work/$1/usac_consumer"
 }
 
 install_opencv()
@@ -103,9 +104,12 @@ check cmake consumer by_prefix "-DCMAKE_PREFIX_PATH=$work/prefix" "$work/prefix/
 check cmake_build_tree consumer by_build "-DCMAKE_PREFIX_PATH=$work/build" "$work/build"
 if [ -n "$opencv" ]; then
     check in_tree_install install_opencv
-    packages=$(cd "$work/opencv" && echo "$PWD"/lib*/cmake)
-    check in_tree_prefix consumer in_tree_by_prefix "-DCMAKE_PREFIX_PATH=$work/opencv" "$packages/opencv_usac" "$packages/opencv4"
-    check in_tree_dir consumer in_tree_by_dir "-DOpenCV_DIR=$packages/opencv4" "$packages/opencv4" "$packages/opencv4"
+    libraries=$(echo "$work"/opencv/lib*)
+    packages=$libraries/cmake
+    check in_tree_prefix consumer in_tree_by_prefix "-DCMAKE_PREFIX_PATH=$work/opencv" "$packages/opencv_usac" \
+        "$packages/opencv4" "$libraries"
+    check in_tree_dir consumer in_tree_by_dir "-DOpenCV_DIR=$packages/opencv4" "$packages/opencv4" \
+        "$packages/opencv4" "$libraries"
     check in_tree_build_tree consumer in_tree_by_build "-DOpenCV_DIR=$opencv" "$opencv" "$opencv"
 fi
 check pkg-config by_pkg_config
