@@ -52,10 +52,11 @@ opencv_tests()
     in_build "$tests/usac_opencv_tests"
 }
 
-# In a build of their own, on this OpenCV.
+# In a build of their own, on this OpenCV, with the tests as they were compiled above.
 sanitized_tests()
 {
-    OPENCV_SOURCE_DIR="$source" OPENCV_BUILD_DIR="$build" USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
+    OPENCV_SOURCE_DIR="$source" OPENCV_BUILD_DIR="$build" USAC_TEST_OBJECTS="$build/usac_test_objects.txt" \
+        USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
 }
 
 install_packages
