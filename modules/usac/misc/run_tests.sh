@@ -3,10 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python, a consumer of the
-# stand-alone build, the benchmark's, OpenCV's own tests with this module's flags in the place of OpenCV's, and C++ once more with
-# AddressSanitizer and UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo); the last line is
-# "<N> passed, <M> failed".
+# Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python, a program against
+# this build and the stand-alone one, the benchmark's, OpenCV's own tests with this module's flags in the place of OpenCV's, and
+# C++ once more with AddressSanitizer and UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo);
+# the last line is "<N> passed, <M> failed".
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
@@ -52,10 +52,11 @@ opencv_tests()
     in_build "$tests/usac_opencv_tests"
 }
 
-# In a build of their own, on this OpenCV.
+# In a build of their own, on this OpenCV, with the tests as they were compiled above.
 sanitized_tests()
 {
-    OPENCV_SOURCE_DIR="$source" OPENCV_BUILD_DIR="$build" USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
+    OPENCV_SOURCE_DIR="$source" OPENCV_BUILD_DIR="$build" USAC_TEST_OBJECTS="$build/usac_test_objects.txt" \
+        USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
 }
 
 install_packages
@@ -67,7 +68,7 @@ failed=0
 run cpp "$gtest_passed" "$gtest_failed" in_build bin/opencv_test_usac
 run perf "$gtest_passed" "$gtest_failed" in_build bin/opencv_perf_usac --perf_min_samples=1 --perf_force_samples=1
 run python "$count_passed" "$count_failed" python_tests
-run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$work/consumer"
+run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$work/consumer" "$build"
 run benchmark "$count_passed" "$count_failed" benchmark_tests
 run opencv "$count_passed" "$count_failed" opencv_tests
 run sanitized "$count_passed" "$count_failed" sanitized_tests

@@ -20,6 +20,7 @@
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
 #   OPENCV_BUILD_DIR   a build of it with opencv_ts; default: the one of run_tests.sh, made here if it is missing
+#   USAC_TEST_OBJECTS  its usac_test_objects.txt, if it has the present tests; default: they are compiled here
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
 
 set -eu
@@ -42,7 +43,8 @@ build_with() # tool, target, compiler, flags, more options for CMake
     tool=$1 target=$2 compiler=$3 flags=$4
     shift 4
     cmake -S "$module/misc/sanitize" -B "$tools/$tool" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="-O1 -g1" \
-        -DUSAC_TOOL_FLAGS="$flags" -DOPENCV_SOURCE="$source" -DOPENCV_BUILD="$build" "$@" > "$tools/$tool.cmake.log" &&
+        -DUSAC_TOOL_FLAGS="$flags" -DOPENCV_SOURCE="$source" -DOPENCV_BUILD="$build" \
+        -DUSAC_TEST_OBJECTS="${USAC_TEST_OBJECTS:-}" "$@" > "$tools/$tool.cmake.log" &&
     cmake --build "$tools/$tool" -j "$jobs" --target "$target"
 }
 
