@@ -5,31 +5,12 @@
 // A component of one's own: another quality function takes the place of MSAC. The matches come from a text file with a row
 // "x1 y1 x2 y2" each (what follows in a row is ignored), such as test_data/graf.txt.
 
-#include <fstream>
 #include <iostream>
-#include <sstream>
 #include "opencv2/core.hpp"
+#include "matches_file.hpp"
 #include "tukey_score.hpp"
 
 namespace {
-
-void readMatches(const std::string& file, std::vector<cv::Point2d>& points1, std::vector<cv::Point2d>& points2)
-{
-    std::ifstream in(file.c_str());
-    if (!in)
-        CV_Error(cv::Error::StsObjectNotFound, file + " cannot be read");
-    std::string line;
-    while (std::getline(in, line))
-    {
-        std::istringstream row(line);
-        cv::Point2d p1, p2;
-        if (row >> p1.x >> p1.y >> p2.x >> p2.y)
-        {
-            points1.push_back(p1);
-            points2.push_back(p2);
-        }
-    }
-}
 
 //! Runs the estimator with the components of `params`, or with another quality function among them. @return the homography
 cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std::vector<cv::Point2d>& points2,

@@ -4,67 +4,25 @@
 
 #include "test_precomp.hpp"
 #include "core/sample_counts.hpp"
+#include "../../../samples/line_distance.hpp"
 
 // A component of a caller's does what it says, and what does not fit ends in a message.
 
 namespace opencv_test { namespace {
 
-//! Distance in image 2 to the epipolar line, signed; with its derivative or without.
-class LineDistance : public Residual
+//! The sample's distance in image 2 to the epipolar line, with its derivative or without.
+class LineDistance : public custom::LineDistance
 {
 public:
     explicit LineDistance(bool derived_) : derived(derived_) {}
 
-    void squaredErrors(const Correspondences& p, const Model& F, int begin, int end, float* errors) const CV_OVERRIDE
+    int linearize(const Model& F, const double* match, double* out, double* derivative) const CV_OVERRIDE
     {
-        for (int i = begin; i < end; ++i)
-        {
-            const double match[] = {p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]};
-            const double d = distance(F, match);
-            errors[i - begin] = (float)(d * d);
-        }
-    }
-
-    void squaredErrors(const Model& F, const double* x1, const double* y1, const double* x2, const double* y2, int count,
-                       double* errors) const CV_OVERRIDE
-    {
-        for (int i = 0; i < count; ++i)
-        {
-            const double match[] = {x1[i], y1[i], x2[i], y2[i]};
-            errors[i] = distance(F, match) * distance(F, match);
-        }
-    }
-
-    int error(const Model& F, const double* match, double* out) const CV_OVERRIDE
-    {
-        *out = distance(F, match);
-        return 1;
-    }
-
-    int linearize(const Model& F, const double* m, double* out, double* derivative) const CV_OVERRIDE
-    {
-        if (!derived)
-            return Residual::linearize(F, m, out, derivative);
-        const double x1[] = {m[0], m[1], 1}, x2[] = {m[2], m[3], 1};
-        const Vec3d line = F * Vec3d(m[0], m[1], 1);
-        const double length = std::hypot(line[0], line[1]);
-        *out = line.dot(Vec3d(m[2], m[3], 1)) / length;
-        for (int row = 0; row < 3; ++row)
-            for (int col = 0; col < 3; ++col)
-            {
-                const double ofLength = row < 2 ? line[row] / length * x1[col] : 0;
-                derivative[3 * row + col] = (x2[row] * x1[col] - *out * ofLength) / length;
-            }
-        return 1;
+        return derived ? custom::LineDistance::linearize(F, match, out, derivative)
+                       : Residual::linearize(F, match, out, derivative);
     }
 
 private:
-    static double distance(const Model& F, const double* m)
-    {
-        const Vec3d line = F * Vec3d(m[0], m[1], 1);
-        return line.dot(Vec3d(m[2], m[3], 1)) / std::hypot(line[0], line[1]);
-    }
-
     const bool derived;
 };
 

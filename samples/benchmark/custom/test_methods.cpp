@@ -23,7 +23,6 @@ class SameSampler : public cv::usacv20::Sampler
 public:
     void sample(const cv::usacv20::Context& context, cv::usacv20::State& state, int* sample) CV_OVERRIDE
     {
-        state.subsetSize = context.points.size;
         state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
     }
 };
