@@ -72,7 +72,7 @@ inline cv::Mat readImage(const std::string& name)
     return image;
 }
 
-//! RootSIFT: with the square roots of the L1-normalised entries, Euclidean distance is Hellinger's.
+//! RootSIFT: with the square roots of the L1-normalized entries, Euclidean distance is Hellinger's.
 inline void detect(const cv::Mat& image, int features, std::vector<cv::KeyPoint>& keypoints, cv::Mat& descriptors)
 {
     cv::SIFT::create(features)->detectAndCompute(image, cv::noArray(), keypoints, descriptors);
@@ -155,7 +155,7 @@ inline double failureLimit(const cv::Mat& image)
     return 0.01 * std::sqrt((double)image.cols * image.cols + (double)image.rows * image.rows);
 }
 
-//! Both images side by side in a light grey, for colours to stand out.
+//! Both images side by side in a light grey, for colors to stand out.
 inline cv::Mat sideBySide(const cv::Mat& image1, const cv::Mat& image2)
 {
     cv::Mat canvas(std::max(image1.rows, image2.rows), image1.cols + image2.cols, CV_8UC3, cv::Scalar::all(255)), grey;
@@ -167,8 +167,8 @@ inline cv::Mat sideBySide(const cv::Mat& image1, const cv::Mat& image2)
     return canvas;
 }
 
-//! The k-th of a series of bright colours that differ well.
-inline cv::Scalar colour(int k)
+//! The k-th of a series of bright colors that differ well.
+inline cv::Scalar color(int k)
 {
     cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(k * 67 % 180, 255, 220)), bgr;
     cv::cvtColor(hsv, bgr, cv::COLOR_HSV2BGR);
@@ -203,7 +203,7 @@ inline cv::Mat drawInliers(const cv::Mat& image1, const cv::Mat& image2, const M
     }
     const std::vector<int> inliers = someInliers(mask, lines);
     for (size_t k = 0; k < inliers.size(); ++k)
-        cv::line(canvas, matches.points1[inliers[k]], matches.points2[inliers[k]] + shift, colour((int)k), 1, cv::LINE_AA);
+        cv::line(canvas, matches.points1[inliers[k]], matches.points2[inliers[k]] + shift, color((int)k), 1, cv::LINE_AA);
     return canvas;
 }
 
@@ -237,12 +237,12 @@ inline cv::Mat drawEpipolarLines(const cv::Mat& image1, const cv::Mat& image2, c
     for (size_t k = 0; k < inliers.size(); ++k)
     {
         const cv::Point2d p1 = matches.points1[inliers[k]], p2 = matches.points2[inliers[k]];
-        drawLine(left, F.t() * cv::Vec3d(p2.x, p2.y, 1), colour((int)k));
-        drawLine(right, F * cv::Vec3d(p1.x, p1.y, 1), colour((int)k));
+        drawLine(left, F.t() * cv::Vec3d(p2.x, p2.y, 1), color((int)k));
+        drawLine(right, F * cv::Vec3d(p1.x, p1.y, 1), color((int)k));
         const int radius = std::max(3, image1.cols / 200);
         for (int side = 0; side < 2; ++side)
         {
-            cv::circle(side ? right : left, side ? p2 : p1, radius, colour((int)k), cv::FILLED, cv::LINE_AA);
+            cv::circle(side ? right : left, side ? p2 : p1, radius, color((int)k), cv::FILLED, cv::LINE_AA);
             cv::circle(side ? right : left, side ? p2 : p1, radius, cv::Scalar::all(0), 1, cv::LINE_AA);
         }
     }

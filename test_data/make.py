@@ -29,7 +29,7 @@ def gray(directory, name):
 
 
 def match(image1, image2, features=4000):
-    """SIFT, nearest neighbour, ratio test. Rows x1 y1 x2 y2 score, the score being the ratio: lower is better."""
+    """SIFT, nearest neighbor, ratio test. Rows x1 y1 x2 y2 score, the score being the ratio: lower is better."""
     sift = cv.SIFT_create(features)
     keys1, descriptors1 = sift.detectAndCompute(image1, None)
     keys2, descriptors2 = sift.detectAndCompute(image2, None)

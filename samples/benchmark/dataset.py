@@ -5,7 +5,7 @@
 
 """Makes pairs for usac_benchmark from the images and the ground truth of public data sets.
 
-Matches: RootSIFT, the nearest neighbour of each feature of image 1 if the ratio of the distances to the nearest and the
+Matches: RootSIFT, the nearest neighbor of each feature of image 1 if the ratio of the distances to the nearest and the
 second nearest one is below a threshold; the ratio is the score. Ground truth: points annotated by hand where the data set
 has them, else the matches that agree with its homography, epipolar geometry or poses. No estimator takes part."""
 
@@ -35,9 +35,9 @@ class NoPair(Exception):
 
 
 def detect(image, features):
-    """Points, N x 2, and RootSIFT descriptors: with the square roots of the L1-normalised entries, Euclidean distance is
+    """Points, N x 2, and RootSIFT descriptors: with the square roots of the L1-normalized entries, Euclidean distance is
     Hellinger's. OpenCV doubles the image for the finest scale, which shifts all points by a quarter of a pixel; they are
-    brought to the convention that the centre of the first pixel is 0,0."""
+    brought to the convention that the center of the first pixel is 0,0."""
     precise = "enable_precise_upscale" in cv2.SIFT_create.__doc__
     sift = cv2.SIFT_create(features, enable_precise_upscale=True) if precise else cv2.SIFT_create(features)
     keypoints, descriptors = sift.detectAndCompute(image, None)

@@ -5,7 +5,7 @@
 """Readers of what public data sets publish about their image pairs, one function a data set.
 
 Each takes a folder and returns a list of Truth. A file that is missing or has another form raises DataError. Numbers
-are taken as they are published, with the centre of the first pixel at 0,0: so the annotated points of homogr agree best with
+are taken as they are published, with the center of the first pixel at 0,0: so the annotated points of homogr agree best with
 matched features."""
 
 import bisect
@@ -39,10 +39,10 @@ class Camera:
         return np.array([[self.focal, 0, (size[0] - 1) / 2], [0, self.focal, (size[1] - 1) / 2], [0, 0, 1]])
 
     @staticmethod
-    def of_pose(image, R, centre, **more):
-        """The camera whose axes are the columns of R and that stands at `centre`, both in the coordinates of the world."""
+    def of_pose(image, R, center, **more):
+        """The camera whose axes are the columns of R and that stands at `center`, both in the coordinates of the world."""
         R = np.asarray(R, float).T
-        return Camera(image, R, -R @ np.asarray(centre, float), **more)
+        return Camera(image, R, -R @ np.asarray(center, float), **more)
 
 
 class Truth:
@@ -111,7 +111,7 @@ def evd(folder):
 def strecha(folder):
     """The dense multi-view stereo scenes of Strecha et al.; all pairs of images of a scene.
 
-    <scene>/<cameras>/<image>.camera: K (3 x 3), three zeros, R (3 x 3, columns: axes of the camera), centre, width, height
+    <scene>/<cameras>/<image>.camera: K (3 x 3), three zeros, R (3 x 3, columns: axes of the camera), center, width, height
     <scene>/<images>/<image>, e.g. urd/0000.png beside gt_dense_cameras/0000.png.camera; or both in <scene> itself
 
     <folder> is a scene or holds scenes, at any depth."""
@@ -174,7 +174,7 @@ def _kitti_matrix(file):
     raise DataError(file + ": no line 'P0:'")
 
 
-# Intrinsics and distortion of the colour cameras, from the page of the data set.
+# Intrinsics and distortion of the color cameras, from the page of the data set.
 _TUM_CAMERAS = {
     "freiburg1": ((517.3, 516.5, 318.6, 255.3), (0.2624, -0.9531, -0.0054, 0.0026, 1.1633)),
     "freiburg2": ((520.9, 521.0, 325.1, 249.7), (0.2312, -0.7849, -0.0033, -0.0001, 0.9172)),
@@ -184,7 +184,7 @@ _TUM_TOLERANCE = 0.02  # seconds between an image and its pose, as in the data s
 
 
 def tum(folder, step=1):
-    """TUM RGB-D of Sturm et al.: colour images i and i + step of each sequence, among those that have a pose.
+    """TUM RGB-D of Sturm et al.: color images i and i + step of each sequence, among those that have a pose.
 
     <folder>/<...freiburg1, 2 or 3...>/groundtruth.txt: lines `time tx ty tz qx qy qz qw`, camera -> world
     <folder>/<...>/rgb.txt: lines `time file`; <folder> may be a sequence itself. The name tells the camera.

@@ -21,7 +21,7 @@ double modelError(const ImagePair& pair, ProblemType problem, const cv::Mat& mod
 or of the mean of both diagonals (F and E). */
 double failureLimit(const ImagePair& pair, ProblemType problem);
 
-/** What estimators minimise, whatever the truth is: mean of min(1, (error / threshold)^2) over the correspondences, with the errors
+/** What estimators minimize, whatever the truth is: mean of min(1, (error / threshold)^2) over the correspondences, with the errors
 of modelError; 1 without a model. Tells an estimate that a longer search would improve from one that only the truth speaks against.
 @param threshold pixels */
 double modelCost(const ImagePair& pair, ProblemType problem, const cv::Mat& model, double threshold);

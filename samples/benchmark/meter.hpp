@@ -19,7 +19,7 @@ struct Run
     double error;        //!< pixels, infinite without a model
     bool failed;
     double poseError;    //!< degrees, negative where the pair has no pose
-    double cost;         //!< what the estimators minimise, see modelCost
+    double cost;         //!< what the estimators minimize, see modelCost
     double cpuMs, wallMs;
     int iterations;      //!< negative where the method does not tell
     int inliers;

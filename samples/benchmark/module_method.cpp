@@ -59,7 +59,7 @@ ModuleMethod::ModuleMethod(const MethodName& name, const Params& params_)
     : Method(name.full), base(params_), fields(name.fields), useScores(name.scores), problem(cv::usacv20::HOMOGRAPHY)
 {
     if (useScores)
-        base.prior = cv::usacv20::PRIOR_AUTO;
+        base.ordering = cv::usacv20::ORDERING_AUTO;
     setFields(base, fields);  // wrong names and values are told before anything runs
     Params checked = base;
     if (useScores)

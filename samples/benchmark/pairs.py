@@ -21,7 +21,7 @@ class PairError(ValueError):
 class Pair:
     """Tentative correspondences of two images and the truth about them.
 
-    points1, points2: N x 2, pixels, the centre of the first pixel is 0,0. scores: N, lower is better.
+    points1, points2: N x 2, pixels, the center of the first pixel is 0,0. scores: N, lower is better.
     size1, size2: width, height. H: image 1 -> 2. R, t: x2 ~ R x1 + t. gt_points: M x 4, correspondences that are
     right. What is not known is None. extra: further members of the description."""
 

@@ -22,8 +22,8 @@ import numpy as np
 
 from rows import read_rows
 
-# Colours of Okabe and Ito, which the colour-blind can tell apart; line styles and markers go round with another period.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
+# Colors of Okabe and Ito, which the color-blind can tell apart; line styles and markers go round with another period.
+COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "h")
 TITLES = {"H": "homography", "F": "fundamental matrix", "E": "essential matrix"}
 COLUMNS = ("list", "problem", "pair", "method", "error", "failed", "cpu_ms", "wall_ms")
@@ -80,7 +80,7 @@ def _add(results, row, time, methods):
 
 
 class Look:
-    """Colour, line and marker of each method, the same in all pictures. Methods of OpenCV have dashed lines and hollow
+    """Color, line and marker of each method, the same in all pictures. Methods of OpenCV have dashed lines and hollow
     markers."""
 
     def __init__(self, results):
@@ -89,14 +89,14 @@ class Look:
     def line(self, method):
         i = self.methods.index(method)
         dashes = ["--", ":", "-."] if method.startswith("cv:") else ["-", (0, (7, 1.2)), (0, (5, 1, 1, 1))]
-        return {"color": COLOURS[i % len(COLOURS)], "linestyle": dashes[i // len(COLOURS) % len(dashes)],
+        return {"color": COLORS[i % len(COLORS)], "linestyle": dashes[i // len(COLORS) % len(dashes)],
                 "zorder": 3 - i / len(self.methods)}  # the first method lies on top
 
     def marker(self, method):
         i = self.methods.index(method)
-        colour = COLOURS[i % len(COLOURS)]
-        return {"color": colour, "marker": MARKERS[i % len(MARKERS)],
-                "markerfacecolor": "none" if method.startswith("cv:") else colour, "linestyle": ""}
+        color = COLORS[i % len(COLORS)]
+        return {"color": color, "marker": MARKERS[i % len(MARKERS)],
+                "markerfacecolor": "none" if method.startswith("cv:") else color, "linestyle": ""}
 
     def legend(self, figure, methods, markers=False):
         styles = [dict(self.line(m), **(dict(self.marker(m), linestyle="") if markers else {})) for m in methods]

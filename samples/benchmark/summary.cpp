@@ -76,7 +76,7 @@ double areaUnderCurve(const std::vector<Run>& runs, double threshold)
     return 100 * mean(parts);
 }
 
-Summary summariseRuns(const std::vector<Run>& runs)
+Summary summarizeRuns(const std::vector<Run>& runs)
 {
     Summary summary;
     if (runs.empty())
@@ -137,11 +137,11 @@ Summary::Summary() : lists(0), errorLists(0), medianError(NOT_KNOWN)
         this->*figure = NOT_KNOWN;
 }
 
-std::vector<Summary> summarise(const ListResult& result, int baseline)
+std::vector<Summary> summarize(const ListResult& result, int baseline)
 {
     std::vector<Summary> summaries;
     for (size_t m = 0; m < result.runs.size(); ++m)
-        summaries.push_back(summariseRuns(result.runs[m]));
+        summaries.push_back(summarizeRuns(result.runs[m]));
     const Summary reference = summaries[baseline];
     for (size_t m = 0; m < summaries.size(); ++m)
     {

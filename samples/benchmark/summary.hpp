@@ -31,7 +31,7 @@ struct Summary
 };
 
 //! Summaries of all methods on one list. @param baseline index of a method.
-std::vector<Summary> summarise(const ListResult& result, int baseline);
+std::vector<Summary> summarize(const ListResult& result, int baseline);
 
 /** Means over lists for all methods, as the paper's Table 2.
 

@@ -91,7 +91,7 @@ void Tables::addList(const ListResult& result)
     table.name = result.name;
     table.problem = letterOf(result.problem);
     table.pairs = (int)result.pairs.size();
-    table.rows = summarise(result, baseline);
+    table.rows = summarize(result, baseline);
     std::ostringstream title;
     title << table.name << " (" << table.problem << ", " << table.pairs << " pairs, threshold " << settings.threshold << ", "
           << settings.maxIterations << " iterations, confidence " << settings.confidence << ")";

@@ -45,8 +45,8 @@ C1, C2 = np.array([0.1, -0.2, 0.3]), np.array([1.2, 0.1, -0.2])
 POINTS = np.random.RandomState(1).uniform((-2, -1.5, 5), (2, 1.5, 9), (40, 3))
 
 
-def project(R, centre, matrix=K):
-    x = (POINTS - centre) @ R.T @ matrix.T
+def project(R, center, matrix=K):
+    x = (POINTS - center) @ R.T @ matrix.T
     return x[:, :2] / x[:, 2:]
 
 

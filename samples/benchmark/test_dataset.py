@@ -51,7 +51,7 @@ class BuildTest(FolderTest):
             cv2.imwrite(self.path("in", part, name + ".png"), image)
         self.put("in/h/%s.txt" % name, text(*self.H))
 
-    def test_centre_of_the_first_pixel_is_zero(self):
+    def test_center_of_the_first_pixel_is_zero(self):
         y, x = np.mgrid[:90, :100]
         for at in ((50, 40), (50.5, 40.25)):
             spot = 20 + 220 * np.exp(-((x - at[0]) ** 2 + (y - at[1]) ** 2) / 18)

@@ -22,7 +22,7 @@ except ImportError:
 
 class ReadersTest(FolderTest):
 
-    def check_cameras(self, truth, R=None, centre=None):
+    def check_cameras(self, truth, R=None, center=None):
         """The relative pose is that of the scene, and its points fulfil the epipolar constraint and lie in front."""
         a, b = truth.cameras
         np.testing.assert_allclose(a.matrix(SIZE), K, atol=1e-9)
@@ -35,15 +35,15 @@ class ReadersTest(FolderTest):
         self.assertFalse(geometry.in_front(K, K, R12, -t, project(R1, C1), project(R2, C2)).any())
         self.assertEqual(truth.problems, ["E", "F"])
 
-    def camera_file(self, R, centre):
-        return text(*K) + "0 0 0\n" + text(*R.T) + text(centre) + "640 480\n"
+    def camera_file(self, R, center):
+        return text(*K) + "0 0 0\n" + text(*R.T) + text(center) + "640 480\n"
 
     def test_strecha(self):
-        for image, R, centre in (("0000.png", R1, C1), ("0001.png", R2, C2)):
-            self.put("fountain/gt/%s.camera" % image, self.camera_file(R, centre))
+        for image, R, center in (("0000.png", R1, C1), ("0001.png", R2, C2)):
+            self.put("fountain/gt/%s.camera" % image, self.camera_file(R, center))
             self.put("fountain/urd/" + image)
             for place in ("a", "b"):  # two more scenes with images and cameras in one folder
-                self.put("more/%s/%s.camera" % (place, image), self.camera_file(R, centre))
+                self.put("more/%s/%s.camera" % (place, image), self.camera_file(R, center))
                 self.put("more/%s/%s" % (place, image))
         truths = ground_truth.strecha(self.folder)
         self.assertEqual([t.name for t in truths], ["fountain_0000_0001", "a_0000_0001", "b_0000_0001"])
@@ -101,8 +101,8 @@ class ReadersTest(FolderTest):
     def test_bundler(self):
         flip = np.diag([1.0, -1, -1])
         rows = []
-        for R, centre, focal in ((R1, C1, 700), (np.zeros((3, 3)), C1 * 0, 0), (R2, C2, 650)):
-            rows += [[focal, 0.01 if focal == 650 else 0, 0]] + list(flip @ R) + [-flip @ R @ centre]
+        for R, center, focal in ((R1, C1, 700), (np.zeros((3, 3)), C1 * 0, 0), (R2, C2, 650)):
+            rows += [[focal, 0.01 if focal == 650 else 0, 0]] + list(flip @ R) + [-flip @ R @ center]
         self.put("scene/gt_bundle.out", "# Bundle file v0.3\n3 1\n" + text(*rows) + "1 2 3\n0 0 0\n0\n")
         self.put("scene/list.txt", "images/a.jpg 0 700\nimages/b.jpg\nimages/c.jpg 0 650\n")
         self.put("scene/EGs.txt", "0 2 1 0 0 0 1 0 0 0 1 1 0 0\n0 1 1 0 0 0 1 0 0 0 1 1 0 0\n")

@@ -55,7 +55,7 @@ def arguments(about, image1, image2, output, threshold):
 
 
 def _detect(image, features):
-    """RootSIFT: with the square roots of the L1-normalised entries, Euclidean distance is Hellinger's."""
+    """RootSIFT: with the square roots of the L1-normalized entries, Euclidean distance is Hellinger's."""
     keypoints, descriptors = cv2.SIFT_create(features).detectAndCompute(image, None)
     if descriptors is None:
         return keypoints, np.empty((0, 128), np.float32)
@@ -122,7 +122,7 @@ def _side_by_side(image1, image2):
     return cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)
 
 
-def _colour(k):
+def _color(k):
     hsv = np.uint8([[[k * 67 % 180, 255, 220]]])
     return tuple(int(v) for v in cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)[0, 0])
 
@@ -145,11 +145,11 @@ def draw_inliers(image1, image2, points1, points2, mask, lines=60):
         for point in (p, q):
             cv2.circle(canvas, _place(point), 2, (0, 150, 0) if inlier else (0, 0, 230), cv2.FILLED, cv2.LINE_AA)
     for k, i in enumerate(_some_inliers(mask, lines)):
-        cv2.line(canvas, _place(points1[i]), _place(shifted[i]), _colour(k), 1, cv2.LINE_AA)
+        cv2.line(canvas, _place(points1[i]), _place(shifted[i]), _color(k), 1, cv2.LINE_AA)
     return canvas
 
 
-def _draw_line(image, line, colour):
+def _draw_line(image, line, color):
     """The part of the line a x + b y + c = 0 that is inside the image."""
     height, width = image.shape[:2]
     a, b, c = line
@@ -158,7 +158,7 @@ def _draw_line(image, line, colour):
     else:
         ends = [(-(c + b * y) / a, y) for y in (0, height - 1)]
     if np.abs(ends).max() < 1e4:
-        cv2.line(image, _place(ends[0]), _place(ends[1]), colour, max(1, width // 600), cv2.LINE_AA)
+        cv2.line(image, _place(ends[0]), _place(ends[1]), color, max(1, width // 600), cv2.LINE_AA)
 
 
 def draw_epipolar_lines(image1, image2, points1, points2, mask, F, lines=24):
@@ -170,8 +170,8 @@ def draw_epipolar_lines(image1, image2, points1, points2, mask, F, lines=24):
     for k, i in enumerate(_some_inliers(mask, lines)):
         p, q = np.append(points1[i], 1), np.append(points2[i], 1)
         for image, line, point in ((left, F.T @ q, p), (right, F @ p, q)):
-            _draw_line(image, line, _colour(k))
-            cv2.circle(image, _place(point[:2]), radius, _colour(k), cv2.FILLED, cv2.LINE_AA)
+            _draw_line(image, line, _color(k))
+            cv2.circle(image, _place(point[:2]), radius, _color(k), cv2.FILLED, cv2.LINE_AA)
             cv2.circle(image, _place(point[:2]), radius, (0, 0, 0), 1, cv2.LINE_AA)
     return canvas
 

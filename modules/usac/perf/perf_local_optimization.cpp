@@ -4,14 +4,14 @@
 
 #include "perf_precomp.hpp"
 #include "perf_scene.hpp"
-#include "local_optimization/labelling.hpp"
+#include "local_optimization/labeling.hpp"
 
 namespace opencv_test { namespace {
 
 CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL)
 typedef TestBaseWithParam<tuple<Problem, int> > UsacGraphCut;
 
-//! The best model of a sample of right matches: what the local optimisation starts from.
+//! The best model of a sample of right matches: what the local optimization starts from.
 Model modelOfSample(const PerfScene& scene, int stream)
 {
     const Context& context = scene.context;
@@ -41,7 +41,7 @@ Model modelOfSample(const PerfScene& scene, int stream)
     return best;
 }
 
-//! Full local optimisations of 20 models, each as of the first model of a run.
+//! Full local optimizations of 20 models, each as of the first model of a run.
 PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {
     const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
@@ -69,13 +69,13 @@ PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), te
 PERF_TEST_P(UsacGraphCut, cut_20times, testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {
     const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
-    Labelling labelling;
+    Labeling labeling;
     std::vector<int> inliers;
-    labelling.cut(scene.context, scene.model, inliers);
+    labeling.cut(scene.context, scene.model, inliers);
     TEST_CYCLE()
     {
         for (int k = 0; k < 20; ++k)
-            labelling.cut(scene.context, scene.model, inliers);
+            labeling.cut(scene.context, scene.model, inliers);
     }
     EXPECT_GT((int)inliers.size(), get<1>(GetParam()) / 3);
     SANITY_CHECK_NOTHING();

@@ -8,8 +8,8 @@ namespace cv {
 namespace usacv20 {
 
 // The destructors are here so that each class has one home for its virtual table, also in the libraries of users.
-Prior::~Prior() {}
-Neighbourhood::~Neighbourhood() {}
+Ordering::~Ordering() {}
+Neighborhood::~Neighborhood() {}
 Sampler::~Sampler() {}
 MinimalSolver::~MinimalSolver() {}
 NonMinimalSolver::~NonMinimalSolver() {}
@@ -27,15 +27,15 @@ void State::sort(const Context& context)
     order.resize(context.points.size);
     for (size_t i = 0; i < order.size(); ++i)
         order[i] = (int)i;
-    if (context.components.prior)
-        context.components.prior->sort(context, order);
+    if (context.components.ordering)
+        context.components.ordering->sort(context, order);
 }
 
-Neighbourhood& Context::neighbourhood() const
+Neighborhood& Context::neighborhood() const
 {
-    if (!components.neighbourhood)
-        CV_Error(Error::StsNullPtr, "components().neighbourhood: it is empty, but the sampler or the local optimizer needs one");
-    return *components.neighbourhood;
+    if (!components.neighborhood)
+        CV_Error(Error::StsNullPtr, "components().neighborhood: it is empty, but the sampler or the local optimizer needs one");
+    return *components.neighborhood;
 }
 
 const NonMinimalSolver& Context::nonMinimalSolver() const

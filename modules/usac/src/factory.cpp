@@ -5,9 +5,9 @@
 #include "precomp.hpp"
 #include "factory.hpp"
 #include "local_optimization/local_optimization.hpp"
-#include "neighbourhood/neighbourhood.hpp"
+#include "neighborhood/neighborhood.hpp"
 #include "polishing/polishing.hpp"
-#include "prior/prior.hpp"
+#include "ordering/ordering.hpp"
 #include "samplers/samplers.hpp"
 #include "scores/scores.hpp"
 #include "termination/termination.hpp"
@@ -30,24 +30,24 @@ Ptr<Sampler> createSampler(int type)
     }
 }
 
-Ptr<Prior> createPrior(int type, bool haveScores)
+Ptr<Ordering> createOrdering(int type, bool haveScores)
 {
     switch (type)
     {
-    case PRIOR_NONE: return Ptr<Prior>();
-    case PRIOR_INPUT_ORDER: return createInputOrderPrior();
-    case PRIOR_DENSITY: return createDensityPrior();
-    default: return haveScores ? createScorePrior() : createDensityPrior();
+    case ORDERING_NONE: return Ptr<Ordering>();
+    case ORDERING_INPUT_ORDER: return createInputOrderOrdering();
+    case ORDERING_DENSITY: return createDensityOrdering();
+    default: return haveScores ? createScoreOrdering() : createDensityOrdering();
     }
 }
 
-Ptr<Neighbourhood> createNeighbourhood(const Params& params)
+Ptr<Neighborhood> createNeighborhood(const Params& params)
 {
-    switch (params.neighbourhood)
+    switch (params.neighborhood)
     {
-    case NEIGHBOURHOOD_KNN: return createKnnNeighbourhood(params.neighbours);
-    case NEIGHBOURHOOD_RADIUS: return createRadiusNeighbourhood(params.neighbourRadius);
-    default: return createGridNeighbourhood();
+    case NEIGHBORHOOD_KNN: return createKnnNeighborhood(params.neighbors);
+    case NEIGHBORHOOD_RADIUS: return createRadiusNeighborhood(params.neighborRadius);
+    default: return createGridNeighborhood();
     }
 }
 
@@ -137,8 +137,8 @@ void replaceComponents(Components& parts, const Components& made, const Componen
 {
     replaceMade(parts.residual, made.residual, fresh.residual);
     replaceMade(parts.score, made.score, fresh.score);
-    replaceMade(parts.prior, made.prior, fresh.prior);
-    replaceMade(parts.neighbourhood, made.neighbourhood, fresh.neighbourhood);
+    replaceMade(parts.ordering, made.ordering, fresh.ordering);
+    replaceMade(parts.neighborhood, made.neighborhood, fresh.neighborhood);
     replaceMade(parts.sampler, made.sampler, fresh.sampler);
     replaceMade(parts.minimalSolver, made.minimalSolver, fresh.minimalSolver);
     replaceMade(parts.nonMinimalSolver, made.nonMinimalSolver, fresh.nonMinimalSolver);
@@ -157,8 +157,8 @@ Components createComponents(const Correspondences& points, const Params& params)
     parts.minimalSolver = problem.createMinimalSolver();
     parts.score = createScore(params.quality, points);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
-        parts.prior = createPrior(params.prior, points.scores != 0);
-    parts.neighbourhood = createNeighbourhood(params);
+        parts.ordering = createOrdering(params.ordering, points.scores != 0);
+    parts.neighborhood = createNeighborhood(params);
     parts.sampler = createSampler(params.sampler);
     parts.nonMinimalSolver = problem.createNonMinimalSolver(parts.residual);
     problem.createDegeneracies(params.degeneracy, points, parts.degeneracies);

@@ -9,8 +9,8 @@ namespace usacv20 {
 
 Params::Params()
     : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
-      prior(PRIOR_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighbourhood(NEIGHBOURHOOD_GRID), neighbours(10),
-      neighbourRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), widestReach(1),
+      ordering(ORDERING_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighborhood(NEIGHBORHOOD_GRID), neighbors(10),
+      neighborRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), widestReach(1),
       verification(VERIFICATION_SPRT), tddPoints(1),
       localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
       spatialWeight(0.14), runnersUp(16), orderedEvery(8),
@@ -44,8 +44,8 @@ void checkCombinations(const Params& p)
                      "termination: TERMINATION_PROSAC needs a sampler with a growing set of points, SAMPLER_PROSAC or "
                      "SAMPLER_P_NAPSAC");
     checkCombination((criteria & TERMINATION_PROSAC) &&
-                     !(p.prior == PRIOR_INPUT_ORDER || (p.prior == PRIOR_AUTO && !p.scores.empty())),
-                     "termination: TERMINATION_PROSAC needs points in an order, by scores or by PRIOR_INPUT_ORDER; many wrong "
+                     !(p.ordering == ORDERING_INPUT_ORDER || (p.ordering == ORDERING_AUTO && !p.scores.empty())),
+                     "termination: TERMINATION_PROSAC needs points in an order, by scores or by ORDERING_INPUT_ORDER; many wrong "
                      "models fit the densest places");
     checkCombination(p.termination == TERMINATION_EXACT,
                      "termination: TERMINATION_EXACT modifies another criterion and stands alone");
@@ -92,12 +92,12 @@ void Params::check(int count) const
     checkRange("maxIterations", maxIterations, 1, INT_MAX);
     checkRange("threads", threads, 0, 1024);
     checkRange("sampler", sampler, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE);
-    checkRange("prior", prior, PRIOR_AUTO, PRIOR_NONE);
+    checkRange("ordering", ordering, ORDERING_AUTO, ORDERING_NONE);
     checkRange("scoreOrder", scoreOrder, SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER);
-    checkRange("neighbourhood", neighbourhood, NEIGHBOURHOOD_GRID, NEIGHBOURHOOD_RADIUS);
-    checkRange("neighbours", neighbours, 1, 1000);
-    if (!(neighbourRadius > 0 && neighbourRadius <= DBL_MAX))
-        CV_Error_(Error::StsOutOfRange, ("neighbourRadius: a positive number of pixels is expected, not %g", neighbourRadius));
+    checkRange("neighborhood", neighborhood, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS);
+    checkRange("neighbors", neighbors, 1, 1000);
+    if (!(neighborRadius > 0 && neighborRadius <= DBL_MAX))
+        CV_Error_(Error::StsOutOfRange, ("neighborRadius: a positive number of pixels is expected, not %g", neighborRadius));
     checkRange("residual", residual, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC);
     checkRange("quality", quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS);
     checkRange("reach", reach, 1, 10);
@@ -134,12 +134,12 @@ void visitFields(P& params, Visitor& visit)
     visit("seed", params.seed);
     visit("threads", params.threads);
     visit("sampler", params.sampler);
-    visit("prior", params.prior);
+    visit("ordering", params.ordering);
     visit("scores", params.scores);
     visit("scoreOrder", params.scoreOrder);
-    visit("neighbourhood", params.neighbourhood);
-    visit("neighbours", params.neighbours);
-    visit("neighbourRadius", params.neighbourRadius);
+    visit("neighborhood", params.neighborhood);
+    visit("neighbors", params.neighbors);
+    visit("neighborRadius", params.neighborRadius);
     visit("residual", params.residual);
     visit("quality", params.quality);
     visit("reach", params.reach);

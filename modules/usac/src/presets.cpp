@@ -40,7 +40,7 @@ Params Params::sorted()
 {
     Params params;
     params.sampler = SAMPLER_PROSAC;
-    params.prior = PRIOR_INPUT_ORDER;
+    params.ordering = ORDERING_INPUT_ORDER;
     return params;
 }
 
@@ -90,7 +90,7 @@ Params Params::prosac()
 {
     Params params = ransac();
     params.sampler = SAMPLER_PROSAC;
-    params.prior = PRIOR_INPUT_ORDER;
+    params.ordering = ORDERING_INPUT_ORDER;
     params.orderedEvery = 1;
     params.termination = TERMINATION_PROSAC;
     return params;
@@ -119,8 +119,8 @@ Params Params::gcRansac()
 {
     Params params = msac();
     params.localOptimization = LOCAL_OPTIMIZATION_GC_RANSAC;
-    params.neighbourhood = NEIGHBOURHOOD_RADIUS;
-    params.neighbourRadius = 20;
+    params.neighborhood = NEIGHBORHOOD_RADIUS;
+    params.neighborRadius = 20;
     params.localSamples = 20;
     params.localIterations = 10;
     params.localSampleMultiple = 7;
@@ -131,7 +131,7 @@ Params Params::usac2013()
 {
     Params params = loRansac();
     params.sampler = SAMPLER_PROSAC;
-    params.prior = PRIOR_INPUT_ORDER;
+    params.ordering = ORDERING_INPUT_ORDER;
     params.orderedEvery = 1;
     params.verification = VERIFICATION_SPRT;
     params.termination = TERMINATION_SPRT | TERMINATION_PROSAC;
@@ -209,14 +209,14 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     {
     case SAMPLING_UNIFORM: params.sampler = SAMPLER_UNIFORM; break;
     case SAMPLING_NAPSAC: params.sampler = SAMPLER_NAPSAC; break;
-    case SAMPLING_PROSAC: params.sampler = SAMPLER_PROSAC; params.prior = PRIOR_INPUT_ORDER; break;
+    case SAMPLING_PROSAC: params.sampler = SAMPLER_PROSAC; params.ordering = ORDERING_INPUT_ORDER; break;
     default: params.sampler = SAMPLER_P_NAPSAC;
     }
     switch (other.neighborsSearch)
     {
-    case NEIGH_FLANN_KNN: params.neighbourhood = NEIGHBOURHOOD_KNN; break;
-    case NEIGH_FLANN_RADIUS: params.neighbourhood = NEIGHBOURHOOD_RADIUS; break;
-    default: params.neighbourhood = NEIGHBOURHOOD_GRID;
+    case NEIGH_FLANN_KNN: params.neighborhood = NEIGHBORHOOD_KNN; break;
+    case NEIGH_FLANN_RADIUS: params.neighborhood = NEIGHBORHOOD_RADIUS; break;
+    default: params.neighborhood = NEIGHBORHOOD_GRID;
     }
     switch (other.loMethod)
     {

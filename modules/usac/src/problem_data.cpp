@@ -187,9 +187,9 @@ void ProblemData::shuffle(const Params& params)
 void ProblemData::scale(const Params& params)
 {
     const int normalization = view.problem->normalization(params.residual);
-    double centre[4], deviation[4], s[2] = {1, 1}, low[4], high[4];
+    double center[4], deviation[4], s[2] = {1, 1}, low[4], high[4];
     for (int k = 0; k < 4; ++k)
-        robustFrame(doubles.ptr<double>(k), view.size, centre[k], deviation[k], low[k], high[k]);
+        robustFrame(doubles.ptr<double>(k), view.size, center[k], deviation[k], low[k], high[k]);
     if (normalization != SCALE_NONE)
     {
         for (int image = 0; image < 2; ++image)
@@ -202,7 +202,7 @@ void ProblemData::scale(const Params& params)
     }
     for (int k = 0; k < 4; ++k)
     {
-        const double shift = normalization == SCALE_NONE ? 0 : centre[k], factor = s[k / 2];
+        const double shift = normalization == SCALE_NONE ? 0 : center[k], factor = s[k / 2];
         double* const values = doubles.ptr<double>(k);
         float* const single = floats.ptr<float>(k);
         for (int i = 0; i < view.size; ++i)
@@ -210,15 +210,15 @@ void ProblemData::scale(const Params& params)
             values[i] = (values[i] - shift) * factor;
             single[i] = (float)values[i];
         }
-        const double middle = (centre[k] - shift) * factor, reach = 5 * deviation[k] * factor;
+        const double middle = (center[k] - shift) * factor, reach = 5 * deviation[k] * factor;
         view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
         view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }
     view.T1 = view.T2 = Matx33d::eye();
     if (normalization != SCALE_NONE)
     {
-        view.T1 = Matx33d(s[0], 0, -s[0] * centre[0], 0, s[0], -s[0] * centre[1], 0, 0, 1);
-        view.T2 = Matx33d(s[1], 0, -s[1] * centre[2], 0, s[1], -s[1] * centre[3], 0, 0, 1);
+        view.T1 = Matx33d(s[0], 0, -s[0] * center[0], 0, s[0], -s[0] * center[1], 0, 0, 1);
+        view.T2 = Matx33d(s[1], 0, -s[1] * center[2], 0, s[1], -s[1] * center[3], 0, 0, 1);
     }
     view.threshold = std::min(std::max(inputThreshold * params.reach * s[1], SMALLEST_THRESHOLD), LARGEST_THRESHOLD);
     view.x1 = floats.ptr<float>(0);

@@ -46,7 +46,7 @@ private:
     double pixelThreshold;                //!< the same in pixels
     double pixels;                        //!< in one unit of `input`
     Mat inputRows;                        //!< memory of `input`
-    double* input[4];                     //!< all rows: x1, y1, x2, y2 (E: on the normalised image plane)
+    double* input[4];                     //!< all rows: x1, y1, x2, y2 (E: on the normalized image plane)
     Mat floats, doubles;                  //!< 4 rows each; cv::Mat aligns them
     std::vector<int> indices;
     std::vector<float> scores;

@@ -54,7 +54,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
 {
 }
 
-// Numbers are the lines of Algorithm 1; lines 4 to 14 are in hypothesise(), 15 to 27 in improve().
+// Numbers are the lines of Algorithm 1; lines 4 to 14 are in hypothesize(), 15 to 27 in improve().
 bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();
@@ -73,14 +73,14 @@ bool Ransac::run(int pause)
         const bool together = threads > 1 && samples.size() * context.points.problem->sampleCost().time >= PARALLEL_WORK;
         batch.resize(together ? samples.size() : 1);
         if (together)
-            hypothesiseBatch();
+            hypothesizeBatch();
         Candidate best;
         bool found = false;
         for (size_t i = 0; i < samples.size() && !terminate(); ++i)
         {
             Hypotheses& h = batch[together ? i : 0];
             if (!together)
-                hypothesise((int)i, h);
+                hypothesize((int)i, h);
             ++state.iteration;
             state.counts = counts[i] != 0;
             account(h);
@@ -180,16 +180,16 @@ void Ransac::drawBatch()
     state.iteration = firstOfBatch;
 }
 
-void Ransac::hypothesiseBatch()
+void Ransac::hypothesizeBatch()
 {
     parallel_for_(Range(0, (int)batch.size()), [this](const Range& range) {
         for (int i = range.start; i < range.end; ++i)
-            hypothesise(i, batch[i]);
+            hypothesize(i, batch[i]);
     }, threads);
 }
 
 //! Called by several threads at once: writes to its own hypotheses only.
-void Ransac::hypothesise(int index, Hypotheses& h) const
+void Ransac::hypothesize(int index, Hypotheses& h) const
 {
     const int* sample = samples[index].val;
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
@@ -241,8 +241,8 @@ void Ransac::hypothesise(int index, Hypotheses& h) const
     }
 }
 
-/* A model that is better than the models of all samples before. Here the paper compares with the optimised best model;
-but a good model from a noisy sample is often worse than a bad one after its optimisation, and would never be optimised.
+/* A model that is better than the models of all samples before. Here the paper compares with the optimized best model;
+but a good model from a noisy sample is often worse than a bad one after its optimization, and would never be optimized.
 `before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way of others.
 */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
@@ -307,7 +307,7 @@ bool Ransac::sameInliers(const Model& model, const Model& other) const
     return shared >= SAME * own;
 }
 
-//! Lines 19 to 24; a second time if the optimised model was degenerate and a better one took its place.
+//! Lines 19 to 24; a second time if the optimized model was degenerate and a better one took its place.
 void Ransac::optimize(Model& model, Quality& quality)
 {
     const int64 start = getTickCount();

@@ -30,8 +30,8 @@ struct Hypotheses
 Samples are drawn in batches. Their models are computed and rated one after the other, or by several threads, and in
 either case looked at in the order of the samples. What decides (samples, verification, the best model at the time of the
 look) is the same in both cases, so the number of threads does not change a bit of the result. Of the first batch, only the best
-model is optimised: the first models are soon beaten @cite lebeda2012fixing. When the search is about to end, the runners-up
-(Params::runnersUp) are optimised, too; if one of them becomes the best model, the criteria are asked again. */
+model is optimized: the first models are soon beaten @cite lebeda2012fixing. When the search is about to end, the runners-up
+(Params::runnersUp) are optimized, too; if one of them becomes the best model, the criteria are asked again. */
 class Ransac
 {
 public:
@@ -48,8 +48,8 @@ private:
     bool terminate();
     void drawBatch();
     //! @param index of the sample in the batch
-    void hypothesise(int index, Hypotheses& hypotheses) const;
-    void hypothesiseBatch();
+    void hypothesize(int index, Hypotheses& hypotheses) const;
+    void hypothesizeBatch();
     //! Cost from which on the model of a sample is of no use.
     double uselessCost() const;
     void improve(const Candidate& candidate, const Quality& before);

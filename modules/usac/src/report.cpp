@@ -21,7 +21,7 @@ String Report::describe() const
         "maximum of iterations", "standard criterion", "SPRT criterion", "P-NAPSAC criterion", "custom criterion",
         "PROSAC criterion", "MAGSAC criterion", "no model: none that random points would not give"};
     const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NOT_SIGNIFICANT ? reasons[stop] : "unknown reason";
-    return format("%d inliers, cost %.4f, %d iterations, %d local optimisations, stopped by: %s%s", inliers, cost,
+    return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s", inliers, cost,
                   iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "");
 }
 

@@ -88,8 +88,8 @@ int wrongArguments(const FuzzInput& input)
 bool namesAnArgument(const std::string& message)
 {
     static const char* const names[] = {
-        "threshold", "confidence", "maxIterations", "threads", "sampler", "prior", "scores", "scoreOrder", "neighbourhood",
-        "neighbours", "neighbourRadius", "residual", "quality", "reach", "widestReach", "verification", "tddPoints",
+        "threshold", "confidence", "maxIterations", "threads", "sampler", "ordering", "scores", "scoreOrder", "neighborhood",
+        "neighbors", "neighborRadius", "residual", "quality", "reach", "widestReach", "verification", "tddPoints",
         "localOptimization", "localIterations", "localSampleMultiple", "localSamples", "spatialWeight", "runnersUp",
         "orderedEvery", "termination", "relaxation", "persistence", "degeneracy", "polishing", "polishingSteps", "significance",
         "points1", "points2",

@@ -24,10 +24,10 @@ struct Fields
         f.push_back(std::make_pair("seed", &Params::seed));
         f.push_back(std::make_pair("threads", &Params::threads));
         f.push_back(std::make_pair("sampler", &Params::sampler));
-        f.push_back(std::make_pair("prior", &Params::prior));
+        f.push_back(std::make_pair("ordering", &Params::ordering));
         f.push_back(std::make_pair("scoreOrder", &Params::scoreOrder));
-        f.push_back(std::make_pair("neighbourhood", &Params::neighbourhood));
-        f.push_back(std::make_pair("neighbours", &Params::neighbours));
+        f.push_back(std::make_pair("neighborhood", &Params::neighborhood));
+        f.push_back(std::make_pair("neighbors", &Params::neighbors));
         f.push_back(std::make_pair("residual", &Params::residual));
         f.push_back(std::make_pair("quality", &Params::quality));
         f.push_back(std::make_pair("verification", &Params::verification));
@@ -51,7 +51,7 @@ struct Fields
         std::vector<std::pair<std::string, double Params::*> > f;
         f.push_back(std::make_pair("threshold", &Params::threshold));
         f.push_back(std::make_pair("confidence", &Params::confidence));
-        f.push_back(std::make_pair("neighbourRadius", &Params::neighbourRadius));
+        f.push_back(std::make_pair("neighborRadius", &Params::neighborRadius));
         f.push_back(std::make_pair("reach", &Params::reach));
         f.push_back(std::make_pair("widestReach", &Params::widestReach));
         f.push_back(std::make_pair("spatialWeight", &Params::spatialWeight));

@@ -49,9 +49,9 @@ Point2d randomPixel(RNG& rng)
 }
 
 //! The camera turns to what both are to see, at distance 6.
-void turnTowards(Scene& scene, const Vec3d& centre)
+void turnTowards(Scene& scene, const Vec3d& center)
 {
-    const Vec3d seen = scene.R * (Vec3d(0, 0, 6) - centre);
+    const Vec3d seen = scene.R * (Vec3d(0, 0, 6) - center);
     Vec3d axis = seen.cross(Vec3d(0, 0, 1));
     const double turn = std::atan2(cv::norm(axis), seen[2]);
     Matx33d towards = Matx33d::eye();
@@ -67,11 +67,11 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     if (options.motion == MOTION_GENERAL)
     {
         Rodrigues(randomDirection(rng) * angle, scene.R);
-        Vec3d centre = randomDirection(rng);
-        centre[2] *= 0.3;  // mostly sideways
-        centre *= 1 / cv::norm(centre);
-        turnTowards(scene, centre * options.baseline);
-        scene.t = -(scene.R * centre);
+        Vec3d center = randomDirection(rng);
+        center[2] *= 0.3;  // mostly sideways
+        center *= 1 / cv::norm(center);
+        turnTowards(scene, center * options.baseline);
+        scene.t = -(scene.R * center);
         return;
     }
     const bool horizontal = options.motion == MOTION_PLANAR || options.motion == MOTION_CAR;

@@ -29,7 +29,7 @@ inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1, std
     }
 }
 
-//! Any context for a neighbourhood or a prior, which look at the points only.
+//! Any context for a neighborhood or an ordering, which look at the points only.
 struct Surroundings
 {
     explicit Surroundings(const Correspondences& points, const Params& params_ = Params())
@@ -41,10 +41,10 @@ struct Surroundings
 };
 
 //! Members of a layer around a point.
-inline std::set<int> membersOf(Neighbourhood& neighbourhood, const Context& context, int layer, int point)
+inline std::set<int> membersOf(Neighborhood& neighborhood, const Context& context, int layer, int point)
 {
     const int* members = 0;
-    const int count = neighbourhood.members(context, layer, point, members);
+    const int count = neighborhood.members(context, layer, point, members);
     const std::set<int> result(members, members + count);
     EXPECT_EQ(count, (int)result.size()) << "a member is repeated";
     return result;

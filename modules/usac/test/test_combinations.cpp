@@ -21,8 +21,8 @@ struct Option
 };
 
 const Option OPTIONS[] = {
-    {"sampler", &Params::sampler, 5, false}, {"prior", &Params::prior, 4, false},
-    {"neighbourhood", &Params::neighbourhood, 3, false}, {"residual", &Params::residual, 2, false},
+    {"sampler", &Params::sampler, 5, false}, {"ordering", &Params::ordering, 4, false},
+    {"neighborhood", &Params::neighborhood, 3, false}, {"residual", &Params::residual, 2, false},
     {"quality", &Params::quality, 6, false}, {"verification", &Params::verification, 3, false},
     {"localOptimization", &Params::localOptimization, 6, false}, {"termination", &Params::termination, 5, true},
     {"degeneracy", &Params::degeneracy, 8, false}, {"polishing", &Params::polishing, 4, false}};
@@ -216,8 +216,8 @@ TEST_P(UsacCombinations, each_pair_of_options)
     expected.insert(pairOf(SAMPLER, SAMPLER_UNIFORM, TERMINATION, prosac));
     expected.insert(pairOf(SAMPLER, SAMPLER_NAPSAC, TERMINATION, prosac));
     expected.insert(pairOf(SAMPLER, SAMPLER_IMPORTANCE, TERMINATION, prosac));
-    expected.insert(pairOf(PRIOR, PRIOR_DENSITY, TERMINATION, prosac));
-    expected.insert(pairOf(PRIOR, PRIOR_NONE, TERMINATION, prosac));
+    expected.insert(pairOf(PRIOR, ORDERING_DENSITY, TERMINATION, prosac));
+    expected.insert(pairOf(PRIOR, ORDERING_NONE, TERMINATION, prosac));
     EXPECT_TRUE(expected == impossible) << impossible.size() << " pairs are impossible, " << expected.size() << " documented";
 }
 

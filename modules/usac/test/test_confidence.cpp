@@ -66,7 +66,7 @@ struct Rivals
     Matx33d decoyModel;
 };
 
-//! The criterion alone: no local optimisation, no polishing, no checks.
+//! The criterion alone: no local optimization, no polishing, no checks.
 Params plainParams(int termination, int verification = VERIFICATION_NONE)
 {
     Params params;
@@ -230,7 +230,7 @@ TEST(Usac_Confidence, prosac)
     {
         Params params = plainParams(TERMINATION_PROSAC | TERMINATION_EXACT);
         params.sampler = sampler;
-        params.prior = PRIOR_INPUT_ORDER;
+        params.ordering = ORDERING_INPUT_ORDER;
         params.orderedEvery = 1;
         const Ptr<Usac> usac = createUsac(rivals.scene, params);
         const double ratio = usac->points().problem->randomInlierRatio(usac->points());

@@ -9,7 +9,7 @@ namespace opencv_test { namespace {
 typedef UsacProblem UsacContracts;
 INSTANTIATE_TEST_CASE_P(/**/, UsacContracts, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-TEST_P(UsacContracts, mask_and_normalisation_of_every_preset)
+TEST_P(UsacContracts, mask_and_normalization_of_every_preset)
 {
     const double thresholds[] = {0.5, 1.5, 4};
     for (uint64 seed = 1; seed <= 3; ++seed)
@@ -25,7 +25,7 @@ TEST_P(UsacContracts, mask_and_normalisation_of_every_preset)
     }
 }
 
-TEST_P(UsacContracts, mask_without_polishing_and_local_optimisation)
+TEST_P(UsacContracts, mask_without_polishing_and_local_optimization)
 {
     Params params;
     params.polishing = POLISHING_NONE;

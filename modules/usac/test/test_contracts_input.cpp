@@ -246,7 +246,7 @@ TEST_P(UsacInput, hundred_thousand_points)
     Report report;
     Ptr<Usac> usac = createUsac(scene, Params());
     const Context context(usac->points(), usac->components(), Params());
-    EXPECT_LE(usac->components().neighbourhood->edges(context).size(), (size_t)16 * scene.size());
+    EXPECT_LE(usac->components().neighborhood->edges(context).size(), (size_t)16 * scene.size());
     const Mat model = usac->run(mask, &report);
     EXPECT_LT(modelError(scene, model), 0.2);
     checkResult(scene, Params().threshold, model, mask, report);
@@ -254,7 +254,7 @@ TEST_P(UsacInput, hundred_thousand_points)
 
 TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
 {
-    // 60 000 matches inside one pixel and a few far away: each is a neighbour of each
+    // 60 000 matches inside one pixel and a few far away: each is a neighbor of each
     SceneOptions options;
     options.inliers = 500;
     Scene scene = makeScene(problem(), options);
@@ -268,7 +268,7 @@ TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
     Report report;
     Ptr<Usac> usac = createUsac(scene, Params());
     const Context context(usac->points(), usac->components(), Params());
-    EXPECT_LE(usac->components().neighbourhood->edges(context).size(), (size_t)16 * scene.size());
+    EXPECT_LE(usac->components().neighborhood->edges(context).size(), (size_t)16 * scene.size());
     const Mat model = usac->run(mask, &report);
     checkResult(problem(), scene.points1, scene.points2, Params().threshold, model, mask, report);
 }

@@ -63,9 +63,9 @@ TEST_P(UsacTruth, permuting_exact_points_permutes_the_mask)
     {
         Params params = presets[i].params;
         params.threshold = 0.5;
-        if (params.prior == PRIOR_INPUT_ORDER)  // the order of the rows has a meaning: scores carry it along
+        if (params.ordering == ORDERING_INPUT_ORDER)  // the order of the rows has a meaning: scores carry it along
         {
-            params.prior = PRIOR_AUTO;
+            params.ordering = ORDERING_AUTO;
             params.scores = scene.scores;
         }
         for (uint64 seed = 1; seed <= 3; ++seed)

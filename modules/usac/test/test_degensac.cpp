@@ -274,7 +274,7 @@ TEST(Usac_Orientation, homographySamples)
     EXPECT_FALSE(check->validModel(context, sample, Model(1, 2, 3, 4, 5, 6, 7, 8, 9)));
 }
 
-//! A model without a sample whose inliers are on a plane, as after a local optimisation, is mended as well.
+//! A model without a sample whose inliers are on a plane, as after a local optimization, is mended as well.
 TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
 {
     int mended = 0;

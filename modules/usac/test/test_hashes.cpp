@@ -16,7 +16,7 @@
 //
 //     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
 //
-// The module's own arithmetic is that of IEEE 754, in an order that the source fixes, so compiler, optimisation and instruction
+// The module's own arithmetic is that of IEEE 754, in an order that the source fixes, so compiler, optimization and instruction
 // set change nothing. What it calls may differ in the last bit between machines: exp, log, pow, acos, cbrt .. of libm (glibc
 // itself takes others on a processor without FMA), cv::SVD of another OpenCV, the decompositions of another Eigen or with other
 // vectors. The file has a hash of some of their results, too. Where that is the same, the results have to be the same to
@@ -105,8 +105,8 @@ std::vector<NamedPreset> hashedParams(const RealSet& set)
     NamedPreset* other = &all[all.size() - 9];
     other[0].params.scores = set.scores;
     other[1].params.seed = 1;
-    other[2].params.neighbourhood = NEIGHBOURHOOD_KNN;
-    other[3].params.neighbourhood = NEIGHBOURHOOD_RADIUS;
+    other[2].params.neighborhood = NEIGHBORHOOD_KNN;
+    other[3].params.neighborhood = NEIGHBORHOOD_RADIUS;
     other[4].params.sampler = SAMPLER_NAPSAC;
     other[5].params.sampler = SAMPLER_IMPORTANCE;
     other[5].params.scoreOrder = SCORES_HIGHER_IS_BETTER;

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "given_residual.hpp"
-#include "local_optimization/labelling.hpp"
+#include "local_optimization/labeling.hpp"
 #include "local_optimization/local_optimization.hpp"
 
 #include <tuple>
@@ -12,7 +12,7 @@
 namespace opencv_test { namespace {
 
 //! Edges as given.
-class GivenEdges : public Neighbourhood
+class GivenEdges : public Neighborhood
 {
 public:
     int layers() const CV_OVERRIDE { return 0; }
@@ -28,7 +28,7 @@ double closeness(double squaredError, double inlierThreshold)
     return squaredError == squaredError ? std::exp(-squaredError / (2 * inlierThreshold * inlierThreshold)) : 0;
 }
 
-//! The energy as the header of Labelling writes it down.
+//! The energy as the header of Labeling writes it down.
 double energyOf(const std::vector<double>& K, const std::vector<Vec2i>& edges, double lambda,
                 const std::vector<uchar>& inlier)
 {
@@ -55,16 +55,16 @@ std::vector<uchar> labelsOf(const std::vector<int>& inliers, size_t size)
     return labels;
 }
 
-//! A small labelling problem.
+//! A small labeling problem.
 struct Graph
 {
     Graph(int size_, double lambda, double inlierThreshold)
         : size(size_), points(HOMOGRAPHY, std::vector<Point2d>(size_), std::vector<Point2d>(size_), inlierThreshold),
-          residual(makePtr<GivenResidual>()), neighbourhood(makePtr<GivenEdges>()), context(points.view(), parts, params)
+          residual(makePtr<GivenResidual>()), neighborhood(makePtr<GivenEdges>()), context(points.view(), parts, params)
     {
         params.spatialWeight = lambda;
         parts.residual = residual;
-        parts.neighbourhood = neighbourhood;
+        parts.neighborhood = neighborhood;
         residual->given.assign(size, 0.f);
     }
 
@@ -76,7 +76,7 @@ struct Graph
             for (int j = 0; j < i; ++j)
                 if (rng.uniform(0., 1.) < probability && edgesOf[i] < degree && edgesOf[j] < degree)
                 {
-                    neighbourhood->given.push_back(rng.uniform(0, 2) ? Vec2i(i, j) : Vec2i(j, i));
+                    neighborhood->given.push_back(rng.uniform(0, 2) ? Vec2i(i, j) : Vec2i(j, i));
                     ++edgesOf[i];
                     ++edgesOf[j];
                 }
@@ -92,9 +92,9 @@ struct Graph
 
     std::vector<uchar> cut()
     {
-        Labelling labelling;
+        Labeling labeling;
         std::vector<int> inliers(3, 1);  // what was there is forgotten
-        labelling.cut(context, Model::eye(), inliers);
+        labeling.cut(context, Model::eye(), inliers);
         return labelsOf(inliers, size);
     }
 
@@ -107,7 +107,7 @@ struct Graph
         {
             for (int i = 0; i < size; ++i)
                 labels[i] = (code >> i) & 1;
-            least = std::min(least, energyOf(K, neighbourhood->given, params.spatialWeight, labels));
+            least = std::min(least, energyOf(K, neighborhood->given, params.spatialWeight, labels));
         }
         return least;
     }
@@ -117,7 +117,7 @@ struct Graph
     Params params;
     Components parts;
     Ptr<GivenResidual> residual;
-    Ptr<GivenEdges> neighbourhood;
+    Ptr<GivenEdges> neighborhood;
     const Context context;
 };
 
@@ -143,7 +143,7 @@ TEST(Usac_GraphCut, exactMinimum)
         graph.addEdges(rng.uniform(0.1, 0.9), 6, rng);
         const std::vector<uchar> labels = graph.cut();
         const std::vector<double> K = graph.closenesses();
-        EXPECT_NEAR(graph.leastEnergy(), energyOf(K, graph.neighbourhood->given, graph.params.spatialWeight, labels), 1e-4);
+        EXPECT_NEAR(graph.leastEnergy(), energyOf(K, graph.neighborhood->given, graph.params.spatialWeight, labels), 1e-4);
         for (int i = 0; i < graph.size; ++i, ++total)
         {
             different += (labels[i] != 0) != (K[i] > 0.5);
@@ -168,7 +168,7 @@ TEST(Usac_GraphCut, exactMinimumWithOutliers)
         graph.addEdges(0.6, 6, rng);
         const std::vector<uchar> labels = graph.cut();
         EXPECT_FALSE(labels[1] || labels[2]);
-        EXPECT_NEAR(graph.leastEnergy(), energyOf(graph.closenesses(), graph.neighbourhood->given,
+        EXPECT_NEAR(graph.leastEnergy(), energyOf(graph.closenesses(), graph.neighborhood->given,
                                                   graph.params.spatialWeight, labels), 1e-4);
     }
 }
@@ -196,7 +196,7 @@ TEST(Usac_GraphCut, withoutEdgesOrWeight)
     EXPECT_EQ(std::vector<uchar>(20, 0), far.cut());
 }
 
-//! In the graph of a whole scene no better labelling is one or a few flips away, and the plain inliers are none.
+//! In the graph of a whole scene no better labeling is one or a few flips away, and the plain inliers are none.
 TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
 {
     SceneOptions options;
@@ -209,12 +209,12 @@ TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
         params.spatialWeight = 0.3;
         const Ptr<Usac> usac = createUsac(scene, params);
         const Context context(usac->points(), usac->components(), params);
-        const std::vector<Vec2i>& edges = usac->components().neighbourhood->edges(context);
+        const std::vector<Vec2i>& edges = usac->components().neighborhood->edges(context);
         ASSERT_GT(edges.size(), 50u);
         const Model truth = toInternal(usac->points(), scene.model);
-        Labelling labelling;
+        Labeling labeling;
         std::vector<int> inliers;
-        labelling.cut(context, truth, inliers);
+        labeling.cut(context, truth, inliers);
         EXPECT_GT(inliers.size(), 100u);
         std::vector<uchar> labels = labelsOf(inliers, scene.size()), plain(scene.size());
         std::vector<float> errors(scene.size());
@@ -237,7 +237,7 @@ TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
     }
 }
 
-//! Each problem with each kind of local optimisation.
+//! Each problem with each kind of local optimization.
 typedef testing::TestWithParam<std::tuple<int, int> > Usac_LocalOptimization;
 
 TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
@@ -360,7 +360,7 @@ TEST(Usac_LocalOptimizers, fitsThatFail)
     for (int problem = 0; problem < 3; ++problem)
         for (int type = LOCAL_OPTIMIZATION_GRAPH_CUT; type <= LOCAL_OPTIMIZATION_GC_RANSAC; ++type)
         {
-            SCOPED_TRACE(cv::format("problem %d, local optimisation %d", problem, type));
+            SCOPED_TRACE(cv::format("problem %d, local optimization %d", problem, type));
             SceneOptions options;
             options.outliers = problem == ESSENTIAL ? 100 : 60;
             const Scene scene = makeScene((ProblemType)problem, options);

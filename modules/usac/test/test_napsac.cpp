@@ -8,49 +8,49 @@
 
 namespace opencv_test { namespace {
 
-Params withNeighbours(int neighbours)
+Params withNeighbors(int neighbors)
 {
     Params params = Draw::ordered();
-    params.neighbourhood = NEIGHBOURHOOD_KNN;
-    params.neighbours = neighbours;
+    params.neighborhood = NEIGHBORHOOD_KNN;
+    params.neighbors = neighbors;
     return params;
 }
 
 Params withRadius(double radius)
 {
     Params params = Draw::ordered();
-    params.neighbourhood = NEIGHBOURHOOD_RADIUS;
-    params.neighbourRadius = radius;
+    params.neighborhood = NEIGHBORHOOD_RADIUS;
+    params.neighborRadius = radius;
     return params;
 }
 
-//! The first point is uniform, the others are uniform among its neighbours.
-TEST(Usac_Napsac, uniformAmongNeighbours)
+//! The first point is uniform, the others are uniform among its neighbors.
+TEST(Usac_Napsac, uniformAmongNeighbors)
 {
     const int N = 40, SAMPLES = 40000, MEMBERS = 33;
     for (int problem = 0; problem < 3; ++problem)
     {
-        Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withNeighbours(4));
-        Neighbourhood& neighbourhood = *draw.usac->components().neighbourhood;
-        std::vector<int> centres(N, 0);
+        Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withNeighbors(4));
+        Neighborhood& neighborhood = *draw.usac->components().neighborhood;
+        std::vector<int> centers(N, 0);
         std::vector<std::vector<int> > ranks(draw.m, std::vector<int>(MEMBERS, 0));
         for (int i = 0; i < SAMPLES; ++i)
         {
             draw.next();
             ASSERT_TRUE(draw.valid());
             ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
-            ++centres[draw.sample[0]];
+            ++centers[draw.sample[0]];
             const int* members = 0;
-            const int count = neighbourhood.members(draw.context, neighbourhood.layers() - 1, draw.sample[0], members);
+            const int count = neighborhood.members(draw.context, neighborhood.layers() - 1, draw.sample[0], members);
             ASSERT_EQ((int)MEMBERS, count);
             for (int k = 1; k < draw.m; ++k)
             {
                 const int rank = (int)(std::find(members, members + count, draw.sample[k]) - members);
-                ASSERT_LT(rank, count) << "no neighbour";
+                ASSERT_LT(rank, count) << "no neighbor";
                 ++ranks[k][rank];
             }
         }
-        EXPECT_LT(std::abs(deviation(centres, SAMPLES)), 4.5);
+        EXPECT_LT(std::abs(deviation(centers, SAMPLES)), 4.5);
         for (int k = 1; k < draw.m; ++k)
         {
             EXPECT_EQ(0, ranks[k][0]);
@@ -60,29 +60,29 @@ TEST(Usac_Napsac, uniformAmongNeighbours)
     }
 }
 
-//! Points with too few neighbours are no centres; the others are equally often.
-TEST(Usac_Napsac, lonelyPointsAreNoCentres)
+//! Points with too few neighbors are no centers; the others are equally often.
+TEST(Usac_Napsac, lonelyPointsAreNoCenters)
 {
     const int N = 300, SAMPLES = 60000;
     for (int problem = 0; problem < 3; ++problem)
     {
         Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withRadius(9));
-        Neighbourhood& neighbourhood = *draw.usac->components().neighbourhood;
-        std::vector<int> centres(N, 0);
+        Neighborhood& neighborhood = *draw.usac->components().neighborhood;
+        std::vector<int> centers(N, 0);
         for (int i = 0; i < SAMPLES; ++i)
         {
             draw.next();
             ASSERT_TRUE(draw.valid());
-            ++centres[draw.sample[0]];
+            ++centers[draw.sample[0]];
         }
         std::vector<int> social;
         for (int i = 0; i < N; ++i)
         {
-            if ((int)membersOf(neighbourhood, draw.context, neighbourhood.layers() - 1, i).size() >= draw.m)
-                social.push_back(centres[i]);
+            if ((int)membersOf(neighborhood, draw.context, neighborhood.layers() - 1, i).size() >= draw.m)
+                social.push_back(centers[i]);
             else
             {
-                EXPECT_EQ(0, centres[i]);
+                EXPECT_EQ(0, centers[i]);
             }
         }
         EXPECT_GT((int)social.size(), 20) << "problem " << problem;
@@ -91,8 +91,8 @@ TEST(Usac_Napsac, lonelyPointsAreNoCentres)
     }
 }
 
-//! Where no point has neighbours, samples are uniform.
-TEST(Usac_Napsac, uniformWithoutNeighbours)
+//! Where no point has neighbors, samples are uniform.
+TEST(Usac_Napsac, uniformWithoutNeighbors)
 {
     const int N = 30, SAMPLES = 6000;
     for (int problem = 0; problem < 3; ++problem)
@@ -145,9 +145,9 @@ TEST(Usac_Napsac, findsALocalModel)
                 }
             scene.model = shrink * scene.model * shrink.inv();
             Params params = Draw::ordered();
-            params.neighbourhood = kind;
-            params.neighbours = 3;
-            params.neighbourRadius = 8;
+            params.neighborhood = kind;
+            params.neighbors = 3;
+            params.neighborRadius = 8;
             params.maxIterations = 300;
             params.termination = 0;
             for (int local = 0; local < 2; ++local)
@@ -156,8 +156,8 @@ TEST(Usac_Napsac, findsALocalModel)
                 found[local] += modelError(scene, estimate(scene, params)) < 1;
             }
         }
-        EXPECT_EQ(6, found[1]) << "neighbourhood " << kind;
-        EXPECT_LE(found[0], 2) << "neighbourhood " << kind;
+        EXPECT_EQ(6, found[1]) << "neighborhood " << kind;
+        EXPECT_LE(found[0], 2) << "neighborhood " << kind;
     }
 }
 

@@ -19,9 +19,9 @@ TEST(Usac_Params, ranges_of_integers)
 {
     const struct { const char* name; int low, high; } ranges[] = {
         {"maxIterations", 1, INT_MAX}, {"seed", INT_MIN, INT_MAX}, {"threads", 0, 1024},
-        {"sampler", SAMPLER_UNIFORM, SAMPLER_IMPORTANCE}, {"prior", PRIOR_AUTO, PRIOR_NONE},
+        {"sampler", SAMPLER_UNIFORM, SAMPLER_IMPORTANCE}, {"ordering", ORDERING_AUTO, ORDERING_NONE},
         {"scoreOrder", SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER},
-        {"neighbourhood", NEIGHBOURHOOD_GRID, NEIGHBOURHOOD_RADIUS}, {"neighbours", 1, 1000},
+        {"neighborhood", NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS}, {"neighbors", 1, 1000},
         {"residual", RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC}, {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
         {"verification", VERIFICATION_NONE, VERIFICATION_TDD}, {"tddPoints", 1, 100},
         {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC},
@@ -38,7 +38,7 @@ TEST(Usac_Params, ranges_of_integers)
         if (std::string("verification") == ranges[i].name)
             check.params.termination = TERMINATION_STANDARD;
         if (std::string("termination") == ranges[i].name)
-            check.params.prior = PRIOR_INPUT_ORDER;
+            check.params.ordering = ORDERING_INPUT_ORDER;
         if (std::string("sampler") == ranges[i].name)
         {
             check.params.scores.assign(1, 1.f);
@@ -66,7 +66,7 @@ TEST(Usac_Params, ranges_of_reals)
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const struct { const char* name; double right[2], wrong[3]; } ranges[] = {
         {"threshold", {1e-300, 1e300}, {0, -1, inf}}, {"confidence", {1e-300, 1 - 1e-15}, {0, 1, 2}},
-        {"neighbourRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}},
+        {"neighborRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}},
         {"widestReach", {1, 1e6}, {0.99, 1.001e6, inf}},
         {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}},
         {"significance", {0, 1}, {-1e-9, 1.001, -inf}}};
@@ -110,15 +110,15 @@ TEST(Usac_Params, impossible_combinations)
     check.params.termination = TERMINATION_EXACT;
     expectException(check, "termination: TERMINATION_EXACT modifies");
     check.params.termination = TERMINATION_PROSAC;
-    const int guesses[] = {PRIOR_AUTO, PRIOR_DENSITY, PRIOR_NONE};
+    const int guesses[] = {ORDERING_AUTO, ORDERING_DENSITY, ORDERING_NONE};
     for (int i = 0; i < 3; ++i)
     {
-        check.params.prior = guesses[i];
+        check.params.ordering = guesses[i];
         expectException(check, "termination: TERMINATION_PROSAC needs points in an order");
     }
-    check.params.prior = PRIOR_INPUT_ORDER;
+    check.params.ordering = ORDERING_INPUT_ORDER;
     EXPECT_NO_THROW(check());
-    check.params.prior = PRIOR_AUTO;
+    check.params.ordering = ORDERING_AUTO;
     check.params.scores.assign(3, 0.5f);
     EXPECT_NO_THROW(check());
     const int others[] = {SAMPLER_UNIFORM, SAMPLER_NAPSAC};
@@ -188,12 +188,12 @@ TEST(Usac_Params, defaults_as_documented)
     EXPECT_EQ(0, p.seed);
     EXPECT_EQ(1, p.threads);
     EXPECT_EQ((int)SAMPLER_P_NAPSAC, p.sampler);
-    EXPECT_EQ((int)PRIOR_AUTO, p.prior);
+    EXPECT_EQ((int)ORDERING_AUTO, p.ordering);
     EXPECT_TRUE(p.scores.empty());
     EXPECT_EQ((int)SCORES_LOWER_IS_BETTER, p.scoreOrder);
-    EXPECT_EQ((int)NEIGHBOURHOOD_GRID, p.neighbourhood);
-    EXPECT_EQ(10, p.neighbours);
-    EXPECT_EQ(40, p.neighbourRadius);
+    EXPECT_EQ((int)NEIGHBORHOOD_GRID, p.neighborhood);
+    EXPECT_EQ(10, p.neighbors);
+    EXPECT_EQ(40, p.neighborRadius);
     EXPECT_EQ((int)RESIDUAL_STANDARD, p.residual);
     EXPECT_EQ((int)QUALITY_MSAC, p.quality);
     EXPECT_EQ(1, p.reach);
@@ -226,14 +226,14 @@ Params unusual()
     p.seed = -5;
     p.threads = 3;
     p.sampler = SAMPLER_PROSAC;
-    p.prior = PRIOR_DENSITY;
+    p.ordering = ORDERING_DENSITY;
     p.scores.push_back(0.1f);
     p.scores.push_back(-1e-20f);
     p.scores.push_back(3e20f);
     p.scoreOrder = SCORES_HIGHER_IS_BETTER;
-    p.neighbourhood = NEIGHBOURHOOD_KNN;
-    p.neighbours = 17;
-    p.neighbourRadius = 3.3;
+    p.neighborhood = NEIGHBORHOOD_KNN;
+    p.neighbors = 17;
+    p.neighborRadius = 3.3;
     p.residual = RESIDUAL_SYMMETRIC;
     p.quality = QUALITY_INLIERS;
     p.reach = 1.7;

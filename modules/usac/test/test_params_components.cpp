@@ -4,7 +4,7 @@
 
 #include "test_contracts.hpp"
 
-// Each field of Params changed alone has an effect: verification, local optimisation, termination, degeneracy, polishing.
+// Each field of Params changed alone has an effect: verification, local optimization, termination, degeneracy, polishing.
 
 namespace opencv_test { namespace {
 
@@ -53,7 +53,7 @@ private:
     Ptr<Residual> residual;
 };
 
-//! Points looked at by a run without local optimisation.
+//! Points looked at by a run without local optimization.
 int64 pointsTested(const Scene& scene, int verification)
 {
     Params params;
@@ -102,7 +102,7 @@ private:
     double part;
 };
 
-//! Sizes of the fits of a local optimisation; the polishing, which fits too, is left out.
+//! Sizes of the fits of a local optimization; the polishing, which fits too, is left out.
 std::vector<int> localFits(const Scene& scene, Params params, Report* report = 0, double part = 1)
 {
     params.polishing = POLISHING_NONE;
@@ -190,7 +190,7 @@ TEST_P(UsacComponents, spatialWeight)
 {
     const Scene scene = sceneOf(problem(), 200, 50);
     Params params;
-    params.threshold = 0.5;  // of the order of the noise: there are points that their neighbours can turn
+    params.threshold = 0.5;  // of the order of the noise: there are points that their neighbors can turn
     std::vector<int> before;
     const double weights[] = {0, 0.14, 5};
     for (int i = 0; i < 3; ++i)

@@ -34,7 +34,7 @@ Report reportOf(const Scene& scene, const Params& params, OutputArray mask = noA
     return report;
 }
 
-//! Uniform sampling, no local optimisation, as many samples as allowed.
+//! Uniform sampling, no local optimization, as many samples as allowed.
 Params plainParams()
 {
     Params params = Params::ransac();
@@ -236,7 +236,7 @@ TEST_P(UsacEffects, sampler)
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
     Params params;
     params.orderedEvery = 1;
-    params.prior = PRIOR_INPUT_ORDER;
+    params.ordering = ORDERING_INPUT_ORDER;
     params.sampler = SAMPLER_PROSAC;
     const std::vector<int> prosac = samplesOf(scene, params, 50);
     params.sampler = SAMPLER_P_NAPSAC;
@@ -249,7 +249,7 @@ TEST_P(UsacEffects, sampler)
     EXPECT_GT(goodPart(scene, pNapsac), 0.4);
 }
 
-TEST_P(UsacEffects, prior)
+TEST_P(UsacEffects, ordering)
 {
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
     for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
@@ -258,13 +258,13 @@ TEST_P(UsacEffects, prior)
         params.orderedEvery = 1;
         params.sampler = sampler;
         std::vector<int> samples[4];
-        for (params.prior = PRIOR_AUTO; params.prior <= PRIOR_NONE; ++params.prior)
-            samples[params.prior] = samplesOf(scene, params);
-        EXPECT_EQ(samples[PRIOR_AUTO], samples[PRIOR_DENSITY]) << "no scores were given";
-        EXPECT_NE(samples[PRIOR_DENSITY], samples[PRIOR_NONE]);
-        EXPECT_NE(samples[PRIOR_DENSITY], samples[PRIOR_INPUT_ORDER]);
-        EXPECT_GT(goodPart(scene, samples[PRIOR_INPUT_ORDER]), goodPart(scene, samples[PRIOR_NONE]) + 0.2);
-        EXPECT_GT(goodPart(scene, samples[PRIOR_DENSITY]), goodPart(scene, samples[PRIOR_NONE]));
+        for (params.ordering = ORDERING_AUTO; params.ordering <= ORDERING_NONE; ++params.ordering)
+            samples[params.ordering] = samplesOf(scene, params);
+        EXPECT_EQ(samples[ORDERING_AUTO], samples[ORDERING_DENSITY]) << "no scores were given";
+        EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_NONE]);
+        EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_INPUT_ORDER]);
+        EXPECT_GT(goodPart(scene, samples[ORDERING_INPUT_ORDER]), goodPart(scene, samples[ORDERING_NONE]) + 0.2);
+        EXPECT_GT(goodPart(scene, samples[ORDERING_DENSITY]), goodPart(scene, samples[ORDERING_NONE]));
     }
 }
 
@@ -280,10 +280,10 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
     params.scoreOrder = SCORES_HIGHER_IS_BETTER;
     EXPECT_EQ(0, goodPart(scene, samplesOf(scene, params, 50)));
     EXPECT_NE(samplesOf(scene, params), samplesOf(scene, none));
-    params.prior = PRIOR_DENSITY;
-    none.prior = PRIOR_DENSITY;
-    EXPECT_EQ(samplesOf(scene, none), samplesOf(scene, params)) << "the prior decides whether scores are used";
-    params.prior = PRIOR_AUTO;
+    params.ordering = ORDERING_DENSITY;
+    none.ordering = ORDERING_DENSITY;
+    EXPECT_EQ(samplesOf(scene, none), samplesOf(scene, params)) << "the ordering decides whether scores are used";
+    params.ordering = ORDERING_AUTO;
     params.scoreOrder = SCORES_LOWER_IS_BETTER;
     for (int i = 0; i < scene.size(); i += 3)
         params.scores[i] = std::numeric_limits<float>::quiet_NaN();
@@ -298,7 +298,7 @@ TEST_P(UsacEffects, orderedEvery)
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
     const int m = SAMPLE_SIZES[problem()];
     Params params;
-    params.prior = PRIOR_INPUT_ORDER;
+    params.ordering = ORDERING_INPUT_ORDER;
     params.sampler = SAMPLER_PROSAC;
     for (params.orderedEvery = 1; params.orderedEvery <= 8; params.orderedEvery *= 2)
     {

@@ -53,7 +53,7 @@ TEST(Usac_Parts, hopeless)
         }
 }
 
-//! Drops every model that comes from a sample, or from the local optimisation.
+//! Drops every model that comes from a sample, or from the local optimization.
 class Refusal : public Degeneracy
 {
 public:

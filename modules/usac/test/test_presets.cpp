@@ -24,18 +24,18 @@ TEST(Usac_Presets, change_what_they_say)
         {"usacV20", Params::usacV20(), v20, ""},
         {"fast", Params::fast(), v20, "localIterations localSamples runnersUp polishingSteps spatialWeight relaxation "},
         {"accurate", Params::accurate(), v20, "localIterations localSamples termination runnersUp persistence polishingSteps "},
-        {"sorted", Params::sorted(), v20, "sampler prior "},
+        {"sorted", Params::sorted(), v20, "sampler ordering "},
         {"parallel", Params::parallel(), v20, "threads "},
         {"ransac", ransac, v20, "sampler quality verification localOptimization termination runnersUp degeneracy polishing "},
         {"msac", Params::msac(), ransac, "quality "},
         {"lmeds", Params::lmeds(), ransac, "quality "},
         {"mlesac", Params::mlesac(), ransac, "quality "},
-        {"prosac", Params::prosac(), ransac, "sampler prior termination orderedEvery "},
+        {"prosac", Params::prosac(), ransac, "sampler ordering termination orderedEvery "},
         {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
         {"gcRansac", Params::gcRansac(), Params::msac(),
-         "neighbourhood localOptimization localIterations localSampleMultiple localSamples neighbourRadius "},
-        {"usac2013", Params::usac2013(), lo, "sampler prior verification termination orderedEvery degeneracy "},
+         "neighborhood localOptimization localIterations localSampleMultiple localSamples neighborRadius "},
+        {"usac2013", Params::usac2013(), lo, "sampler ordering verification termination orderedEvery degeneracy "},
         {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach widestReach "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20,
          "quality localOptimization polishing polishingSteps reach widestReach "}};
@@ -68,10 +68,10 @@ TEST(Usac_Presets, ransac)
 TEST(Usac_Presets, prosac)
 {
     EXPECT_EQ((int)SAMPLER_PROSAC, Params::prosac().sampler);
-    EXPECT_EQ((int)PRIOR_INPUT_ORDER, Params::prosac().prior);
+    EXPECT_EQ((int)ORDERING_INPUT_ORDER, Params::prosac().ordering);
     EXPECT_EQ((int)TERMINATION_PROSAC, Params::prosac().termination);
     EXPECT_EQ((int)SAMPLER_PROSAC, Params::sorted().sampler);
-    EXPECT_EQ((int)PRIOR_INPUT_ORDER, Params::sorted().prior);
+    EXPECT_EQ((int)ORDERING_INPUT_ORDER, Params::sorted().ordering);
     EXPECT_EQ(0, Params::parallel().threads);
 }
 
@@ -96,7 +96,7 @@ TEST(Usac_Presets, locally_optimized)
     EXPECT_EQ(TERMINATION_SPRT | TERMINATION_PROSAC, usac.termination);
 }
 
-TEST(Usac_Presets, marginalised)
+TEST(Usac_Presets, marginalized)
 {
     EXPECT_EQ((int)QUALITY_MAGSAC, Params::magsac().quality);
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_SIGMA_CONSENSUS, Params::magsac().localOptimization);
@@ -136,13 +136,13 @@ TEST(Usac_Presets, from_the_parameters_of_calib3d)
     EXPECT_EQ((int)SAMPLER_UNIFORM, params.sampler);
     EXPECT_EQ((int)QUALITY_MSAC, params.quality);
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_LO_RANSAC, params.localOptimization);
-    EXPECT_EQ((int)NEIGHBOURHOOD_GRID, params.neighbourhood);
+    EXPECT_EQ((int)NEIGHBORHOOD_GRID, params.neighborhood);
     other.isParallel = true;
     other.sampler = SAMPLING_PROSAC;
     params = Params::fromUsacParams(other);
     EXPECT_EQ(0, params.threads);
     EXPECT_EQ((int)SAMPLER_PROSAC, params.sampler);
-    EXPECT_EQ((int)PRIOR_INPUT_ORDER, params.prior) << "calib3d's PROSAC wants sorted points";
+    EXPECT_EQ((int)ORDERING_INPUT_ORDER, params.ordering) << "calib3d's PROSAC wants sorted points";
 }
 
 TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
@@ -151,7 +151,7 @@ TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
     const int optimizations[] = {LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_LO_RANSAC, LOCAL_OPTIMIZATION_LO_RANSAC,
                                  LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS};
     const int qualities[] = {QUALITY_INLIERS, QUALITY_MSAC, QUALITY_MAGSAC_PLUS_PLUS, QUALITY_LMEDS};
-    const int neighbourhoods[] = {NEIGHBOURHOOD_KNN, NEIGHBOURHOOD_GRID, NEIGHBOURHOOD_RADIUS};
+    const int neighborhoods[] = {NEIGHBORHOOD_KNN, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS};
     for (int s = 0; s < 4; ++s)
         for (int l = 0; l < 5; ++l)
             for (int q = 0; q < 4; ++q)
@@ -168,7 +168,7 @@ TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
                     EXPECT_EQ(q == SCORE_METHOD_LMEDS ? (int)LOCAL_OPTIMIZATION_NONE : optimizations[l],
                               params.localOptimization);
                     EXPECT_EQ(qualities[q], params.quality);
-                    EXPECT_EQ(neighbourhoods[n], params.neighbourhood);
+                    EXPECT_EQ(neighborhoods[n], params.neighborhood);
                 }
 }
 

@@ -376,7 +376,7 @@ TEST(Usac_Ransac_Parts, withoutOptionalComponents)
         const Scene scene = sceneOf((ProblemType)problem, 0.7, 2);
         const Ptr<Usac> usac = createUsac(scene, stopBy(0));
         Components& parts = usac->components();
-        parts.prior.release();
+        parts.ordering.release();
         parts.verifier.release();
         parts.localOptimizer.release();
         parts.polisher.release();

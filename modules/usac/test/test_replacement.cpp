@@ -264,8 +264,8 @@ TEST(Usac_Replacement, mistakesAreNamed)
         parts.nonMinimalSolver.release();
         EXPECT_COMPLAINT("nonMinimalSolver", usac);
         parts = given;
-        parts.neighbourhood.release();
-        EXPECT_COMPLAINT("neighbourhood", usac);
+        parts.neighborhood.release();
+        EXPECT_COMPLAINT("neighborhood", usac);
         parts = createUsac(scene, Params())->components();
         EXPECT_EQ("", complaint(usac)) << "all are there again";
     }

@@ -70,7 +70,7 @@ TEST(Usac_RunnersUp, noneAreKeptIfNoneAreAskedFor)
     EXPECT_EQ(7, kept.uselessCost(7)) << "only what beats the best one is of use";
 }
 
-//! Counts the optimisations and improves nothing.
+//! Counts the optimizations and improves nothing.
 class IdleOptimizer : public LocalOptimizer
 {
 public:
@@ -96,7 +96,7 @@ Scene noisyScene(ProblemType problem, double inlierRatio, uint64 seed)
 
 typedef testing::TestWithParam<int> Usac_RunnersUpOf;
 
-TEST_P(Usac_RunnersUpOf, areOptimisedBesideTheBestModels)
+TEST_P(Usac_RunnersUpOf, areOptimizedBesideTheBestModels)
 {
     int calls[3] = {0, 0, 0}, most[] = {0, 3, 20};
     for (int i = 0; i < 3; ++i)

@@ -133,7 +133,7 @@ TEST(Usac_Samplers, prosacEndsUniform)
 //! Of the next samples, the fraction whose points all share a cell of the coarsest layer.
 double localFraction(Draw& draw, int samples)
 {
-    Neighbourhood& grid = *draw.usac->components().neighbourhood;
+    Neighborhood& grid = *draw.usac->components().neighborhood;
     int together = 0;
     for (int i = 0; i < samples; ++i)
     {
@@ -177,11 +177,11 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 
 //! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new. This holds for
 //! one sample in Params::orderedEvery, but none of the first eight if the order is a guess; the others are uniform, and they count.
-void expectGrowth(int prior, int period)
+void expectGrowth(int ordering, int period)
 {
-    const int N = 300, first = prior == PRIOR_DENSITY ? 8 : 0;
+    const int N = 300, first = ordering == ORDERING_DENSITY ? 8 : 0;
     Draw draw(FUNDAMENTAL, N, createPNapsacSampler());
-    draw.params.prior = prior;
+    draw.params.ordering = ordering;
     draw.params.orderedEvery = period;
     const std::vector<double> limit = publishedGrowth(N, draw.m);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0;
@@ -211,11 +211,11 @@ void expectGrowth(int prior, int period)
     EXPECT_EQ(period > 1, early > 1000) << early;
 }
 
-TEST(Usac_Samplers, pNapsacCentresGrowLikeProsac)
+TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
 {
-    expectGrowth(PRIOR_INPUT_ORDER, 1);
-    expectGrowth(PRIOR_INPUT_ORDER, 3);
-    expectGrowth(PRIOR_DENSITY, 4);
+    expectGrowth(ORDERING_INPUT_ORDER, 1);
+    expectGrowth(ORDERING_INPUT_ORDER, 3);
+    expectGrowth(ORDERING_DENSITY, 4);
 }
 
 TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
@@ -238,24 +238,24 @@ TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
 }
 
 //! Counts the calls.
-class CountingPrior : public Prior
+class CountingOrdering : public Ordering
 {
 public:
-    CountingPrior() : calls(0) {}
+    CountingOrdering() : calls(0) {}
     void sort(const Context&, std::vector<int>&) CV_OVERRIDE { ++calls; }
     int calls;
 };
 
-int sortings(ProblemType problem, int prior, int outliers)
+int sortings(ProblemType problem, int ordering, int outliers)
 {
     SceneOptions options;
     options.outliers = outliers;
     const Scene scene = makeScene(problem, options);
     Params params;
-    params.prior = prior;
+    params.ordering = ordering;
     const Ptr<Usac> usac = createUsac(scene, params);
-    const Ptr<CountingPrior> counting = makePtr<CountingPrior>();
-    usac->components().prior = counting;
+    const Ptr<CountingOrdering> counting = makePtr<CountingOrdering>();
+    usac->components().ordering = counting;
     EXPECT_FALSE(usac->run().empty());
     return counting->calls;
 }
@@ -265,9 +265,9 @@ TEST(Usac_Samplers, pointsAreSortedOnceAndOnlyIfNeeded)
 {
     for (int problem = FUNDAMENTAL; problem <= ESSENTIAL; ++problem)
     {
-        EXPECT_EQ(0, sortings((ProblemType)problem, PRIOR_DENSITY, 0)) << problem;
-        EXPECT_EQ(1, sortings((ProblemType)problem, PRIOR_DENSITY, 150)) << problem;
-        EXPECT_EQ(1, sortings((ProblemType)problem, PRIOR_INPUT_ORDER, 0)) << problem;
+        EXPECT_EQ(0, sortings((ProblemType)problem, ORDERING_DENSITY, 0)) << problem;
+        EXPECT_EQ(1, sortings((ProblemType)problem, ORDERING_DENSITY, 150)) << problem;
+        EXPECT_EQ(1, sortings((ProblemType)problem, ORDERING_INPUT_ORDER, 0)) << problem;
     }
 }
 

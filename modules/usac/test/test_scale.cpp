@@ -148,17 +148,17 @@ TEST_P(UsacScale, work_is_linear)
     }
 }
 
-//! Whatever the neighbours are; in the coarsest layer of a radius all points are neighbours of all.
-TEST_P(UsacScale, memory_of_every_neighbourhood)
+//! Whatever the neighbors are; in the coarsest layer of a radius all points are neighbors of all.
+TEST_P(UsacScale, memory_of_every_neighborhood)
 {
     if (!memoryIsMeasurable())
         throw SkipTestException("the memory of the process is not measurable");
     const Scene scene = largeScene(problem(), 30000);
-    for (int type = NEIGHBOURHOOD_GRID; type <= NEIGHBOURHOOD_RADIUS; ++type)
+    for (int type = NEIGHBORHOOD_GRID; type <= NEIGHBORHOOD_RADIUS; ++type)
     {
-        SCOPED_TRACE(cv::format("neighbourhood %d", type));
+        SCOPED_TRACE(cv::format("neighborhood %d", type));
         Params params;
-        params.neighbourhood = type;
+        params.neighborhood = type;
         EXPECT_LE(costOf(scene, params).bytes, 600. * scene.size());
     }
 }

@@ -12,7 +12,7 @@
 
 namespace opencv_test { namespace {
 
-//! A scene with all that the optimisers need.
+//! A scene with all that the optimizers need.
 struct Bench
 {
     explicit Bench(ProblemType problem, double inlierThreshold = 3, const SceneOptions& options = SceneOptions())
@@ -171,7 +171,7 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
     EXPECT_LT(fromTruth, 0.75 * start);
 }
 
-//! Both optimisers never return a worse model, say what it is worth, and make noisy models much better.
+//! Both optimizers never return a worse model, say what it is worth, and make noisy models much better.
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {
     const Bench bench((ProblemType)GetParam(), 5);

@@ -74,7 +74,7 @@ TEST(Usac_Structured, any_order_of_scores)
                 const Context context(usac->points(), usac->components(), params);
                 const double truth = context.rate(toInternal(usac->points(), scene.model)).cost;
                 Params sorted = Params::sorted();
-                sorted.prior = PRIOR_AUTO;
+                sorted.ordering = ORDERING_AUTO;
                 sorted.scores = scene.scores;
                 Report report;
                 estimate(scene, sorted, noArray(), &report);

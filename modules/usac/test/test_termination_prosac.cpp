@@ -254,7 +254,7 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     const Termination& termination = *usac->components().terminations[0];
     State state;
     state.order.resize(usac->points().size);
-    usac->components().prior->sort(context, state.order);
+    usac->components().ordering->sort(context, state.order);
     state.best = toInternal(usac->points(), scene.model);
     state.bestQuality = context.rate(state.best);
     Case c;

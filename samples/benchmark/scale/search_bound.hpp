@@ -12,7 +12,7 @@
 
 namespace benchmark {
 
-/** What the search of a run costs (Report::searchMs: all but reading the points, local optimisation and polishing), and what it
+/** What the search of a run costs (Report::searchMs: all but reading the points, local optimization and polishing), and what it
 would cost at least: the minimal solver alone for the samples that it got, and the kernel alone for the points that the models
 were tested with.
 

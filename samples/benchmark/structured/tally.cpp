@@ -35,10 +35,10 @@ Proportion::Proportion(int count, int of_) : of(of_), value(0), low(0), high(1)
         return;
     const double n = of, z2 = QUANTILE * QUANTILE;
     value = count / n;
-    const double centre = (value + z2 / (2 * n)) / (1 + z2 / n);
+    const double center = (value + z2 / (2 * n)) / (1 + z2 / n);
     const double half = QUANTILE / (1 + z2 / n) * std::sqrt(value * (1 - value) / n + z2 / (4 * n * n));
-    low = count == 0 ? 0 : centre - half;
-    high = count == of ? 1 : centre + half;
+    low = count == 0 ? 0 : center - half;
+    high = count == of ? 1 : center + half;
 }
 
 std::string Proportion::text() const

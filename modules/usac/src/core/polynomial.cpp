@@ -28,7 +28,7 @@ struct Polynomial
     }
 };
 
-/** Sturm's sequence p, p', -(p mod p'), ... Two neighbours are linked by f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0,
+/** Sturm's sequence p, p', -(p mod p'), ... Two neighbors are linked by f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0,
 so that the whole sequence at x costs three operations an element, from the last one upwards. Where a degree is (nearly)
 skipped, as for x^3 - 1, there is no such link: the sequence is then not regular and must not be used. */
 class SturmSequence

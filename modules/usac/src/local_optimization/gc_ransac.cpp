@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "local_optimization/inlier_set.hpp"
-#include "local_optimization/labelling.hpp"
+#include "local_optimization/labeling.hpp"
 #include "local_optimization/local_optimization.hpp"
 
 namespace cv {
@@ -15,7 +15,7 @@ namespace {
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a faster
 one.
 
-Each alternation cuts the graph for the inliers of the model (Labelling) and fits models to random samples of them, of
+Each alternation cuts the graph for the inliers of the model (Labeling) and fits models to random samples of them, of
 Params::localSampleMultiple times the minimal size, or to all if there are not as many. The first alternation without a better
 model is the last. Their number and that of their samples are bounded by Params::localIterations and Params::localSamples. */
 class GcRansacOptimizer : public LocalOptimizer
@@ -28,7 +28,7 @@ public:
         bool improved = false, better = true;
         for (int i = 0; i < params.localIterations && better; ++i)
         {
-            labelling.cut(context, model, inliers.members);
+            labeling.cut(context, model, inliers.members);
             if (inliers.size() <= m)
                 break;
             better = false;
@@ -44,7 +44,7 @@ private:
     //! A sample of several times the minimal size is near its least squares after so many steps from the model.
     enum { FIT_STEPS = 3 };
 
-    Labelling labelling;
+    Labeling labeling;
     InlierSet inliers;
 };
 

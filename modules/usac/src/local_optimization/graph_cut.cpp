@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "local_optimization/inlier_set.hpp"
-#include "local_optimization/labelling.hpp"
+#include "local_optimization/labeling.hpp"
 #include "local_optimization/local_optimization.hpp"
 
 namespace cv {
@@ -12,9 +12,9 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Local optimisation of Graph-Cut RANSAC @cite barath2018graph.
+/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.
 
-Alternates between the spatially coherent inliers of the model (Labelling) and an inner RANSAC over them: models fitted to
+Alternates between the spatially coherent inliers of the model (Labeling) and an inner RANSAC over them: models fitted to
 random samples of Params::localSampleMultiple times the minimal size, and to all of them up to a bound. Before, as in
 LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of the threshold that shrinks to 1: from
 a minimal sample the threshold alone leads to the nearest local optimum, whose inliers confirm it. If that does
@@ -34,9 +34,9 @@ public:
             if (i > 0)
                 improved |= shrink(context, state, m, model, quality);
             if (context.params.spatialWeight > 0)
-                labelling.cut(context, model, inliers.members);
+                labeling.cut(context, model, inliers.members);
             else
-                inliers.within(context, model, LABELLED);
+                inliers.within(context, model, LABELED);
             if (inliers.size() > m)
                 improved |= fitInliers(context, state, m, model, quality);
         }
@@ -74,15 +74,15 @@ private:
 
     //! An alternation that lowers the cost by less than this is the last one.
     static const double WORTHWHILE;
-    //! Where a labelling without neighbours changes from inliers to outliers, in thresholds: K = 1 / 2.
-    static const double LABELLED;
+    //! Where a labeling without neighbors changes from inliers to outliers, in thresholds: K = 1 / 2.
+    static const double LABELED;
 
-    Labelling labelling;
+    Labeling labeling;
     InlierSet inliers;
 };
 
 const double GraphCutOptimizer::WORTHWHILE = 0.97;
-const double GraphCutOptimizer::LABELLED = std::sqrt(2 * CV_LOG2);
+const double GraphCutOptimizer::LABELED = std::sqrt(2 * CV_LOG2);
 
 } // namespace
 

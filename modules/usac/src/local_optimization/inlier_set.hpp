@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief What the local optimisers share: a set of points, random parts of it, and fits that are kept if they are better. */
+/** @brief What the local optimizers share: a set of points, random parts of it, and fits that are kept if they are better. */
 class InlierSet
 {
 public:

@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Local optimisation of LO-RANSAC @cite chum2003locally, also in the form that "Fixing the locally optimized RANSAC"
+/** @brief Local optimization of LO-RANSAC @cite chum2003locally, also in the form that "Fixing the locally optimized RANSAC"
 @cite lebeda2012fixing gave it (FLO-RANSAC).
 
 The model is fitted to its inliers within a wide threshold. Then an inner RANSAC draws Params::localSamples samples of

@@ -28,8 +28,8 @@ struct Candidate
 
 /** @brief The best models of samples that were never the best of all.
 
-With noise, the better sample often gives the worse model, and only local optimisation tells @cite lebeda2012fixing. Those
-that beat all samples before are optimised at once; the best of the others, when the search is about to end. Each is
+With noise, the better sample often gives the worse model, and only local optimization tells @cite lebeda2012fixing. Those
+that beat all samples before are optimized at once; the best of the others, when the search is about to end. Each is
 given once. */
 class RunnersUp
 {

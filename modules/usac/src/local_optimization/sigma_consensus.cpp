@@ -93,7 +93,7 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
 
 namespace {
 
-/** Local optimisation by SigmaConsensus: the marginalised fit, again from its result, Params::localIterations times at most.
+/** Local optimization by SigmaConsensus: the marginalized fit, again from its result, Params::localIterations times at most.
 A fit that is better replaces the model; the first that is not is the last. */
 class SigmaConsensusOptimizer : public LocalOptimizer
 {

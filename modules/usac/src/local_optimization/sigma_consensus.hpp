@@ -10,11 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief sigma-consensus @cite barath2019magsac: one fit that is marginalised over the scale of the noise.
+/** @brief sigma-consensus @cite barath2019magsac: one fit that is marginalized over the scale of the noise.
 
 The scales 0 .. sigma_max are cut into #PARTITIONS equal parts. For the scales of one part the model is the least
 squares fit to the points that are within thresholdInSigmas times its largest sigma of the given model; if they are too
-few, it is the given model. A point's weight is its likelihood under the model of each scale, marginalised over the
+few, it is the given model. A point's weight is its likelihood under the model of each scale, marginalized over the
 scale as in MarginalizedWeights: within a part the integral is that class's formula, taken between the ends of the part.
 The result is the fit with these weights.
 
@@ -27,7 +27,7 @@ public:
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_) {}
 
-    //! Replaces the model by the marginalised fit; false if the points do not determine one.
+    //! Replaces the model by the marginalized fit; false if the points do not determine one.
     bool fit(const Context& context, Rng& rng, Model& model);
 
     //! Of the last fit: points of positive weight, nearest first, and their weights.

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief The local optimisation of MAGSAC++ @cite barath2020magsac: re-weighted least squares with the weights of
+/** @brief The local optimization of MAGSAC++ @cite barath2020magsac: re-weighted least squares with the weights of
 MarginalizedWeights.
 
 Params::localIterations re-weightings at most. Each takes all points within the threshold of the last fit, or #MAX_FIT

@@ -13,7 +13,7 @@ namespace {
 
 /** Re-weighted least squares over all points with the weights of MAGSAC++ @cite barath2020magsac, within the threshold
 of the score. A fit is taken while it lowers the loss of these weights, which the theory promises of each: that loss is
-what it minimises, so not the cost of the run's own quality but this decides. */
+what it minimizes, so not the cost of the run's own quality but this decides. */
 class ReweightedPolisher : public Polisher
 {
 public:

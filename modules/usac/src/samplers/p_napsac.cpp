@@ -13,18 +13,18 @@ namespace {
 //! True if the order of the points is nobody's knowledge.
 bool isGuess(const Context& context)
 {
-    const int prior = context.params.prior;
-    return prior != PRIOR_INPUT_ORDER && (prior != PRIOR_AUTO || !context.points.scores);
+    const int ordering = context.params.ordering;
+    return ordering != ORDERING_INPUT_ORDER && (ordering != ORDERING_AUTO || !context.points.scores);
 }
 
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
-The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighbourhood: the
+The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighborhood: the
 finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
 that is everything and the sample is PROSAC's. One in four of the samples that are not uniform (Params::orderedEvery) is local,
 every second one if the order of the points is a guess (the density). With more, small groups of wrong matches that agree with
 each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order is a
-guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more, and so neither order nor neighbourhood. Of samples of at
+guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more, and so neither order nor neighborhood. Of samples of at
 most #SMALL points (H), the first #ORDERED all keep to the order instead: they come from the few densest points, and four right
 ones among these are soon met. */
 class PNapsacSampler : public Sampler
@@ -36,15 +36,15 @@ public:
         if (!growth)
         {
             growth = makePtr<GrowingSet>(m, context.points.size);
-            centres.resize(context.points.size);
+            centers.resize(context.points.size);
         }
         growth->next();
         const int n = growth->size();
         const bool guess = isGuess(context);
         if (!(guess ? isOrderedGuess(context, state, sample) : isOrdered(context, state, sample)))
             return;
-        const int centre = state.bestFirst(context)[growth->newest() ? n - 1 : state.rng.uniform(n)];
-        sample[0] = centre;
+        const int center = state.bestFirst(context)[growth->newest() ? n - 1 : state.rng.uniform(n)];
+        sample[0] = center;
         const int turn = state.iteration / context.params.orderedEvery, every = localEvery(context);
         if (turn % every != every - 1 || !local(context, state, m, sample))
             global(state, m, n, sample);
@@ -84,23 +84,23 @@ private:
         return isOrdered(context, state, sample);
     }
 
-    //! How often a point was the centre of a local sample, and the finest layer with enough neighbours.
-    struct Centre
+    //! How often a point was the center of a local sample, and the finest layer with enough neighbors.
+    struct Center
     {
-        Centre() : chosen(0), layer(0) {}
+        Center() : chosen(0), layer(0) {}
         int chosen, layer;
     };
 
-    //! Draws the other points from the neighbourhood of sample[0]; false if that is everything.
+    //! Draws the other points from the neighborhood of sample[0]; false if that is everything.
     bool local(const Context& context, State& state, int m, int* sample)
     {
-        Neighbourhood& neighbourhood = context.neighbourhood();
-        Centre& centre = centres[sample[0]];
-        const int wanted = 2 * m << std::min(centre.chosen++, 16);
-        for (; centre.layer < neighbourhood.layers(); ++centre.layer)  // finer ones will never do again
+        Neighborhood& neighborhood = context.neighborhood();
+        Center& center = centers[sample[0]];
+        const int wanted = 2 * m << std::min(center.chosen++, 16);
+        for (; center.layer < neighborhood.layers(); ++center.layer)  // finer ones will never do again
         {
             const int* members;
-            const int count = neighbourhood.members(context, centre.layer, sample[0], members);
+            const int count = neighborhood.members(context, center.layer, sample[0], members);
             if (count >= wanted)
             {
                 drawOthers(state.rng, members, count, m, sample);
@@ -113,7 +113,7 @@ private:
     void global(State& state, int m, int n, int* sample) { drawOthers(state.rng, state.order.data(), n, m, sample); }
 
     Ptr<GrowingSet> growth;
-    std::vector<Centre> centres;  //!< for each point
+    std::vector<Center> centers;  //!< for each point
 };
 
 } // namespace

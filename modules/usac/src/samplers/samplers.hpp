@@ -36,9 +36,9 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
 Ptr<Sampler> createUniformSampler();
 //! The best points first, see ProsacSampler.
 Ptr<Sampler> createProsacSampler();
-//! Neighbours of the best points first, see PNapsacSampler.
+//! Neighbors of the best points first, see PNapsacSampler.
 Ptr<Sampler> createPNapsacSampler();
-//! Neighbours of any point, see NapsacSampler.
+//! Neighbors of any point, see NapsacSampler.
 Ptr<Sampler> createNapsacSampler();
 //! Points as often as their scores say, see ImportanceSampler.
 Ptr<Sampler> createImportanceSampler();

@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-/** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss of the weights that are marginalised over
+/** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss of the weights that are marginalized over
 the scale of the noise, see MarginalizedWeights. A look-up for each inlier. */
 class MagsacPlusPlusScore : public Score
 {

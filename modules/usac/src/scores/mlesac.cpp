@@ -18,7 +18,7 @@ of both densities at an error of 0, the log-likelihood of a point, measured from
 
     log(gamma q exp(-error^2 / (2 sigma^2)) + 1 - gamma),
 
-where the part gamma of inliers is found for each model by expectation and maximisation. The cost is the sum over the
+where the part gamma of inliers is found for each model by expectation and maximization. The cost is the sum over the
 points of 1 - this / log(q): 0 if all errors are 0, and never more than the number of points, which gamma = 0 has.
 Points that are less than 1e-6 times as likely as inliers than as outliers count as outliers.
 

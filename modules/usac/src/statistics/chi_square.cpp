@@ -14,7 +14,7 @@ double chiSquareDistribution(double x, int degrees)
     return lowerGamma(0.5 * degrees, 0.5 * x) / std::tgamma(0.5 * degrees);
 }
 
-//! By bisection, down to neighbouring numbers.
+//! By bisection, down to neighboring numbers.
 double chiSquareQuantile(double p, int degrees)
 {
     CV_Assert(p >= 0 && p < 1 && degrees > 0);

@@ -16,7 +16,7 @@ double chiSquareDistribution(double x, int degrees);
 double chiSquareQuantile(double p, int degrees);
 
 /** The threshold in units of the largest standard deviation of the noise, sigma_max: the root of the 0.99 quantile, as
-in @cite barath2019magsac. So Params::threshold says what sigma_max is, and losses that are marginalised over the noise
+in @cite barath2019magsac. So Params::threshold says what sigma_max is, and losses that are marginalized over the noise
 up to sigma_max end at the threshold. */
 double thresholdInSigmas(int degrees);
 

@@ -28,7 +28,7 @@ double sumOfLookUps(const float* table, const float* positions, int count);
 /** @brief Weights and loss of MAGSAC++ @cite barath2020magsac.
 
 The error r of an inlier is distributed as sigma times chi with n degrees of freedom, cut off at k sigma
-(thresholdInSigmas); sigma is uniform in 0 .. sigma_max. The weight of a point is its likelihood, marginalised over
+(thresholdInSigmas); sigma is uniform in 0 .. sigma_max. The weight of a point is its likelihood, marginalized over
 sigma: the integral of sigma^-n r^(n-1) exp(-r^2 / (2 sigma^2)) over sigma = r/k .. sigma_max. With a = (n - 1)/2,
 x = r^2 / (2 sigma_max^2), K = k^2/2 and the upper incomplete gamma function G this is proportional to
 

@@ -13,7 +13,7 @@ log(extent / (sqrt(2 pi) sigma)). Not less than what makes both equally likely a
 thresholds on points that hardly differ would ask for more. */
 double logDensityRatio(double extent, double sigma, int degrees);
 
-/** The part of inliers among `count` points that makes them most likely, by expectation and maximisation. The density
+/** The part of inliers among `count` points that makes them most likely, by expectation and maximization. The density
 as an inlier of the first `near` points is `ratios` times that as an outlier; that of the others is 0. */
 double mixingWeight(const float* ratios, int near, int count);
 

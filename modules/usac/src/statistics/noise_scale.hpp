@@ -8,7 +8,7 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Standard deviation of the noise of the inliers in units of the threshold, by expectation and maximisation.
+/** @brief Standard deviation of the noise of the inliers in units of the threshold, by expectation and maximization.
 
 The errors within #REACH thresholds are a mixture of those of inliers (half normal for one degree of freedom, Rayleigh's
 distribution for two) and of outliers (uniform in the same sense) @cite torr2000mlesac. At most #MOST errors are looked at, the

@@ -18,16 +18,16 @@ double median(double* values, int count)
 }
 
 //! Median of values and median of their distances from it, but for those that are equal to it.
-void medianFrame(const double* values, int count, double& centre, double& deviation)
+void medianFrame(const double* values, int count, double& center, double& deviation)
 {
     AutoBuffer<double> buffer(count);
     double* const copy = buffer.data();
     std::copy(values, values + count, copy);
-    centre = median(copy, count);
+    center = median(copy, count);
     int others = 0;
     for (int i = 0; i < count; ++i)
-        if (values[i] != centre)
-            copy[others++] = std::abs(values[i] - centre);
+        if (values[i] != center)
+            copy[others++] = std::abs(values[i] - center);
     deviation = others > 0 ? median(copy, others) : 0;
 }
 
@@ -68,7 +68,7 @@ double meanAndExtremes(const double* values, int count, double& lowest, double& 
     return sumOf(sums);
 }
 
-double meanDistance(const double* values, int count, double centre)
+double meanDistance(const double* values, int count, double center)
 {
     const double part = 1. / count;
     double sums[LANES] = {0};
@@ -77,28 +77,28 @@ double meanDistance(const double* values, int count, double centre)
     {
         USAC_SIMD
         for (int k = 0; k < LANES; ++k)
-            sums[k] += std::abs(values[i + k] - centre) * part;
+            sums[k] += std::abs(values[i + k] - center) * part;
     }
     for (int i = whole; i < count; ++i)
-        sums[0] += std::abs(values[i] - centre) * part;
+        sums[0] += std::abs(values[i] - center) * part;
     return sumOf(sums);
 }
 
 } // namespace
 
-void robustFrame(const double* values, int count, double& centre, double& deviation, double& low, double& high)
+void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high)
 {
     enum { SAMPLE = 31 };
-    centre = deviation = low = high = 0;
+    center = deviation = low = high = 0;
     if (count == 0)
         return;
-    centre = meanAndExtremes(values, count, low, high);
-    deviation = meanDistance(values, count, centre);
-    double sampleCentre, sampleDeviation;
-    medianFrame(values, std::min<int>(count, SAMPLE), sampleCentre, sampleDeviation);
-    const double largest = std::max(high - centre, centre - low);
+    center = meanAndExtremes(values, count, low, high);
+    deviation = meanDistance(values, count, center);
+    double sampleCenter, sampleDeviation;
+    medianFrame(values, std::min<int>(count, SAMPLE), sampleCenter, sampleDeviation);
+    const double largest = std::max(high - center, center - low);
     if (!(largest <= 20 * deviation) || (sampleDeviation > 0 && deviation > 100 * sampleDeviation))
-        medianFrame(values, count, centre, deviation);
+        medianFrame(values, count, center, deviation);
 }
 
 } // namespace usacv20

@@ -56,7 +56,7 @@ than not; in small scenes a tenth of the runs ended with one. Here they are thos
 
 Inliers that lie within a threshold of a better one in either image do not count for non-randomness, as the best points are
 often one match found several times. The criterion wants an order that has nothing to do with where the points are, as scores have
-it: in the densest place of the images (#PRIOR_DENSITY) many wrong models fit all points.
+it: in the densest place of the images (#ORDERING_DENSITY) many wrong models fit all points.
 
 O(N) an update, O(N log N) once the rest is fulfilled. */
 class ProsacTermination : public Termination

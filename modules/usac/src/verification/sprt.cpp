@@ -14,7 +14,7 @@ namespace {
 
 A point is an inlier of a good model with probability epsilon, of a bad one with delta. The likelihood ratio of bad to good
 after t points, k of them inliers, is (delta / epsilon)^k ((1 - delta) / (1 - epsilon))^(t - k); a model is dropped when
-it exceeds A. The A that minimises the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected
+it exceeds A. The A that minimizes the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected
 log-ratio of a point under a bad model, t_M the time to compute a model in units of that to test a point, and m_S the number
 of models of a sample. Both probabilities are learned: epsilon is the inlier ratio of the best model of a sample, delta the mean
 inlier ratio of the first blocks of all models, which are seen whatever happens later. Before there is

@@ -39,7 +39,7 @@ class Problem;
 /** @brief The correspondences as the components see them: scaled, shuffled, structure of arrays.
 
 H, F: translated and scaled to about unit size (F, E: the same scale in both images, so that errors scale with it).
-E: coordinates of the normalised image plane. The order is pseudo-random and fixed, so that any run of consecutive points
+E: coordinates of the normalized image plane. The order is pseudo-random and fixed, so that any run of consecutive points
 is a random sample. Arrays have `size` elements.
 */
 struct Correspondences
@@ -52,7 +52,7 @@ struct Correspondences
     const int* inputIndex;                      //!< row of the caller's arrays
     const float* scores;                        //!< Params::scores in this order, lower is better; null if none were given
     double threshold;                           //!< Params::threshold times Params::reach in these coordinates, not squared
-    Matx33d T1, T2;                             //!< from the caller's (E: normalised) coordinates to these
+    Matx33d T1, T2;                             //!< from the caller's (E: normalized) coordinates to these
     float lower[4], upper[4];                   //!< where nearly all of x1, y1, x2, y2 lie
 };
 
@@ -69,7 +69,7 @@ struct Quality
 
 /** @brief Counter-based pseudo-random generator: the k-th number of a stream depends on seed, stream and k alone.
 
-The output function is the finaliser of SplitMix64 @cite steele2014splittable. Each iteration has a stream of its own, so
+The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has a stream of its own, so
 the samples do not depend on threads or on what was drawn elsewhere.
 */
 class Rng
@@ -120,7 +120,7 @@ struct CV_EXPORTS State
 {
     State() : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0) {}
 
-    //! The points, best first, as the Prior says; sorted at the first call.
+    //! The points, best first, as the Ordering says; sorted at the first call.
     const std::vector<int>& bestFirst(const Context& context)
     {
         if (order.empty())
@@ -137,7 +137,7 @@ struct CV_EXPORTS State
     std::vector<int> order;  //!< what bestFirst() has returned; empty before
     Model best;              //!< the best model so far
     Quality bestQuality;     //!< and what it is worth
-    Quality sampleQuality;   //!< the best of a model as it came from its sample, before any optimisation
+    Quality sampleQuality;   //!< the best of a model as it came from its sample, before any optimization
     std::vector<SequentialTest> tests; //!< those of the verifier so far, the last one is in use
     Report report;
 
@@ -146,7 +146,7 @@ private:
 };
 
 struct Components;
-class Neighbourhood;
+class Neighborhood;
 class NonMinimalSolver;
 
 //! What does not change during a run; handed to the components that need more than their own data.
@@ -160,7 +160,7 @@ struct CV_EXPORTS Context
     Quality rate(const Model& model, double bound = std::numeric_limits<double>::infinity()) const;
 
     //! Those of Components; raise cv::Exception that names what is missing.
-    Neighbourhood& neighbourhood() const;
+    Neighborhood& neighborhood() const;
     const NonMinimalSolver& nonMinimalSolver() const;
 
     const Correspondences& points;
@@ -169,22 +169,22 @@ struct CV_EXPORTS Context
 };
 
 //! Order of the points, best first (paper, section "Other features").
-class CV_EXPORTS Prior
+class CV_EXPORTS Ordering
 {
 public:
-    virtual ~Prior();
+    virtual ~Ordering();
     //! Writes a permutation of 0 .. size-1 to `order`.
     virtual void sort(const Context& context, std::vector<int>& order) = 0;
 };
 
-//! Sparse neighbourhood graph of the points, O(N) memory, built at first use.
-class CV_EXPORTS Neighbourhood
+//! Sparse neighborhood graph of the points, O(N) memory, built at first use.
+class CV_EXPORTS Neighborhood
 {
 public:
-    virtual ~Neighbourhood();
-    //! Number of neighbourhood sizes, from the finest 0 to the coarsest.
+    virtual ~Neighborhood();
+    //! Number of neighborhood sizes, from the finest 0 to the coarsest.
     virtual int layers() const = 0;
-    //! Neighbours of a point in a layer, the point itself among them. @return their number, `members` points to them.
+    //! Neighbors of a point in a layer, the point itself among them. @return their number, `members` points to them.
     virtual int members(const Context& context, int layer, int point, const int*& members) = 0;
     //! Undirected edges of the graph, each once, at most a constant times N.
     virtual const std::vector<Vec2i>& edges(const Context& context) = 0;
@@ -324,7 +324,7 @@ public:
     //! False: the model shall not be tested. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
     /** @brief Looks at a new so-far-the-best model and may replace it by a better one, lower its quality, or set `state.yield`.
-    @param sample the sample that the model was computed from; null after the local optimisation
+    @param sample the sample that the model was computed from; null after the local optimization
     @param context, state, model, quality what does not change, what does, the model and its quality
     @return false: the model is degenerate and could not be mended, it is dropped. Default: true. */
     virtual bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality);
@@ -368,8 +368,8 @@ struct Components
 {
     Ptr<Residual> residual;                    //!< required
     Ptr<Score> score;                          //!< required
-    Ptr<Prior> prior;                          //!< empty: State::order is 0, 1, 2, ...
-    Ptr<Neighbourhood> neighbourhood;          //!< required by P-NAPSAC and graph cut
+    Ptr<Ordering> ordering;                          //!< empty: State::order is 0, 1, 2, ...
+    Ptr<Neighborhood> neighborhood;          //!< required by P-NAPSAC and graph cut
     Ptr<Sampler> sampler;                      //!< required
     Ptr<MinimalSolver> minimalSolver;          //!< required
     Ptr<NonMinimalSolver> nonMinimalSolver;    //!< required by graph cut and least squares

@@ -60,7 +60,7 @@ allowed. A transposed one is refused.
 @param distCoeffs1 4, 5, 8, 12 or 14 coefficients of the distortion of camera 1, as in cv::undistortPoints; empty: none.
 @param distCoeffs2 distortion of camera 2; empty: none.
 @param params options; `threshold` is the Sampson distance in pixels: it is divided by the mean of the four focal lengths.
-@param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalised points under the returned E is at most
+@param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalized points under the returned E is at most
 threshold / mean focal length, else 0.
 @param report output, what the run learned.
 @return 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there is none, and `report` says why.

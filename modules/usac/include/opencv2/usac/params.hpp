@@ -37,10 +37,10 @@ enum class UsacV20Method : int
 {
     //! the configuration chosen in @cite ivashechkin2021usacv20, with robust polishing; usacv20::Params::usacV20()
     USACV20          = 0x4000,
-    USACV20_FAST     = 0x4001, //!< early stop and a short local optimisation; usacv20::Params::fast()
-    USACV20_ACCURATE = 0x4002, //!< late stop and a long local optimisation; usacv20::Params::accurate()
+    USACV20_FAST     = 0x4001, //!< early stop and a short local optimization; usacv20::Params::fast()
+    USACV20_ACCURATE = 0x4002, //!< late stop and a long local optimization; usacv20::Params::accurate()
     USACV20_PROSAC   = 0x4003, //!< the caller's points are sorted, best first; usacv20::Params::sorted()
-    USACV20_MAGSAC   = 0x4004, //!< quality and fits marginalised over the noise; usacv20::Params::magsacPlusPlus()
+    USACV20_MAGSAC   = 0x4004, //!< quality and fits marginalized over the noise; usacv20::Params::magsacPlusPlus()
     USACV20_PARALLEL = 0x4005  //!< USACV20 with cv::getNumThreads() threads, the same result; usacv20::Params::parallel()
 };
 
@@ -68,24 +68,24 @@ enum SamplerType
 {
     SAMPLER_UNIFORM  = 0, //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC   = 1, //!< the best points first, then ever more of them @cite chum2005matching
-    //! The best point first and its neighbours, ever wider @cite barath2019progressive. Of the samples that are not uniform
+    //! The best point first and its neighbors, ever wider @cite barath2019progressive. Of the samples that are not uniform
     //! (Params::orderedEvery) one in four is local, every second one where the order is the density; in the paper all are until
-    //! the neighbourhood has grown to everything. It doubles when its point is chosen again; in the paper as PROSAC's set.
+    //! the neighborhood has grown to everything. It doubles when its point is chosen again; in the paper as PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
-    SAMPLER_NAPSAC   = 3, //!< any point and its neighbours @cite nasuto2002napsac
+    SAMPLER_NAPSAC   = 3, //!< any point and its neighbors @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4 //!< points as often as Params::scores, their probabilities of being right, say
 };
 
-//! Which points are neighbours in the joint space (x1, y1, x2, y2).
-enum NeighbourhoodType
+//! Which points are neighbors in the joint space (x1, y1, x2, y2).
+enum NeighborhoodType
 {
     //! points in the same cell of a grid with layers of finer and wider cells @cite barath2019progressive
-    NEIGHBOURHOOD_GRID   = 0,
-    NEIGHBOURHOOD_KNN    = 1, //!< the Params::neighbours nearest points, through cv::flann
-    NEIGHBOURHOOD_RADIUS = 2  //!< the points within Params::neighbourRadius pixels, through cv::flann
+    NEIGHBORHOOD_GRID   = 0,
+    NEIGHBORHOOD_KNN    = 1, //!< the Params::neighbors nearest points, through cv::flann
+    NEIGHBORHOOD_RADIUS = 2  //!< the points within Params::neighborRadius pixels, through cv::flann
 };
 
-//! Which error of a point is minimised and compared with the threshold.
+//! Which error of a point is minimized and compared with the threshold.
 enum ResidualType
 {
     RESIDUAL_STANDARD  = 0, //!< H: transfer error in image 2. F, E: Sampson distance
@@ -94,12 +94,12 @@ enum ResidualType
 };
 
 //! Where the order of the points ("best first") comes from (paper, section "Other features").
-enum PriorType
+enum OrderingType
 {
-    PRIOR_AUTO        = 0, //!< Params::scores where given, else the local density
-    PRIOR_DENSITY     = 1, //!< local density of the points in the 4-D joint space, densest first
-    PRIOR_INPUT_ORDER = 2, //!< the caller has sorted the points, best first
-    PRIOR_NONE        = 3  //!< a fixed pseudo-random order
+    ORDERING_AUTO        = 0, //!< Params::scores where given, else the local density
+    ORDERING_DENSITY     = 1, //!< local density of the points in the 4-D joint space, densest first
+    ORDERING_INPUT_ORDER = 2, //!< the caller has sorted the points, best first
+    ORDERING_NONE        = 3  //!< a fixed pseudo-random order
 };
 
 //! Which end of Params::scores is the good one.
@@ -116,8 +116,8 @@ enum QualityType
     QUALITY_MSAC    = 1, //!< sum of truncated squared errors @cite torr2000mlesac
     QUALITY_MLESAC  = 2, //!< likelihood under a mixture of Gaussian inliers and uniform outliers @cite torr2000mlesac
     QUALITY_LMEDS   = 3, //!< median of the squared errors; finds the threshold itself @cite rousseeuw1984least
-    QUALITY_MAGSAC  = 4, //!< likelihood marginalised over the scale of the noise @cite barath2019magsac
-    QUALITY_MAGSAC_PLUS_PLUS = 5 //!< the robust loss of the marginalised weights @cite barath2020magsac
+    QUALITY_MAGSAC  = 4, //!< likelihood marginalized over the scale of the noise @cite barath2019magsac
+    QUALITY_MAGSAC_PLUS_PLUS = 5 //!< the robust loss of the marginalized weights @cite barath2020magsac
 };
 
 //! How bad models are dropped early (paper, section "Pre-emptive verification").
@@ -135,8 +135,8 @@ enum LocalOptimizationType
     LOCAL_OPTIMIZATION_GRAPH_CUT = 1, //!< LO-RANSAC's first steps; where they gain, graph cut, inner RANSAC @cite barath2018graph
     LOCAL_OPTIMIZATION_LO_RANSAC = 2, //!< inner RANSAC, least squares with a shrinking threshold @cite chum2003locally
     LOCAL_OPTIMIZATION_FLO_RANSAC = 3, //!< the same on a bounded number of inliers @cite lebeda2012fixing
-    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4, //!< fits marginalised over the scale of the noise @cite barath2019magsac
-    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5, //!< re-weighted fits with marginalised weights @cite barath2020magsac
+    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4, //!< fits marginalized over the scale of the noise @cite barath2019magsac
+    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5, //!< re-weighted fits with marginalized weights @cite barath2020magsac
     LOCAL_OPTIMIZATION_GC_RANSAC = 6 //!< graph cut and inner RANSAC in turn, while the model becomes better @cite barath2018graph
 };
 
@@ -147,7 +147,7 @@ enum TerminationFlags
     TERMINATION_SPRT     = 2, //!< the same, with the errors of SPRT accounted for @cite chum2008optimal
     TERMINATION_P_NAPSAC = 4, //!< no significantly better model @cite barath2019progressive
     TERMINATION_PROSAC   = 8, //!< maximality and non-randomness in the best subset of the points @cite chum2005matching
-    TERMINATION_MAGSAC   = 16, //!< the standard criterion marginalised over the scale of the noise @cite barath2019magsac
+    TERMINATION_MAGSAC   = 16, //!< the standard criterion marginalized over the scale of the noise @cite barath2019magsac
     TERMINATION_EXACT    = 32 //!< modifies the others: samples without repetition, C(I, m) / C(N, m), in the place of (I / N)^m
 };
 
@@ -195,25 +195,25 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @ref SamplerType. Default #SAMPLER_P_NAPSAC.
     CV_PROP_RW int sampler;
-    //! @ref PriorType. Default #PRIOR_AUTO.
-    CV_PROP_RW int prior;
+    //! @ref OrderingType. Default #ORDERING_AUTO.
+    CV_PROP_RW int ordering;
     //! Score of each correspondence, N values or none; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
     CV_PROP_RW std::vector<float> scores;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;
-    //! @ref NeighbourhoodType. Default #NEIGHBOURHOOD_GRID.
-    CV_PROP_RW int neighbourhood;
-    //! Neighbours of a point for #NEIGHBOURHOOD_KNN in the finest of four layers, each of twice as many; 1..1000. Default 10.
-    CV_PROP_RW int neighbours;
-    //! Radius for #NEIGHBOURHOOD_RADIUS in the finest of four layers, each twice as wide, pixels in the joint space; > 0.
+    //! @ref NeighborhoodType. Default #NEIGHBORHOOD_GRID.
+    CV_PROP_RW int neighborhood;
+    //! Neighbors of a point for #NEIGHBORHOOD_KNN in the finest of four layers, each of twice as many; 1..1000. Default 10.
+    CV_PROP_RW int neighbors;
+    //! Radius for #NEIGHBORHOOD_RADIUS in the finest of four layers, each twice as wide, pixels in the joint space; > 0.
     //! Default 40.
-    CV_PROP_RW double neighbourRadius;
+    CV_PROP_RW double neighborRadius;
     //! @ref ResidualType. Default #RESIDUAL_STANDARD.
     CV_PROP_RW int residual;
     //! @ref QualityType. Default #QUALITY_MSAC.
     CV_PROP_RW int quality;
-    /** Search, local optimisation and polishing work with so many times `threshold`, the mask with `threshold` itself; 1..10. For
-    qualities and fits that are marginalised over the noise. Default 1. */
+    /** Search, local optimization and polishing work with so many times `threshold`, the mask with `threshold` itself; 1..10. For
+    qualities and fits that are marginalized over the noise. Default 1. */
     CV_PROP_RW double reach;
     /** Where the errors of the best model show that the noise is larger than `threshold`, `reach` grows with it, up to this, a
     multiple of `threshold`; 1..1e6; what is not above `reach` changes nothing. The mask stays that of `threshold` and may then be
@@ -226,17 +226,17 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int tddPoints;
     //! @ref LocalOptimizationType. Default #LOCAL_OPTIMIZATION_GRAPH_CUT.
     CV_PROP_RW int localOptimization;
-    //! Rounds of one local optimisation: alternations of labelling and fitting, steps of the shrinking threshold, re-weightings;
+    //! Rounds of one local optimization: alternations of labeling and fitting, steps of the shrinking threshold, re-weightings;
     //! 1..1000. Default 5.
     CV_PROP_RW int localIterations;
-    //! Size of the inner samples of a local optimisation as a multiple of the minimal one; 2..100. Default 3.
+    //! Size of the inner samples of a local optimization as a multiple of the minimal one; 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
-    //! Inner samples of a local optimisation (graph cut: of each of its alternations); 0..1000. Default 4.
+    //! Inner samples of a local optimization (graph cut: of each of its alternations); 0..1000. Default 4.
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
-    //! Models beside those that beat all samples before them that are optimised before the search ends, at most; 0..100. Without
-    //! local optimisation none. Default 16.
+    //! Models beside those that beat all samples before them that are optimized before the search ends, at most; 0..100. Without
+    //! local optimization none. Default 16.
     CV_PROP_RW int runnersUp;
     /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer, the others
     are uniform among all points. Only the uniform ones count for the criteria of termination but #TERMINATION_PROSAC: what is
@@ -267,11 +267,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
     /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with half as many inliers more would have been found, less
-    of few (`relaxation`), whose local optimisation has no graph cut, no inner samples and one round, with four runners-up and
+    of few (`relaxation`), whose local optimization has no graph cut, no inner samples and one round, with four runners-up and
     three steps of polishing. */
     CV_WRAP static Params fast();
     /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks for, up to
-    ten alternations of ten inner samples in the local optimisation, 24 runners-up and 20 steps of polishing. */
+    ten alternations of ten inner samples in the local optimization, 24 runners-up and 20 steps of polishing. */
     CV_WRAP static Params accurate();
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in eight
     (`orderedEvery`), the others are uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
@@ -300,7 +300,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     @cite lebeda2012fixing. Four inner samples, which is faster than the paper's; their fits are of the geometric error. */
     CV_WRAP static Params floRansac();
     /** @brief GC-RANSAC: as msac(), each new best model is refined by graph cuts and inner samples of seven times the minimal
-    size in turn, while it becomes better @cite barath2018graph; neighbours are the points within 20 pixels. The alternations end
+    size in turn, while it becomes better @cite barath2018graph; neighbors are the points within 20 pixels. The alternations end
     after ten. Every new best model is refined; the paper waits until enough samples have been drawn to expect it to be worth the
     time. */
     CV_WRAP static Params gcRansac();
@@ -308,14 +308,14 @@ struct CV_EXPORTS_W_SIMPLE Params
     terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC stands for the paper's general test of degeneracy; H has a
     test of orientation only, E one of planes beside it. */
     CV_WRAP static Params usac2013();
-    /** @brief MAGSAC: uniform samples, marginalised quality, termination and fits (sigma-consensus) @cite barath2019magsac.
+    /** @brief MAGSAC: uniform samples, marginalized quality, termination and fits (sigma-consensus) @cite barath2019magsac.
     The largest standard deviation of the noise is `reach` times `threshold` over the 0.99 quantile of chi. The errors have one
     degree of freedom for F and E and two for H, the constraints that a match has to fulfil; the paper has four, those of the
     coordinates, of which a model leaves the others free. The fit takes five parts of the noise's range. Where the data show more
     noise, the range grows (`widestReach`); the paper asks for a bound that is far too large instead. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite barath2020magsac.
-    What #USACV20_MAGSAC uses. The noise is marginalised up to `reach` times `threshold`, and further where the data show more
+    What #USACV20_MAGSAC uses. The noise is marginalized up to `reach` times `threshold`, and further where the data show more
     noise (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests of degeneracy are those of
     usacV20(). */
     CV_WRAP static Params magsacPlusPlus();

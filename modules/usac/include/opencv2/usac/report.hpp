@@ -49,9 +49,9 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int rejectedModels;
     //! Models dropped by the pre-emptive verification.
     CV_PROP_RW int refusedModels;
-    //! Models that were no better than the best one; Params::runnersUp of them are optimised nevertheless.
+    //! Models that were no better than the best one; Params::runnersUp of them are optimized nevertheless.
     CV_PROP_RW int droppedModels;
-    //! Local optimisations run.
+    //! Local optimizations run.
     CV_PROP_RW int localOptimizations;
     //! Those that improved their model.
     CV_PROP_RW int localImprovements;
@@ -72,9 +72,9 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW double cost;
     //! Milliseconds: reading, scaling and ordering the points.
     CV_PROP_RW double setupMs;
-    //! Milliseconds: the hypothesise-and-verify loop without the local optimisation.
+    //! Milliseconds: the hypothesize-and-verify loop without the local optimization.
     CV_PROP_RW double searchMs;
-    //! Milliseconds: all local optimisations.
+    //! Milliseconds: all local optimizations.
     CV_PROP_RW double localMs;
     //! Milliseconds: final polishing and the mask.
     CV_PROP_RW double polishMs;

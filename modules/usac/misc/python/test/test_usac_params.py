@@ -19,7 +19,7 @@ class ParamsTest(unittest.TestCase):
 
     def test_fields_can_be_read_and_written(self):
         params = usac.Params()
-        self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "prior", "scores",
+        self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "ordering", "scores",
                               "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence",
                               "degeneracy", "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach",
                               "significance"}, set(fields(params)))

@@ -43,7 +43,7 @@ Mat readDistortion(InputArray array, const char* name)
     return countNonZero(coefficients) ? coefficients : Mat();
 }
 
-/** From pixels to the normalised image plane, in place. cv::undistortPoints knows no skew, so that the camera matrix is taken off
+/** From pixels to the normalized image plane, in place. cv::undistortPoints knows no skew, so that the camera matrix is taken off
 before. */
 void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, int count)
 {

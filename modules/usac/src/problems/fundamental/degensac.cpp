@@ -21,7 +21,7 @@ namespace {
 
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else. One of five triples
 of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it maps
-give the degeneracy away. A locally optimised model has no sample; there it is a plane with more than half of its inliers. The
+give the degeneracy away. A locally optimized model has no sample; there it is a plane with more than half of its inliers. The
 remedy is plane and parallax: that homography H, refined on its points, and two correspondences off the plane determine
 F = [e]x H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if it beats the original, so
 that other scenes lose nothing; a plane with less than half of the model's inliers is left alone, as there the samples

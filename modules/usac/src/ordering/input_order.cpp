@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "prior/prior.hpp"
+#include "ordering/ordering.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 /** The caller's order, best first. */
-class InputOrderPrior : public Prior
+class InputOrderOrdering : public Ordering
 {
 public:
     void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
@@ -28,9 +28,9 @@ public:
 
 } // namespace
 
-Ptr<Prior> createInputOrderPrior()
+Ptr<Ordering> createInputOrderOrdering()
 {
-    return makePtr<InputOrderPrior>();
+    return makePtr<InputOrderOrdering>();
 }
 
 } // namespace usacv20

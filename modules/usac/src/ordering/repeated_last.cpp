@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "prior/repeated_last.hpp"
+#include "ordering/repeated_last.hpp"
 
 namespace cv {
 namespace usacv20 {

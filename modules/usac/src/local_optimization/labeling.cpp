@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "local_optimization/labelling.hpp"
+#include "local_optimization/labeling.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -15,7 +15,7 @@ const float NEGLIGIBLE = 0.005f;
 
 } // namespace
 
-void Labelling::weigh(const Context& context, const Model& model)
+void Labeling::weigh(const Context& context, const Model& model)
 {
     const Correspondences& points = context.points;
     const int size = points.size;
@@ -33,7 +33,7 @@ void Labelling::weigh(const Context& context, const Model& model)
 }
 
 //! Most edges of a point.
-int Labelling::degreeOf(const std::vector<Vec2i>& edges)
+int Labeling::degreeOf(const std::vector<Vec2i>& edges)
 {
     node.assign(K.size(), 0);
     int most = 0;
@@ -45,7 +45,7 @@ int Labelling::degreeOf(const std::vector<Vec2i>& edges)
 /* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier and by lambda (1 - a) if
 q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets its label before any cut: most points at
 first sight, as lambda times the number of edges is not enough. */
-void Labelling::fix(const std::vector<Vec2i>& edges, float lambda)
+void Labeling::fix(const std::vector<Vec2i>& edges, float lambda)
 {
     const size_t size = unary.size();
     if (degree < 0)
@@ -80,11 +80,11 @@ void Labelling::fix(const std::vector<Vec2i>& edges, float lambda)
         }
 }
 
-void Labelling::cut(const Context& context, const Model& model, std::vector<int>& inliers)
+void Labeling::cut(const Context& context, const Model& model, std::vector<int>& inliers)
 {
     weigh(context, model);
     const float lambda = (float)context.params.spatialWeight;
-    const std::vector<Vec2i>& edges = context.neighbourhood().edges(context);
+    const std::vector<Vec2i>& edges = context.neighborhood().edges(context);
     fix(edges, lambda);
     label(edges, lambda);
     inliers.clear();
@@ -95,7 +95,7 @@ void Labelling::cut(const Context& context, const Model& model, std::vector<int>
 
 /* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the last term being one arc of
 the graph. */
-void Labelling::label(const std::vector<Vec2i>& edges, float lambda)
+void Labeling::label(const std::vector<Vec2i>& edges, float lambda)
 {
     const int nodes = (int)open.size();
     arcs.clear();

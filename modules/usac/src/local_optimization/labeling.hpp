@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_USACV20_LABELLING_HPP
-#define OPENCV_USACV20_LABELLING_HPP
+#ifndef OPENCV_USACV20_LABELING_HPP
+#define OPENCV_USACV20_LABELING_HPP
 
 #include "opencv2/imgproc/detail/gcgraph.hpp"
 #include "opencv2/usac/components.hpp"
@@ -11,19 +11,19 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Spatially coherent inliers of a model: the labelling of least energy @cite barath2018graph.
+/** @brief Spatially coherent inliers of a model: the labeling of least energy @cite barath2018graph.
 
 With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as inlier and K_p as outlier. An edge (p, q) costs
 lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are outliers, 1 - (K_p + K_q) / 2 if both are inliers. The
 sum over edges is submodular, so a minimal cut is the exact minimum.
 
-Points that no labelling of their neighbours can turn, most of them in practice, get their label before and are no nodes of the
+Points that no labeling of their neighbors can turn, most of them in practice, get their label before and are no nodes of the
 graph; those far from the model (K_p below #NEGLIGIBLE) are always outliers. O(N) time to set up; the cut is linear
 in practice. */
-class Labelling
+class Labeling
 {
 public:
-    Labelling() : degree(-1) {}
+    Labeling() : degree(-1) {}
 
     //! Writes the inliers to `inliers`.
     void cut(const Context& context, const Model& model, std::vector<int>& inliers);
@@ -41,7 +41,7 @@ private:
     std::vector<float> errors;
     std::vector<float> K;
     std::vector<float> unary;  //!< cost of being an inlier minus that of being an outlier
-    std::vector<float> lowest, highest;  //!< the same with the edges, whatever the labels of the neighbours
+    std::vector<float> lowest, highest;  //!< the same with the edges, whatever the labels of the neighbors
     std::vector<int> node;     //!< of each point in the graph, or its label
     std::vector<int> open;     //!< point of each node
     std::vector<Vec2i> arcs;   //!< between nodes

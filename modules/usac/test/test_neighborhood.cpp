@@ -4,8 +4,8 @@
 
 #include "test_precomp.hpp"
 #include "surroundings.hpp"
-#include "neighbourhood/neighbourhood.hpp"
-#include "prior/prior.hpp"
+#include "neighborhood/neighborhood.hpp"
+#include "ordering/ordering.hpp"
 
 #include <set>
 
@@ -28,7 +28,7 @@ Vec4i cellOf(const Correspondences& p, int point, int divisions)
 void compareWithBruteForce(const Correspondences& points)
 {
     const Surroundings around(points);
-    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood();
     ASSERT_EQ(4, grid->layers());
     for (int layer = 0; layer < 4; ++layer)
         for (int i = 0; i < points.size; ++i)
@@ -41,7 +41,7 @@ void compareWithBruteForce(const Correspondences& points)
         }
 }
 
-TEST(Usac_Neighbourhood, gridAgainstBruteForce)
+TEST(Usac_Neighborhood, gridAgainstBruteForce)
 {
     RNG rng(1);
     for (int count = 1; count <= 700; count = count * 3 + 1)
@@ -57,7 +57,7 @@ TEST(Usac_Neighbourhood, gridAgainstBruteForce)
 }
 
 //! Points outside the range where nearly all lie belong to the outermost cells.
-TEST(Usac_Neighbourhood, gridOfANarrowRange)
+TEST(Usac_Neighborhood, gridOfANarrowRange)
 {
     RNG rng(2);
     std::vector<Point2d> points1, points2;
@@ -72,12 +72,12 @@ TEST(Usac_Neighbourhood, gridOfANarrowRange)
     compareWithBruteForce(points);
 }
 
-TEST(Usac_Neighbourhood, layersAreNested)
+TEST(Usac_Neighborhood, layersAreNested)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Surroundings around(usac->points());
-    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood();
     int grown = 0;
     for (int i = 0; i < usac->points().size; ++i)
     {
@@ -94,11 +94,11 @@ TEST(Usac_Neighbourhood, layersAreNested)
     EXPECT_GT(grown, 2 * usac->points().size);
 }
 
-TEST(Usac_Neighbourhood, equalPointsAreAllNeighbours)
+TEST(Usac_Neighborhood, equalPointsAreAllNeighbors)
 {
     const OwnPoints points(HOMOGRAPHY, std::vector<Point2d>(37, Point2d(-3, 4)), std::vector<Point2d>(37, Point2d(0, 0)));
     const Surroundings around(points.view());
-    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood();
     for (int layer = 0; layer < grid->layers(); ++layer)
         EXPECT_EQ(37u, membersOf(*grid, around.context, layer, layer).size());
     EXPECT_LE(grid->edges(around.context).size(), 4u * 37);
@@ -108,7 +108,7 @@ TEST(Usac_Neighbourhood, equalPointsAreAllNeighbours)
 void checkEdges(const Correspondences& points, size_t least)
 {
     const Surroundings around(points);
-    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood();
     const std::vector<Vec2i> edges = grid->edges(around.context);
     std::set<std::pair<int, int> > seen;
     for (size_t e = 0; e < edges.size(); ++e)
@@ -124,7 +124,7 @@ void checkEdges(const Correspondences& points, size_t least)
     EXPECT_EQ(edges, grid->edges(around.context));
 }
 
-TEST(Usac_Neighbourhood, edges)
+TEST(Usac_Neighborhood, edges)
 {
     RNG rng(3);
     for (int count = 1; count <= 2000; count = count * 4 + 1)
@@ -135,13 +135,13 @@ TEST(Usac_Neighbourhood, edges)
     }
 }
 
-//! Points with at least one neighbour in their cell have at least one edge.
-TEST(Usac_Neighbourhood, noPointIsForgotten)
+//! Points with at least one neighbor in their cell have at least one edge.
+TEST(Usac_Neighborhood, noPointIsForgotten)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Surroundings around(usac->points());
-    const Ptr<Neighbourhood> grid = createGridNeighbourhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood();
     std::vector<int> degree(usac->points().size, 0);
     const std::vector<Vec2i>& edges = grid->edges(around.context);
     for (size_t e = 0; e < edges.size(); ++e)
@@ -159,13 +159,13 @@ TEST(Usac_Neighbourhood, noPointIsForgotten)
     EXPECT_LT(alone, usac->points().size);
 }
 
-std::vector<int> sortBy(const Ptr<Prior>& prior, const Correspondences& points)
+std::vector<int> sortBy(const Ptr<Ordering>& ordering, const Correspondences& points)
 {
     const Surroundings around(points);
     std::vector<int> order(points.size);
     for (int i = 0; i < points.size; ++i)
         order[i] = i;
-    prior->sort(around.context, order);
+    ordering->sort(around.context, order);
     EXPECT_EQ(points.size, (int)order.size());
     std::vector<uchar> seen(points.size, 0);
     for (size_t i = 0; i < order.size(); ++i)
@@ -189,7 +189,7 @@ TEST(Usac_Priors, densityPutsClusteredMatchesFirst)
             options.seed = seed;
             const Scene scene = makeScene((ProblemType)problem, options);
             const Ptr<Usac> usac = createUsac(scene, Params());
-            const std::vector<int> order = sortBy(createDensityPrior(), usac->points());
+            const std::vector<int> order = sortBy(createDensityOrdering(), usac->points());
             int first = 0, last = 0;
             for (int i = 0; i < 100; ++i)
             {
@@ -208,10 +208,10 @@ TEST(Usac_Priors, densityOfClumsyPoints)
     {
         std::vector<Point2d> points1, points2;
         clumsyPoints(count, rng, points1, points2);
-        sortBy(createDensityPrior(), OwnPoints(HOMOGRAPHY, points1, points2).view());
+        sortBy(createDensityOrdering(), OwnPoints(HOMOGRAPHY, points1, points2).view());
     }
     const std::vector<Point2d> equal(70000, Point2d(1, 2));  // more of them in one cell than 16 bits hold
-    sortBy(createDensityPrior(), OwnPoints(HOMOGRAPHY, equal, equal).view());
+    sortBy(createDensityOrdering(), OwnPoints(HOMOGRAPHY, equal, equal).view());
 }
 
 TEST(Usac_Priors, scores)
@@ -232,7 +232,7 @@ TEST(Usac_Priors, scores)
         }
         const Ptr<Usac> usac = createUsac(scene, params);
         ASSERT_TRUE(usac->points().scores != 0);
-        const std::vector<int> order = sortBy(createScorePrior(), usac->points());
+        const std::vector<int> order = sortBy(createScoreOrdering(), usac->points());
         float previous = 0;
         for (int i = 0; i < scene.size(); ++i)
         {
@@ -253,7 +253,7 @@ TEST(Usac_Priors, inputOrder)
     scene.points1[3].x = std::numeric_limits<double>::quiet_NaN();
     scene.points2[17].y = std::numeric_limits<double>::infinity();
     const Ptr<Usac> usac = createUsac(scene, Params());
-    const std::vector<int> order = sortBy(createInputOrderPrior(), usac->points());
+    const std::vector<int> order = sortBy(createInputOrderOrdering(), usac->points());
     ASSERT_EQ(scene.size() - 2, (int)order.size());
     int row = 0;
     for (size_t i = 0; i < order.size(); ++i, ++row)
@@ -284,7 +284,7 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
         std::vector<int> order(p.size);
         for (int k = 0; k < p.size; ++k)
             order[k] = k;
-        usac->components().prior->sort(Context(p, usac->components(), params), order);
+        usac->components().ordering->sort(Context(p, usac->components(), params), order);
         std::set<std::pair<double, double> > seen;
         for (int k = 0; k < p.size; ++k)
             EXPECT_EQ(k < size, seen.insert(std::make_pair(p.dx1[order[k]], p.dy1[order[k]])).second) << k;
@@ -294,13 +294,13 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
     }
 }
 
-TEST(Usac_Neighbourhood, noPoints)
+TEST(Usac_Neighborhood, noPoints)
 {
     const OwnPoints none(HOMOGRAPHY, std::vector<Point2d>(), std::vector<Point2d>());
     const Surroundings around(none.view());
-    EXPECT_TRUE(createGridNeighbourhood()->edges(around.context).empty());
-    EXPECT_TRUE(createKnnNeighbourhood(5)->edges(around.context).empty());
-    EXPECT_TRUE(createRadiusNeighbourhood(20)->edges(around.context).empty());
+    EXPECT_TRUE(createGridNeighborhood()->edges(around.context).empty());
+    EXPECT_TRUE(createKnnNeighborhood(5)->edges(around.context).empty());
+    EXPECT_TRUE(createRadiusNeighborhood(20)->edges(around.context).empty());
 }
 
 }} // namespace

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "neighbourhood/neighbourhood.hpp"
+#include "neighborhood/neighborhood.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -13,10 +13,10 @@ namespace {
 /** @brief Multi-layer grid in the joint space of the coordinates (x1, y1, x2, y2) @cite barath2019progressive.
 
 The finest layer divides each of the four axes into 16 cells, the next ones into 8, 4 and 2. With the bits of the four
-cell numbers interleaved (Morton's code, 16 bits), the points of a cell of any layer are neighbours in the sorted list of
+cell numbers interleaved (Morton's code, 16 bits), the points of a cell of any layer are neighbors in the sorted list of
 codes: one sorted list serves all layers. Points outside the range where nearly all points lie fall into the outermost
 cells. O(N) memory and time (radix sort), O(log N) a query; edges link each point to the next #LINKS in its cell. */
-class GridNeighbourhood : public Neighbourhood
+class GridNeighborhood : public Neighborhood
 {
 public:
     int layers() const CV_OVERRIDE { return LAYERS; }
@@ -118,9 +118,9 @@ private:
 
 } // namespace
 
-Ptr<Neighbourhood> createGridNeighbourhood()
+Ptr<Neighborhood> createGridNeighborhood()
 {
-    return makePtr<GridNeighbourhood>();
+    return makePtr<GridNeighborhood>();
 }
 
 } // namespace usacv20

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "surroundings.hpp"
-#include "neighbourhood/neighbourhood.hpp"
+#include "neighborhood/neighborhood.hpp"
 
 namespace opencv_test { namespace {
 
@@ -62,10 +62,10 @@ private:
 };
 
 //! The members of a layer, which begin with the point and come nearest first.
-std::vector<int> listOf(const Pixels& pixels, Neighbourhood& neighbourhood, int layer, int point)
+std::vector<int> listOf(const Pixels& pixels, Neighborhood& neighborhood, int layer, int point)
 {
     const int* members = 0;
-    const int count = neighbourhood.members(pixels.context(), layer, point, members);
+    const int count = neighborhood.members(pixels.context(), layer, point, members);
     const std::vector<int> list(members, members + count);
     EXPECT_GE(count, 1);
     EXPECT_EQ(point, list[0]);
@@ -77,7 +77,7 @@ std::vector<int> listOf(const Pixels& pixels, Neighbourhood& neighbourhood, int 
 
 void checkKnn(const Pixels& pixels, int k)
 {
-    const Ptr<Neighbourhood> knn = createKnnNeighbourhood(k);
+    const Ptr<Neighborhood> knn = createKnnNeighborhood(k);
     ASSERT_EQ((int)LAYERS, knn->layers());
     for (int point = 0; point < pixels.size(); ++point)
     {
@@ -97,7 +97,7 @@ void checkKnn(const Pixels& pixels, int k)
 
 void checkRadius(const Pixels& pixels, double radius)
 {
-    const Ptr<Neighbourhood> within = createRadiusNeighbourhood(radius);
+    const Ptr<Neighborhood> within = createRadiusNeighborhood(radius);
     ASSERT_EQ((int)LAYERS, within->layers());
     for (int point = 0; point < pixels.size(); ++point)
         for (int layer = 0; layer < LAYERS; ++layer)
@@ -117,7 +117,7 @@ void checkRadius(const Pixels& pixels, double radius)
         }
 }
 
-TEST(Usac_NeighbourhoodFlann, clumsyPointsAgainstBruteForce)
+TEST(Usac_NeighborhoodFlann, clumsyPointsAgainstBruteForce)
 {
     RNG rng(1);
     for (int count = 1; count <= 400; count = count * 3 + 1)
@@ -134,7 +134,7 @@ TEST(Usac_NeighbourhoodFlann, clumsyPointsAgainstBruteForce)
 }
 
 //! Distances are in pixels of the images whatever the coordinates of the estimator.
-TEST(Usac_NeighbourhoodFlann, pixelsOfBothImages)
+TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
 {
     for (int problem = 0; problem < 3; ++problem)
     {
@@ -150,16 +150,16 @@ TEST(Usac_NeighbourhoodFlann, pixelsOfBothImages)
     }
 }
 
-//! No more neighbours than #WIDEST are kept for a radius, and those are the nearest; more only if they are asked for.
-TEST(Usac_NeighbourhoodFlann, boundedMemory)
+//! No more neighbors than #WIDEST are kept for a radius, and those are the nearest; more only if they are asked for.
+TEST(Usac_NeighborhoodFlann, boundedMemory)
 {
     RNG rng(2);
     std::vector<Point2d> points1, points2;
     clumsyPoints(1500, rng, points1, points2);
     const OwnPoints own(HOMOGRAPHY, points1, points2);
     const Pixels pixels(own);
-    const Ptr<Neighbourhood> radius = createRadiusNeighbourhood(1e300), knn = createKnnNeighbourhood(1000),
-                             some = createKnnNeighbourhood(100);
+    const Ptr<Neighborhood> radius = createRadiusNeighborhood(1e300), knn = createKnnNeighborhood(1000),
+                             some = createKnnNeighborhood(100);
     for (int point = 0; point < 1500; point += 50)
         for (int layer = 0; layer < LAYERS; ++layer)
         {
@@ -171,9 +171,9 @@ TEST(Usac_NeighbourhoodFlann, boundedMemory)
     EXPECT_LE(knn->edges(pixels.context()).size(), (size_t)LINKS * 1500);
 }
 
-void checkEdges(const Pixels& pixels, Neighbourhood& neighbourhood, int links)
+void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
 {
-    const std::vector<Vec2i> edges = neighbourhood.edges(pixels.context());
+    const std::vector<Vec2i> edges = neighborhood.edges(pixels.context());
     std::set<std::pair<int, int> > seen;
     std::vector<double> reach(pixels.size());
     for (int i = 0; i < pixels.size(); ++i)
@@ -188,17 +188,17 @@ void checkEdges(const Pixels& pixels, Neighbourhood& neighbourhood, int links)
     int missing = 0;
     for (int i = 0; i < pixels.size(); ++i)  // all that are certainly among the nearest
     {
-        const std::vector<int> members = listOf(pixels, neighbourhood, 0, i);
+        const std::vector<int> members = listOf(pixels, neighborhood, 0, i);
         for (size_t k = 1; k < members.size() && (int)k <= links; ++k)
             if (pixels.distance(i, members[k]) < reach[i] * (1 - 3e-4) - 3e-6)
                 missing += !seen.count(std::make_pair(std::min(i, members[k]), std::max(i, members[k])));
     }
     EXPECT_EQ(0, missing);
     EXPECT_LE(edges.size(), (size_t)links * pixels.size());
-    EXPECT_EQ(edges, neighbourhood.edges(pixels.context()));
+    EXPECT_EQ(edges, neighborhood.edges(pixels.context()));
 }
 
-TEST(Usac_NeighbourhoodFlann, edges)
+TEST(Usac_NeighborhoodFlann, edges)
 {
     RNG rng(3);
     for (int count = 1; count <= 700; count = count * 4 + 1)
@@ -207,20 +207,20 @@ TEST(Usac_NeighbourhoodFlann, edges)
         clumsyPoints(count, rng, points1, points2);
         const OwnPoints own(HOMOGRAPHY, points1, points2);
         const Pixels pixels(own);
-        checkEdges(pixels, *createKnnNeighbourhood(3), 3);
-        checkEdges(pixels, *createKnnNeighbourhood(10), LINKS);
-        checkEdges(pixels, *createRadiusNeighbourhood(0.1), LINKS);
+        checkEdges(pixels, *createKnnNeighborhood(3), 3);
+        checkEdges(pixels, *createKnnNeighborhood(10), LINKS);
+        checkEdges(pixels, *createRadiusNeighborhood(0.1), LINKS);
     }
 }
 
 //! The edges of a radius join points within it only, and a lonely point has none.
-TEST(Usac_NeighbourhoodFlann, edgesWithinTheRadius)
+TEST(Usac_NeighborhoodFlann, edgesWithinTheRadius)
 {
     const Pixels pixels(makeScene(FUNDAMENTAL), Params());
     size_t previous = 0;
     for (double radius = 1; radius < 200; radius *= 3)
     {
-        const Ptr<Neighbourhood> within = createRadiusNeighbourhood(radius);
+        const Ptr<Neighborhood> within = createRadiusNeighborhood(radius);
         const std::vector<Vec2i>& edges = within->edges(pixels.context());
         std::vector<int> degree(pixels.size(), 0);
         for (size_t e = 0; e < edges.size(); ++e)
@@ -237,7 +237,7 @@ TEST(Usac_NeighbourhoodFlann, edgesWithinTheRadius)
     EXPECT_GT(previous, 2 * (size_t)pixels.size());
 }
 
-TEST(Usac_NeighbourhoodFlann, equalAndFarPoints)
+TEST(Usac_NeighborhoodFlann, equalAndFarPoints)
 {
     std::vector<Point2d> points1(37, Point2d(-3, 4)), points2(37, Point2d(0, 1));
     points1.push_back(Point2d(1e200, -1e200));
@@ -245,7 +245,7 @@ TEST(Usac_NeighbourhoodFlann, equalAndFarPoints)
     const OwnPoints own(HOMOGRAPHY, points1, points2);
     const Params params;
     const Surroundings around(own.view(), params);
-    const Ptr<Neighbourhood> knn = createKnnNeighbourhood(5), radius = createRadiusNeighbourhood(1e-3);
+    const Ptr<Neighborhood> knn = createKnnNeighborhood(5), radius = createRadiusNeighborhood(1e-3);
     for (int i = 0; i < 37; ++i)
     {
         EXPECT_EQ(1u, membersOf(*knn, around.context, 0, i).count(i));
@@ -258,10 +258,10 @@ TEST(Usac_NeighbourhoodFlann, equalAndFarPoints)
 }
 
 //! The same each time, and without OpenCV's random numbers.
-TEST(Usac_NeighbourhoodFlann, reproducible)
+TEST(Usac_NeighborhoodFlann, reproducible)
 {
     const Pixels pixels(makeScene(FUNDAMENTAL), Params());
-    const Ptr<Neighbourhood> first = createKnnNeighbourhood(7), second = createKnnNeighbourhood(7);
+    const Ptr<Neighborhood> first = createKnnNeighborhood(7), second = createKnnNeighborhood(7);
     const uint64 before = theRNG().state;
     const std::vector<Vec2i> edges = first->edges(pixels.context());
     EXPECT_EQ(before, theRNG().state);
@@ -272,10 +272,10 @@ TEST(Usac_NeighbourhoodFlann, reproducible)
 }
 
 //! Through Params: the right model of each problem, by P-NAPSAC and graph cut.
-TEST(Usac_NeighbourhoodFlann, rightModels)
+TEST(Usac_NeighborhoodFlann, rightModels)
 {
     for (int problem = 0; problem < 3; ++problem)
-        for (int kind = NEIGHBOURHOOD_KNN; kind <= NEIGHBOURHOOD_RADIUS; ++kind)
+        for (int kind = NEIGHBORHOOD_KNN; kind <= NEIGHBORHOOD_RADIUS; ++kind)
             for (uint64 seed = 1; seed <= 3; ++seed)
             {
                 SceneOptions options;
@@ -283,7 +283,7 @@ TEST(Usac_NeighbourhoodFlann, rightModels)
                 options.seed = seed;
                 const Scene scene = makeScene((ProblemType)problem, options);
                 Params params;
-                params.neighbourhood = kind;
+                params.neighborhood = kind;
                 EXPECT_LT(modelError(scene, estimate(scene, params)), 1) << problem << " " << kind << " " << seed;
                 params.spatialWeight = 0.3;
                 params.sampler = SAMPLER_UNIFORM;
@@ -312,22 +312,22 @@ int changes(ProblemType problem, const Params& a, const Params& b)
     return changed;
 }
 
-//! Sampling and graph cut see the number of neighbours, the radius and the kind of neighbourhood.
-TEST(Usac_NeighbourhoodFlann, parametersHaveAnEffect)
+//! Sampling and graph cut see the number of neighbors, the radius and the kind of neighborhood.
+TEST(Usac_NeighborhoodFlann, parametersHaveAnEffect)
 {
     Params sampling;
-    sampling.neighbourhood = NEIGHBOURHOOD_KNN;
-    sampling.neighbours = 20;
+    sampling.neighborhood = NEIGHBORHOOD_KNN;
+    sampling.neighbors = 20;
     sampling.localOptimization = LOCAL_OPTIMIZATION_NONE;
     sampling.polishing = POLISHING_NONE;
     sampling.maxIterations = 300;
     sampling.termination = 0;
     Params cut;
-    cut.neighbourhood = NEIGHBOURHOOD_KNN;
-    cut.neighbours = 8;
+    cut.neighborhood = NEIGHBORHOOD_KNN;
+    cut.neighbors = 8;
     cut.sampler = SAMPLER_UNIFORM;
     cut.spatialWeight = 0.5;
-    cut.threshold = 1;  // of the order of the noise: there are points that their neighbours can turn
+    cut.threshold = 1;  // of the order of the noise: there are points that their neighbors can turn
     cut.maxIterations = 200;
     cut.polishing = POLISHING_NONE;
     for (int problem = 0; problem < 3; ++problem)
@@ -335,34 +335,34 @@ TEST(Usac_NeighbourhoodFlann, parametersHaveAnEffect)
         {
             const Params& one = part ? cut : sampling;
             Params other = one;
-            other.neighbours = 2;
+            other.neighbors = 2;
             EXPECT_GT(changes((ProblemType)problem, one, other), 0) << problem << " " << part;
             other = one;
-            other.neighbourhood = NEIGHBOURHOOD_RADIUS;
+            other.neighborhood = NEIGHBORHOOD_RADIUS;
             EXPECT_GT(changes((ProblemType)problem, one, other), 0) << problem << " " << part;
             Params wide = other;
-            wide.neighbourRadius = 120;
+            wide.neighborRadius = 120;
             EXPECT_GT(changes((ProblemType)problem, wide, other), 0) << problem << " " << part;
             EXPECT_EQ(0, changes((ProblemType)problem, other, other));
         }
 }
 
 //! The radius is in pixels, whatever multiple of the threshold the search works with.
-TEST(Usac_Neighbourhood_Flann, radiusDoesNotDependOnTheReach)
+TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
     int counts[2] = {0, 0};
     for (int r = 0; r < 2; ++r)
     {
         Params params;
-        params.neighbourhood = NEIGHBOURHOOD_RADIUS;
+        params.neighborhood = NEIGHBORHOOD_RADIUS;
         params.reach = r == 0 ? 1 : 4;
         const Ptr<Usac> usac = createUsac(scene, params);
         const Context context(usac->points(), usac->components(), params);
         for (int i = 0; i < scene.size(); ++i)
         {
             const int* members;
-            counts[r] += usac->components().neighbourhood->members(context, 0, i, members);
+            counts[r] += usac->components().neighborhood->members(context, 0, i, members);
         }
     }
     EXPECT_GT(counts[0], scene.size());  // more than the points themselves

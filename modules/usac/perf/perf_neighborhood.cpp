@@ -4,8 +4,8 @@
 
 #include "perf_precomp.hpp"
 #include "perf_scene.hpp"
-#include "neighbourhood/neighbourhood.hpp"
-#include "prior/prior.hpp"
+#include "neighborhood/neighborhood.hpp"
+#include "ordering/ordering.hpp"
 
 namespace opencv_test { namespace {
 
@@ -25,7 +25,7 @@ PERF_TEST_P(UsacSize, grid_1000000points, testing::Values(100, 1000, 10000, 1000
         for (int k = 0; k < POINTS / GetParam(); ++k)
         {
             const int* members = 0;
-            found = createGridNeighbourhood()->members(scene.context, 0, 0, members);  // builds the grid
+            found = createGridNeighborhood()->members(scene.context, 0, 0, members);  // builds the grid
         }
     }
     EXPECT_GT(found, 0);
@@ -39,7 +39,7 @@ PERF_TEST_P(UsacSize, gridWithEdges_1000000points, testing::Values(100, 1000, 10
     TEST_CYCLE()
     {
         for (int k = 0; k < POINTS / GetParam(); ++k)
-            edges = createGridNeighbourhood()->edges(scene.context).size();
+            edges = createGridNeighborhood()->edges(scene.context).size();
     }
     EXPECT_GT(edges, 0u);
     SANITY_CHECK_NOTHING();
@@ -52,7 +52,7 @@ PERF_TEST_P(UsacSize, densityPrior_1000000points, testing::Values(100, 1000, 100
     TEST_CYCLE()
     {
         for (int k = 0; k < POINTS / GetParam(); ++k)
-            createDensityPrior()->sort(scene.context, order);
+            createDensityOrdering()->sort(scene.context, order);
     }
     std::sort(order.begin(), order.end());
     EXPECT_TRUE(order.front() == 0 && order.back() == GetParam() - 1);

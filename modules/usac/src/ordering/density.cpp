@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "prior/prior.hpp"
-#include "prior/repeated_last.hpp"
+#include "ordering/ordering.hpp"
+#include "ordering/repeated_last.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -15,10 +15,10 @@ namespace {
 features").
 
 Right matches come in groups: of the points that share a point's cell in image 1 or image 2, most also share its cell in
-the other image. Points are ordered by this fraction, s / (s + n + #PRIOR_OTHERS) with s points in both cells and on average n
+the other image. Points are ordered by this fraction, s / (s + n + #ORDERING_OTHERS) with s points in both cells and on average n
 more in one of them. The absolute density alone would put the one most crowded place of the images first, right or wrong.
 Counts and a bucket sort; points of equal rank keep their pseudo-random order, repeated matches are last. O(N). */
-class DensityPrior : public Prior
+class DensityOrdering : public Ordering
 {
 public:
     void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
@@ -40,7 +40,7 @@ public:
         {
             const int support = both[cells1[i] * CELLS + cells2[i]] - 1;
             const double others = 0.5 * (in1[cells1[i]] + in2[cells2[i]]) - 1 - support;
-            bucket[i] = (uchar)((BUCKETS - 1) * (1 - support / (support + others + PRIOR_OTHERS)));
+            bucket[i] = (uchar)((BUCKETS - 1) * (1 - support / (support + others + ORDERING_OTHERS)));
             ++start[bucket[i] + 1];
         }
         for (int b = 0; b < BUCKETS; ++b)
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    enum { DIVISIONS = 8, CELLS = DIVISIONS * DIVISIONS, BUCKETS = 64, PRIOR_OTHERS = 3 };
+    enum { DIVISIONS = 8, CELLS = DIVISIONS * DIVISIONS, BUCKETS = 64, ORDERING_OTHERS = 3 };
 
     static int division(float value, float low, float scale)
     {
@@ -76,9 +76,9 @@ private:
 
 } // namespace
 
-Ptr<Prior> createDensityPrior()
+Ptr<Ordering> createDensityOrdering()
 {
-    return makePtr<DensityPrior>();
+    return makePtr<DensityOrdering>();
 }
 
 } // namespace usacv20

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "neighbourhood/neighbourhood.hpp"
+#include "neighborhood/neighborhood.hpp"
 #include "opencv2/flann.hpp"
 
 namespace cv {
@@ -52,27 +52,27 @@ private:
 //! What a layer contains of the surroundings of a point.
 struct Reach
 {
-    int neighbours;        //!< at most, nearest first
+    int neighbors;        //!< at most, nearest first
     double squaredRadius;  //!< pixels
 };
 
-/** @brief Nearest neighbours in the joint space of the coordinates (x1, y1, x2, y2) in pixels, by an exact kd-tree of cv::flann.
+/** @brief Nearest neighbors in the joint space of the coordinates (x1, y1, x2, y2) in pixels, by an exact kd-tree of cv::flann.
 
-Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbours have k, 2 k, 4 k and 8 k
+Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbors have k, 2 k, 4 k and 8 k
 of them, those of a radius r have the points within r, 2 r, 4 r and 8 r. P-NAPSAC needs layers that grow, as it asks for ever
 more members; the finest one is what the parameters say. The graph cut uses that one, NAPSAC the coarsest. More than #WIDEST
-neighbours are kept only if k itself is larger; of more points within a radius, the nearest ones. So memory is O(N) whatever
-the radius. Edges link each point to its nearest neighbours in the finest layer, at most #LINKS of them: with more, the
+neighbors are kept only if k itself is larger; of more points within a radius, the nearest ones. So memory is O(N) whatever
+the radius. Edges link each point to its nearest neighbors in the finest layer, at most #LINKS of them: with more, the
 spatial coherence would outweigh the error of a point.
 
-The tree is built at first use in O(N log N); neighbours are looked for when a point is asked about for the first time, in
+The tree is built at first use in O(N log N); neighbors are looked for when a point is asked about for the first time, in
 O(log N) each, as samplers see but few of many points. */
-class FlannNeighbourhood : public Neighbourhood
+class FlannNeighborhood : public Neighborhood
 {
 public:
     enum { LAYERS = 4, WIDEST = 512, LINKS = 8 };
 
-    explicit FlannNeighbourhood(const Reach* reach_) : reach(reach_, reach_ + LAYERS), linked(false) {}
+    explicit FlannNeighborhood(const Reach* reach_) : reach(reach_, reach_ + LAYERS), linked(false) {}
 
     int layers() const CV_OVERRIDE { return LAYERS; }
 
@@ -100,7 +100,7 @@ public:
         if (linked)
             return links;
         linked = true;
-        const Reach nearest = {std::min<int>(reach[0].neighbours, LINKS), reach[0].squaredRadius};
+        const Reach nearest = {std::min<int>(reach[0].neighbors, LINKS), reach[0].squaredRadius};
         std::vector<std::pair<int, int> > pairs;
         for (int i = 0; i < coordinates.rows; ++i)
         {
@@ -122,7 +122,7 @@ private:
     {
         Surroundings() : layers(0) {}
 
-        std::vector<int> members;  //!< the point itself, then its neighbours, nearest first
+        std::vector<int> members;  //!< the point itself, then its neighbors, nearest first
         int layers;                //!< how many have been asked for
         int counts[LAYERS];        //!< members of each of them
     };
@@ -146,10 +146,10 @@ private:
         tree->buildIndex();
     }
 
-    //! Writes the point itself and then its neighbours, sorted, to `found`.
+    //! Writes the point itself and then its neighbors, sorted, to `found`.
     void find(int point, const Reach& wanted)
     {
-        const int capacity = (int)std::min<int64>((int64)wanted.neighbours + 1, coordinates.rows);
+        const int capacity = (int)std::min<int64>((int64)wanted.neighbors + 1, coordinates.rows);
         NearestWithin result(capacity, (float)std::min<double>(wanted.squaredRadius, FLT_MAX), found);
         tree->findNeighbors(result, coordinates.ptr<float>(point), cvflann::SearchParams());
         std::sort(found.begin(), found.end());
@@ -163,7 +163,7 @@ private:
     int countWithin(const Reach& wanted) const
     {
         int count = 1;
-        while (count < (int)found.size() && count <= wanted.neighbours && found[count].first <= wanted.squaredRadius)
+        while (count < (int)found.size() && count <= wanted.neighbors && found[count].first <= wanted.squaredRadius)
             ++count;
         return count;
     }
@@ -179,26 +179,26 @@ private:
 
 } // namespace
 
-Ptr<Neighbourhood> createKnnNeighbourhood(int neighbours)
+Ptr<Neighborhood> createKnnNeighborhood(int neighbors)
 {
-    Reach reach[FlannNeighbourhood::LAYERS];
-    for (int layer = 0; layer < FlannNeighbourhood::LAYERS; ++layer)
+    Reach reach[FlannNeighborhood::LAYERS];
+    for (int layer = 0; layer < FlannNeighborhood::LAYERS; ++layer)
     {
-        reach[layer].neighbours = std::max(neighbours, std::min<int>(neighbours << layer, FlannNeighbourhood::WIDEST));
+        reach[layer].neighbors = std::max(neighbors, std::min<int>(neighbors << layer, FlannNeighborhood::WIDEST));
         reach[layer].squaredRadius = DBL_MAX;
     }
-    return makePtr<FlannNeighbourhood>(reach);
+    return makePtr<FlannNeighborhood>(reach);
 }
 
-Ptr<Neighbourhood> createRadiusNeighbourhood(double radius)
+Ptr<Neighborhood> createRadiusNeighborhood(double radius)
 {
-    Reach reach[FlannNeighbourhood::LAYERS];
-    for (int layer = 0; layer < FlannNeighbourhood::LAYERS; ++layer)
+    Reach reach[FlannNeighborhood::LAYERS];
+    for (int layer = 0; layer < FlannNeighborhood::LAYERS; ++layer)
     {
-        reach[layer].neighbours = FlannNeighbourhood::WIDEST;
+        reach[layer].neighbors = FlannNeighborhood::WIDEST;
         reach[layer].squaredRadius = radius * radius * (1 << 2 * layer);
     }
-    return makePtr<FlannNeighbourhood>(reach);
+    return makePtr<FlannNeighborhood>(reach);
 }
 
 } // namespace usacv20

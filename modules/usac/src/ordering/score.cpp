@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "prior/prior.hpp"
-#include "prior/repeated_last.hpp"
+#include "ordering/ordering.hpp"
+#include "ordering/repeated_last.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -20,7 +20,7 @@ struct ByValue
 
 /** Given scores, best first; points of equal score keep their pseudo-random order, repeated matches are
 last. O(N log N). */
-class ScorePrior : public Prior
+class ScoreOrdering : public Ordering
 {
 public:
     void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
@@ -34,9 +34,9 @@ public:
 
 } // namespace
 
-Ptr<Prior> createScorePrior()
+Ptr<Ordering> createScoreOrdering()
 {
-    return makePtr<ScorePrior>();
+    return makePtr<ScoreOrdering>();
 }
 
 } // namespace usacv20

@@ -2,20 +2,20 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_USACV20_PRIOR_HPP
-#define OPENCV_USACV20_PRIOR_HPP
+#ifndef OPENCV_USACV20_ORDERING_HPP
+#define OPENCV_USACV20_ORDERING_HPP
 
 #include "opencv2/usac/components.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-//! Densest points first, see DensityPrior.
-Ptr<Prior> createDensityPrior();
+//! Densest points first, see DensityOrdering.
+Ptr<Ordering> createDensityOrdering();
 //! Best Params::scores first.
-Ptr<Prior> createScorePrior();
+Ptr<Ordering> createScoreOrdering();
 //! As the caller sorted them.
-Ptr<Prior> createInputOrderPrior();
+Ptr<Ordering> createInputOrderOrdering();
 
 } // namespace usacv20
 } // namespace cv

@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_NEIGHBORHOOD_HPP
+#define OPENCV_USACV20_NEIGHBORHOOD_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Multi-layer grid in the 4-D joint space, see GridNeighborhood.
+Ptr<Neighborhood> createGridNeighborhood();
+//! Nearest neighbors, see FlannNeighborhood. @param neighbors their number in the finest layer
+Ptr<Neighborhood> createKnnNeighborhood(int neighbors);
+//! Points within a radius, see FlannNeighborhood. @param radius pixels, of the finest layer
+Ptr<Neighborhood> createRadiusNeighborhood(double radius);
+
+} // namespace usacv20
+} // namespace cv
+
+#endif
