@@ -27,8 +27,8 @@ public:
             errors[i - begin] = (float)squared(A, p.x1[i], p.y1[i], p.x2[i], p.y2[i]);
     }
 
-    void squaredErrors(const Model& A, const double* x1, const double* y1, const double* x2, const double* y2, int count,
-                       double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& A, const double* x1, const double* y1, const double* x2, const double* y2,
+                       int count, double* errors) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
             errors[i] = squared(A, x1[i], y1[i], x2[i], y2[i]);
@@ -104,9 +104,12 @@ public:
 
     cv::Ptr<Residual> createResidual(int) const CV_OVERRIDE { return cv::makePtr<AffineError>(); }
     cv::Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return cv::makePtr<AffineSolver>(); }
-    cv::Ptr<NonMinimalSolver> createNonMinimalSolver(const cv::Ptr<Residual>&) const CV_OVERRIDE { return cv::makePtr<AffineFit>(); }
+    cv::Ptr<NonMinimalSolver> createNonMinimalSolver(const cv::Ptr<Residual>&) const CV_OVERRIDE
+    {
+        return cv::makePtr<AffineFit>();
+    }
 };
 
-} // namespace custom
+}  // namespace custom
 
 #endif

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A problem of one's own: the affine map between two images, from three matches. All of the machinery is there at once: samplers,
-// verification, graph cut, polishing, criteria of termination, threads, the report. The matches come from a text file with a row
-// "x1 y1 x2 y2" each, such as test_data/graf.txt.
+// A problem of one's own: the affine map between two images, from three matches. All of the machinery is there at once:
+// samplers, verification, graph cut, polishing, criteria of termination, threads, the report. The matches come from a
+// text file with a row "x1 y1 x2 y2" each, such as test_data/graf.txt.
 
 #include <iostream>
 #include "affine_problem.hpp"
@@ -12,7 +12,8 @@
 
 int main(int argc, char** argv)
 {
-    cv::CommandLineParser parser(argc, argv,
+    cv::CommandLineParser parser(
+        argc, argv,
         "{help h usage ? |     | print this help}"
         "{@matches       |     | text file with a match x1 y1 x2 y2 a row, test_data/graf.txt for example}"
         "{threshold      | 10  | inlier threshold in pixels: no affine map is exact where the camera has turned}");

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A component of one's own: another quality function takes the place of MSAC. The matches come from a text file with a row
-// "x1 y1 x2 y2" each (what follows in a row is ignored), such as test_data/graf.txt.
+// A component of one's own: another quality function takes the place of MSAC. The matches come from a text file with a
+// row "x1 y1 x2 y2" each (what follows in a row is ignored), such as test_data/graf.txt.
 
 #include <iostream>
 #include "opencv2/core.hpp"
@@ -12,7 +12,8 @@
 
 namespace {
 
-//! Runs the estimator with the components of `params`, or with another quality function among them. @return the homography
+//! Runs the estimator with the components of `params`, or with another quality function among them. @return the
+//! homography
 cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std::vector<cv::Point2d>& points2,
             const cv::usacv20::Params& params, const cv::Ptr<cv::usacv20::Score>& score)
 {
@@ -26,11 +27,12 @@ cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std
     return H;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {
-    cv::CommandLineParser parser(argc, argv,
+    cv::CommandLineParser parser(
+        argc, argv,
         "{help h usage ? |     | print this help}"
         "{@matches       |     | text file with a match x1 y1 x2 y2 a row, test_data/graf.txt for example}"
         "{threshold      | 2   | inlier threshold in pixels}");

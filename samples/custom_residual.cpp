@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A component of one's own: another error of a match under a fundamental matrix takes the place of Sampson's distance. It is what models
-// are rated by, fitted with, and what the mask says. The matches come from a text file with a row "x1 y1 x2 y2" each, such as
-// test_data/office01_F.txt.
+// A component of one's own: another error of a match under a fundamental matrix takes the place of Sampson's distance.
+// It is what models are rated by, fitted with, and what the mask says. The matches come from a text file with a row "x1
+// y1 x2 y2" each, such as test_data/office01_F.txt.
 
 #include <iostream>
 #include "line_distance.hpp"
@@ -26,11 +26,12 @@ cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std
     return F;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {
-    cv::CommandLineParser parser(argc, argv,
+    cv::CommandLineParser parser(
+        argc, argv,
         "{help h usage ? |     | print this help}"
         "{@matches       |     | text file with a match x1 y1 x2 y2 a row, test_data/office01_F.txt for example}"
         "{threshold      | 1   | inlier threshold in pixels}");

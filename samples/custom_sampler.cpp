@@ -39,7 +39,7 @@ int sample(const cv::CommandLineParser& parser)
     return 0;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {

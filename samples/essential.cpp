@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From two images of calibrated cameras to the essential matrix and the pose, with the flags of OpenCV and of this module
-// side by side. OpenCV's chessboard images calibrate the two cameras and tell the true pose.
+// From two images of calibrated cameras to the essential matrix and the pose, with the flags of OpenCV and of this
+// module side by side. OpenCV's chessboard images calibrate the two cameras and tell the true pose.
 
 #include "tools.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 struct Stereo
 {
     cv::Mat K1, dist1, K2, dist2;
-    cv::Mat R, t; //!< the true pose
+    cv::Mat R, t;  //!< the true pose
 };
 
 bool findCorners(const cv::Mat& image, cv::Size board, std::vector<cv::Point2f>& corners)
@@ -35,8 +35,8 @@ Stereo calibrate(const std::string& list, cv::Size board)
     std::vector<cv::Point3f> plane;
     for (int i = 0; i < board.area(); ++i)
         plane.push_back(cv::Point3f((float)(i % board.width), (float)(i / board.width), 0));
-    std::vector<std::vector<cv::Point3f> > object;
-    std::vector<std::vector<cv::Point2f> > corners1, corners2;
+    std::vector<std::vector<cv::Point3f>> object;
+    std::vector<std::vector<cv::Point2f>> corners1, corners2;
     cv::Size size;
     for (size_t i = 0; i + 1 < files.size(); i += 2)
     {
@@ -53,8 +53,8 @@ Stereo calibrate(const std::string& list, cv::Size board)
     cv::Mat E, F;
     s.K1 = cv::initCameraMatrix2D(object, corners1, size);
     s.K2 = cv::initCameraMatrix2D(object, corners2, size);
-    const double rms = cv::stereoCalibrate(object, corners1, corners2, s.K1, s.dist1, s.K2, s.dist2, size, s.R, s.t, E, F,
-                                           cv::CALIB_USE_INTRINSIC_GUESS);
+    const double rms = cv::stereoCalibrate(object, corners1, corners2, s.K1, s.dist1, s.K2, s.dist2, size, s.R, s.t, E,
+                                           F, cv::CALIB_USE_INTRINSIC_GUESS);
     std::cout << cv::format("calibrated from %d pairs of chessboard images, reprojection error %.2f px\n",
                             (int)object.size(), rms);
     return s;
@@ -71,10 +71,7 @@ tools::Result estimate(const char* name, Method method, const tools::Matches& ma
     });
 }
 
-double degrees(double cosine)
-{
-    return std::acos(std::max(-1., std::min(1., cosine))) * 180 / CV_PI;
-}
+double degrees(double cosine) { return std::acos(std::max(-1., std::min(1., cosine))) * 180 / CV_PI; }
 
 //! Angles between the true and the estimated rotation and direction of translation; `error` is the larger one.
 void rate(tools::Result& result, const tools::Matches& matches, const Stereo& stereo)
@@ -110,7 +107,7 @@ int sample(const cv::CommandLineParser& parser)
     const cv::Mat image2 = tools::readImage(parser.get<std::string>("@image2"));
     const Stereo stereo = calibrate(parser.get<std::string>("chessboards"),
                                     cv::Size(parser.get<int>("columns"), parser.get<int>("rows")));
-    const tools::Settings settings(parser, 1000); // the default of cv::findEssentialMat
+    const tools::Settings settings(parser, 1000);  // the default of cv::findEssentialMat
     const tools::Matches matches = tools::match(image1, image2, parser);
 
     std::vector<tools::Result> results;
@@ -133,14 +130,15 @@ int sample(const cv::CommandLineParser& parser)
         tools::writePicture(parser, draw(image1, image2, matches, stereo, ours),
                             cv::format("USACV20: %d of %d matches are inliers; some of them with their epipolar lines",
                                        cv::countNonZero(ours.mask), (int)ours.mask.total()));
-    return tools::exitCode(ours, 10); // degrees
+    return tools::exitCode(ours, 10);  // degrees
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {
-    const std::string keys = tools::keys("left01.jpg", "right01.jpg", "essential.jpg") +
+    const std::string keys =
+        tools::keys("left01.jpg", "right01.jpg", "essential.jpg") +
         "{chessboards    | stereo_calib.xml | list of pairs of chessboard images of the same two cameras}"
         "{columns        | 9                | inner corners of the chessboard in a row}"
         "{rows           | 6                | and in a column}"

@@ -8,8 +8,8 @@
 
 namespace {
 
-/** True correspondences of a rectified stereo pair: x2 = x1 - disparity, 0: unknown. Disparities are rounded to a pixel, but
-the epipolar lines are the rows, so the rounding moves points along their lines and costs no accuracy. */
+/** True correspondences of a rectified stereo pair: x2 = x1 - disparity, 0: unknown. Disparities are rounded to a
+pixel, but the epipolar lines are the rows, so the rounding moves points along their lines and costs no accuracy. */
 tools::Matches readTruth(const std::string& name)
 {
     tools::Matches truth;
@@ -79,11 +79,12 @@ int sample(const cv::CommandLineParser& parser)
     return tools::exitCode(ours, tools::failureLimit(image2));
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {
-    const std::string keys = tools::keys("aloeL.jpg", "aloeR.jpg", "fundamental.jpg") +
+    const std::string keys =
+        tools::keys("aloeL.jpg", "aloeR.jpg", "fundamental.jpg") +
         "{truth          | aloeGT.png | true disparities of a rectified pair as an 8-bit image, or none}"
         "{threshold      | 1          | inlier threshold in pixels}"
         "{iterations     | 1000       | largest number of samples}";

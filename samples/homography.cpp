@@ -39,7 +39,8 @@ template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches, const tools::Settings& s)
 {
     return tools::measure(name, s.runs, [&](cv::Mat& mask) {
-        return cv::findHomography(matches.points1, matches.points2, method, s.threshold, mask, s.maxIterations, s.confidence);
+        return cv::findHomography(matches.points1, matches.points2, method, s.threshold, mask, s.maxIterations,
+                                  s.confidence);
     });
 }
 
@@ -83,18 +84,20 @@ int sample(const cv::CommandLineParser& parser)
     {
         cv::Mat picture = tools::drawInliers(image1, image2, matches, ours.mask);
         drawOutline(picture, ours.model, image1.size());
-        tools::writePicture(parser, picture,
-                            cv::format("USACV20: %d of %d matches are inliers (green, some joined); orange: image 1 in image 2",
-                                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
+        tools::writePicture(
+            parser, picture,
+            cv::format("USACV20: %d of %d matches are inliers (green, some joined); orange: image 1 in image 2",
+                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
     }
     return tools::exitCode(ours, tools::failureLimit(image2));
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {
-    const std::string keys = tools::keys("graf1.png", "graf3.png", "homography.jpg") +
+    const std::string keys =
+        tools::keys("graf1.png", "graf3.png", "homography.jpg") +
         "{truth          | H1to3p.xml | file with the true homography from image 1 to image 2, or none}"
         "{threshold      | 2          | inlier threshold in pixels}"
         "{iterations     | 10000      | largest number of samples}";

@@ -11,8 +11,8 @@
 
 namespace custom {
 
-/** The distance of a point of image 2 to the epipolar line of its counterpart: what one wants where the points of image 1 are exact, those
-of a map, say. */
+/** The distance of a point of image 2 to the epipolar line of its counterpart: what one wants where the points of image
+1 are exact, those of a map, say. */
 class LineDistance : public cv::usacv20::Residual
 {
 public:
@@ -25,8 +25,8 @@ public:
             errors[i - begin] = squared<float>(F, p.x1[i], p.y1[i], p.x2[i], p.y2[i]);
     }
 
-    void squaredErrors(const Model& F, const double* x1, const double* y1, const double* x2, const double* y2, int count,
-                       double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& F, const double* x1, const double* y1, const double* x2, const double* y2,
+                       int count, double* errors) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
             errors[i] = squared<double>(F, x1[i], y1[i], x2[i], y2[i]);
@@ -68,6 +68,6 @@ private:
     }
 };
 
-} // namespace custom
+}  // namespace custom
 
 #endif

@@ -11,9 +11,9 @@
 
 namespace custom {
 
-/** Draws the points of a sample from different cells of a grid over image 1, as long as enough of the cells hold points. A
-model from points far apart extrapolates less, at the price that local structures are found later. Its samples count for the
-criteria of termination (State::counts stays true): any point can be drawn. */
+/** Draws the points of a sample from different cells of a grid over image 1, as long as enough of the cells hold
+points. A model from points far apart extrapolates less, at the price that local structures are found later. Its samples
+count for the criteria of termination (State::counts stays true): any point can be drawn. */
 class SpreadSampler : public cv::usacv20::Sampler
 {
 public:
@@ -48,17 +48,18 @@ private:
     //! Sorts the points into cells and forgets the empty ones.
     void assign(const cv::usacv20::Correspondences& p)
     {
-        std::vector<std::vector<int> > all(DIVISIONS * DIVISIONS);
+        std::vector<std::vector<int>> all(DIVISIONS * DIVISIONS);
         for (int i = 0; i < p.size; ++i)
-            all[division(p.y1[i], p.lower[1], p.upper[1]) * DIVISIONS + division(p.x1[i], p.lower[0], p.upper[0])].push_back(i);
+            all[division(p.y1[i], p.lower[1], p.upper[1]) * DIVISIONS + division(p.x1[i], p.lower[0], p.upper[0])]
+                .push_back(i);
         for (size_t c = 0; c < all.size(); ++c)
             if (!all[c].empty())
                 cells.push_back(all[c]);
     }
 
-    std::vector<std::vector<int> > cells;
+    std::vector<std::vector<int>> cells;
 };
 
-} // namespace custom
+}  // namespace custom
 
 #endif

@@ -29,9 +29,9 @@ struct Result
 {
     std::string method;
     cv::Mat model, mask;
-    double milliseconds;   //!< median of the runs
-    int iterations;        //!< -1: unknown
-    double error;          //!< -1: unknown
+    double milliseconds;  //!< median of the runs
+    int iterations;       //!< -1: unknown
+    double error;         //!< -1: unknown
     std::string errorText;
 };
 
@@ -40,8 +40,7 @@ struct Settings
     Settings(const cv::CommandLineParser& parser, int maxIterations_)
         : threshold(parser.get<double>("threshold")), confidence(parser.get<double>("confidence")),
           maxIterations(maxIterations_), runs(std::max(parser.get<int>("runs"), 1))
-    {
-    }
+    {}
 
     //! What the flag cv::USACV20 makes of the same settings.
     cv::usacv20::Params params() const
@@ -60,7 +59,7 @@ struct Settings
 //! Finds a file by its path or among OpenCV's sample data.
 inline std::string findFile(const std::string& name)
 {
-    cv::samples::addSamplesDataSearchPath("/usr/share/doc/opencv-doc/examples/data"); // Debian's package opencv-doc
+    cv::samples::addSamplesDataSearchPath("/usr/share/doc/opencv-doc/examples/data");  // Debian's package opencv-doc
     return cv::samples::findFile(name);
 }
 
@@ -88,7 +87,7 @@ inline Matches match(const cv::Mat& image1, const cv::Mat& image2, const cv::Com
     cv::Mat descriptors1, descriptors2;
     detect(image1, parser.get<int>("features"), keypoints1, descriptors1);
     detect(image2, parser.get<int>("features"), keypoints2, descriptors2);
-    std::vector<std::vector<cv::DMatch> > nearest;
+    std::vector<std::vector<cv::DMatch>> nearest;
     if (!descriptors1.empty() && !descriptors2.empty())
         cv::BFMatcher(cv::NORM_L2).knnMatch(descriptors1, descriptors2, nearest, 2);
     const float ratio = parser.get<float>("ratio");
@@ -203,7 +202,8 @@ inline cv::Mat drawInliers(const cv::Mat& image1, const cv::Mat& image2, const M
     }
     const std::vector<int> inliers = someInliers(mask, lines);
     for (size_t k = 0; k < inliers.size(); ++k)
-        cv::line(canvas, matches.points1[inliers[k]], matches.points2[inliers[k]] + shift, color((int)k), 1, cv::LINE_AA);
+        cv::line(canvas, matches.points1[inliers[k]], matches.points2[inliers[k]] + shift, color((int)k), 1,
+                 cv::LINE_AA);
     return canvas;
 }
 
@@ -256,7 +256,8 @@ inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& pic
     const int width = parser.get<int>("width");
     cv::Mat small = picture;
     if (picture.cols > width)
-        cv::resize(picture, small, cv::Size(), (double)width / picture.cols, (double)width / picture.cols, cv::INTER_AREA);
+        cv::resize(picture, small, cv::Size(), (double)width / picture.cols, (double)width / picture.cols,
+                   cv::INTER_AREA);
     cv::copyMakeBorder(small, small, 0, 32, 0, 0, cv::BORDER_CONSTANT, cv::Scalar::all(255));
     cv::putText(small, text, cv::Point(8, small.rows - 11), cv::FONT_HERSHEY_SIMPLEX, 0.55, cv::Scalar::all(0), 1,
                 cv::LINE_AA);
@@ -276,14 +277,15 @@ inline std::string keys(const char* image1, const char* image2, const char* outp
                       "{confidence     | 0.99 | probability that the model is the best one}"
                       "{runs           | 11   | runs of which the median time is printed}"
                       "{width          | 1400 | largest width of the picture}"
-                      "{output o       | %s | picture to write}", image1, image2, output);
+                      "{output o       | %s | picture to write}",
+                      image1, image2, output);
 }
 
 //! main(): runs sample(parser) and turns exceptions into a message and an exit code.
 template <class Sample>
 int runSample(int argc, char** argv, const std::string& keyList, const char* about, Sample sample)
 {
-    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_ERROR); // findFile() would tell of each file
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_ERROR);  // findFile() would tell of each file
     try
     {
         cv::CommandLineParser parser(argc, argv, keyList);
@@ -305,6 +307,6 @@ int runSample(int argc, char** argv, const std::string& keyList, const char* abo
     return 1;
 }
 
-} // namespace tools
+}  // namespace tools
 
 #endif

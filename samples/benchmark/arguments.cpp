@@ -24,10 +24,7 @@ bool isDeclared(const cv::CommandLineParser& parser, const std::string& name)
     }
 }
 
-bool isHelp(const std::string& name)
-{
-    return name == "help" || name == "h" || name == "usage" || name == "?";
-}
+bool isHelp(const std::string& name) { return name == "help" || name == "h" || name == "usage" || name == "?"; }
 
 template <class Number>
 Number convert(const std::string& text, const std::string& name, const char* expected)
@@ -39,7 +36,7 @@ Number convert(const std::string& text, const std::string& name, const char* exp
     return value;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<std::string> splitNames(const std::string& names)
 {
@@ -65,15 +62,9 @@ void require(bool condition, const std::string& what)
         throw std::runtime_error(what);
 }
 
-double toNumber(const std::string& text, const std::string& name)
-{
-    return convert<double>(text, name, "a number");
-}
+double toNumber(const std::string& text, const std::string& name) { return convert<double>(text, name, "a number"); }
 
-int toInteger(const std::string& text, const std::string& name)
-{
-    return convert<int>(text, name, "an integer");
-}
+int toInteger(const std::string& text, const std::string& name) { return convert<int>(text, name, "an integer"); }
 
 double numberOf(const cv::CommandLineParser& parser, const std::string& name)
 {
@@ -116,8 +107,8 @@ std::vector<std::string> Arguments::all(const std::string& name) const
     return result;
 }
 
-std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments, const std::string& option,
-                                 const std::string& fallback)
+std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments,
+                                 const std::string& option, const std::string& fallback)
 {
     std::vector<std::string> names = arguments.all(option);
     if (names.empty())
@@ -126,4 +117,4 @@ std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Argu
     return names;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

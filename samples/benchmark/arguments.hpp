@@ -17,8 +17,8 @@ std::vector<std::string> splitNames(const std::string& names);
 //! Raises std::runtime_error with the text if the condition does not hold.
 void require(bool condition, const std::string& what);
 
-/** The value of an option as a number. cv::CommandLineParser takes "1.5" for the integer 1; here what is not a number all
-through raises std::runtime_error. */
+/** The value of an option as a number. cv::CommandLineParser takes "1.5" for the integer 1; here what is not a number
+all through raises std::runtime_error. */
 double numberOf(const cv::CommandLineParser& parser, const std::string& name);
 int integerOf(const cv::CommandLineParser& parser, const std::string& name);
 //! The same for a text that was given with an option.
@@ -40,9 +40,9 @@ private:
 };
 
 //! What an option names, or else `fallback`, by default that of the parser. Nothing at all raises std::runtime_error.
-std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments, const std::string& option,
-                                 const std::string& fallback = std::string());
+std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments,
+                                 const std::string& option, const std::string& fallback = std::string());
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

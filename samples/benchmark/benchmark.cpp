@@ -25,9 +25,9 @@ std::vector<PairList> readLists(const Options& options)
     return lists;
 }
 
-std::vector<cv::Ptr<Method> > createMethods(const Options& options)
+std::vector<cv::Ptr<Method>> createMethods(const Options& options)
 {
-    std::vector<cv::Ptr<Method> > methods;
+    std::vector<cv::Ptr<Method>> methods;
     for (size_t i = 0; i < options.methods.size(); ++i)
         methods.push_back(createMethod(options.methods[i]));
     return methods;
@@ -37,7 +37,7 @@ std::vector<cv::Ptr<Method> > createMethods(const Options& options)
 int run(const Options& options)
 {
     const std::vector<PairList> lists = readLists(options);
-    const std::vector<cv::Ptr<Method> > methods = createMethods(options);
+    const std::vector<cv::Ptr<Method>> methods = createMethods(options);
     std::ofstream csv, runsCsv;
     openOutput(csv, options.csv);
     openOutput(runsCsv, options.runsCsv);
@@ -62,7 +62,7 @@ int run(const Options& options)
     return runner.unreadable() ? 2 : 0;
 }
 
-} // namespace
+}  // namespace
 
 int runBenchmark(int argc, char** argv)
 {
@@ -70,4 +70,4 @@ int runBenchmark(int argc, char** argv)
     return options.parse(argc, argv) ? run(options) : 0;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

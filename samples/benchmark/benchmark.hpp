@@ -24,6 +24,6 @@ Takes the command line of usac_benchmark (doc/benchmark.md); a mistake in it rai
 @return the exit code: 0, or 2 if some pairs could not be read. */
 int runBenchmark(int argc, char** argv);
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

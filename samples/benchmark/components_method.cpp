@@ -8,11 +8,10 @@
 
 namespace benchmark {
 
-ComponentsMethod::ComponentsMethod(const MethodName& name, const cv::usacv20::Params& params_, const ComponentChange& change_,
-                                   const ProblemSet& problems_)
+ComponentsMethod::ComponentsMethod(const MethodName& name, const cv::usacv20::Params& params_,
+                                   const ComponentChange& change_, const ProblemSet& problems_)
     : ModuleMethod(name, params_), change(change_), problems(problems_)
-{
-}
+{}
 
 void ComponentsMethod::run(const ImagePair& pair, Estimate& estimate)
 {
@@ -26,16 +25,16 @@ cv::Ptr<cv::usacv20::Usac> ComponentsMethod::estimator(const ImagePair& pair) co
     return usac;
 }
 
-MethodFactory withComponents(const cv::usacv20::Params& params, const ComponentChange& change, const ProblemSet& problems)
+MethodFactory withComponents(const cv::usacv20::Params& params, const ComponentChange& change,
+                             const ProblemSet& problems)
 {
     if (!change)
         throw std::runtime_error("withComponents: the change is empty");
     cv::usacv20::Params base = params;
     base.scores.clear();  // those of another pair
-    return [=](const MethodName& name) -> cv::Ptr<Method>
-    {
+    return [=](const MethodName& name) -> cv::Ptr<Method> {
         return cv::makePtr<ComponentsMethod>(name, base, change, problems);
     };
 }
 
-} // namespace benchmark
+}  // namespace benchmark

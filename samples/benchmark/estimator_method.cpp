@@ -42,7 +42,8 @@ void EstimatorMethod::setFields()
     }
     require(settings.threshold > 0, name() + ": threshold: expected a number above 0");
     require(settings.maxIterations > 0, name() + ": maxIterations: expected a number above 0");
-    require(settings.confidence > 0 && settings.confidence < 1, name() + ": confidence: expected a number between 0 and 1");
+    require(settings.confidence > 0 && settings.confidence < 1,
+            name() + ": confidence: expected a number between 0 and 1");
 }
 
 void EstimatorMethod::prepare(const ImagePair& pair, const Settings& settings)
@@ -57,10 +58,7 @@ void EstimatorMethod::prepare(const ImagePair& pair, const Settings& settings)
     task.K2 = cameras ? pair.K2 : cv::Matx33d::eye();
 }
 
-void EstimatorMethod::run(const ImagePair&, Estimate& estimate)
-{
-    estimate = estimator(task);
-}
+void EstimatorMethod::run(const ImagePair&, Estimate& estimate) { estimate = estimator(task); }
 
 void EstimatorMethod::tell(const ImagePair& pair, Estimate& estimate)
 {
@@ -74,10 +72,9 @@ void EstimatorMethod::tell(const ImagePair& pair, Estimate& estimate)
 MethodFactory wholeEstimator(const Estimator& estimator, const EstimatorTraits& traits)
 {
     require((bool)estimator, "wholeEstimator: the function is empty");
-    return [=](const MethodName& name) -> cv::Ptr<Method>
-    {
+    return [=](const MethodName& name) -> cv::Ptr<Method> {
         return cv::makePtr<EstimatorMethod>(name, estimator, traits);
     };
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -17,31 +17,33 @@ namespace benchmark {
 //! What a whole estimator is given: all of a pair but the truth.
 struct Task
 {
-    Settings settings;                         //!< problem, threshold in pixels, confidence, limit of iterations, seed
-    std::vector<cv::Point2f> points1, points2; //!< pixels
-    std::vector<float> scores;                 //!< one a correspondence, lower is better; empty without `+scores`
-    cv::Matx33d K1, K2;                        //!< E: camera matrices; H and F: identity
-    std::map<std::string, double> fields;      //!< the estimator's own, EstimatorTraits::fields or what the name says instead
+    Settings settings;                          //!< problem, threshold in pixels, confidence, limit of iterations, seed
+    std::vector<cv::Point2f> points1, points2;  //!< pixels
+    std::vector<float> scores;                  //!< one a correspondence, lower is better; empty without `+scores`
+    cv::Matx33d K1, K2;                         //!< E: camera matrices; H and F: identity
+    std::map<std::string, double>
+        fields;  //!< the estimator's own, EstimatorTraits::fields or what the name says instead
 };
 
 /** Estimates a model. Called for each run; this call is what is measured. An exception counts as a failure.
-@return the model, 3 x 3 of CV_64F as the functions of calib3d return it, or empty: none; mask, N values of CV_8U, or empty: all
-(for the pose); number of iterations, or -1 */
+@return the model, 3 x 3 of CV_64F as the functions of calib3d return it, or empty: none; mask, N values of CV_8U, or
+empty: all (for the pose); number of iterations, or -1 */
 typedef std::function<Estimate(const Task& task)> Estimator;
 
 //! What a whole estimator can do.
 struct EstimatorTraits
 {
     explicit EstimatorTraits(const ProblemSet& problems_ = ProblemSet(), bool takesScores_ = false)
-        : problems(problems_), takesScores(takesScores_) {}
+        : problems(problems_), takesScores(takesScores_)
+    {}
 
     ProblemSet problems;                   //!< for which problems it is run
     bool takesScores;                      //!< false: `+scores` behind its name is refused
     std::map<std::string, double> fields;  //!< numbers of its own that `{field=value}` sets, and their defaults
 };
 
-/** A function that makes a model from points, be it of this module or not. `{field=value}` sets `threshold`, `confidence`,
-`maxIterations`, `seed` and the fields of its own. */
+/** A function that makes a model from points, be it of this module or not. `{field=value}` sets `threshold`,
+`confidence`, `maxIterations`, `seed` and the fields of its own. */
 class EstimatorMethod : public Method
 {
 public:
@@ -70,6 +72,6 @@ private:
 An empty function raises std::runtime_error. */
 MethodFactory wholeEstimator(const Estimator& estimator, const EstimatorTraits& traits = EstimatorTraits());
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

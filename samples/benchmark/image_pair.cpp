@@ -24,10 +24,7 @@ void fail(const std::string& file, int line, const std::string& what)
     throw std::runtime_error(message.str());
 }
 
-void failToOpen(const std::string& file)
-{
-    throw std::runtime_error(file + ": cannot be opened");
-}
+void failToOpen(const std::string& file) { throw std::runtime_error(file + ": cannot be opened"); }
 
 //! Reads up to `count` numbers from a line. @return how many there are, -1 if something else follows them.
 int readNumbers(const std::string& line, double* values, int count)
@@ -54,7 +51,7 @@ void readCorrespondences(const std::string& file, ImagePair& pair)
     {
         if (line.find_first_not_of(" \t\r") == std::string::npos)
             continue;
-        double v[5] = { 0, 0, 0, 0, 1 };
+        double v[5] = {0, 0, 0, 0, 1};
         const int count = readNumbers(line, v, 5);
         if (count != 5 && count != 4)
             fail(file, number, "expected 'x1 y1 x2 y2 score'");
@@ -188,12 +185,9 @@ void readTruth(const TruthReader& in, ProblemType problem, ImagePair& pair)
     in.require(pair.hasHomography || !pair.truthIsHomography, "H", "needed where gt_kind is homography");
 }
 
-} // namespace
+}  // namespace
 
-char letterOf(ProblemType problem)
-{
-    return LETTERS[problem];
-}
+char letterOf(ProblemType problem) { return LETTERS[problem]; }
 
 bool problemOf(char letter, ProblemType& problem)
 {
@@ -221,4 +215,4 @@ ImagePair readImagePair(const std::string& path, ProblemType problem)
     return pair;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -25,16 +25,16 @@ struct ImagePair
 {
     std::string name;
     std::vector<cv::Point2f> points1, points2;
-    std::vector<float> scores;                  //!< one a correspondence, lower is better
+    std::vector<float> scores;  //!< one a correspondence, lower is better
 
     cv::Size2d size1, size2;
-    bool hasHomography, hasCameras, hasPose;    //!< which of the matrices below are known
-    cv::Matx33d H;                              //!< image 1 -> image 2
+    bool hasHomography, hasCameras, hasPose;  //!< which of the matrices below are known
+    cv::Matx33d H;                            //!< image 1 -> image 2
     cv::Matx33d K1, K2;
-    cv::Matx33d R;                              //!< x2 ~ R x1 + t
+    cv::Matx33d R;  //!< x2 ~ R x1 + t
     cv::Vec3d t;
-    std::vector<cv::Point2d> truth1, truth2;    //!< correspondences that are known to be right
-    bool truthIsHomography;                     //!< errors are measured against H, not against truth2
+    std::vector<cv::Point2d> truth1, truth2;  //!< correspondences that are known to be right
+    bool truthIsHomography;                   //!< errors are measured against H, not against truth2
 
     ImagePair() : hasHomography(false), hasCameras(false), hasPose(false), truthIsHomography(false) {}
 };
@@ -43,6 +43,6 @@ struct ImagePair
 Whatever `problem` needs and the files lack raises std::runtime_error with file and line. */
 ImagePair readImagePair(const std::string& path, ProblemType problem);
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

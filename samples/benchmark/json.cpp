@@ -16,7 +16,8 @@ namespace benchmark {
 class JsonParser
 {
 public:
-    JsonParser(const std::string& text_, const std::string& file_) : text(text_), file(file_), at(0), line(1), depth(0) {}
+    JsonParser(const std::string& text_, const std::string& file_) : text(text_), file(file_), at(0), line(1), depth(0)
+    {}
 
     Json document()
     {
@@ -180,10 +181,7 @@ private:
     int depth;
 };
 
-Json Json::parse(const std::string& text, const std::string& file)
-{
-    return JsonParser(text, file).document();
-}
+Json Json::parse(const std::string& text, const std::string& file) { return JsonParser(text, file).document(); }
 
 void Json::require(Type wanted, const char* what) const
 {
@@ -217,4 +215,4 @@ const Json& Json::operator[](const std::string& name) const
     return found == members.end() ? none : found->second;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

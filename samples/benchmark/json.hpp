@@ -48,6 +48,6 @@ private:
     std::map<std::string, Json> members;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

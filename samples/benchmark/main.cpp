@@ -11,7 +11,4 @@
 #include "benchmark.hpp"
 #include "program.hpp"
 
-int main(int argc, char** argv)
-{
-    return benchmark::runProgram(benchmark::runBenchmark, argc, argv);
-}
+int main(int argc, char** argv) { return benchmark::runProgram(benchmark::runBenchmark, argc, argv); }

@@ -29,10 +29,7 @@ bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix)
     return true;
 }
 
-cv::Vec3d homogeneous(const cv::Point2d& point)
-{
-    return cv::Vec3d(point.x, point.y, 1);
-}
+cv::Vec3d homogeneous(const cv::Point2d& point) { return cv::Vec3d(point.x, point.y, 1); }
 
 cv::Point2d map(const cv::Matx33d& H, const cv::Point2d& point)
 {
@@ -67,13 +64,11 @@ bool toPixels(const ImagePair& pair, ProblemType problem, const cv::Mat& model, 
 
 double squaredError(ProblemType problem, const cv::Matx33d& M, const cv::Point2d& point1, const cv::Point2d& point2)
 {
-    return problem == cv::usacv20::HOMOGRAPHY ? squaredTransferError(M, point1, point2) : squaredSampsonDistance(M, point1, point2);
+    return problem == cv::usacv20::HOMOGRAPHY ? squaredTransferError(M, point1, point2)
+                                              : squaredSampsonDistance(M, point1, point2);
 }
 
-double diagonal(const cv::Size2d& size)
-{
-    return std::sqrt(size.width * size.width + size.height * size.height);
-}
+double diagonal(const cv::Size2d& size) { return std::sqrt(size.width * size.width + size.height * size.height); }
 
 struct Rays
 {
@@ -96,7 +91,8 @@ Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
     return result;
 }
 
-//! Correspondences with two positive depths a, b. Of a R x1 + t = b x2 follow (Rx1 x x2) a = x2 x t, (Rx1 x x2) b = Rx1 x t.
+//! Correspondences with two positive depths a, b. Of a R x1 + t = b x2 follow (Rx1 x x2) a = x2 x t, (Rx1 x x2) b = Rx1
+//! x t.
 int countInFront(const Rays& rays, const cv::Matx33d& R, const cv::Vec3d& t)
 {
     int count = 0;
@@ -120,7 +116,7 @@ double angleBetween(const cv::Vec3d& a, const cv::Vec3d& b)
     return std::atan2(cv::norm(a.cross(b)), a.dot(b)) * 180 / CV_PI;
 }
 
-} // namespace
+}  // namespace
 
 double modelError(const ImagePair& pair, ProblemType problem, const cv::Mat& model)
 {
@@ -185,4 +181,4 @@ double poseError(const ImagePair& pair, ProblemType problem, const Estimate& est
     return error;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

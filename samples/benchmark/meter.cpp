@@ -48,8 +48,8 @@ void Meter::complain(const Method& method, ProblemType problem, const ImagePair&
         return;
     progress.clear();
     std::cerr << method.name() << " threw on " << pair.name << " (" << letterOf(problem)
-              << "), which counts as a failure; not told again: "
-              << what.substr(0, what.find_last_not_of(" \n") + 1) << std::endl;
+              << "), which counts as a failure; not told again: " << what.substr(0, what.find_last_not_of(" \n") + 1)
+              << std::endl;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

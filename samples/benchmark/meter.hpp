@@ -15,13 +15,13 @@ namespace benchmark {
 //! One call of one method.
 struct Run
 {
-    int pair, repeat;    //!< pair: index into ListResult::pairs
-    double error;        //!< pixels, infinite without a model
+    int pair, repeat;  //!< pair: index into ListResult::pairs
+    double error;      //!< pixels, infinite without a model
     bool failed;
-    double poseError;    //!< degrees, negative where the pair has no pose
-    double cost;         //!< what the estimators minimize, see modelCost
+    double poseError;  //!< degrees, negative where the pair has no pose
+    double cost;       //!< what the estimators minimize, see modelCost
     double cpuMs, wallMs;
-    int iterations;      //!< negative where the method does not tell
+    int iterations;  //!< negative where the method does not tell
     int inliers;
 };
 
@@ -43,6 +43,6 @@ private:
     std::set<std::string> complaints;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

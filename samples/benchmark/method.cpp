@@ -14,8 +14,7 @@ namespace benchmark {
 Settings::Settings(ProblemType problem_)
     : problem(problem_), threshold(problem_ == cv::usacv20::HOMOGRAPHY ? 2 : 1), confidence(0.99),
       maxIterations(problem_ == cv::usacv20::HOMOGRAPHY ? 10000 : 1000), seed(1)
-{
-}
+{}
 
 cv::Ptr<Method> createMethod(const std::string& name)
 {
@@ -35,4 +34,4 @@ std::string knownMethods()
     return ModuleMethod::names() + ", " + OpenCVMethod::names() + (custom.empty() ? "" : ", " + custom);
 }
 
-} // namespace benchmark
+}  // namespace benchmark

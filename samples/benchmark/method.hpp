@@ -11,17 +11,17 @@
 
 namespace benchmark {
 
-//! What all methods are given alike. Defaults are the paper's: confidence 0.99; H: 2 pixels, 10 000 iterations; F and E: 1 pixel,
-//! 1000 iterations.
+//! What all methods are given alike. Defaults are the paper's: confidence 0.99; H: 2 pixels, 10 000 iterations; F and
+//! E: 1 pixel, 1000 iterations.
 struct Settings
 {
     explicit Settings(ProblemType problem = cv::usacv20::HOMOGRAPHY);
 
     ProblemType problem;
-    double threshold;    //!< pixels
+    double threshold;  //!< pixels
     double confidence;
     int maxIterations;
-    int seed;            //!< of this repeat, for the methods that have one
+    int seed;  //!< of this repeat, for the methods that have one
 };
 
 //! What a method found.
@@ -29,9 +29,9 @@ struct Estimate
 {
     Estimate() : iterations(-1) {}
 
-    cv::Mat model;       //!< empty: none
+    cv::Mat model;  //!< empty: none
     cv::Mat mask;
-    int iterations;      //!< -1: the method does not tell
+    int iterations;  //!< -1: the method does not tell
 };
 
 /** One row of the tables. */
@@ -71,6 +71,6 @@ cv::Ptr<Method> createMethod(const std::string& name);
 //! All names that createMethod knows.
 std::string knownMethods();
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

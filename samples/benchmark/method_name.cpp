@@ -34,7 +34,7 @@ std::string cutFields(std::string& name)
     return fields;
 }
 
-} // namespace
+}  // namespace
 
 MethodName::MethodName(const std::string& name) : full(name), base(name)
 {
@@ -42,4 +42,4 @@ MethodName::MethodName(const std::string& name) : full(name), base(name)
     fields = cutFields(base);
 }
 
-} // namespace benchmark
+}  // namespace benchmark

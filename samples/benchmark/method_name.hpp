@@ -9,7 +9,8 @@
 
 namespace benchmark {
 
-/** The parts of a method's name: `base`, `base+scores`, `base{fields}`, `base+scores{fields}` or `base{fields}+scores`. */
+/** The parts of a method's name: `base`, `base+scores`, `base{fields}`, `base+scores{fields}` or `base{fields}+scores`.
+ */
 struct MethodName
 {
     //! Raises std::runtime_error if a brace is not closed at the end.
@@ -21,6 +22,6 @@ struct MethodName
     bool scores;         //!< true: the method shall use the scores of the correspondences
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

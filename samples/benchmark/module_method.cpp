@@ -20,12 +20,12 @@ struct Flag
 };
 
 const Flag FLAGS[] = {
-    { "USACV20", cv::USACV20 },
-    { "USACV20_FAST", cv::USACV20_FAST },
-    { "USACV20_ACCURATE", cv::USACV20_ACCURATE },
-    { "USACV20_PROSAC", cv::USACV20_PROSAC },
-    { "USACV20_MAGSAC", cv::USACV20_MAGSAC },
-    { "USACV20_PARALLEL", cv::USACV20_PARALLEL },
+    {"USACV20", cv::USACV20},
+    {"USACV20_FAST", cv::USACV20_FAST},
+    {"USACV20_ACCURATE", cv::USACV20_ACCURATE},
+    {"USACV20_PROSAC", cv::USACV20_PROSAC},
+    {"USACV20_MAGSAC", cv::USACV20_MAGSAC},
+    {"USACV20_PARALLEL", cv::USACV20_PARALLEL},
 };
 
 struct Preset
@@ -35,25 +35,17 @@ struct Preset
 };
 
 const Preset PRESETS[] = {
-    { "preset:usacV20", &Params::usacV20 },
-    { "preset:fast", &Params::fast },
-    { "preset:accurate", &Params::accurate },
-    { "preset:sorted", &Params::sorted },
-    { "preset:parallel", &Params::parallel },
-    { "preset:ransac", &Params::ransac },
-    { "preset:msac", &Params::msac },
-    { "preset:lmeds", &Params::lmeds },
-    { "preset:mlesac", &Params::mlesac },
-    { "preset:prosac", &Params::prosac },
-    { "preset:loRansac", &Params::loRansac },
-    { "preset:floRansac", &Params::floRansac },
-    { "preset:gcRansac", &Params::gcRansac },
-    { "preset:usac2013", &Params::usac2013 },
-    { "preset:magsac", &Params::magsac },
-    { "preset:magsacPlusPlus", &Params::magsacPlusPlus },
+    {"preset:usacV20", &Params::usacV20},   {"preset:fast", &Params::fast},
+    {"preset:accurate", &Params::accurate}, {"preset:sorted", &Params::sorted},
+    {"preset:parallel", &Params::parallel}, {"preset:ransac", &Params::ransac},
+    {"preset:msac", &Params::msac},         {"preset:lmeds", &Params::lmeds},
+    {"preset:mlesac", &Params::mlesac},     {"preset:prosac", &Params::prosac},
+    {"preset:loRansac", &Params::loRansac}, {"preset:floRansac", &Params::floRansac},
+    {"preset:gcRansac", &Params::gcRansac}, {"preset:usac2013", &Params::usac2013},
+    {"preset:magsac", &Params::magsac},     {"preset:magsacPlusPlus", &Params::magsacPlusPlus},
 };
 
-} // namespace
+}  // namespace
 
 ModuleMethod::ModuleMethod(const MethodName& name, const Params& params_)
     : Method(name.full), base(params_), fields(name.fields), useScores(name.scores), problem(cv::usacv20::HOMOGRAPHY)
@@ -87,15 +79,16 @@ void ModuleMethod::run(const ImagePair& pair, Estimate& estimate)
     else if (problem == cv::usacv20::FUNDAMENTAL)
         estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, estimate.mask, params);
     else
-        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2, cv::noArray(), cv::noArray(),
-                                              estimate.mask, params);
+        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2, cv::noArray(),
+                                              cv::noArray(), estimate.mask, params);
 }
 
 void ModuleMethod::tell(const ImagePair& pair, Estimate& estimate)
 {
     cv::usacv20::Report report;
     cv::Mat mask, model = estimator(pair)->run(mask, &report);
-    if (model.empty() != estimate.model.empty() || (!model.empty() && cv::norm(model, estimate.model, cv::NORM_INF) != 0))
+    if (model.empty() != estimate.model.empty() ||
+        (!model.empty() && cv::norm(model, estimate.model, cv::NORM_INF) != 0))
         throw std::runtime_error("the same call gave another model");
     estimate.iterations = report.iterations;
 }
@@ -126,4 +119,4 @@ std::string ModuleMethod::names()
     return result;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -13,9 +13,9 @@ namespace benchmark {
 
 /** A flag or a preset of this module.
 
-A flag is run through its cv::usacv20::Params, because the function with the flag takes no seed; the estimate and the time
-are the same. The report comes from a second run, which must give the same model. With scores and a preset that relies on the
-order of the points, the scores give the order. */
+A flag is run through its cv::usacv20::Params, because the function with the flag takes no seed; the estimate and the
+time are the same. The report comes from a second run, which must give the same model. With scores and a preset that
+relies on the order of the points, the scores give the order. */
 class ModuleMethod : public Method
 {
 public:
@@ -44,6 +44,6 @@ private:
     ProblemType problem;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -22,16 +22,16 @@ struct Flag
 };
 
 const Flag FLAGS[] = {
-    { "RANSAC", cv::RANSAC },
-    { "LMEDS", cv::LMEDS },
-    { "RHO", cv::RHO },
-    { "USAC_DEFAULT", cv::USAC_DEFAULT },
-    { "USAC_PARALLEL", cv::USAC_PARALLEL },
-    { "USAC_FM_8PTS", cv::USAC_FM_8PTS },
-    { "USAC_FAST", cv::USAC_FAST },
-    { "USAC_ACCURATE", cv::USAC_ACCURATE },
-    { "USAC_PROSAC", cv::USAC_PROSAC },
-    { "USAC_MAGSAC", cv::USAC_MAGSAC },
+    {"RANSAC", cv::RANSAC},
+    {"LMEDS", cv::LMEDS},
+    {"RHO", cv::RHO},
+    {"USAC_DEFAULT", cv::USAC_DEFAULT},
+    {"USAC_PARALLEL", cv::USAC_PARALLEL},
+    {"USAC_FM_8PTS", cv::USAC_FM_8PTS},
+    {"USAC_FAST", cv::USAC_FAST},
+    {"USAC_ACCURATE", cv::USAC_ACCURATE},
+    {"USAC_PROSAC", cv::USAC_PROSAC},
+    {"USAC_MAGSAC", cv::USAC_MAGSAC},
 };
 
 const int ITERATIONS_OF_TWO_CAMERAS = 1000;
@@ -47,11 +47,14 @@ cv::UsacParams usacParamsOf(int flag, const Settings& settings)
     params.score = flag == cv::USAC_MAGSAC ? cv::SCORE_METHOD_MAGSAC : cv::SCORE_METHOD_MSAC;
     params.isParallel = flag == cv::USAC_PARALLEL;
     params.loSampleSize = flag == cv::USAC_MAGSAC ? 50 : flag == cv::USAC_ACCURATE ? 20 : 16;
-    params.loIterations = flag == cv::USAC_MAGSAC ? 10 : flag == cv::USAC_ACCURATE ? 25 : flag == cv::USAC_FAST ? 5 : 15;
-    params.loMethod = flag == cv::USAC_MAGSAC ? cv::LOCAL_OPTIM_SIGMA
-                    : flag == cv::USAC_ACCURATE ? cv::LOCAL_OPTIM_GC
-                    : flag == cv::USAC_DEFAULT || flag == cv::USAC_FAST ? cv::LOCAL_OPTIM_INNER_AND_ITER_LO
-                    : cv::LOCAL_OPTIM_INNER_LO;
+    params.loIterations = flag == cv::USAC_MAGSAC     ? 10
+                          : flag == cv::USAC_ACCURATE ? 25
+                          : flag == cv::USAC_FAST     ? 5
+                                                      : 15;
+    params.loMethod = flag == cv::USAC_MAGSAC                             ? cv::LOCAL_OPTIM_SIGMA
+                      : flag == cv::USAC_ACCURATE                         ? cv::LOCAL_OPTIM_GC
+                      : flag == cv::USAC_DEFAULT || flag == cv::USAC_FAST ? cv::LOCAL_OPTIM_INNER_AND_ITER_LO
+                                                                          : cv::LOCAL_OPTIM_INNER_LO;
     return params;
 }
 
@@ -63,7 +66,7 @@ cv::Mat toCamera(const Points& points, const cv::Matx33d& K, const cv::Matx33d& 
     return result;
 }
 
-} // namespace
+}  // namespace
 
 OpenCVMethod::OpenCVMethod(const std::string& name, const std::string& flagName, bool scores)
     : Method(name), flag(-1), sortPoints(scores)
@@ -86,10 +89,7 @@ bool OpenCVMethod::solves(ProblemType problem) const
     return true;
 }
 
-void OpenCVMethod::prepare(const ImagePair&, const Settings& settings_)
-{
-    settings = settings_;
-}
+void OpenCVMethod::prepare(const ImagePair&, const Settings& settings_) { settings = settings_; }
 
 void OpenCVMethod::run(const ImagePair& pair, Estimate& estimate)
 {
@@ -153,4 +153,4 @@ std::string OpenCVMethod::names()
     return result;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -13,17 +13,18 @@ namespace benchmark {
 
 H: `cv::findHomography(points1, points2, flag, threshold, mask, maxIters, confidence)`.
 F: `cv::findFundamentalMat(points1, points2, flag, threshold, confidence, maxIters, mask)`.
-E: `cv::findEssentialMat(points1, points2, K1, dist, K2, dist, flag, confidence, threshold, mask)` for 1000 iterations, which
-is what that function always does. For another number: OpenCV's RANSAC and LMEDS take the form with one camera matrix, after
-the same change of coordinates to the mean camera that the function with two makes; its USAC flags take the form with
-cv::UsacParams, filled with what the flag stands for (calib3d sets the lengths of the iterated local optimization of
-USAC_FAST in a way that cv::UsacParams cannot express).
+E: `cv::findEssentialMat(points1, points2, K1, dist, K2, dist, flag, confidence, threshold, mask)` for 1000 iterations,
+which is what that function always does. For another number: OpenCV's RANSAC and LMEDS take the form with one camera
+matrix, after the same change of coordinates to the mean camera that the function with two makes; its USAC flags take
+the form with cv::UsacParams, filled with what the flag stands for (calib3d sets the lengths of the iterated local
+optimization of USAC_FAST in a way that cv::UsacParams cannot express).
 
 These functions seed themselves; every repeat gives the same answer (USAC_PARALLEL: nearly). */
 class OpenCVMethod : public Method
 {
 public:
-    //! @param flag without "cv:". @param scores USAC_PROSAC: the points are sorted by score inside of the time measured.
+    //! @param flag without "cv:". @param scores USAC_PROSAC: the points are sorted by score inside of the time
+    //! measured.
     OpenCVMethod(const std::string& name, const std::string& flag, bool scores);
 
     bool solves(ProblemType problem) const CV_OVERRIDE;
@@ -42,6 +43,6 @@ private:
     Settings settings;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -11,22 +11,23 @@ namespace benchmark {
 
 namespace {
 
-const char KEYS[] =
-    "{help h usage ? | | print this }"
-    "{list           | | list of pairs, <dataset>.<H,F or E>.list; may be repeated }"
-    "{data           | | folder of data: all lists in its folder 'lists'; may be repeated }"
-    "{problem        | | H, F or E: problem of all lists (default: as the name of each list tells); of --data only its lists }"
-    "{methods        |USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
-    "| names with commas; may be repeated; see below }"
-    "{baseline       | | method that times and errors are compared with (default: the first cv: method, else the first) }"
-    "{threshold      | | inlier threshold in pixels (default: H 2, F and E 1) }"
-    "{maxIters       | | most iterations (default: H 10000, F and E 1000) }"
-    "{confidence     |0.99| confidence }"
-    "{repeats        |5| runs of each method on each pair }"
-    "{seed           |1| seed of the first repeat, the next ones count up }"
-    "{threads        |1| given to cv::setNumThreads; -1: all processors }"
-    "{csv            | | file for the tables }"
-    "{runs           | | file for all single runs }";
+const char KEYS[] = "{help h usage ? | | print this }"
+                    "{list           | | list of pairs, <dataset>.<H,F or E>.list; may be repeated }"
+                    "{data           | | folder of data: all lists in its folder 'lists'; may be repeated }"
+                    "{problem        | | H, F or E: problem of all lists (default: as the name of each list tells); of "
+                    "--data only its lists }"
+                    "{methods        |USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
+                    "| names with commas; may be repeated; see below }"
+                    "{baseline       | | method that times and errors are compared with (default: the first cv: "
+                    "method, else the first) }"
+                    "{threshold      | | inlier threshold in pixels (default: H 2, F and E 1) }"
+                    "{maxIters       | | most iterations (default: H 10000, F and E 1000) }"
+                    "{confidence     |0.99| confidence }"
+                    "{repeats        |5| runs of each method on each pair }"
+                    "{seed           |1| seed of the first repeat, the next ones count up }"
+                    "{threads        |1| given to cv::setNumThreads; -1: all processors }"
+                    "{csv            | | file for the tables }"
+                    "{runs           | | file for all single runs }";
 
 std::string defaultBaseline(const std::vector<std::string>& methods)
 {
@@ -36,7 +37,7 @@ std::string defaultBaseline(const std::vector<std::string>& methods)
     return methods.empty() ? std::string() : methods[0];
 }
 
-} // namespace
+}  // namespace
 
 Settings Options::settings(ProblemType of) const
 {
@@ -55,7 +56,9 @@ bool Options::parse(int argc, char** argv)
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
     parser.about("Runs robust estimators on lists of image pairs and reports accuracy and time.\n"
-                 "Methods: " + knownMethods() + ".\n"
+                 "Methods: " +
+                 knownMethods() +
+                 ".\n"
                  "+scores behind a name hands over the scores; {field=value,...} sets fields of cv::usacv20::Params"
                  " or what a custom: method has.");
     if (parser.has("help") || argc == 1)
@@ -101,4 +104,4 @@ bool Options::parse(int argc, char** argv)
     return true;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

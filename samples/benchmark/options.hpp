@@ -32,6 +32,6 @@ private:
     int maxIterations;             // 0: not given
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

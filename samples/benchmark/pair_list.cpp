@@ -18,10 +18,7 @@ std::string folderOf(const std::string& path)
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-std::string lastPart(const std::string& path)
-{
-    return path.substr(path.find_last_of("/\\") + 1);
-}
+std::string lastPart(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
 
 //! "homogr.H.list" -> "homogr" and 'H'; '\0' where the name does not tell the problem.
 std::string splitName(const std::string& file, char& letter)
@@ -40,7 +37,7 @@ std::string splitName(const std::string& file, char& letter)
     return name;
 }
 
-} // namespace
+}  // namespace
 
 PairList readPairList(const std::string& file, char letter)
 {
@@ -49,7 +46,8 @@ PairList readPairList(const std::string& file, char letter)
     list.file = file;
     list.name = splitName(file, letterOfName);
     if (!problemOf(letter ? letter : letterOfName, list.problem))
-        throw std::runtime_error(file + ": the name tells no problem (.H.list, .F.list, .E.list), --problem is not given");
+        throw std::runtime_error(file +
+                                 ": the name tells no problem (.H.list, .F.list, .E.list), --problem is not given");
 
     std::ifstream in(file.c_str());
     if (!in)
@@ -87,4 +85,4 @@ std::vector<std::string> findLists(const std::string& folder, char letter)
     return result;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -28,40 +28,36 @@ struct DoubleField
 };
 
 const IntField INT_FIELDS[] = {
-    { "maxIterations", &Params::maxIterations },
-    { "seed", &Params::seed },
-    { "threads", &Params::threads },
-    { "sampler", &Params::sampler },
-    { "ordering", &Params::ordering },
-    { "scoreOrder", &Params::scoreOrder },
-    { "neighborhood", &Params::neighborhood },
-    { "neighbors", &Params::neighbors },
-    { "residual", &Params::residual },
-    { "quality", &Params::quality },
-    { "verification", &Params::verification },
-    { "tddPoints", &Params::tddPoints },
-    { "localOptimization", &Params::localOptimization },
-    { "localIterations", &Params::localIterations },
-    { "localSampleMultiple", &Params::localSampleMultiple },
-    { "localSamples", &Params::localSamples },
-    { "termination", &Params::termination },
-    { "runnersUp", &Params::runnersUp },
-    { "orderedEvery", &Params::orderedEvery },
-    { "persistence", &Params::persistence },
-    { "degeneracy", &Params::degeneracy },
-    { "polishing", &Params::polishing },
-    { "polishingSteps", &Params::polishingSteps },
+    {"maxIterations", &Params::maxIterations},
+    {"seed", &Params::seed},
+    {"threads", &Params::threads},
+    {"sampler", &Params::sampler},
+    {"ordering", &Params::ordering},
+    {"scoreOrder", &Params::scoreOrder},
+    {"neighborhood", &Params::neighborhood},
+    {"neighbors", &Params::neighbors},
+    {"residual", &Params::residual},
+    {"quality", &Params::quality},
+    {"verification", &Params::verification},
+    {"tddPoints", &Params::tddPoints},
+    {"localOptimization", &Params::localOptimization},
+    {"localIterations", &Params::localIterations},
+    {"localSampleMultiple", &Params::localSampleMultiple},
+    {"localSamples", &Params::localSamples},
+    {"termination", &Params::termination},
+    {"runnersUp", &Params::runnersUp},
+    {"orderedEvery", &Params::orderedEvery},
+    {"persistence", &Params::persistence},
+    {"degeneracy", &Params::degeneracy},
+    {"polishing", &Params::polishing},
+    {"polishingSteps", &Params::polishingSteps},
 };
 
 const DoubleField DOUBLE_FIELDS[] = {
-    { "threshold", &Params::threshold },
-    { "confidence", &Params::confidence },
-    { "neighborRadius", &Params::neighborRadius },
-    { "reach", &Params::reach },
-    { "widestReach", &Params::widestReach },
-    { "spatialWeight", &Params::spatialWeight },
-    { "relaxation", &Params::relaxation },
-    { "significance", &Params::significance },
+    {"threshold", &Params::threshold},           {"confidence", &Params::confidence},
+    {"neighborRadius", &Params::neighborRadius}, {"reach", &Params::reach},
+    {"widestReach", &Params::widestReach},       {"spatialWeight", &Params::spatialWeight},
+    {"relaxation", &Params::relaxation},         {"significance", &Params::significance},
 };
 
 void setField(Params& params, const Field& assigned)
@@ -81,7 +77,7 @@ void setField(Params& params, const Field& assigned)
     assigned.fail("cv::usacv20::Params has no such numeric field");
 }
 
-} // namespace
+}  // namespace
 
 Field::Field(const std::string& assignment_) : assignment(assignment_), value(0)
 {
@@ -103,10 +99,7 @@ int Field::integer() const
     return (int)value;
 }
 
-void Field::fail(const std::string& what) const
-{
-    throw std::runtime_error("'" + assignment + "': " + what);
-}
+void Field::fail(const std::string& what) const { throw std::runtime_error("'" + assignment + "': " + what); }
 
 std::vector<Field> parseFields(const std::string& assignments)
 {
@@ -124,4 +117,4 @@ void setFields(Params& params, const std::string& assignments)
         setField(params, field);
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -33,6 +33,6 @@ std::vector<Field> parseFields(const std::string& assignments);
 An unknown name or a value that is no number raises std::runtime_error. */
 void setFields(cv::usacv20::Params& params, const std::string& assignments);
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -18,4 +18,4 @@ ProblemSet::ProblemSet(const char* letters_) : letters(letters_)
         throw std::runtime_error("'" + letters + "': expected problems, some of the letters H, F and E");
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -23,6 +23,6 @@ private:
     std::string letters;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -12,12 +12,9 @@ namespace benchmark {
 
 namespace {
 
-int keepQuiet(int, const char*, const char*, const char*, int, void*)
-{
-    return 0;
-}
+int keepQuiet(int, const char*, const char*, const char*, int, void*) { return 0; }
 
-} // namespace
+}  // namespace
 
 void openOutput(std::ofstream& out, const std::string& file)
 {
@@ -47,4 +44,4 @@ int runProgram(int (*program)(int argc, char** argv), int argc, char** argv)
     }
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -24,11 +24,9 @@ bool isTerminal()
 #endif
 }
 
-} // namespace
+}  // namespace
 
-Progress::Progress(int total_) : total(total_), done(0), active(isTerminal()), drawn(false)
-{
-}
+Progress::Progress(int total_) : total(total_), done(0), active(isTerminal()), drawn(false) {}
 
 void Progress::step(const std::string& what)
 {
@@ -49,4 +47,4 @@ void Progress::clear()
     drawn = false;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

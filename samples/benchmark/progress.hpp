@@ -26,6 +26,6 @@ private:
     bool active, drawn;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -32,22 +32,20 @@ bool isValid(const std::string& name)
            name.find_first_not_of(allowed, prefix().size()) == std::string::npos;
 }
 
-} // namespace
+}  // namespace
 
 void registerMethod(const std::string& name, const MethodFactory& factory)
 {
     if (!isValid(name))
-        throw std::runtime_error("registerMethod: '" + name + "': expected custom: and letters, digits, '_', '-' or '.'");
+        throw std::runtime_error("registerMethod: '" + name +
+                                 "': expected custom: and letters, digits, '_', '-' or '.'");
     if (!factory)
         throw std::runtime_error("registerMethod: " + name + ": the factory is empty");
     if (!registry().insert(std::make_pair(name, factory)).second)
         throw std::runtime_error("registerMethod: " + name + " is registered already");
 }
 
-bool isCustom(const std::string& name)
-{
-    return name.compare(0, prefix().size(), prefix()) == 0;
-}
+bool isCustom(const std::string& name) { return name.compare(0, prefix().size(), prefix()) == 0; }
 
 cv::Ptr<Method> createCustom(const MethodName& name)
 {
@@ -69,4 +67,4 @@ std::string customMethods()
     return result;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

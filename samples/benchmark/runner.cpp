@@ -8,10 +8,9 @@
 
 namespace benchmark {
 
-Runner::Runner(const std::vector<cv::Ptr<Method> >& methods_, const Options& options_, Progress& progress_)
+Runner::Runner(const std::vector<cv::Ptr<Method>>& methods_, const Options& options_, Progress& progress_)
     : methods(methods_), options(options_), progress(progress_), meter(progress_), rng(1), unreadablePairs(0)
-{
-}
+{}
 
 ListResult Runner::run(const PairList& list)
 {
@@ -28,7 +27,7 @@ ListResult Runner::run(const PairList& list)
             continue;
 
         const bool first = result.pairs.empty();
-        const ListResult::PairInfo info = { pair.name, (int)pair.points1.size() };
+        const ListResult::PairInfo info = {pair.name, (int)pair.points1.size()};
         result.pairs.push_back(info);
         for (int repeat = first ? -1 : 0; repeat < options.repeats; ++repeat)  // -1 warms up
             for (size_t m : shuffledOrder())
@@ -71,4 +70,4 @@ bool Runner::read(const PairList& list, const PairList::Entry& entry, ImagePair&
     }
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -19,24 +19,26 @@ struct ListResult
     struct PairInfo
     {
         std::string name;
-        int size;        //!< correspondences
+        int size;  //!< correspondences
     };
 
     std::string name;
     ProblemType problem;
     std::vector<PairInfo> pairs;
-    std::vector<std::vector<Run> > runs;  //!< one vector a method, in their order; empty if it does not solve the problem
+    std::vector<std::vector<Run>>
+        runs;  //!< one vector a method, in their order; empty if it does not solve the problem
 };
 
 /** Runs all methods on the pairs of a list.
 
-For each pair and each repeat all methods run one after the other, so that a disturbance of the machine hurts all alike, and in
-an order drawn anew, so that none always follows one of its kin, which leaves it warm caches. The orders are the same each time. Each method runs once on the first pair before anything is measured. Messages about pairs that cannot be read go to the
-standard error. */
+For each pair and each repeat all methods run one after the other, so that a disturbance of the machine hurts all alike,
+and in an order drawn anew, so that none always follows one of its kin, which leaves it warm caches. The orders are the
+same each time. Each method runs once on the first pair before anything is measured. Messages about pairs that cannot be
+read go to the standard error. */
 class Runner
 {
 public:
-    Runner(const std::vector<cv::Ptr<Method> >& methods, const Options& options, Progress& progress);
+    Runner(const std::vector<cv::Ptr<Method>>& methods, const Options& options, Progress& progress);
 
     ListResult run(const PairList& list);
     //! Pairs that could not be read so far.
@@ -47,7 +49,7 @@ private:
     //! Numbers of the methods.
     std::vector<size_t> shuffledOrder();
 
-    const std::vector<cv::Ptr<Method> >& methods;
+    const std::vector<cv::Ptr<Method>>& methods;
     const Options& options;
     Progress& progress;
     Meter meter;
@@ -55,6 +57,6 @@ private:
     int unreadablePairs;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -39,6 +39,6 @@ private:
     double cpuStart;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -15,14 +15,12 @@ namespace {
 const double NOT_KNOWN = std::numeric_limits<double>::quiet_NaN();
 
 //! All figures that averages are plain means of.
-double Summary::* const MEANS[] = {
-    &Summary::failures, &Summary::medianCpu, &Summary::meanCpu, &Summary::medianWall, &Summary::meanWall,
-    &Summary::auc5, &Summary::auc10, &Summary::auc20, &Summary::medianIterations
-};
+double Summary::*const MEANS[] = {&Summary::failures,   &Summary::medianCpu, &Summary::meanCpu,
+                                  &Summary::medianWall, &Summary::meanWall,  &Summary::auc5,
+                                  &Summary::auc10,      &Summary::auc20,     &Summary::medianIterations};
 
-double Summary::* const RATIOS[] = {
-    &Summary::errorRatio, &Summary::medianCpuRatio, &Summary::meanCpuRatio, &Summary::medianWallRatio, &Summary::meanWallRatio
-};
+double Summary::*const RATIOS[] = {&Summary::errorRatio, &Summary::medianCpuRatio, &Summary::meanCpuRatio,
+                                   &Summary::medianWallRatio, &Summary::meanWallRatio};
 
 double median(std::vector<double> values)
 {
@@ -42,7 +40,7 @@ double mean(const std::vector<double>& values)
 }
 
 //! One figure of one method over all lists where it is known.
-std::vector<double> collect(const std::vector<std::vector<Summary> >& lists, size_t method, double Summary::*figure)
+std::vector<double> collect(const std::vector<std::vector<Summary>>& lists, size_t method, double Summary::*figure)
 {
     std::vector<double> values;
     for (size_t i = 0; i < lists.size(); ++i)
@@ -127,7 +125,7 @@ double geometricMean(std::vector<double> values)
     return std::exp(mean(values));
 }
 
-} // namespace
+}  // namespace
 
 Summary::Summary() : lists(0), errorLists(0), medianError(NOT_KNOWN)
 {
@@ -155,9 +153,9 @@ std::vector<Summary> summarize(const ListResult& result, int baseline)
     return summaries;
 }
 
-std::vector<Summary> average(const std::vector<std::vector<Summary> >& lists)
+std::vector<Summary> average(const std::vector<std::vector<Summary>>& lists)
 {
-    std::vector<std::vector<Summary> > solved;
+    std::vector<std::vector<Summary>> solved;
     for (size_t i = 0; i < lists.size(); ++i)
         if (allSucceed(lists[i]))
             solved.push_back(lists[i]);
@@ -178,4 +176,4 @@ std::vector<Summary> average(const std::vector<std::vector<Summary> >& lists)
     return result;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

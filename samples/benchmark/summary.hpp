@@ -18,10 +18,10 @@ struct Summary
 {
     Summary();
 
-    int lists;                //!< how many it is about; 0: the method does not solve the problem, or no pair could be read
-    int errorLists;           //!< how many `medianError` is about
-    double medianError;       //!< pixels; a failure has an infinite error
-    double failures;          //!< percent
+    int lists;           //!< how many it is about; 0: the method does not solve the problem, or no pair could be read
+    int errorLists;      //!< how many `medianError` is about
+    double medianError;  //!< pixels; a failure has an infinite error
+    double failures;     //!< percent
     double medianCpu, meanCpu, medianWall, meanWall;  //!< ms
     /** Mean of max(0, 1 - pose error / threshold) for 5, 10 and 20 degrees, in percent: the area under the cumulative
     distribution of the pose error from 0 to the threshold, without interpolation between its steps. */
@@ -37,8 +37,8 @@ std::vector<Summary> summarize(const ListResult& result, int baseline);
 
 The error is that of the lists where no method failed on half of the runs or more. Ratios: geometric means.
 @param lists of each list the summaries of all methods. */
-std::vector<Summary> average(const std::vector<std::vector<Summary> >& lists);
+std::vector<Summary> average(const std::vector<std::vector<Summary>>& lists);
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -20,21 +20,21 @@ struct Column
 };
 
 const Column COLUMNS[] = {
-    { "median error", "median_error", "%.3f", &Summary::medianError },
-    { "failures", "failures_percent", "%.1f", &Summary::failures },
-    { "CPU median", "median_cpu_ms", "%.3f", &Summary::medianCpu },
-    { "CPU mean", "mean_cpu_ms", "%.3f", &Summary::meanCpu },
-    { "wall median", "median_wall_ms", "%.3f", &Summary::medianWall },
-    { 0, "mean_wall_ms", "%.3f", &Summary::meanWall },
-    { "AUC@5", "auc5", "%.1f", &Summary::auc5 },
-    { "AUC@10", "auc10", "%.1f", &Summary::auc10 },
-    { "AUC@20", "auc20", "%.1f", &Summary::auc20 },
-    { "iterations", "median_iterations", "%.0f", &Summary::medianIterations },
-    { "error ratio", "error_ratio", "%.3f", &Summary::errorRatio },
-    { "CPU median ratio", "median_cpu_ratio", "%.3f", &Summary::medianCpuRatio },
-    { "CPU mean ratio", "mean_cpu_ratio", "%.3f", &Summary::meanCpuRatio },
-    { "wall median ratio", "median_wall_ratio", "%.3f", &Summary::medianWallRatio },
-    { 0, "mean_wall_ratio", "%.3f", &Summary::meanWallRatio },
+    {"median error", "median_error", "%.3f", &Summary::medianError},
+    {"failures", "failures_percent", "%.1f", &Summary::failures},
+    {"CPU median", "median_cpu_ms", "%.3f", &Summary::medianCpu},
+    {"CPU mean", "mean_cpu_ms", "%.3f", &Summary::meanCpu},
+    {"wall median", "median_wall_ms", "%.3f", &Summary::medianWall},
+    {0, "mean_wall_ms", "%.3f", &Summary::meanWall},
+    {"AUC@5", "auc5", "%.1f", &Summary::auc5},
+    {"AUC@10", "auc10", "%.1f", &Summary::auc10},
+    {"AUC@20", "auc20", "%.1f", &Summary::auc20},
+    {"iterations", "median_iterations", "%.0f", &Summary::medianIterations},
+    {"error ratio", "error_ratio", "%.3f", &Summary::errorRatio},
+    {"CPU median ratio", "median_cpu_ratio", "%.3f", &Summary::medianCpuRatio},
+    {"CPU mean ratio", "mean_cpu_ratio", "%.3f", &Summary::meanCpuRatio},
+    {"wall median ratio", "median_wall_ratio", "%.3f", &Summary::medianWallRatio},
+    {0, "mean_wall_ratio", "%.3f", &Summary::meanWallRatio},
 };
 
 //! A number as text, `unknown` if it is NaN.
@@ -50,16 +50,10 @@ std::string print(double value, const char* format, const char* unknown)
 }
 
 //! A number for a CSV file, empty if it is NaN.
-std::string field(double value)
-{
-    return print(value, "%.6g", "");
-}
+std::string field(double value) { return print(value, "%.6g", ""); }
 
 //! Names hold commas.
-std::string quoted(const std::string& text)
-{
-    return '"' + text + '"';
-}
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
 //! True if Markdown has the column and its figure is known for any method.
 bool isShown(const std::vector<Summary>& rows, const Column& column)
@@ -70,7 +64,7 @@ bool isShown(const std::vector<Summary>& rows, const Column& column)
     return false;
 }
 
-} // namespace
+}  // namespace
 
 Tables::Tables(const Options& options_, const std::vector<ListResult>& results_)
     : options(options_), results(results_), baseline(0)
@@ -93,8 +87,8 @@ void Tables::addList(const ListResult& result)
     table.pairs = (int)result.pairs.size();
     table.rows = summarize(result, baseline);
     std::ostringstream title;
-    title << table.name << " (" << table.problem << ", " << table.pairs << " pairs, threshold " << settings.threshold << ", "
-          << settings.maxIterations << " iterations, confidence " << settings.confidence << ")";
+    title << table.name << " (" << table.problem << ", " << table.pairs << " pairs, threshold " << settings.threshold
+          << ", " << settings.maxIterations << " iterations, confidence " << settings.confidence << ")";
     table.title = title.str();
     tables.push_back(table);
 }
@@ -106,7 +100,7 @@ void Tables::addAverages(const std::string& problem)
     table.problem = problem;
     table.title = problem.empty() ? "Averages over all lists" : "Averages over the lists of " + problem;
     table.pairs = 0;
-    std::vector<std::vector<Summary> > chosen;
+    std::vector<std::vector<Summary>> chosen;
     for (size_t i = 0; i < results.size(); ++i)
     {
         if (!problem.empty() && tables[i].problem != problem)
@@ -123,11 +117,17 @@ void Tables::addAverages(const std::string& problem)
 void Tables::markdown(std::ostream& out) const
 {
     out << "# USAC benchmark\n\nOpenCV " << cv::getVersionString() << "; " << options.repeats << " repeats, seed "
-        << options.seed << ", threads " << options.threads << ".\n\n"
-           "Error: median in pixels, a failure counts as infinite. Failures: percent of the runs. Times: ms of the call alone, "
-           "of each pair the median over its repeats; CPU: of the process, all threads together. AUC: of the pose error, "
-           "percent. Iterations: median. Ratios: to " << options.baseline << ", below 1 is better.\n\n"
-           "Averages: means over lists, of the error over those lists only where no method failed on half of the runs or "
+        << options.seed << ", threads " << options.threads
+        << ".\n\n"
+           "Error: median in pixels, a failure counts as infinite. Failures: percent of the runs. Times: ms of the "
+           "call alone, "
+           "of each pair the median over its repeats; CPU: of the process, all threads together. AUC: of the pose "
+           "error, "
+           "percent. Iterations: median. Ratios: to "
+        << options.baseline
+        << ", below 1 is better.\n\n"
+           "Averages: means over lists, of the error over those lists only where no method failed on half of the runs "
+           "or "
            "more (their number is in brackets); of the ratios geometric means.\n";
     for (size_t i = 0; i < tables.size(); ++i)
         markdownTable(out, tables[i]);
@@ -186,7 +186,8 @@ void Tables::csv(std::ostream& out) const
 
 void Tables::runsCsv(std::ostream& out) const
 {
-    out << "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers,cost\n";
+    out << "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers,"
+           "cost\n";
     for (size_t i = 0; i < results.size(); ++i)
         for (size_t m = 0; m < results[i].runs.size(); ++m)
             for (size_t k = 0; k < results[i].runs[m].size(); ++k)
@@ -194,12 +195,12 @@ void Tables::runsCsv(std::ostream& out) const
                 const Run& run = results[i].runs[m][k];
                 const ListResult::PairInfo& pair = results[i].pairs[run.pair];
                 out << quoted(results[i].name) << ',' << letterOf(results[i].problem) << ',' << quoted(pair.name) << ','
-                    << pair.size << ',' << quoted(options.methods[m]) << ',' << run.repeat << ',' << field(run.error) << ','
-                    << run.failed << ',' << (run.poseError < 0 ? std::string() : field(run.poseError)) << ','
+                    << pair.size << ',' << quoted(options.methods[m]) << ',' << run.repeat << ',' << field(run.error)
+                    << ',' << run.failed << ',' << (run.poseError < 0 ? std::string() : field(run.poseError)) << ','
                     << field(run.cpuMs) << ',' << field(run.wallMs) << ','
-                    << (run.iterations < 0 ? std::string() : field(run.iterations)) << ',' << run.inliers << ',' << field(run.cost)
-                    << '\n';
+                    << (run.iterations < 0 ? std::string() : field(run.iterations)) << ',' << run.inliers << ','
+                    << field(run.cost) << '\n';
             }
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -27,10 +27,10 @@ public:
 private:
     struct Table
     {
-        std::string name, problem;   //!< problem: its letter, empty for all
+        std::string name, problem;  //!< problem: its letter, empty for all
         std::string title;
         int pairs;
-        std::vector<Summary> rows;   //!< one a method
+        std::vector<Summary> rows;  //!< one a method
     };
 
     void addList(const ListResult& result);
@@ -39,10 +39,10 @@ private:
 
     const Options& options;
     const std::vector<ListResult>& results;
-    int baseline;                    //!< index of a method
+    int baseline;  //!< index of a method
     std::vector<Table> tables;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -3,32 +3,43 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 #
-# Rules of the sources that a compiler does not know. Ends with 1 and what is wrong.
+# Rules of the sources that a compiler does not know. Shows what is wrong; the last line is "<N> passed, <M> failed", one a rule.
 # Usage: check_sources.sh [PROJECT]
 
 set -u
 cd "${1:-$(dirname "$0")/../../..}" || exit 1
 src=modules/usac/src
-wrong=0
-# All lines of standard input are mistakes of the kind $1.
+mistakes=$(mktemp)
+passed=0 failed=0
+# All lines that the pipe before has left in the file are mistakes of the kind $1.
 report()
 {
-    local found
-    found=$(cat)
-    if [ -n "$found" ]; then
+    if [ -s "$mistakes" ]; then
         echo "$1:"
-        echo "$found" | sed 's/^/  /'
-        wrong=1
+        sed 's/^/  /' "$mistakes"
+        failed=$((failed + 1))
+    else
+        passed=$((passed + 1))
     fi
 }
 
 grep -rnE '\bproblem(Type)?\b *(==|!=)|\[[A-Za-z_.>()-]*\bproblem(Type)?\]|switch *\([A-Za-z_.>-]*\bproblem(Type)?\)|case (HOMOGRAPHY|FUNDAMENTAL|ESSENTIAL)\b' \
-    --include='*.[ch]pp' "$src" | grep -v "^$src/problems/" | report "compares or counts problems outside $src/problems"
-find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'END { if (NR > 400) print FILENAME ": " NR " lines" }' {} \; \
-    | report "files of more than 400 lines"
-find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'length > 130 { print FILENAME ":" FNR ": " length " columns" }' {} \; \
-    | report "lines of more than 130 columns"
+    --include='*.[ch]pp' "$src" | grep -v "^$src/problems/" > "$mistakes"
+report "compares or counts problems outside $src/problems"
+find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'END { if (NR > 400) print FILENAME ": " NR " lines" }' {} \; > "$mistakes"
+report "files of more than 400 lines"
+find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'length > 120 { print FILENAME ":" FNR ": " length " columns" }' {} \; > "$mistakes"
+report "lines of more than 120 columns"
+if command -v clang-format > /dev/null && clang-format --version | grep -q 'version 14'; then
+    for file in $(find "$src" modules/usac/include modules/usac/test modules/usac/perf samples -name '*.[ch]pp'); do
+        clang-format "$file" | cmp -s - "$file" || echo "$file"
+    done > "$mistakes"
+    report "not as .clang-format has it"
+fi
 grep -ohE '`src/[A-Za-z0-9_/*.]+`' doc/paper_map.md doc/design.md | tr -d '`' | sort -u | while read -r path; do
     compgen -G "modules/usac/$path" > /dev/null || echo "$path"
-done | report "files that doc/ names and that are not there"
-exit $wrong
+done > "$mistakes"
+report "files that doc/ names and that are not there"
+rm "$mistakes"
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

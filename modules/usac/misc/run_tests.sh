@@ -65,6 +65,7 @@ configure
 cmake --build "$build" --target opencv_test_usac opencv_perf_usac opencv_python3
 
 failed=0
+run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
 run cpp "$gtest_passed" "$gtest_failed" in_build bin/opencv_test_usac
 run perf "$gtest_passed" "$gtest_failed" in_build bin/opencv_perf_usac --perf_min_samples=1 --perf_force_samples=1
 run python "$count_passed" "$count_failed" python_tests

@@ -6,10 +6,11 @@
 #include "perf_scene.hpp"
 #include "local_optimization/labeling.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL)
-typedef TestBaseWithParam<tuple<Problem, int> > UsacGraphCut;
+typedef TestBaseWithParam<tuple<Problem, int>> UsacGraphCut;
 
 //! The best model of a sample of right matches: what the local optimization starts from.
 Model modelOfSample(const PerfScene& scene, int stream)
@@ -25,8 +26,7 @@ Model modelOfSample(const PerfScene& scene, int stream)
         right = true;
         for (int i = 0; i < solver.sampleSize(); ++i)
             right = right && scene.isRight(sample[i]);
-    }
-    while (!right);
+    } while (!right);
     Model models[MAX_MODELS], best;
     Quality bestQuality;
     const int count = solver.solve(context.points, sample, models);
@@ -81,4 +81,5 @@ PERF_TEST_P(UsacGraphCut, cut_20times, testing::Combine(Problem::all(), testing:
     SANITY_CHECK_NOTHING();
 }
 
-}} // namespace
+}
+}  // namespace

@@ -7,12 +7,13 @@
 #include "neighborhood/neighborhood.hpp"
 #include "ordering/ordering.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef TestBaseWithParam<int> UsacSize;
 
-// What is done once a run, before the first sample. As many runs a call as make 1 000 000 points: a millisecond of a call is
-// a nanosecond of a point.
+// What is done once a run, before the first sample. As many runs a call as make 1 000 000 points: a millisecond of a
+// call is a nanosecond of a point.
 
 const int POINTS = 1000000;
 
@@ -59,4 +60,5 @@ PERF_TEST_P(UsacSize, densityPrior_1000000points, testing::Values(100, 1000, 100
     SANITY_CHECK_NOTHING();
 }
 
-}} // namespace
+}
+}  // namespace

@@ -16,8 +16,7 @@ struct PerfScene
         : params(params_), scene(makeScene(problem, optionsOf(size))), usac(createUsac(scene, params)),
           context(usac->points(), usac->components(), params),
           model(problem == ESSENTIAL ? scene.model : toInternal(usac->points(), scene.model))
-    {
-    }
+    {}
 
     //! The i-th point is a right match.
     bool isRight(int i) const { return scene.truth[usac->points().inputIndex[i]] != 0; }
@@ -40,6 +39,6 @@ private:
     PerfScene& operator=(const PerfScene&);
 };
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

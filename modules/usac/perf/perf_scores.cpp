@@ -5,9 +5,11 @@
 #include "perf_precomp.hpp"
 #include "perf_scene.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
-//! How a model is rated: by the fused kernel, errors first and then the score, or a wrong model up to the cost of the right one.
+//! How a model is rated: by the fused kernel, errors first and then the score, or a wrong model up to the cost of the
+//! right one.
 enum Way { FUSED, NOT_FUSED, EARLY_EXIT };
 
 enum { TRANSFER = Residual::TRANSFER, SAMPSON = Residual::SAMPSON };
@@ -15,7 +17,7 @@ enum { TRANSFER = Residual::TRANSFER, SAMPSON = Residual::SAMPSON };
 CV_ENUM(ResidualKind, TRANSFER, SAMPSON)
 CV_ENUM(ScoreKind, QUALITY_INLIERS, QUALITY_MSAC)
 CV_ENUM(RatingWay, FUSED, NOT_FUSED, EARLY_EXIT)
-typedef TestBaseWithParam<tuple<ResidualKind, ScoreKind, RatingWay, int> > UsacScore;
+typedef TestBaseWithParam<tuple<ResidualKind, ScoreKind, RatingWay, int>> UsacScore;
 
 //! A residual that no score has a fused kernel for.
 class UnknownResidual : public Residual
@@ -72,4 +74,5 @@ PERF_TEST_P(UsacScore, rate_1000000points,
     SANITY_CHECK_NOTHING();
 }
 
-}} // namespace
+}
+}  // namespace

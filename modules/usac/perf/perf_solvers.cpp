@@ -5,7 +5,8 @@
 #include "perf_precomp.hpp"
 #include "perf_scene.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL)
 typedef TestBaseWithParam<Problem> UsacSolver;
@@ -32,4 +33,5 @@ PERF_TEST_P(UsacSolver, minimal_10000samples, Problem::all())
     SANITY_CHECK_NOTHING();
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,15 +6,11 @@
 
 #include <fstream>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! The module's flags as numbers, and OpenCV's flags and these in one list.
-enum
-{
-    USACV20 = (int)cv::USACV20,
-    USACV20_FAST = (int)cv::USACV20_FAST,
-    USACV20_ACCURATE = (int)cv::USACV20_ACCURATE
-};
+enum { USACV20 = (int)cv::USACV20, USACV20_FAST = (int)cv::USACV20_FAST, USACV20_ACCURATE = (int)cv::USACV20_ACCURATE };
 CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_MAGSAC, USACV20, USACV20_FAST, USACV20_ACCURATE)
 typedef TestBaseWithParam<Method> UsacMethod;
 
@@ -63,10 +59,7 @@ PERF_TEST_P(UsacMethod, Homography, Method::all())
     const int method = GetParam();
     Mat model;
     declare.in(set.points1, set.points2).iterations(20);
-    TEST_CYCLE()
-    {
-        model = usacv20::findHomography(set.points1, set.points2, method, 2., noArray(), 10000, 0.99);
-    }
+    TEST_CYCLE() { model = usacv20::findHomography(set.points1, set.points2, method, 2., noArray(), 10000, 0.99); }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();
 }
@@ -77,10 +70,7 @@ PERF_TEST_P(UsacMethod, Fundamental, Method::all())
     const int method = GetParam();
     Mat model;
     declare.in(set.points1, set.points2).iterations(20);
-    TEST_CYCLE()
-    {
-        model = usacv20::findFundamentalMat(set.points1, set.points2, method, 1., 0.99, 1000);
-    }
+    TEST_CYCLE() { model = usacv20::findFundamentalMat(set.points1, set.points2, method, 1., 0.99, 1000); }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();
 }
@@ -91,12 +81,10 @@ PERF_TEST_P(UsacMethod, Essential, Method::all())
     const int method = GetParam();
     Mat model;
     declare.in(set.points1, set.points2).iterations(20);
-    TEST_CYCLE()
-    {
-        model = usacv20::findEssentialMat(set.points1, set.points2, set.K, method, 0.99, 1.);
-    }
+    TEST_CYCLE() { model = usacv20::findEssentialMat(set.points1, set.points2, set.K, method, 0.99, 1.); }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();
 }
 
-}} // namespace
+}
+}  // namespace

@@ -32,8 +32,8 @@ Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraM
                       InputArray distCoeffs1, InputArray distCoeffs2, const Params& params, OutputArray mask,
                       Report& report)
 {
-    return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1,
-                        distCoeffs2)->run(mask, &report);
+    return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)
+        ->run(mask, &report);
 }
 
 Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix, const Params& params,
@@ -48,6 +48,6 @@ Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraM
     return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask, &report);
 }
 
-} // namespace usacv20
+}  // namespace usacv20
 
-} // namespace cv
+}  // namespace cv

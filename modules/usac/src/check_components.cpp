@@ -18,7 +18,7 @@ void checkPresent(const Ptr<T>& part, const char* name)
 }
 
 template <class T>
-void checkEntries(const std::vector<Ptr<T> >& parts, const char* name)
+void checkEntries(const std::vector<Ptr<T>>& parts, const char* name)
 {
     for (size_t i = 0; i < parts.size(); ++i)
         if (!parts[i])
@@ -37,13 +37,14 @@ void checkScore(const Score& score)
         Quality sum(0, 0);
         score.accumulate(values, COUNT, 1, sum);
         if (!(sum.cost >= 0 && sum.cost <= COUNT * (1 + FLT_EPSILON)) || (!far && sum.inliers != COUNT))
-            CV_Error_(Error::StsOutOfRange, ("components().score: %d points %s have the cost %g and %d inliers; a cost from 0 to 1 a point "
-                      "is expected, and that points without error are inliers", (int)COUNT,
-                      far ? "far from the model" : "without error", sum.cost, sum.inliers));
+            CV_Error_(Error::StsOutOfRange,
+                      ("components().score: %d points %s have the cost %g and %d inliers; a cost from 0 to 1 a point "
+                       "is expected, and that points without error are inliers",
+                       (int)COUNT, far ? "far from the model" : "without error", sum.cost, sum.inliers));
     }
 }
 
-} // namespace
+}  // namespace
 
 void checkComponents(const Components& parts, const Components& made)
 {
@@ -55,8 +56,9 @@ void checkComponents(const Components& parts, const Components& made)
     checkEntries(parts.terminations, "terminations");
     const int m = parts.minimalSolver->sampleSize();
     if (m < 1 || m > MAX_SAMPLE_SIZE)
-        CV_Error_(Error::StsOutOfRange, ("components().minimalSolver: samples of 1 to %d points are expected, not of %d",
-                  (int)MAX_SAMPLE_SIZE, m));
+        CV_Error_(
+            Error::StsOutOfRange,
+            ("components().minimalSolver: samples of 1 to %d points are expected, not of %d", (int)MAX_SAMPLE_SIZE, m));
     if (parts.score != made.score)
         checkScore(*parts.score);
 }
@@ -66,12 +68,12 @@ void checkSample(const int* sample, int m, int size)
     for (int k = 0; k < m; ++k)
     {
         if (sample[k] < 0 || sample[k] >= size)
-            CV_Error_(Error::StsOutOfRange, ("components().sampler: a sample has the index %d, 0 to %d are expected", sample[k],
-                      size - 1));
+            CV_Error_(Error::StsOutOfRange,
+                      ("components().sampler: a sample has the index %d, 0 to %d are expected", sample[k], size - 1));
         if (std::find(sample, sample + k, sample[k]) != sample + k)
             CV_Error_(Error::StsBadArg, ("components().sampler: a sample has the index %d twice", sample[k]));
     }
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

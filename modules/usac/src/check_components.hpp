@@ -10,14 +10,15 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Raises cv::Exception that names the component where a required one or an entry of a list is empty, or a score of the caller's
-is none: points without error must be inliers, and costs lie between 0 and 1. @param made the library's own, which need no test */
+/** @brief Raises cv::Exception that names the component where a required one or an entry of a list is empty, or a score
+of the caller's is none: points without error must be inliers, and costs lie between 0 and 1. @param made the library's
+own, which need no test */
 void checkComponents(const Components& parts, const Components& made);
 
 //! Raises cv::Exception if a sample of a caller's sampler does not have m distinct indices of 0 .. size-1.
 void checkSample(const int* sample, int m, int size);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -34,14 +34,16 @@ void State::sort(const Context& context)
 Neighborhood& Context::neighborhood() const
 {
     if (!components.neighborhood)
-        CV_Error(Error::StsNullPtr, "components().neighborhood: it is empty, but the sampler or the local optimizer needs one");
+        CV_Error(Error::StsNullPtr,
+                 "components().neighborhood: it is empty, but the sampler or the local optimizer needs one");
     return *components.neighborhood;
 }
 
 const NonMinimalSolver& Context::nonMinimalSolver() const
 {
     if (!components.nonMinimalSolver)
-        CV_Error(Error::StsNullPtr, "components().nonMinimalSolver: it is empty, but the local optimizer or the polisher needs one");
+        CV_Error(Error::StsNullPtr,
+                 "components().nonMinimalSolver: it is empty, but the local optimizer or the polisher needs one");
     return *components.nonMinimalSolver;
 }
 
@@ -96,5 +98,5 @@ bool Degeneracy::recover(const Context&, State&, const int*, Model&, Quality&) {
 bool Termination::countsAll() const { return true; }
 int Termination::reason() const { return STOP_CUSTOM; }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

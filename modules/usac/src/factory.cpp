@@ -88,7 +88,7 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
     }
 }
 
-void createTerminations(int flags, const Correspondences& points, std::vector<Ptr<Termination> >& terminations)
+void createTerminations(int flags, const Correspondences& points, std::vector<Ptr<Termination>>& terminations)
 {
     if (flags & TERMINATION_STANDARD)
         terminations.push_back(createStandardTermination());
@@ -121,7 +121,7 @@ void replaceMade(Ptr<T>& part, const Ptr<T>& made, const Ptr<T>& fresh)
 }
 
 template <class T>
-void replaceMade(std::vector<Ptr<T> >& parts, const std::vector<Ptr<T> >& made, const std::vector<Ptr<T> >& fresh)
+void replaceMade(std::vector<Ptr<T>>& parts, const std::vector<Ptr<T>>& made, const std::vector<Ptr<T>>& fresh)
 {
     for (size_t i = 0; i < parts.size(); ++i)
     {
@@ -131,7 +131,7 @@ void replaceMade(std::vector<Ptr<T> >& parts, const std::vector<Ptr<T> >& made, 
     }
 }
 
-} // namespace
+}  // namespace
 
 void replaceComponents(Components& parts, const Components& made, const Components& fresh)
 {
@@ -169,5 +169,5 @@ Components createComponents(const Correspondences& points, const Params& params)
     return parts;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -13,10 +13,11 @@ namespace usacv20 {
 //! The components that the parameters name. To add a variant: its file, its enumerator and one line here.
 Components createComponents(const Correspondences& points, const Params& params);
 
-//! Replaces those of `parts` that are in `made`, in the same place, by those of `fresh`; what a program has put there stays.
+//! Replaces those of `parts` that are in `made`, in the same place, by those of `fresh`; what a program has put there
+//! stays.
 void replaceComponents(Components& parts, const Components& made, const Components& fresh);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -17,10 +17,7 @@ static Params paramsOf(UsacV20Method method, double threshold, double confidence
     return params;
 }
 
-static Matx33d cameraOf(double focal, Point2d pp)
-{
-    return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
-}
+static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1); }
 
 // Where a signature of calib3d has no maxIters, its default is used.
 
@@ -45,8 +42,8 @@ Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
 Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method, double ransacReprojThreshold,
                        double confidence, int maxIters, OutputArray mask)
 {
-    return usacv20::estimateFundamental(points1, points2,
-                                        paramsOf(method, ransacReprojThreshold, confidence, maxIters), mask);
+    return usacv20::estimateFundamental(points1, points2, paramsOf(method, ransacReprojThreshold, confidence, maxIters),
+                                        mask);
 }
 
 Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method, double ransacReprojThreshold,
@@ -69,7 +66,8 @@ Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method, double prob,
                      double threshold, int maxIters, OutputArray mask)
 {
-    return usacv20::estimateEssential(points1, points2, cameraMatrix, paramsOf(method, threshold, prob, maxIters), mask);
+    return usacv20::estimateEssential(points1, points2, cameraMatrix, paramsOf(method, threshold, prob, maxIters),
+                                      mask);
 }
 
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method, double prob,
@@ -78,14 +76,14 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
     return findEssentialMat(points1, points2, cameraMatrix, method, prob, threshold, 1000, mask);
 }
 
-Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method, double prob,
-                     double threshold, int maxIters, OutputArray mask)
+Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method,
+                     double prob, double threshold, int maxIters, OutputArray mask)
 {
     return findEssentialMat(points1, points2, cameraOf(focal, pp), method, prob, threshold, maxIters, mask);
 }
 
-Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method, double prob,
-                     double threshold, OutputArray mask)
+Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method,
+                     double prob, double threshold, OutputArray mask)
 {
     return findEssentialMat(points1, points2, cameraOf(focal, pp), method, prob, threshold, 1000, mask);
 }
@@ -101,14 +99,16 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray cameraMatrix2,
                      InputArray distCoeffs1, InputArray distCoeffs2, OutputArray mask, const Params& params)
 {
-    return usacv20::Usac::create(usacv20::ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1,
-                                 distCoeffs2)->run(mask);
+    return usacv20::Usac::create(usacv20::ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                                 distCoeffs1, distCoeffs2)
+        ->run(mask);
 }
 
 namespace usacv20 {
 
-/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are 0 .. 38 in OpenCV 4.6 and have
-room up to 63. Any other number is a mistake that calib3d would not see: F and E take what they do not know for LMedS. */
+/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are 0 .. 38 in OpenCV 4.6
+and have room up to 63. Any other number is a mistake that calib3d would not see: F and E take what they do not know for
+LMedS. */
 static bool isOurs(int method)
 {
     const bool ours = isUsacV20Method(method);
@@ -117,8 +117,8 @@ static bool isOurs(int method)
     return ours;
 }
 
-Mat findHomography(InputArray srcPoints, InputArray dstPoints, int method, double ransacReprojThreshold, OutputArray mask,
-                   const int maxIters, const double confidence)
+Mat findHomography(InputArray srcPoints, InputArray dstPoints, int method, double ransacReprojThreshold,
+                   OutputArray mask, const int maxIters, const double confidence)
 {
     if (isOurs(method))
         return cv::findHomography(srcPoints, dstPoints, methodFromInt(method), ransacReprojThreshold, mask, maxIters,
@@ -126,28 +126,29 @@ Mat findHomography(InputArray srcPoints, InputArray dstPoints, int method, doubl
     return cv::findHomography(srcPoints, dstPoints, method, ransacReprojThreshold, mask, maxIters, confidence);
 }
 
-Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, int method, double ransacReprojThreshold)
+Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, int method,
+                   double ransacReprojThreshold)
 {
     return usacv20::findHomography(srcPoints, dstPoints, method, ransacReprojThreshold, mask);
 }
 
-Mat findFundamentalMat(InputArray points1, InputArray points2, int method, double ransacReprojThreshold, double confidence,
-                       int maxIters, OutputArray mask)
+Mat findFundamentalMat(InputArray points1, InputArray points2, int method, double ransacReprojThreshold,
+                       double confidence, int maxIters, OutputArray mask)
 {
     if (isOurs(method))
-        return cv::findFundamentalMat(points1, points2, methodFromInt(method), ransacReprojThreshold, confidence, maxIters,
-                                      mask);
+        return cv::findFundamentalMat(points1, points2, methodFromInt(method), ransacReprojThreshold, confidence,
+                                      maxIters, mask);
     return cv::findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, maxIters, mask);
 }
 
-Mat findFundamentalMat(InputArray points1, InputArray points2, int method, double ransacReprojThreshold, double confidence,
-                       OutputArray mask)
+Mat findFundamentalMat(InputArray points1, InputArray points2, int method, double ransacReprojThreshold,
+                       double confidence, OutputArray mask)
 {
     return usacv20::findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, 1000, mask);
 }
 
-Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method, double ransacReprojThreshold,
-                       double confidence)
+Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method,
+                       double ransacReprojThreshold, double confidence)
 {
     return usacv20::findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, 1000, mask);
 }
@@ -156,7 +157,8 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
                      double threshold, int maxIters, OutputArray mask)
 {
     if (isOurs(method))
-        return cv::findEssentialMat(points1, points2, cameraMatrix, methodFromInt(method), prob, threshold, maxIters, mask);
+        return cv::findEssentialMat(points1, points2, cameraMatrix, methodFromInt(method), prob, threshold, maxIters,
+                                    mask);
     return cv::findEssentialMat(points1, points2, cameraMatrix, method, prob, threshold, maxIters, mask);
 }
 
@@ -170,7 +172,8 @@ Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point
                      double threshold, int maxIters, OutputArray mask)
 {
     if (isOurs(method))
-        return cv::findEssentialMat(points1, points2, focal, pp, methodFromInt(method), prob, threshold, maxIters, mask);
+        return cv::findEssentialMat(points1, points2, focal, pp, methodFromInt(method), prob, threshold, maxIters,
+                                    mask);
     return cv::findEssentialMat(points1, points2, focal, pp, method, prob, threshold, maxIters, mask);
 }
 
@@ -191,5 +194,5 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
                                 threshold, mask);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -11,14 +11,12 @@ Params::Params()
     : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
       ordering(ORDERING_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighborhood(NEIGHBORHOOD_GRID), neighbors(10),
       neighborRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), widestReach(1),
-      verification(VERIFICATION_SPRT), tddPoints(1),
-      localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT), localIterations(5), localSampleMultiple(3), localSamples(4),
-      spatialWeight(0.14), runnersUp(16), orderedEvery(8),
-      termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT),
-      relaxation(0.05), persistence(1), degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED),
-      polishing(POLISHING_ROBUST), polishingSteps(6), significance(0)
-{
-}
+      verification(VERIFICATION_SPRT), tddPoints(1), localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT),
+      localIterations(5), localSampleMultiple(3), localSamples(4), spatialWeight(0.14), runnersUp(16), orderedEvery(8),
+      termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT), relaxation(0.05), persistence(1),
+      degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED), polishing(POLISHING_ROBUST),
+      polishingSteps(6), significance(0)
+{}
 
 namespace {
 
@@ -43,10 +41,11 @@ void checkCombinations(const Params& p)
     checkCombination((criteria & TERMINATION_PROSAC) && p.sampler != SAMPLER_PROSAC && p.sampler != SAMPLER_P_NAPSAC,
                      "termination: TERMINATION_PROSAC needs a sampler with a growing set of points, SAMPLER_PROSAC or "
                      "SAMPLER_P_NAPSAC");
-    checkCombination((criteria & TERMINATION_PROSAC) &&
-                     !(p.ordering == ORDERING_INPUT_ORDER || (p.ordering == ORDERING_AUTO && !p.scores.empty())),
-                     "termination: TERMINATION_PROSAC needs points in an order, by scores or by ORDERING_INPUT_ORDER; many wrong "
-                     "models fit the densest places");
+    checkCombination(
+        (criteria & TERMINATION_PROSAC) &&
+            !(p.ordering == ORDERING_INPUT_ORDER || (p.ordering == ORDERING_AUTO && !p.scores.empty())),
+        "termination: TERMINATION_PROSAC needs points in an order, by scores or by ORDERING_INPUT_ORDER; many wrong "
+        "models fit the densest places");
     checkCombination(p.termination == TERMINATION_EXACT,
                      "termination: TERMINATION_EXACT modifies another criterion and stands alone");
     checkCombination(p.sampler == SAMPLER_IMPORTANCE && (p.scores.empty() || p.scoreOrder != SCORES_HIGHER_IS_BETTER),
@@ -62,26 +61,27 @@ void checkCombinations(const Params& p)
                      "localOptimization: it selects inliers, for which QUALITY_LMEDS has no threshold yet");
     checkCombination((p.degeneracy & DEGENERACY_DEGENSAC) != 0,
                      "degeneracy: DEGENERACY_DEGENSAC selects inliers, for which QUALITY_LMEDS has no threshold yet");
-    checkCombination((criteria & (TERMINATION_PROSAC | TERMINATION_MAGSAC)) != 0,
-                     "termination: TERMINATION_PROSAC and TERMINATION_MAGSAC need the threshold, which QUALITY_LMEDS does "
-                     "not have yet");
+    checkCombination(
+        (criteria & (TERMINATION_PROSAC | TERMINATION_MAGSAC)) != 0,
+        "termination: TERMINATION_PROSAC and TERMINATION_MAGSAC need the threshold, which QUALITY_LMEDS does "
+        "not have yet");
 }
 
 //! Scores must have one value for each correspondence; as probabilities, finite ones that are not negative nor all 0.
 void checkScores(const Params& p, int count)
 {
     if (count >= 0 && !p.scores.empty() && (int)p.scores.size() != count)
-        CV_Error_(Error::StsUnmatchedSizes, ("scores: one for each of the %d correspondences is expected, not %d", count,
-                  (int)p.scores.size()));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("scores: one for each of the %d correspondences is expected, not %d", count, (int)p.scores.size()));
     if (p.sampler != SAMPLER_IMPORTANCE)
         return;
     for (size_t i = 0; i < p.scores.size(); ++i)
         if (!(p.scores[i] >= 0 && p.scores[i] <= FLT_MAX))
-            CV_Error_(Error::StsOutOfRange, ("scores: SAMPLER_IMPORTANCE expects finite numbers of at least 0, not %g",
-                      p.scores[i]));
+            CV_Error_(Error::StsOutOfRange,
+                      ("scores: SAMPLER_IMPORTANCE expects finite numbers of at least 0, not %g", p.scores[i]));
 }
 
-} // namespace
+}  // namespace
 
 void Params::check(int count) const
 {
@@ -97,7 +97,8 @@ void Params::check(int count) const
     checkRange("neighborhood", neighborhood, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS);
     checkRange("neighbors", neighbors, 1, 1000);
     if (!(neighborRadius > 0 && neighborRadius <= DBL_MAX))
-        CV_Error_(Error::StsOutOfRange, ("neighborRadius: a positive number of pixels is expected, not %g", neighborRadius));
+        CV_Error_(Error::StsOutOfRange,
+                  ("neighborRadius: a positive number of pixels is expected, not %g", neighborRadius));
     checkRange("residual", residual, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC);
     checkRange("quality", quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS);
     checkRange("reach", reach, 1, 10);
@@ -165,20 +166,25 @@ void visitFields(P& params, Visitor& visit)
 struct FieldWriter
 {
     FileStorage& fs;
-    template <class T> void operator()(const char* name, const T& value) { fs << name << value; }
+    template <class T>
+    void operator()(const char* name, const T& value)
+    {
+        fs << name << value;
+    }
 };
 
 struct FieldReader
 {
     const FileNode& node;
-    template <class T> void operator()(const char* name, T& value)
+    template <class T>
+    void operator()(const char* name, T& value)
     {
         if (!node[name].empty())
             node[name] >> value;
     }
 };
 
-} // namespace
+}  // namespace
 
 void Params::write(FileStorage& fs) const
 {
@@ -205,10 +211,7 @@ void read(const FileNode& node, Params& params, const Params& defaults)
     params.read(node);
 }
 
-bool isUsacV20Method(int method)
-{
-    return method >= (int)USACV20 && method <= (int)USACV20_PARALLEL;
-}
+bool isUsacV20Method(int method) { return method >= (int)USACV20 && method <= (int)USACV20_PARALLEL; }
 
 UsacV20Method methodFromInt(int method)
 {
@@ -217,5 +220,5 @@ UsacV20Method methodFromInt(int method)
     return (UsacV20Method)method;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -7,10 +7,7 @@
 namespace cv {
 namespace usacv20 {
 
-Params Params::usacV20()
-{
-    return Params();
-}
+Params Params::usacV20() { return Params(); }
 
 Params Params::fast()
 {
@@ -177,10 +174,7 @@ Params Params::fromMethod(UsacV20Method method)
     }
 }
 
-Params Params::fromMethod(int method)
-{
-    return fromMethod(methodFromInt(method));
-}
+Params Params::fromMethod(int method) { return fromMethod(methodFromInt(method)); }
 
 namespace {
 
@@ -195,7 +189,7 @@ void useLmeds(Params& params)
     params.degeneracy = DEGENERACY_ORIENTATION;
 }
 
-} // namespace
+}  // namespace
 
 Params Params::fromUsacParams(const cv::UsacParams& other)
 {
@@ -209,7 +203,10 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     {
     case SAMPLING_UNIFORM: params.sampler = SAMPLER_UNIFORM; break;
     case SAMPLING_NAPSAC: params.sampler = SAMPLER_NAPSAC; break;
-    case SAMPLING_PROSAC: params.sampler = SAMPLER_PROSAC; params.ordering = ORDERING_INPUT_ORDER; break;
+    case SAMPLING_PROSAC:
+        params.sampler = SAMPLER_PROSAC;
+        params.ordering = ORDERING_INPUT_ORDER;
+        break;
     default: params.sampler = SAMPLER_P_NAPSAC;
     }
     switch (other.neighborsSearch)
@@ -239,5 +236,5 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     return params;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -13,7 +13,7 @@ bool Problem::ambiguous() const { return false; }
 double Problem::toModelCoordinates(double*, double*, double*, double*, int) const { return 1; }
 int Problem::normalization(int) const { return SCALE_NONE; }
 Model Problem::closest(const Model& model) const { return model; }
-void Problem::createDegeneracies(int, const Correspondences&, std::vector<Ptr<Degeneracy> >&) const {}
+void Problem::createDegeneracies(int, const Correspondences&, std::vector<Ptr<Degeneracy>>&) const {}
 
 double Problem::outlierExtent(const Correspondences& points) const
 {
@@ -26,12 +26,13 @@ double Problem::outlierExtent(const Correspondences& points) const
 
 double Problem::randomInlierRatio(const Correspondences& points) const
 {
-    const double t = points.threshold, width = points.upper[2] - points.lower[2], height = points.upper[3] - points.lower[3];
+    const double t = points.threshold, width = points.upper[2] - points.lower[2],
+                 height = points.upper[3] - points.lower[3];
     // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both images are equal
     const double within = errorDimension() > 1 ? CV_PI * t * t
                                                : 2 * std::sqrt(2.) * t * std::sqrt(width * width + height * height);
     return within < width * height ? within / (width * height) : 1;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -13,22 +13,26 @@ namespace usacv20 {
 
 namespace {
 
-//! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of the mask is the caller's.
+//! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of the mask is the
+//! caller's.
 const double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
 
-/** Any list of points that OpenCV's functions take with one flag or another; one point a row, one coordinate a column, CV_64F.
-A matrix with one channel has its points along the longer side (as for OpenCV's USAC flags), with equal sides in the rows; a
-single row or column is one point. */
+/** Any list of points that OpenCV's functions take with one flag or another; one point a row, one coordinate a column,
+CV_64F. A matrix with one channel has its points along the longer side (as for OpenCV's USAC flags), with equal sides in
+the rows; a single row or column is one point. */
 Mat readCoordinates(const Mat& points, const char* name)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();
     const bool solid = points.dims == 3 && channels == 1 && (points.size[0] == 1 || points.size[1] == 1);
     const bool perColumn = channels == 1 && (cols == 1 || (1 < rows && rows < cols));  // else per row or per element
     const int coordinates = solid ? points.size[2] : channels > 1 ? channels : perColumn ? rows : cols;
-    const bool fewCoordinates = solid || (channels == 1 && (rows == 1 || cols == 1));  // OpenCV takes no more of them here
+    const bool fewCoordinates = solid ||
+                                (channels == 1 && (rows == 1 || cols == 1));  // OpenCV takes no more of them here
     if ((points.dims > 2 && !solid) || coordinates < 2 || (fewCoordinates && coordinates > 3))
-        CV_Error_(Error::StsBadArg, ("%s: N points are expected as Nx2, Nx3, 2xN or 3xN with 1 channel or with 2 or 3 channels, "
-                  "not as %dx%d with %d channel(s) and %d dimensions", name, rows, cols, channels, points.dims));
+        CV_Error_(Error::StsBadArg,
+                  ("%s: N points are expected as Nx2, Nx3, 2xN or 3xN with 1 channel or with 2 or 3 channels, "
+                   "not as %dx%d with %d channel(s) and %d dimensions",
+                   name, rows, cols, channels, points.dims));
     Mat values;  // continuous
     if (points.depth() == CV_64F && points.isContinuous())
         values = points;
@@ -39,8 +43,8 @@ Mat readCoordinates(const Mat& points, const char* name)
     return values.reshape(1, (int)(points.total() * channels / coordinates));
 }
 
-/** The points as Nx1 CV_64FC2. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two are the point, as for
-OpenCV's USAC flags. */
+/** The points as Nx1 CV_64FC2. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two are the
+point, as for OpenCV's USAC flags. */
 Mat readPoints(InputArray array, const char* name)
 {
     const Mat points = array.getMat();
@@ -59,9 +63,9 @@ Mat readPoints(InputArray array, const char* name)
     return plane;
 }
 
-/** Tells the allocator how much memory a call needs. At the end of a call glibc gives the top of its heap back to the system if
-that is more than twice the largest block freed so far, 128 kB at least; then each page that the next call writes to is a page
-fault, together up to a quarter of its time. A block that nobody writes to costs nothing. */
+/** Tells the allocator how much memory a call needs. At the end of a call glibc gives the top of its heap back to the
+system if that is more than twice the largest block freed so far, 128 kB at least; then each page that the next call
+writes to is a page fault, together up to a quarter of its time. A block that nobody writes to costs nothing. */
 void announceMemory(int points)
 {
     enum { BYTES_OF_POINT = 200, BYTES_OF_CALL = 1 << 16, LARGEST = 1 << 23 };
@@ -89,7 +93,7 @@ bool allFinite(const double* values, int count)
     return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // else NaN
 }
 
-} // namespace
+}  // namespace
 
 ProblemData::ProblemData(const Problem& problem, InputArray points1, InputArray points2, const Params& params)
 {
@@ -117,8 +121,8 @@ void ProblemData::read(InputArray points1, InputArray points2)
 {
     const Mat p1 = readPoints(points1, "points1"), p2 = readPoints(points2, "points2");
     if (p1.rows != p2.rows)
-        CV_Error_(Error::StsUnmatchedSizes, ("points1 and points2: lists of the same length are expected, not of %d and %d",
-                  p1.rows, p2.rows));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("points1 and points2: lists of the same length are expected, not of %d and %d", p1.rows, p2.rows));
     announceMemory(p1.rows);
     view.inputSize = p1.rows;
     inputRows.create(4, std::max(p1.rows, 1), CV_64F);
@@ -145,7 +149,8 @@ void ProblemData::shuffle(const Params& params)
     for (int i = 0; i < count; ++i)
         indices[i] = i;
     int size = count;
-    if (!allFinite(input[0], count) || !allFinite(input[1], count) || !allFinite(input[2], count) || !allFinite(input[3], count))
+    if (!allFinite(input[0], count) || !allFinite(input[1], count) || !allFinite(input[2], count) ||
+        !allFinite(input[3], count))
     {
         size = 0;
         for (int i = 0; i < count; ++i)
@@ -243,8 +248,8 @@ void ProblemData::setThreshold(double threshold)
 
 int ProblemData::independentInliers(const std::vector<uchar>& mask) const
 {
-    return usacv20::independentInliers(input[0], input[1], input[2], input[3], mask.data(), view.inputSize, inputThreshold,
-                                       inputThreshold);
+    return usacv20::independentInliers(input[0], input[1], input[2], input[3], mask.data(), view.inputSize,
+                                       inputThreshold, inputThreshold);
 }
 
 int ProblemData::mask(const Residual& residual, const Matx33d& model, std::vector<uchar>& mask) const
@@ -259,5 +264,5 @@ int ProblemData::mask(const Residual& residual, const Matx33d& model, std::vecto
     return inliers;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -41,13 +41,13 @@ private:
     void shuffle(const Params& params);
 
     Correspondences view;
-    double givenThreshold[3];             //!< that of points(), of the mask and in pixels before the run
-    double inputThreshold;                //!< of the mask, in the coordinates of `input`
-    double pixelThreshold;                //!< the same in pixels
-    double pixels;                        //!< in one unit of `input`
-    Mat inputRows;                        //!< memory of `input`
-    double* input[4];                     //!< all rows: x1, y1, x2, y2 (E: on the normalized image plane)
-    Mat floats, doubles;                  //!< 4 rows each; cv::Mat aligns them
+    double givenThreshold[3];  //!< that of points(), of the mask and in pixels before the run
+    double inputThreshold;     //!< of the mask, in the coordinates of `input`
+    double pixelThreshold;     //!< the same in pixels
+    double pixels;             //!< in one unit of `input`
+    Mat inputRows;             //!< memory of `input`
+    double* input[4];          //!< all rows: x1, y1, x2, y2 (E: on the normalized image plane)
+    Mat floats, doubles;       //!< 4 rows each; cv::Mat aligns them
     std::vector<int> indices;
     std::vector<float> scores;
 
@@ -55,7 +55,7 @@ private:
     ProblemData& operator=(const ProblemData&);
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -14,8 +14,8 @@ namespace usacv20 {
 namespace {
 
 enum { LARGEST_BATCH = 256 };
-/** The first batch has so many samples; half of that if they are expensive, as five points of E: models beside the best of them are
-optimized late. */
+/** The first batch has so many samples; half of that if they are expensive, as five points of E: models beside the best
+of them are optimized late. */
 enum { FIRST_BATCH = 8, EXPENSIVE = 2000 };
 //! Tests of a point. Batches of less work, about a tenth of a millisecond, are not worth the threads.
 const double PARALLEL_WORK = 44800;
@@ -33,26 +33,26 @@ const double WORTHWHILE = 0.6;
 const double SAME = 0.9;
 enum { LOOKED_AT = 1024 };
 
-/** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where no model
-has more inliers than its own sample. */
+/** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where
+no model has more inliers than its own sample. */
 int exhaustiveSamples(const Context& context)
 {
     const int n = context.points.size, m = context.components.minimalSolver->sampleSize();
     if (context.components.terminations.empty())
         return INT_MAX;
-    return std::max(samplesNeeded(goodSampleProbability(m, n, m, true) * keptProbability(context, m), std::log(MISSED)), 100);
+    return std::max(samplesNeeded(goodSampleProbability(m, n, m, true) * keptProbability(context, m), std::log(MISSED)),
+                    100);
 }
 
-} // namespace
+}  // namespace
 
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
     : context(context_), parts(context_.components), state(state_),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0),
-      threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()),
-      firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+      threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()), firstOfBatch(0),
+      exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)
-{
-}
+{}
 
 // Numbers are the lines of Algorithm 1; lines 4 to 14 are in hypothesize(), 15 to 27 in improve().
 bool Ransac::run(int pause)
@@ -63,14 +63,15 @@ bool Ransac::run(int pause)
     bool ended = true;
     if (parts.verifier)
         parts.verifier->adapt(context, state);
-    while (!terminate() || improveRunnersUp())                                              // 2
+    while (!terminate() || improveRunnersUp())  // 2
     {
         ended = state.iteration < pause;
         if (!ended)
             break;
-        drawBatch();                                                                        // 3
+        drawBatch();  // 3
         const bool first = state.iteration == 0;
-        const bool together = threads > 1 && samples.size() * context.points.problem->sampleCost().time >= PARALLEL_WORK;
+        const bool together = threads > 1 &&
+                              samples.size() * context.points.problem->sampleCost().time >= PARALLEL_WORK;
         batch.resize(together ? samples.size() : 1);
         if (together)
             hypothesizeBatch();
@@ -84,10 +85,10 @@ bool Ransac::run(int pause)
             ++state.iteration;
             state.counts = counts[i] != 0;
             account(h);
-            for (int k = 0; k < h.count; ++k)                                               // 7
+            for (int k = 0; k < h.count; ++k)  // 7
             {
                 const Candidate candidate(samples[i], h.models[k], h.qualities[k]);
-                if (!candidate.quality.betterThan(state.sampleQuality))                     // 13
+                if (!candidate.quality.betterThan(state.sampleQuality))  // 13
                 {
                     runnersUp.add(candidate);
                     ++state.report.droppedModels;
@@ -148,8 +149,8 @@ bool Ransac::terminate()
     return true;
 }
 
-/* No model can have more inliers than one that has more than half of the points beside its own sample, unless it shares most of
-them: whatever points the samples prefer, they do not miss it. */
+/* No model can have more inliers than one that has more than half of the points beside its own sample, unless it shares
+most of them: whatever points the samples prefer, they do not miss it. */
 int Ransac::samplesThatCount() const
 {
     const int m = parts.minimalSolver->sampleSize();
@@ -182,10 +183,13 @@ void Ransac::drawBatch()
 
 void Ransac::hypothesizeBatch()
 {
-    parallel_for_(Range(0, (int)batch.size()), [this](const Range& range) {
-        for (int i = range.start; i < range.end; ++i)
-            hypothesize(i, batch[i]);
-    }, threads);
+    parallel_for_(
+        Range(0, (int)batch.size()),
+        [this](const Range& range) {
+            for (int i = range.start; i < range.end; ++i)
+                hypothesize(i, batch[i]);
+        },
+        threads);
 }
 
 //! Called by several threads at once: writes to its own hypotheses only.
@@ -194,48 +198,49 @@ void Ransac::hypothesize(int index, Hypotheses& h) const
     const int* sample = samples[index].val;
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
     h.rejectedSample = h.repeated = false;
-    for (size_t d = 0; d < parts.degeneracies.size() && !h.rejectedSample; ++d)             // 4
+    for (size_t d = 0; d < parts.degeneracies.size() && !h.rejectedSample; ++d)  // 4
         h.rejectedSample = !parts.degeneracies[d]->validSample(context, sample);
     for (size_t d = 0; d < parts.degeneracies.size() && h.rejectedSample && !h.repeated; ++d)
         h.repeated = parts.degeneracies[d]->mayBeGood(context, sample);
     if (h.rejectedSample)
-        return;                                                                             // 5
-    h.computed = parts.minimalSolver->solve(context.points, sample, h.models);              // 6
+        return;                                                                 // 5
+    h.computed = parts.minimalSolver->solve(context.points, sample, h.models);  // 6
     Rng rotation(context.params.seed, ROTATION_STREAM + firstOfBatch + index);
-    for (int k = 0; k < h.computed; ++k)                                                    // 7
+    for (int k = 0; k < h.computed; ++k)  // 7
     {
         const Model& model = h.models[k];
         bool valid = true;
-        for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)                     // 8
+        for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)  // 8
             valid = parts.degeneracies[d]->validModel(context, sample, model);
         if (!valid)
         {
             ++h.rejected;
-            continue;                                                                       // 9
+            continue;  // 9
         }
         const int start = rotation.uniform(context.points.size) & ~15;
         int inliers = 0, tested = 0;
-        const bool passed = !parts.verifier || parts.verifier->preTest(context, model, rotation, inliers, tested); // 10
+        const bool passed = !parts.verifier ||
+                            parts.verifier->preTest(context, model, rotation, inliers, tested);  // 10
         h.firstInliers += inliers;
         h.firstTested += tested;
         if (!passed)
         {
             ++h.refused;
-            continue;                                                                       // 11
+            continue;  // 11
         }
-        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start, h.errors); // 10, 12
+        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start, h.errors);  // 10, 12
         if (tested == 0)  // else only models that have passed would count
         {
             h.firstInliers += rating.firstInliers;
             h.firstTested += rating.firstTested;
         }
-        if (rating.complete)                                                                // 13
+        if (rating.complete)  // 13
         {
             h.models[h.count] = model;  // those kept move to the front
             h.qualities[h.count++] = rating.quality;
         }
         else if (rating.refused)
-            h.costs[h.stopped++] = rating.costBefore;                                       // 11
+            h.costs[h.stopped++] = rating.costBefore;  // 11
         else
             ++h.dropped;
     }
@@ -243,7 +248,8 @@ void Ransac::hypothesize(int index, Hypotheses& h) const
 
 /* A model that is better than the models of all samples before. Here the paper compares with the optimized best model;
 but a good model from a noisy sample is often worse than a bad one after its optimization, and would never be optimized.
-`before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way of others.
+`before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way
+of others.
 */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
@@ -251,27 +257,28 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
     Quality quality = candidate.quality;
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
     const double yield = state.yield;
-    const bool valid = recover(candidate.sample.val, model, quality);                      // 14
+    const bool valid = recover(candidate.sample.val, model, quality);  // 14
     if (!valid || candidate.quality.betterThan(quality))
         state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
     if (!valid)
-        return;                                                                             // 15, 16
+        return;  // 15, 16
     if (parts.localOptimizer)
-        optimize(model, quality);                                                           // 19 - 24
-    if (!quality.betterThan(state.bestQuality))                                             // 18
+        optimize(model, quality);                // 19 - 24
+    if (!quality.betterThan(state.bestQuality))  // 18
     {
         state.yield = yield;  // that of the best model
         return;
     }
-    state.best = model;                                                                     // 25
+    state.best = model;  // 25
     state.bestQuality = quality;
-    updateTermination();                                                                    // 26
+    updateTermination();  // 26
 }
 
 double Ransac::uselessCost() const
 {
     const double best = state.sampleQuality.cost, size = context.points.size;
-    // runners-up may be better than the best one, where a check has lowered the quality of theirs when they were the best
+    // runners-up may be better than the best one, where a check has lowered the quality of theirs when they were the
+    // best
     return std::max(best, std::min(runnersUp.uselessCost(best), size - WORTHWHILE * (size - best)));
 }
 
@@ -316,15 +323,14 @@ void Ransac::optimize(Model& model, Quality& quality)
         Model optimized = model;
         Quality optimizedQuality = quality;
         ++state.report.localOptimizations;
-        if (!parts.localOptimizer->optimize(context, state, optimized, optimizedQuality))   // 19
+        if (!parts.localOptimizer->optimize(context, state, optimized, optimizedQuality))  // 19
             break;
         const Quality before = optimizedQuality;
-        if (!optimizedQuality.betterThan(state.bestQuality) ||
-            !recover(0, optimized, optimizedQuality) ||                                     // 20, 21
-            !optimizedQuality.betterThan(quality))                                          // 22, 23
+        if (!optimizedQuality.betterThan(state.bestQuality) || !recover(0, optimized, optimizedQuality) ||  // 20, 21
+            !optimizedQuality.betterThan(quality))                                                          // 22, 23
             break;
         ++state.report.localImprovements;
-        model = optimized;                                                                  // 24
+        model = optimized;  // 24
         quality = optimizedQuality;
         again = optimizedQuality.betterThan(before);
     }
@@ -377,5 +383,5 @@ void Ransac::require(double wanted, bool all, int reason)
     (all ? reasonOfAll : requiredReason) = reason;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -16,30 +16,31 @@ struct Hypotheses
     int count;
     Model models[MAX_MODELS];
     Quality qualities[MAX_MODELS];
-    bool rejectedSample;                   //!< by a check
-    bool repeated;                         //!< rejected, but may be a good one in which a match is twice
+    bool rejectedSample;                       //!< by a check
+    bool repeated;                             //!< rejected, but may be a good one in which a match is twice
     int computed, rejected, refused, dropped;  //!< models, for the report
-    int firstInliers, firstTested;         //!< of their first blocks, for the verifier
-    int stopped;                           //!< models that the verifier dropped while they were rated
-    double costs[MAX_MODELS];              //!< theirs before their last block
-    std::vector<float> errors;             //!< memory, see rate()
+    int firstInliers, firstTested;             //!< of their first blocks, for the verifier
+    int stopped;                               //!< models that the verifier dropped while they were rated
+    double costs[MAX_MODELS];                  //!< theirs before their last block
+    std::vector<float> errors;                 //!< memory, see rate()
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
 
 Samples are drawn in batches. Their models are computed and rated one after the other, or by several threads, and in
-either case looked at in the order of the samples. What decides (samples, verification, the best model at the time of the
-look) is the same in both cases, so the number of threads does not change a bit of the result. Of the first batch, only the best
-model is optimized: the first models are soon beaten @cite lebeda2012fixing. When the search is about to end, the runners-up
-(Params::runnersUp) are optimized, too; if one of them becomes the best model, the criteria are asked again. */
+either case looked at in the order of the samples. What decides (samples, verification, the best model at the time of
+the look) is the same in both cases, so the number of threads does not change a bit of the result. Of the first batch,
+only the best model is optimized: the first models are soon beaten @cite lebeda2012fixing. When the search is about to
+end, the runners-up (Params::runnersUp) are optimized, too; if one of them becomes the best model, the criteria are
+asked again. */
 class Ransac
 {
 public:
     //! `checkSamples`: the sampler may make mistakes.
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
-    /** Fills State::best; its quality stays infinite if no model was found. Searches until a criterion ends the search, or so
-    many samples have been drawn. @return false in the second case; the search goes on when it is called again. */
+    /** Fills State::best; its quality stays infinite if no model was found. Searches until a criterion ends the search,
+    or so many samples have been drawn. @return false in the second case; the search goes on when it is called again. */
     bool run(int pause = INT_MAX);
     //! The threshold has changed: rates and optimizes the best model anew, and forgets what others were worth.
     void thresholdChanged();
@@ -71,7 +72,7 @@ private:
     std::vector<Hypotheses> batch;  //!< theirs, or those of the present sample
     RunnersUp runnersUp;
     const int threads;
-    int firstOfBatch;   //!< number of its first sample
+    int firstOfBatch;  //!< number of its first sample
     const int exhaustive;
     //! Samples that count, and samples in all, after which the run can stop, and the criterion that says so.
     int required, requiredReason, requiredOfAll, reasonOfAll;
@@ -79,7 +80,7 @@ private:
     const bool checkSamples;
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

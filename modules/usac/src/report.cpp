@@ -11,19 +11,25 @@ Report::Report()
     : stop(STOP_NOT_RUN), iterations(0), rejectedSamples(0), degenerateSamples(0), models(0), rejectedModels(0),
       refusedModels(0), droppedModels(0), localOptimizations(0), localImprovements(0), degenerate(false), inliers(0),
       independentInliers(0), chance(1), threshold(0), cost(0), setupMs(0), searchMs(0), localMs(0), polishMs(0)
-{
-}
+{}
 
 String Report::describe() const
 {
-    static const char* const reasons[] = {
-        "nothing was run", "no model: too few finite correspondences", "no model: no sample gave one",
-        "maximum of iterations", "standard criterion", "SPRT criterion", "P-NAPSAC criterion", "custom criterion",
-        "PROSAC criterion", "MAGSAC criterion", "no model: none that random points would not give"};
+    static const char* const reasons[] = {"nothing was run",
+                                          "no model: too few finite correspondences",
+                                          "no model: no sample gave one",
+                                          "maximum of iterations",
+                                          "standard criterion",
+                                          "SPRT criterion",
+                                          "P-NAPSAC criterion",
+                                          "custom criterion",
+                                          "PROSAC criterion",
+                                          "MAGSAC criterion",
+                                          "no model: none that random points would not give"};
     const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NOT_SIGNIFICANT ? reasons[stop] : "unknown reason";
     return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s", inliers, cost,
                   iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "");
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -18,20 +18,18 @@ namespace usacv20 {
 
 namespace {
 
-double milliseconds(int64 since)
-{
-    return (getTickCount() - since) / getTickFrequency() * 1e3;
-}
+double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
 
-/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. It grows to
-that if it is less than two thirds of it, and shrinks to it where it is too wide by a half, which costs more time than accuracy.
+/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. It
+grows to that if it is less than two thirds of it, and shrinks to it where it is too wide by a half, which costs more
+time than accuracy.
 */
 const double REACH = 5, GROWS = 1.5, SHRINKS = 0.7;
 
 //! Params::significance 0: the limit, and the part of the points that must be able to reach it.
 const double LIMIT = 0.01, DECISIVE = 0.25;
-/* Part of what a model gains over no model at all that must be left after polishing. With 0.9 polishing is undone where the
-threshold is no more than the noise: the error of H is 3.1 times that of least squares, with 0.5 it is 1.2. */
+/* Part of what a model gains over no model at all that must be left after polishing. With 0.9 polishing is undone where
+the threshold is no more than the noise: the error of H is 3.1 times that of least squares, with 0.5 it is 1.2. */
 const double KEPT = 0.5;
 //! Chances that are smaller need not be known.
 const double CLEAR = 1e-6;
@@ -98,10 +96,11 @@ private:
         state.report.iterations = state.iteration;
     }
 
-    /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half of its
-    samples have been drawn. (With a reach that is far too small models are rated by few points, and no criterion ends the search.
-    Earlier, the right model may not yet be found, and a wrong one that shows more noise, between two planes, say, would be taken
-    for it.) At last it may also shrink again, as poor models show more noise than there is. */
+    /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half
+    of its samples have been drawn. (With a reach that is far too small models are rated by few points, and no criterion
+    ends the search. Earlier, the right model may not yet be found, and a wrong one that shows more noise, between two
+    planes, say, would be taken for it.) At last it may also shrink again, as poor models show more noise than there is.
+  */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         const double least = params.reach;
@@ -125,7 +124,8 @@ private:
         ransac.thresholdChanged();
     }
 
-    //! The reach that suits the errors of the best model, between `least` and the widest; the present one if there is none.
+    //! The reach that suits the errors of the best model, between `least` and the widest; the present one if there is
+    //! none.
     double reachOf(const Context& context, const State& state, double least)
     {
         const Correspondences& p = context.points;
@@ -135,7 +135,8 @@ private:
         parts.residual->squaredErrors(p, state.best, 0, (int)errors.size(), errors.data());
         const int m = parts.minimalSolver->sampleSize();
         const double sigma = SignificantScale::estimate(errors.data(), (int)errors.size(), p.threshold,
-                                                        p.problem->randomInlierRatio(p), p.problem->errorDimension(), m);
+                                                        p.problem->randomInlierRatio(p), p.problem->errorDimension(),
+                                                        m);
         return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 
@@ -146,15 +147,16 @@ private:
         const double limit = automatic ? LIMIT : params.significance;
         const SearchEffort effort = {parts.minimalSolver->sampleSize(), (double)learned.iterations,
                                      (double)learned.models - learned.rejectedModels,
-                                     params.quality == QUALITY_INLIERS && parts.localOptimizer, params.quality == QUALITY_LMEDS};
+                                     params.quality == QUALITY_INLIERS && parts.localOptimizer,
+                                     params.quality == QUALITY_LMEDS};
         const double grown = std::max(params.reach / givenReach, 1.);  // as far as the threshold is below the noise
         Significance test(*parts.residual, model, data->points(), data->maskThreshold() * grown, effort);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
         return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
     }
 
-    /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse after it,
-    the model stays as the search found it. @return quality of the model */
+    /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse
+    after it, the model stays as the search found it. @return quality of the model */
     Quality polish(const Context& context, Model& best)
     {
         const Model found = problem->closest(best);
@@ -219,13 +221,14 @@ private:
     bool used;  //!< the components have been used, or made for other points
 };
 
-} // namespace
+}  // namespace
 
 Ptr<Usac> Usac::create(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
                        InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
                        InputArray distCoeffs2)
 {
-    return create(createProblem(problem, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2), points1, points2, params);
+    return create(createProblem(problem, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2), points1, points2,
+                  params);
 }
 
 Ptr<Usac> Usac::create(const Ptr<Problem>& problem, InputArray points1, InputArray points2, const Params& params)
@@ -235,5 +238,5 @@ Ptr<Usac> Usac::create(const Ptr<Problem>& problem, InputArray points1, InputArr
     return makePtr<UsacImpl>(problem, points1, points2, params);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -12,13 +12,10 @@ const char* nameOf(ProblemType problem)
     return names[problem];
 }
 
-Matx33d sceneCamera()
-{
-    return makeScene(ESSENTIAL).K;
-}
+Matx33d sceneCamera() { return makeScene(ESSENTIAL).K; }
 
-Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
-                   OutputArray mask, Report& report, InputArray K)
+Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                   Report& report, InputArray K)
 {
     if (problem == HOMOGRAPHY)
         return estimateHomography(points1, points2, params, mask, report);
@@ -59,7 +56,8 @@ void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const
     checkResult(scene, pixels, model, mask, report, widestReach);
 }
 
-void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report, double widestReach)
+void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report,
+                 double widestReach)
 {
     Params params;
     params.widestReach = widestReach;  // with a growing reach a right model may have no inliers
@@ -76,12 +74,14 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
 
 std::vector<NamedPreset> allPresets()
 {
-    const NamedPreset all[] = {
-        {"usacV20", Params::usacV20()}, {"fast", Params::fast()}, {"accurate", Params::accurate()},
-        {"sorted", Params::sorted()}, {"parallel", Params::parallel()}, {"ransac", Params::ransac()},
-        {"msac", Params::msac()}, {"lmeds", Params::lmeds()}, {"mlesac", Params::mlesac()}, {"prosac", Params::prosac()},
-        {"loRansac", Params::loRansac()}, {"floRansac", Params::floRansac()}, {"gcRansac", Params::gcRansac()},
-        {"usac2013", Params::usac2013()}, {"magsac", Params::magsac()}, {"magsacPlusPlus", Params::magsacPlusPlus()}};
+    const NamedPreset all[] = {{"usacV20", Params::usacV20()},   {"fast", Params::fast()},
+                               {"accurate", Params::accurate()}, {"sorted", Params::sorted()},
+                               {"parallel", Params::parallel()}, {"ransac", Params::ransac()},
+                               {"msac", Params::msac()},         {"lmeds", Params::lmeds()},
+                               {"mlesac", Params::mlesac()},     {"prosac", Params::prosac()},
+                               {"loRansac", Params::loRansac()}, {"floRansac", Params::floRansac()},
+                               {"gcRansac", Params::gcRansac()}, {"usac2013", Params::usac2013()},
+                               {"magsac", Params::magsac()},     {"magsacPlusPlus", Params::magsacPlusPlus()}};
     return std::vector<NamedPreset>(all, all + sizeof(all) / sizeof(all[0]));
 }
 
@@ -95,22 +95,24 @@ void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, Inpu
     if (problem == HOMOGRAPHY)
         m = findHomography(points1, points2, flag, params.threshold, other, params.maxIterations, params.confidence);
     else if (problem == FUNDAMENTAL)
-        m = findFundamentalMat(points1, points2, flag, params.threshold, params.confidence, params.maxIterations, other);
+        m = findFundamentalMat(points1, points2, flag, params.threshold, params.confidence, params.maxIterations,
+                               other);
     else
-        m = findEssentialMat(points1, points2, K, flag, params.confidence, params.threshold, params.maxIterations, other);
+        m = findEssentialMat(points1, points2, K, flag, params.confidence, params.threshold, params.maxIterations,
+                             other);
     EXPECT_TRUE(sameBits(model, m) && sameBits(mask, other)) << "flag " << (int)flag;
     if (problem == ESSENTIAL && K(0, 0) == K(1, 1) && K(0, 1) == 0)
     {
-        m = findEssentialMat(points1, points2, K(0, 0), Point2d(K(0, 2), K(1, 2)), flag, params.confidence, params.threshold,
-                             params.maxIterations, other);
+        m = findEssentialMat(points1, points2, K(0, 0), Point2d(K(0, 2), K(1, 2)), flag, params.confidence,
+                             params.threshold, params.maxIterations, other);
         EXPECT_TRUE(sameBits(model, m) && sameBits(mask, other)) << "flag " << (int)flag << ", focal length";
     }
 }
 
-} // namespace
+}  // namespace
 
-std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                               double pixels, int maxIterations, const Matx33d& K)
+std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
+                               const std::vector<Point2d>& points2, double pixels, int maxIterations, const Matx33d& K)
 {
     const std::vector<NamedPreset> presets = allPresets();
     std::vector<Mat> models;
@@ -129,8 +131,8 @@ std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& 
         EXPECT_TRUE(found || report.threshold == pixels) << report.threshold;
         EXPECT_TRUE(sameBits(models[i], Usac::create(problem, points1, points2, params, K)->run(other)));
         EXPECT_TRUE(sameBits(mask, other)) << "Usac::create";
-        const UsacV20Method flags[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_MAGSAC,
-                                       USACV20_PARALLEL};
+        const UsacV20Method flags[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
+                                       USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
         const char* names[] = {"usacV20", "fast", "accurate", "sorted", "magsacPlusPlus", "parallel"};
         for (int f = 0; f < 6; ++f)
             if (std::string(names[f]) == presets[i].name)
@@ -139,4 +141,4 @@ std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& 
     return models;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test

@@ -13,10 +13,11 @@ namespace opencv_test {
 class Draw
 {
 public:
-    Draw(ProblemType problem, int count, const Ptr<Sampler>& sampler_, uint64 seed_ = 0, const Params& params_ = ordered())
-        : params(params_), sampler(sampler_), scene(makeScene(problem, optionsOf(count))), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params), m(usac->components().minimalSolver->sampleSize()),
-          seed(seed_)
+    Draw(ProblemType problem, int count, const Ptr<Sampler>& sampler_, uint64 seed_ = 0,
+         const Params& params_ = ordered())
+        : params(params_), sampler(sampler_), scene(makeScene(problem, optionsOf(count))),
+          usac(createUsac(scene, params)), context(usac->points(), usac->components(), params),
+          m(usac->components().minimalSolver->sampleSize()), seed(seed_)
     {
         state.order.resize(count);
         for (int i = 0; i < count; ++i)  // any permutation
@@ -85,8 +86,8 @@ inline double deviation(const std::vector<int>& counts, double total)
     return (sum - freedom) / std::sqrt(2 * freedom);
 }
 
-/** T'_n of PROSAC's algorithm as published for n = 0 .. N, from the product that defines T_n, which goes to `uniform`. T_N: no more
-samples than there are. */
+/** T'_n of PROSAC's algorithm as published for n = 0 .. N, from the product that defines T_n, which goes to `uniform`.
+T_N: no more samples than there are. */
 inline std::vector<double> publishedGrowth(int N, int m, std::vector<double>* uniform = 0)
 {
     long double subsets = 1;
@@ -105,6 +106,6 @@ inline std::vector<double> publishedGrowth(int N, int m, std::vector<double>* un
     return limit;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

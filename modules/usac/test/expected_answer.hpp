@@ -53,6 +53,6 @@ inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33
     K(2, 2) = 1;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

@@ -37,8 +37,8 @@ Answer run(const FuzzInput& input, int threads)
         else if (input.problem == FUNDAMENTAL)
             answer.model = estimateFundamental(input.points1, input.points2, params, answer.mask, answer.report);
         else
-            answer.model = estimateEssential(input.points1, input.points2, input.K1, input.K2, input.d1, input.d2, params,
-                                             answer.mask, answer.report);
+            answer.model = estimateEssential(input.points1, input.points2, input.K1, input.K2, input.d1, input.d2,
+                                             params, answer.mask, answer.report);
     }
     catch (const cv::Exception& e)
     {
@@ -88,12 +88,14 @@ int wrongArguments(const FuzzInput& input)
 bool namesAnArgument(const std::string& message)
 {
     static const char* const names[] = {
-        "threshold", "confidence", "maxIterations", "threads", "sampler", "ordering", "scores", "scoreOrder", "neighborhood",
-        "neighbors", "neighborRadius", "residual", "quality", "reach", "widestReach", "verification", "tddPoints",
-        "localOptimization", "localIterations", "localSampleMultiple", "localSamples", "spatialWeight", "runnersUp",
-        "orderedEvery", "termination", "relaxation", "persistence", "degeneracy", "polishing", "polishingSteps", "significance",
-        "points1", "points2",
-        "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2"};
+        "threshold",      "confidence",    "maxIterations",     "threads",         "sampler",
+        "ordering",       "scores",        "scoreOrder",        "neighborhood",    "neighbors",
+        "neighborRadius", "residual",      "quality",           "reach",           "widestReach",
+        "verification",   "tddPoints",     "localOptimization", "localIterations", "localSampleMultiple",
+        "localSamples",   "spatialWeight", "runnersUp",         "orderedEvery",    "termination",
+        "relaxation",     "persistence",   "degeneracy",        "polishing",       "polishingSteps",
+        "significance",   "points1",       "points2",           "cameraMatrix1",   "cameraMatrix2",
+        "distCoeffs1",    "distCoeffs2"};
     for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); ++i)
         if (message.compare(0, std::strlen(names[i]), names[i]) == 0)
             return true;
@@ -118,9 +120,10 @@ std::string brokenRepetition(const Answer& a, const Answer& b)
         return "another exception the second time: " + b.exception;
     if (!sameBits(a.model, b.model) || !sameBits(a.mask, b.mask))
         return "another result the second time";
-    const bool same = r.stop == s.stop && r.iterations == s.iterations && r.models == s.models && r.inliers == s.inliers &&
-                      r.independentInliers == s.independentInliers && r.cost == s.cost && r.chance == s.chance &&
-                      r.threshold == s.threshold && r.localOptimizations == s.localOptimizations;
+    const bool same = r.stop == s.stop && r.iterations == s.iterations && r.models == s.models &&
+                      r.inliers == s.inliers && r.independentInliers == s.independentInliers && r.cost == s.cost &&
+                      r.chance == s.chance && r.threshold == s.threshold &&
+                      r.localOptimizations == s.localOptimizations;
     return same ? "" : "another report the second time: " + s.describe();
 }
 
@@ -128,12 +131,14 @@ std::string brokenAnswer(const FuzzInput& input, const Answer& answer)
 {
     const int wrong = wrongArguments(input);
     if (!answer.exception.empty())
-        return wrong == 0 ? "refused without a reason: " + answer.exception :
-               !namesAnArgument(answer.exception) ? "no argument is named: " + answer.exception : "";
-    return wrong == 1 ? "a wrong argument is not refused" : brokenResult(input, answer.model, answer.mask, answer.report);
+        return wrong == 0                           ? "refused without a reason: " + answer.exception
+               : !namesAnArgument(answer.exception) ? "no argument is named: " + answer.exception
+                                                    : "";
+    return wrong == 1 ? "a wrong argument is not refused"
+                      : brokenResult(input, answer.model, answer.mask, answer.report);
 }
 
-} // namespace
+}  // namespace
 
 std::string brokenContract(const FuzzInput& input)
 {
@@ -147,4 +152,4 @@ std::string brokenContract(const FuzzInput& input)
     return broken.empty() ? brokenRepetition(first, second) : broken;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test

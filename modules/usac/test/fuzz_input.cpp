@@ -33,7 +33,8 @@ public:
     int byte() { return at < end ? *at++ : 0; }
     int below(int count) { return byte() % count; }
 
-    template <class T> T value()
+    template <class T>
+    T value()
     {
         uchar bytes[sizeof(T)];
         for (size_t i = 0; i < sizeof(T); ++i)
@@ -46,9 +47,38 @@ public:
     //! Numbers that programs trip over, round numbers, and any other.
     double number()
     {
-        static const double special[] = {0, -0., 1, -1, 2, 0.5, 3, 10, 100, 1e5, 1e-3, 1e3, 1e-9, 1e9, 1e30, -1e30, 1e-30, 1e160,
-                                         1e-160, 1e300, -1e300, 5e-324, 1e-310, DBL_MAX, -DBL_MAX, DBL_MIN, NOT_A_NUMBER,
-                                         INFINITE, -INFINITE, 1 - DBL_EPSILON / 2, 1 + DBL_EPSILON, 0.99};
+        static const double special[] = {0,
+                                         -0.,
+                                         1,
+                                         -1,
+                                         2,
+                                         0.5,
+                                         3,
+                                         10,
+                                         100,
+                                         1e5,
+                                         1e-3,
+                                         1e3,
+                                         1e-9,
+                                         1e9,
+                                         1e30,
+                                         -1e30,
+                                         1e-30,
+                                         1e160,
+                                         1e-160,
+                                         1e300,
+                                         -1e300,
+                                         5e-324,
+                                         1e-310,
+                                         DBL_MAX,
+                                         -DBL_MAX,
+                                         DBL_MIN,
+                                         NOT_A_NUMBER,
+                                         INFINITE,
+                                         -INFINITE,
+                                         1 - DBL_EPSILON / 2,
+                                         1 + DBL_EPSILON,
+                                         0.99};
         const int kind = byte();
         if (kind < 32)
             return special[kind];
@@ -59,7 +89,8 @@ public:
 
     int integer()
     {
-        static const int special[] = {INT_MAX, INT_MIN, -1, 0, 1, 2, 7, 63, 64, 100, 101, 1000, 1001, 1024, 1025, 65536};
+        static const int special[] = {INT_MAX, INT_MIN, -1,  0,    1,    2,    7,    63,
+                                      64,      100,     101, 1000, 1001, 1024, 1025, 65536};
         const int kind = byte();
         return kind < 16 ? special[kind] : kind < 128 ? below(8) : kind < 192 ? value<schar>() : value<int>();
     }
@@ -71,10 +102,10 @@ private:
 
 Params preset(int number)
 {
-    static Params (*const presets[])() = {
-        Params::usacV20, Params::fast, Params::accurate, Params::sorted, Params::parallel, Params::ransac, Params::msac,
-        Params::lmeds, Params::mlesac, Params::prosac, Params::loRansac, Params::floRansac, Params::gcRansac, Params::usac2013,
-        Params::magsac, Params::magsacPlusPlus};
+    static Params (*const presets[])() = {Params::usacV20,  Params::fast,     Params::accurate, Params::sorted,
+                                          Params::parallel, Params::ransac,   Params::msac,     Params::lmeds,
+                                          Params::mlesac,   Params::prosac,   Params::loRansac, Params::floRansac,
+                                          Params::gcRansac, Params::usac2013, Params::magsac,   Params::magsacPlusPlus};
     return presets[number % 16]();
 }
 
@@ -89,8 +120,8 @@ Params readParams(Bytes& bytes)
 {
     Params params = preset(bytes.byte());
     params.maxIterations = 20;
-    static const std::vector<std::pair<std::string, int Params::*> > ints = Fields::ints();
-    static const std::vector<std::pair<std::string, double Params::*> > doubles = Fields::doubles();
+    static const std::vector<std::pair<std::string, int Params::*>> ints = Fields::ints();
+    static const std::vector<std::pair<std::string, double Params::*>> doubles = Fields::doubles();
     for (int changes = bytes.below(8); changes > 0; --changes)
     {
         const int field = bytes.below((int)(ints.size() + doubles.size()));
@@ -135,7 +166,8 @@ Mat readDistortion(Bytes& bytes)
     for (int i = 0; i < coefficients.cols; ++i)
     {
         const int value = bytes.value<schar>();
-        coefficients.at<double>(i) = value == SCHAR_MIN ? bytes.number() : value * value * value / (1e6 * (i > 3 ? 100 : 1));
+        coefficients.at<double>(i) = value == SCHAR_MIN ? bytes.number()
+                                                        : value * value * value / (1e6 * (i > 3 ? 100 : 1));
     }
     return coefficients;
 }
@@ -195,8 +227,9 @@ void edit(Bytes& bytes, std::vector<Point2d>& points1, std::vector<Point2d>& poi
     {
         const double number = bytes.number();
         for (size_t i = 0; i < points.size(); ++i)
-            points[i] = kind == 5 ? points[i] * number : kind == 6 ? points[i] + Point2d(number, 0) :
-                                                                     Point2d(points[i].x, number);
+            points[i] = kind == 5   ? points[i] * number
+                        : kind == 6 ? points[i] + Point2d(number, 0)
+                                    : Point2d(points[i].x, number);
     }
 }
 
@@ -216,7 +249,7 @@ void readPoints(Bytes& bytes, FuzzInput& input)
         edit(bytes, input.points1, input.points2);
 }
 
-} // namespace
+}  // namespace
 
 FuzzInput readFuzzInput(const uchar* data, size_t size)
 {
@@ -238,4 +271,4 @@ FuzzInput readFuzzInput(const uchar* data, size_t size)
     return input;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test

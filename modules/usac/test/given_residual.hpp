@@ -28,6 +28,6 @@ public:
     std::vector<float> given;
 };
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

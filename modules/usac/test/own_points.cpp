@@ -50,4 +50,4 @@ OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1, c
     }
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test

@@ -30,6 +30,6 @@ private:
     OwnPoints& operator=(const OwnPoints&);
 };
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

@@ -17,9 +17,9 @@ using cv::usacv20::Params;
 //! The fields of Params but for the scores, by name.
 struct Fields
 {
-    static std::vector<std::pair<std::string, int Params::*> > ints()
+    static std::vector<std::pair<std::string, int Params::*>> ints()
     {
-        std::vector<std::pair<std::string, int Params::*> > f;
+        std::vector<std::pair<std::string, int Params::*>> f;
         f.push_back(std::make_pair("maxIterations", &Params::maxIterations));
         f.push_back(std::make_pair("seed", &Params::seed));
         f.push_back(std::make_pair("threads", &Params::threads));
@@ -46,9 +46,9 @@ struct Fields
         return f;
     }
 
-    static std::vector<std::pair<std::string, double Params::*> > doubles()
+    static std::vector<std::pair<std::string, double Params::*>> doubles()
     {
-        std::vector<std::pair<std::string, double Params::*> > f;
+        std::vector<std::pair<std::string, double Params::*>> f;
         f.push_back(std::make_pair("threshold", &Params::threshold));
         f.push_back(std::make_pair("confidence", &Params::confidence));
         f.push_back(std::make_pair("neighborRadius", &Params::neighborRadius));
@@ -74,6 +74,6 @@ struct Fields
     }
 };
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

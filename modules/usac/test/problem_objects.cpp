@@ -47,14 +47,12 @@ Parameterization::Parameterization(const Problem* problem, const Model& model) :
 
 bool Parameterization::hasFullRank() const
 {
-    return type == HOMOGRAPHY ? HomographyParameterization(given).hasFullRank()
-         : type == FUNDAMENTAL ? FundamentalParameterization(given).hasFullRank() : EssentialParameterization(given).hasFullRank();
+    return type == HOMOGRAPHY    ? HomographyParameterization(given).hasFullRank()
+           : type == FUNDAMENTAL ? FundamentalParameterization(given).hasFullRank()
+                                 : EssentialParameterization(given).hasFullRank();
 }
 
-int Parameterization::dimension() const
-{
-    return problemObject(type).dimension();
-}
+int Parameterization::dimension() const { return problemObject(type).dimension(); }
 
 Parameterization::Basis Parameterization::tangent() const
 {
@@ -67,15 +65,16 @@ Parameterization::Basis Parameterization::tangent() const
 
 Parameterization Parameterization::plus(const Step& step) const
 {
-    return Parameterization(type, type == HOMOGRAPHY ? HomographyParameterization(given).plus(step).model()
-                                : type == FUNDAMENTAL ? FundamentalParameterization(given).plus(step).model()
-                                : EssentialParameterization(given).plus(step).model());
+    return Parameterization(type, type == HOMOGRAPHY    ? HomographyParameterization(given).plus(step).model()
+                                  : type == FUNDAMENTAL ? FundamentalParameterization(given).plus(step).model()
+                                                        : EssentialParameterization(given).plus(step).model());
 }
 
 Model Parameterization::model() const
 {
-    return type == HOMOGRAPHY ? HomographyParameterization(given).model()
-         : type == FUNDAMENTAL ? FundamentalParameterization(given).model() : EssentialParameterization(given).model();
+    return type == HOMOGRAPHY    ? HomographyParameterization(given).model()
+           : type == FUNDAMENTAL ? FundamentalParameterization(given).model()
+                                 : EssentialParameterization(given).model();
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test

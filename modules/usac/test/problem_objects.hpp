@@ -13,14 +13,16 @@
 
 namespace opencv_test {
 
-//! The built-in problem of a type, for points on the normalized image plane. One object of each, which lives to the end.
+//! The built-in problem of a type, for points on the normalized image plane. One object of each, which lives to the
+//! end.
 const cv::usacv20::Problem& problemObject(cv::usacv20::ProblemType type);
 
 //! The built-in residual of a kind.
 cv::Ptr<cv::usacv20::Residual> residualOf(cv::usacv20::Residual::Kind kind);
 
 //! What the problem fits with a residual of a kind.
-cv::Ptr<cv::usacv20::NonMinimalSolver> createLeastSquaresSolver(cv::usacv20::ProblemType type, cv::usacv20::Residual::Kind kind);
+cv::Ptr<cv::usacv20::NonMinimalSolver> createLeastSquaresSolver(cv::usacv20::ProblemType type,
+                                                                cv::usacv20::Residual::Kind kind);
 
 //! The parameterization of any problem around a model, with matrices of any size.
 class Parameterization
@@ -43,6 +45,6 @@ private:
     cv::usacv20::Model given;
 };
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

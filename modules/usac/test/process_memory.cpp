@@ -26,7 +26,7 @@ double peakBytes()
     return getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_maxrss * 1024. : 0;
 }
 
-} // namespace
+}  // namespace
 
 bool memoryIsMeasurable()
 {
@@ -51,12 +51,9 @@ PeakMemory::PeakMemory()
     before = std::max(resident, peakBytes());
 }
 
-double PeakMemory::bytes() const
-{
-    return std::max(peakBytes() - before, 0.);
-}
+double PeakMemory::bytes() const { return std::max(peakBytes() - before, 0.); }
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #else
 
@@ -67,6 +64,6 @@ double residentBytes() { return 0; }
 PeakMemory::PeakMemory() : before(0) {}
 double PeakMemory::bytes() const { return before; }
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

@@ -9,7 +9,8 @@
 
 namespace opencv_test {
 
-//! False where there is no way to know, and under a sanitizer, which keeps memory that was freed and has some of its own.
+//! False where there is no way to know, and under a sanitizer, which keeps memory that was freed and has some of its
+//! own.
 bool memoryIsMeasurable();
 
 //! Bytes now, after what is free has been given back to the system.
@@ -28,6 +29,6 @@ private:
     double before;
 };
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

@@ -57,8 +57,8 @@ double RealSet::error(const Mat& estimated) const
     {
         const Vec3d x1(p1[i].x, p1[i].y, 1), x2(p2[i].x, p2[i].y, 1), y = M * x1, z = M.t() * x2;
         sum += problem == HOMOGRAPHY
-            ? std::hypot(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1])
-            : scale * std::abs(x2.dot(y)) / std::sqrt(y[0] * y[0] + y[1] * y[1] + z[0] * z[0] + z[1] * z[1]);
+                   ? std::hypot(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1])
+                   : scale * std::abs(x2.dot(y)) / std::sqrt(y[0] * y[0] + y[1] * y[1] + z[0] * z[0] + z[1] * z[1]);
     }
     return sum / p1.size();
 }
@@ -83,7 +83,7 @@ Mat RealSet::estimateWith(const Params& params, OutputArray mask, Report& report
 
 RealSet RealSet::sorted(double part) const
 {
-    std::vector<std::pair<float, int> > order;
+    std::vector<std::pair<float, int>> order;
     for (size_t i = 0; i < scores.size(); ++i)
         order.push_back(std::make_pair(scores[i], (int)i));
     std::sort(order.begin(), order.end());
@@ -101,4 +101,4 @@ RealSet RealSet::sorted(double part) const
     return result;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test

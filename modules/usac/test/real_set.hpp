@@ -30,6 +30,6 @@ struct RealSet
     cv::Mat model, K1, K2, d1, d2;
 };
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

@@ -19,8 +19,9 @@ namespace opencv_test {
 
 namespace {
 
-/** A number with a bound of what rounding to double may have changed in it: for sums and products in any order, some times the
-error of this one. So there is no tolerance to choose. Infinite where an intermediate result leaves the range of double. */
+/** A number with a bound of what rounding to double may have changed in it: for sums and products in any order, some
+times the error of this one. So there is no tolerance to choose. Infinite where an intermediate result leaves the range
+of double. */
 struct Bounded
 {
     Bounded(long double v = 0, long double e = 0) : value(v), error(e)
@@ -39,15 +40,13 @@ Bounded operator+(const Bounded& a, const Bounded& b)
     return Bounded(v, a.error + b.error + UNIT * std::abs(v));
 }
 
-Bounded operator-(const Bounded& a, const Bounded& b)
-{
-    return a + Bounded(-b.value, b.error);
-}
+Bounded operator-(const Bounded& a, const Bounded& b) { return a + Bounded(-b.value, b.error); }
 
 Bounded operator*(const Bounded& a, const Bounded& b)
 {
     const long double v = a.value * b.value;
-    return Bounded(v, std::abs(a.value) * b.error + (std::abs(b.value) + b.error) * a.error + UNIT * std::abs(v) + DBL_MIN);
+    return Bounded(v, std::abs(a.value) * b.error + (std::abs(b.value) + b.error) * a.error + UNIT * std::abs(v) +
+                          DBL_MIN);
 }
 
 Bounded operator/(const Bounded& a, const Bounded& b)
@@ -61,7 +60,8 @@ Bounded operator/(const Bounded& a, const Bounded& b)
 
 Bounded squareRoot(const Bounded& a)
 {
-    const long double high = std::sqrt(std::max(a.value, 0.L) + a.error), low = std::sqrt(std::max(a.value - a.error, 0.L));
+    const long double high = std::sqrt(std::max(a.value, 0.L) + a.error),
+                      low = std::sqrt(std::max(a.value - a.error, 0.L));
     return Bounded((high + low) / 2, (high - low) / 2 + UNIT * high);
 }
 
@@ -122,8 +122,8 @@ Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoi
     return squareRoot(symmetric ? r * r * (one / n1 + one / n2) : r * r / (n1 + n2));
 }
 
-/** Points of one image as the errors of the problem see them. What cv::undistortPoints makes of a point has no bound: then it
-gets the same doubles as the module's. */
+/** Points of one image as the errors of the problem see them. What cv::undistortPoints makes of a point has no bound:
+then it gets the same doubles as the module's. */
 std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const Mat& camera, const Mat& distortion)
 {
     std::vector<BoundedPoint> result(points.size());
@@ -166,14 +166,11 @@ double halfFocal(const Mat& K)
     return (std::abs(K.at<double>(0, 0) / K.at<double>(2, 2)) + std::abs(K.at<double>(1, 1) / K.at<double>(2, 2))) / 4;
 }
 
-bool finite(const Point2d& p)
-{
-    return std::abs(p.x) <= DBL_MAX && std::abs(p.y) <= DBL_MAX;
-}
+bool finite(const Point2d& p) { return std::abs(p.x) <= DBL_MAX && std::abs(p.y) <= DBL_MAX; }
 
 std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33d& model, const Mat& mask)
 {
-    const Mat& K1 = call.K1, &K2 = call.K2.empty() ? K1 : call.K2;
+    const Mat &K1 = call.K1, &K2 = call.K2.empty() ? K1 : call.K2;
     Bounded limit(threshold, UNIT * threshold), M[9];
     if (call.problem == ESSENTIAL)
         limit = limit / Bounded(halfFocal(K1) + halfFocal(K2));
@@ -195,8 +192,8 @@ std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33
         const Bounded error = modelError(call, M, points1[i], points2[i]);
         const bool decided = std::abs(error.value - limit.value) > error.error + limit.error;  // false for NaN
         if (decided && inlier != (error.value <= limit.value))
-            return format("row %d of the mask is %d, the error %.17Lg, the threshold %.17Lg", i, (int)inlier, error.value,
-                          limit.value);
+            return format("row %d of the mask is %d, the error %.17Lg, the threshold %.17Lg", i, (int)inlier,
+                          error.value, limit.value);
     }
     return "";
 }
@@ -223,14 +220,17 @@ std::string brokenModel(ProblemType problem, const Matx33d& M)
 
 std::string brokenReport(const Report& report, int inliers)
 {
-    const bool right = !report.describe().empty() && report.inliers == inliers && report.cost >= 0 && report.cost <= 1 &&
-                       report.chance >= 0 && report.chance <= 1 && report.threshold > 0 && report.threshold <= DBL_MAX &&
-                       report.independentInliers >= 0 && report.independentInliers <= inliers;  // false for NaN
-    return right ? "" : format("%d inliers in the mask; cost %g, chance %g, threshold %g, %d independent inliers; ", inliers,
-                               report.cost, report.chance, report.threshold, report.independentInliers) + report.describe();
+    const bool right = !report.describe().empty() && report.inliers == inliers && report.cost >= 0 &&
+                       report.cost <= 1 && report.chance >= 0 && report.chance <= 1 && report.threshold > 0 &&
+                       report.threshold <= DBL_MAX && report.independentInliers >= 0 &&
+                       report.independentInliers <= inliers;  // false for NaN
+    return right ? ""
+                 : format("%d inliers in the mask; cost %g, chance %g, threshold %g, %d independent inliers; ", inliers,
+                          report.cost, report.chance, report.threshold, report.independentInliers) +
+                       report.describe();
 }
 
-} // namespace
+}  // namespace
 
 std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat& mask, const Report& report)
 {
@@ -258,4 +258,4 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
     return broken.empty() ? brokenMask(call, report.threshold, M, mask) : broken;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test

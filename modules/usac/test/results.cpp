@@ -24,15 +24,21 @@ Hash& Hash::add(const Mat& mat)
 uint64 Result::exact() const
 {
     const Report& r = report;
-    const int counts[] = {r.stop, r.iterations, r.rejectedSamples, r.degenerateSamples, r.models, r.rejectedModels, r.refusedModels,
-                          r.droppedModels, r.localOptimizations, r.localImprovements, r.degenerate, r.inliers, r.independentInliers};
-    return Hash().add(model).add(mask).add(counts, sizeof(counts)).number(r.chance).number(r.threshold).number(r.cost).value();
+    const int counts[] = {
+        r.stop,           r.iterations,    r.rejectedSamples,   r.degenerateSamples,  r.models,
+        r.rejectedModels, r.refusedModels, r.droppedModels,     r.localOptimizations, r.localImprovements,
+        r.degenerate,     r.inliers,       r.independentInliers};
+    return Hash()
+        .add(model)
+        .add(mask)
+        .add(counts, sizeof(counts))
+        .number(r.chance)
+        .number(r.threshold)
+        .number(r.cost)
+        .value();
 }
 
-uint64 Result::robust() const
-{
-    return Hash().add(mask).number(report.iterations).number(report.stop).value();
-}
+uint64 Result::robust() const { return Hash().add(mask).number(report.iterations).number(report.stop).value(); }
 
 Result resultOf(const Scene& scene, const Params& params)
 {
@@ -41,4 +47,4 @@ Result resultOf(const Scene& scene, const Params& params)
     return result;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test

@@ -19,7 +19,11 @@ public:
 
     Hash& add(const void* data, size_t size);
     Hash& add(const Mat& mat);
-    template <class T> Hash& number(T value) { return add(&value, sizeof(value)); }
+    template <class T>
+    Hash& number(T value)
+    {
+        return add(&value, sizeof(value));
+    }
     uint64 value() const { return state; }
 
 private:
@@ -39,6 +43,6 @@ struct Result
 
 Result resultOf(const Scene& scene, const Params& params);
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

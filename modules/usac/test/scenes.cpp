@@ -24,10 +24,7 @@ const int MATCHES_OF_ONE_POINT = 10;
 //! Sides of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL, pixels.
 const double CLUSTER = 80, PATCH = 160;
 
-Matx33d crossMatrix(const Vec3d& v)
-{
-    return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0);
-}
+Matx33d crossMatrix(const Vec3d& v) { return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0); }
 
 Vec3d randomDirection(RNG& rng)
 {
@@ -38,10 +35,7 @@ Vec3d randomDirection(RNG& rng)
     return v * (1 / cv::norm(v));
 }
 
-bool inside(const Point2d& p)
-{
-    return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN;
-}
+bool inside(const Point2d& p) { return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN; }
 
 Point2d randomPixel(RNG& rng)
 {
@@ -76,7 +70,8 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     }
     const bool horizontal = options.motion == MOTION_PLANAR || options.motion == MOTION_CAR;
     const double turn = options.motion == MOTION_CAR ? rng.uniform(-angle, angle) : angle;
-    Rodrigues(horizontal ? Vec3d(0, turn, 0) : randomDirection(rng) * (options.motion == MOTION_RECTIFIED ? 0 : turn), scene.R);
+    Rodrigues(horizontal ? Vec3d(0, turn, 0) : randomDirection(rng) * (options.motion == MOTION_RECTIFIED ? 0 : turn),
+              scene.R);
     const double heading = rng.uniform(0., 2 * CV_PI);
     switch (options.motion)
     {
@@ -117,8 +112,7 @@ struct Geometry
 {
     Geometry(const Scene& scene_, const Vec3d& normal_, const SceneOptions& options_)
         : scene(scene_), normal(normal_), options(options_)
-    {
-    }
+    {}
 
     const Scene& scene;
     const Vec3d normal;
@@ -152,8 +146,7 @@ void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
         seenPoint(g, g.scene.problem == HOMOGRAPHY, rng, p1, p2);
         const double direction = rng.uniform(0., 2 * CV_PI), length = rng.uniform(MIN_SHIFT, MAX_SHIFT);
         p2 += Point2d(std::cos(direction), std::sin(direction)) * length;
-    }
-    while (!inside(p2) || pixelError(g.scene, g.scene.model, p1, p2) < MIN_SHIFT);
+    } while (!inside(p2) || pixelError(g.scene, g.scene.model, p1, p2) < MIN_SHIFT);
 }
 
 Point2d randomInSquare(RNG& rng, const Point2d& corner, double side)
@@ -172,7 +165,8 @@ struct OutlierStructure
         for (int k = 0; k < 2; ++k)
         {
             target[k] = randomPixel(rng);
-            corner[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - PATCH), rng.uniform(MARGIN, HEIGHT - MARGIN - PATCH));
+            corner[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - PATCH),
+                                rng.uniform(MARGIN, HEIGHT - MARGIN - PATCH));
         }
     }
 
@@ -184,9 +178,7 @@ struct OutlierStructure
         p2 = randomPixel(rng);
         switch (options.outlierModel)
         {
-        case OUTLIERS_TARGETS:
-            p2 = target[i % 2];
-            break;
+        case OUTLIERS_TARGETS: p2 = target[i % 2]; break;
         case OUTLIERS_LINE:
             if (i % 2 == 0)
                 p2 = target[0] + (target[1] - target[0]) * ((i / 2 + 0.5) / (options.outliers / 2 + 1));
@@ -200,8 +192,7 @@ struct OutlierStructure
                 if (follow(geometry, second.problem == HOMOGRAPHY, rng, p1 = randomInSquare(rng, corner[0], PATCH), p2))
                     return true;
             break;
-        default:
-            return false;
+        default: return false;
         }
         return true;
     }
@@ -258,7 +249,7 @@ void makeScores(Scene& scene, const SceneOptions& options)
     }
 }
 
-} // namespace
+}  // namespace
 
 void SceneOptions::setSize(int size, double inlierRatio)
 {
@@ -369,13 +360,10 @@ Mat estimate(const Scene& scene, const Params& params, OutputArray mask, Report*
 Matx33d toInternal(const Correspondences& points, const Matx33d& model)
 {
     const Matx33d M = points.problem->errorDimension() == 2 ? points.T2 * model * points.T1.inv()
-                                                   : points.T2.inv().t() * model * points.T1.inv();
+                                                            : points.T2.inv().t() * model * points.T1.inv();
     return M * (1 / cv::norm(M));
 }
 
-double modelDistance(const Matx33d& a, const Matx33d& b)
-{
-    return std::min(cv::norm(a - b), cv::norm(a + b));
-}
+double modelDistance(const Matx33d& a, const Matx33d& b) { return std::min(cv::norm(a - b), cv::norm(a + b)); }
 
-} // namespace opencv_test
+}  // namespace opencv_test

@@ -16,61 +16,65 @@ namespace opencv_test {
 enum { SCENE_WIDTH = 640, SCENE_HEIGHT = 480 };
 
 //! Where the wrong matches are.
-enum OutlierModel
-{
-    OUTLIERS_UNIFORM,     //!< anywhere in both images
-    OUTLIERS_LOCAL,       //!< a true match (H: on the plane), displaced in image 2 by 5 to 50 pixels, at least 5 off the model
-    OUTLIERS_MANY_TO_ONE, //!< in image 2 the point of a true match, about ten with the same; anywhere in image 1
-    OUTLIERS_TARGETS,     //!< in image 2 one of two points, but for noise; anywhere in image 1
-    OUTLIERS_LINE,        //!< every second one on one line of image 2, but for noise, the others anywhere
-    OUTLIERS_CLUSTERED,   //!< from one square of 80 pixels in image 1 to one in image 2
-    OUTLIERS_SECOND_MODEL //!< true matches of another motion (H: of another plane, too), from a square of 160 pixels in image 1
+enum OutlierModel {
+    OUTLIERS_UNIFORM,  //!< anywhere in both images
+    OUTLIERS_LOCAL,    //!< a true match (H: on the plane), displaced in image 2 by 5 to 50 pixels, at least 5 off the
+                       //!< model
+    OUTLIERS_MANY_TO_ONE,  //!< in image 2 the point of a true match, about ten with the same; anywhere in image 1
+    OUTLIERS_TARGETS,      //!< in image 2 one of two points, but for noise; anywhere in image 1
+    OUTLIERS_LINE,         //!< every second one on one line of image 2, but for noise, the others anywhere
+    OUTLIERS_CLUSTERED,    //!< from one square of 80 pixels in image 1 to one in image 2
+    OUTLIERS_SECOND_MODEL  //!< true matches of another motion (H: of another plane, too), from a square of 160 pixels
+                           //!< in image 1
 };
 
 //! How the camera moves from image 1 to image 2.
-enum Motion
-{
-    MOTION_GENERAL,   //!< mostly sideways, and a rotation; the camera turns to what it has seen
-    MOTION_FORWARD,   //!< along the optical axis, and a rotation about any axis
-    MOTION_SIDEWAYS,  //!< parallel to the image, and a rotation about any axis
-    MOTION_RECTIFIED, //!< along the rows, no rotation
-    MOTION_PLANAR,    //!< anywhere in the horizontal plane, and a rotation about the vertical axis
-    MOTION_CAR        //!< on a circle of the horizontal plane: forward by half the angle of the rotation about the vertical axis
+enum Motion {
+    MOTION_GENERAL,    //!< mostly sideways, and a rotation; the camera turns to what it has seen
+    MOTION_FORWARD,    //!< along the optical axis, and a rotation about any axis
+    MOTION_SIDEWAYS,   //!< parallel to the image, and a rotation about any axis
+    MOTION_RECTIFIED,  //!< along the rows, no rotation
+    MOTION_PLANAR,     //!< anywhere in the horizontal plane, and a rotation about the vertical axis
+    MOTION_CAR  //!< on a circle of the horizontal plane: forward by half the angle of the rotation about the vertical
+                //!< axis
 };
 
 //! What a synthetic scene looks like.
 struct SceneOptions
 {
     SceneOptions()
-        : inliers(200), outliers(100), noise(0.5), seed(1), planeFraction(0), frontalPlane(false), nearest(4), farthest(9),
-          duplicates(0), copies(1), motion(MOTION_GENERAL), angle(12), baseline(1), outlierModel(OUTLIERS_UNIFORM),
-          scoreInformation(0.5) {}
+        : inliers(200), outliers(100), noise(0.5), seed(1), planeFraction(0), frontalPlane(false), nearest(4),
+          farthest(9), duplicates(0), copies(1), motion(MOTION_GENERAL), angle(12), baseline(1),
+          outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5)
+    {}
 
     //! Sets `inliers` and `outliers`.
     void setSize(int size, double inlierRatio);
 
-    int inliers;              //!< true matches
-    int outliers;             //!< wrong matches
-    double noise;             //!< standard deviation in each of the four coordinates, pixels
+    int inliers;   //!< true matches
+    int outliers;  //!< wrong matches
+    double noise;  //!< standard deviation in each of the four coordinates, pixels
     uint64 seed;
-    double planeFraction;     //!< F, E: this part of the true matches lies on one plane; H: all do
-    bool frontalPlane;        //!< the plane is parallel to image 1; else any plane in front of the camera
-    double nearest, farthest; //!< depths of the points off the plane; the plane is at 6
-    int duplicates;           //!< of the true matches, this many are copies of others
-    int copies;               //!< each match is there so many times; `inliers` and `outliers` are numbers of different ones
+    double planeFraction;      //!< F, E: this part of the true matches lies on one plane; H: all do
+    bool frontalPlane;         //!< the plane is parallel to image 1; else any plane in front of the camera
+    double nearest, farthest;  //!< depths of the points off the plane; the plane is at 6
+    int duplicates;            //!< of the true matches, this many are copies of others
+    int copies;  //!< each match is there so many times; `inliers` and `outliers` are numbers of different ones
     Motion motion;
-    double angle;             //!< rotation between the cameras, degrees
-    double baseline;          //!< distance between the cameras
+    double angle;     //!< rotation between the cameras, degrees
+    double baseline;  //!< distance between the cameras
     OutlierModel outlierModel;
-    //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing, 1: all, near 0: upside down.
+    //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing, 1: all, near 0:
+    //! upside down.
     double scoreInformation;
 };
 
 /** @brief Two images of 640 x 480 pixels of points in space, with the exact model.
 
 Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0 they are as `points`.
-Scores lie between 0 and 1, lower is better: those of wrong matches are uniform, those of true matches are 1 - u^((1 - q) / q)
-with u uniform and q the option `scoreInformation`. H, F and E have the same cameras, F and E also the same points. */
+Scores lie between 0 and 1, lower is better: those of wrong matches are uniform, those of true matches are 1 - u^((1 -
+q) / q) with u uniform and q the option `scoreInformation`. H, F and E have the same cameras, F and E also the same
+points. */
 struct Scene
 {
     cv::usacv20::ProblemType problem;
@@ -110,6 +114,6 @@ cv::Matx33d toInternal(const cv::usacv20::Correspondences& points, const cv::Mat
 //! Norm of the difference of two models of unit Frobenius norm, up to sign.
 double modelDistance(const cv::Matx33d& a, const cv::Matx33d& b);
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

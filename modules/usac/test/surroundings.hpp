@@ -33,7 +33,8 @@ inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1, std
 struct Surroundings
 {
     explicit Surroundings(const Correspondences& points, const Params& params_ = Params())
-        : params(params_), context(points, components, params) {}
+        : params(params_), context(points, components, params)
+    {}
 
     Params params;
     Components components;
@@ -50,6 +51,6 @@ inline std::set<int> membersOf(Neighborhood& neighborhood, const Context& contex
     return result;
 }
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

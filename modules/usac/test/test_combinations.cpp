@@ -9,31 +9,33 @@
 
 // Each pair of options, and on demand all combinations, on real matches.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! One field of Params and the values that it can have.
 struct Option
 {
     const char* name;
-    int Params::* field;
-    int values;                //!< 0 .. values - 1
-    bool bits;                 //!< the values are 1 << k
+    int Params::*field;
+    int values;  //!< 0 .. values - 1
+    bool bits;   //!< the values are 1 << k
 };
 
-const Option OPTIONS[] = {
-    {"sampler", &Params::sampler, 5, false}, {"ordering", &Params::ordering, 4, false},
-    {"neighborhood", &Params::neighborhood, 3, false}, {"residual", &Params::residual, 2, false},
-    {"quality", &Params::quality, 6, false}, {"verification", &Params::verification, 3, false},
-    {"localOptimization", &Params::localOptimization, 6, false}, {"termination", &Params::termination, 5, true},
-    {"degeneracy", &Params::degeneracy, 8, false}, {"polishing", &Params::polishing, 4, false}};
+const Option OPTIONS[] = {{"sampler", &Params::sampler, 5, false},
+                          {"ordering", &Params::ordering, 4, false},
+                          {"neighborhood", &Params::neighborhood, 3, false},
+                          {"residual", &Params::residual, 2, false},
+                          {"quality", &Params::quality, 6, false},
+                          {"verification", &Params::verification, 3, false},
+                          {"localOptimization", &Params::localOptimization, 6, false},
+                          {"termination", &Params::termination, 5, true},
+                          {"degeneracy", &Params::degeneracy, 8, false},
+                          {"polishing", &Params::polishing, 4, false}};
 const int OPTION_COUNT = sizeof(OPTIONS) / sizeof(OPTIONS[0]);
 
 typedef std::vector<int> Choice;  //!< number of the value of each option
 
-int valueOf(int option, int k)
-{
-    return OPTIONS[option].bits ? 1 << k : k;
-}
+int valueOf(int option, int k) { return OPTIONS[option].bits ? 1 << k : k; }
 
 bool isPossible(const Params& params)
 {
@@ -85,7 +87,8 @@ struct Arena
         Mat mask;
         Report report;
         const Mat model = set.estimateWith(params, mask, report);
-        // the points of one place, which NAPSAC draws, determine a model badly, and so does a sample that nothing follows
+        // the points of one place, which NAPSAC draws, determine a model badly, and so does a sample that nothing
+        // follows
         const double slack = (params.sampler == SAMPLER_NAPSAC ? 12 : 1) * (params.polishing == POLISHING_NONE ? 3 : 1);
         EXPECT_LT(set.error(model), slack * error) << describe(choice) << report.describe();
         EXPECT_EQ(countNonZero(mask), report.inliers);
@@ -98,16 +101,14 @@ struct Arena
 
 Arena arenaOf(int problem)
 {
-    return problem == HOMOGRAPHY ? Arena("graf", 2, 3) : problem == FUNDAMENTAL ? Arena("office01_F", 1, 4)
-                                                                                : Arena("office01_E", 1, 3);
+    return problem == HOMOGRAPHY    ? Arena("graf", 2, 3)
+           : problem == FUNDAMENTAL ? Arena("office01_F", 1, 4)
+                                    : Arena("office01_E", 1, 3);
 }
 
-typedef std::pair<std::pair<int, int>, std::pair<int, int> > Pair;  //!< option and value, twice
+typedef std::pair<std::pair<int, int>, std::pair<int, int>> Pair;  //!< option and value, twice
 
-Pair pairOf(int i, int a, int j, int b)
-{
-    return std::make_pair(std::make_pair(i, a), std::make_pair(j, b));
-}
+Pair pairOf(int i, int a, int j, int b) { return std::make_pair(std::make_pair(i, a), std::make_pair(j, b)); }
 
 std::set<Pair> allPairs()
 {
@@ -177,10 +178,7 @@ std::set<Pair> coverPairs(const Arena& arena, std::vector<Choice>& choices)
     return impossible;
 }
 
-int ignoreErrors(int, const char*, const char*, const char*, int, void*)
-{
-    return 0;
-}
+int ignoreErrors(int, const char*, const char*, const char*, int, void*) { return 0; }
 
 class UsacCombinations : public testing::TestWithParam<int>
 {
@@ -218,7 +216,8 @@ TEST_P(UsacCombinations, each_pair_of_options)
     expected.insert(pairOf(SAMPLER, SAMPLER_IMPORTANCE, TERMINATION, prosac));
     expected.insert(pairOf(PRIOR, ORDERING_DENSITY, TERMINATION, prosac));
     expected.insert(pairOf(PRIOR, ORDERING_NONE, TERMINATION, prosac));
-    EXPECT_TRUE(expected == impossible) << impossible.size() << " pairs are impossible, " << expected.size() << " documented";
+    EXPECT_TRUE(expected == impossible) << impossible.size() << " pairs are impossible, " << expected.size()
+                                        << " documented";
 }
 
 //! All combinations; hours. Run with --gtest_filter=*all_combinations* --test_tag_enable=verylong.
@@ -238,4 +237,5 @@ TEST_P(UsacCombinations, all_combinations)
 
 INSTANTIATE_TEST_CASE_P(/**/, UsacCombinations, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-}} // namespace
+}
+}  // namespace

@@ -5,12 +5,14 @@
 #include "test_precomp.hpp"
 #include "termination/termination.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 enum { RUNS = 1000 };
 
-/** @brief Two homographies without noise among wrong matches. The right one has a few more matches than the other, which is what
-an impatient criterion ends with. Best match first: each part is evenly distributed, the right one is ahead. */
+/** @brief Two homographies without noise among wrong matches. The right one has a few more matches than the other,
+which is what an impatient criterion ends with. Best match first: each part is evenly distributed, the right one is
+ahead. */
 struct Rivals
 {
     Rivals(int right, int decoys, int outliers)
@@ -25,12 +27,13 @@ struct Rivals
         options.seed = 7;
         const Scene other = makeScene(HOMOGRAPHY, options);
         scene = all;
-        std::vector<std::pair<double, std::pair<int, int> > > order;  // place, and part and row
+        std::vector<std::pair<double, std::pair<int, int>>> order;  // place, and part and row
         int seen[2] = {0, 0};
         for (int i = 0; i < all.size(); ++i)
         {
             const int part = all.truth[i] ? 0 : 1;
-            order.push_back(std::make_pair((seen[part]++ + 0.3 * part) / (part ? outliers : right), std::make_pair(0, i)));
+            order.push_back(
+                std::make_pair((seen[part]++ + 0.3 * part) / (part ? outliers : right), std::make_pair(0, i)));
         }
         for (int i = 0; i < decoys; ++i)
             order.push_back(std::make_pair((i + 0.2) / decoys, std::make_pair(1, i)));
@@ -58,7 +61,8 @@ struct Rivals
     {
         std::vector<uchar> mask;
         for (int i = 0; i < size(); ++i)
-            mask.push_back(pixelError(scene, right ? scene.model : decoyModel, scene.points1[i], scene.points2[i]) <= threshold);
+            mask.push_back(pixelError(scene, right ? scene.model : decoyModel, scene.points1[i], scene.points2[i]) <=
+                           threshold);
         return mask;
     }
 
@@ -122,13 +126,10 @@ double subsets(double inliers, int n, int m)
 }
 
 //! The samples that are needed for an event of probability `p`.
-double closedForm(double p)
-{
-    return std::ceil(std::log(0.1) / std::log1p(-p));
-}
+double closedForm(double p) { return std::ceil(std::log(0.1) / std::log1p(-p)); }
 
-/** How often the other model ends the search: the right one is not found in the `samples` that the other one takes, while
-that is. */
+/** How often the other model ends the search: the right one is not found in the `samples` that the other one takes,
+while that is. */
 double failureRate(const Rivals& rivals, double threshold, double samples, int more = 0)
 {
     double p[2];
@@ -142,10 +143,7 @@ double failureRate(const Rivals& rivals, double threshold, double samples, int m
     return std::pow(1 - p[1], samples) - std::pow(1 - p[0] - p[1], samples);
 }
 
-int count(const std::vector<uchar>& mask)
-{
-    return (int)std::count(mask.begin(), mask.end(), 1);
-}
+int count(const std::vector<uchar>& mask) { return (int)std::count(mask.begin(), mask.end(), 1); }
 
 //! Standard, with and without repetition in the model of sampling, and with the models that T(d,d) drops.
 TEST(Usac_Confidence, standard)
@@ -170,7 +168,8 @@ TEST(Usac_Confidence, standard)
         }
         EXPECT_GT(asComputed, RUNS * 0.85) << kind;
         const int decoys = count(rivals.inliers(false, params.threshold));
-        const double last = closedForm(exact ? subsets(decoys, n, 4) * subsets(decoys, n, d) : std::pow(decoys / (double)n, 4));
+        const double last = closedForm(exact ? subsets(decoys, n, 4) * subsets(decoys, n, d)
+                                             : std::pow(decoys / (double)n, 4));
         runs.check(failureRate(rivals, params.threshold, last, d), STOP_STANDARD);
     }
 }
@@ -203,7 +202,8 @@ TEST(Usac_Confidence, pNapsac)
                STOP_P_NAPSAC);
 }
 
-//! SPRT drops models and asks for more samples in return; few, as its threshold is high for a solver that costs as much.
+//! SPRT drops models and asks for more samples in return; few, as its threshold is high for a solver that costs as
+//! much.
 TEST(Usac_Confidence, sprt)
 {
     const Rivals rivals(202, 200, 198);
@@ -237,7 +237,8 @@ TEST(Usac_Confidence, prosac)
         int samples[2], length[2];
         for (int right = 0; right < 2; ++right)
             samples[right] = prosacSamples(rivals.inliers(right != 0, params.threshold), std::vector<uchar>(), 4,
-                                           sampler == SAMPLER_PROSAC ? 1 : 0.75, ratio, std::log(0.1), true, length[right]);
+                                           sampler == SAMPLER_PROSAC ? 1 : 0.75, ratio, std::log(0.1), true,
+                                           length[right]);
         const Runs runs(rivals, params);
         int asComputed = 0;
         for (int i = 0; i < RUNS; ++i)
@@ -252,4 +253,5 @@ TEST(Usac_Confidence, prosac)
     }
 }
 
-}} // namespace
+}
+}  // namespace

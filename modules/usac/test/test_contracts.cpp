@@ -4,7 +4,8 @@
 
 #include "test_contracts.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacContracts;
 INSTANTIATE_TEST_CASE_P(/**/, UsacContracts, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -19,7 +20,8 @@ TEST_P(UsacContracts, mask_and_normalization_of_every_preset)
         options.seed = seed;
         options.outliers = (int)seed * 100 - 100;
         const Scene scene = makeScene(problem(), options);
-        const std::vector<Mat> models = checkEveryWay(problem(), scene.points1, scene.points2, thresholds[seed % 3], 400);
+        const std::vector<Mat> models = checkEveryWay(problem(), scene.points1, scene.points2, thresholds[seed % 3],
+                                                      400);
         for (size_t i = 0; i < models.size(); ++i)
             EXPECT_FALSE(models[i].empty()) << allPresets()[i].name;
     }
@@ -133,4 +135,5 @@ TEST(Usac_Contracts, report_with_an_unknown_reason)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -19,14 +19,14 @@ const char* nameOf(ProblemType problem);
 Matx33d sceneCamera();
 
 //! The public function of the problem; K is used for E only.
-Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
-                   OutputArray mask, Report& report, InputArray K = sceneCamera());
+Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                   Report& report, InputArray K = sceneCamera());
 
 //! An estimation of the scene, for the oracle.
 EstimatorCall callOf(const Scene& scene, const Params& params);
 
-//! What is promised of any result of the standard residual with a threshold in pixels; the second form is for points that need
-//! not be doubles, with their camera matrix.
+//! What is promised of any result of the standard residual with a threshold in pixels; the second form is for points
+//! that need not be doubles, with their camera matrix.
 void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report,
                  double widestReach = 1);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
@@ -41,10 +41,11 @@ struct NamedPreset
 
 std::vector<NamedPreset> allPresets();
 
-/** Every preset on the points, by the estimate function and by Usac::create, and every flag by the find functions: no exception,
-the same bits by each way, and whatever comes back is what is promised. @return the models of the presets */
-std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                               double pixels = 1.5, int maxIterations = 200, const Matx33d& K = sceneCamera());
+/** Every preset on the points, by the estimate function and by Usac::create, and every flag by the find functions: no
+exception, the same bits by each way, and whatever comes back is what is promised. @return the models of the presets */
+std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
+                               const std::vector<Point2d>& points2, double pixels = 1.5, int maxIterations = 200,
+                               const Matx33d& K = sceneCamera());
 
 //! Same type, same size, same bits.
 bool sameBits(const Mat& a, const Mat& b);
@@ -71,6 +72,6 @@ protected:
     ProblemType problem() const { return (ProblemType)GetParam(); }
 };
 
-} // namespace opencv_test
+}  // namespace opencv_test
 
 #endif

@@ -6,7 +6,8 @@
 
 // A caller's mistakes raise a cv::Exception that names the argument.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacArguments;
 INSTANTIATE_TEST_CASE_P(/**/, UsacArguments, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -18,7 +19,8 @@ const double INFINITE = std::numeric_limits<double>::infinity();
 struct WrongCall
 {
     WrongCall(ProblemType problem_, const Mat& points1_, const Mat& points2_)
-        : problem(problem_), points1(points1_), points2(points2_), K(sceneCamera()), viaFlag(false) {}
+        : problem(problem_), points1(points1_), points2(points2_), K(sceneCamera()), viaFlag(false)
+    {}
 
     void operator()() const
     {
@@ -29,9 +31,11 @@ struct WrongCall
         else if (problem == HOMOGRAPHY)
             findHomography(points1, points2, USACV20, params.threshold, mask, params.maxIterations, params.confidence);
         else if (problem == FUNDAMENTAL)
-            findFundamentalMat(points1, points2, USACV20, params.threshold, params.confidence, params.maxIterations, mask);
+            findFundamentalMat(points1, points2, USACV20, params.threshold, params.confidence, params.maxIterations,
+                               mask);
         else
-            findEssentialMat(points1, points2, K, USACV20, params.confidence, params.threshold, params.maxIterations, mask);
+            findEssentialMat(points1, points2, K, USACV20, params.confidence, params.threshold, params.maxIterations,
+                             mask);
     }
 
     //! Both ways raise an exception with the words.
@@ -55,7 +59,8 @@ class Arguments
 {
 public:
     explicit Arguments(ProblemType problem_)
-        : scene(makeScene(problem_)), points1(Mat(scene.points1).clone()), points2(Mat(scene.points2).clone()) {}
+        : scene(makeScene(problem_)), points1(Mat(scene.points1).clone()), points2(Mat(scene.points2).clone())
+    {}
 
     WrongCall call() const { return call(points1, points2); }
     WrongCall call(const Mat& a, const Mat& b) const { return WrongCall(scene.problem, a, b); }
@@ -85,9 +90,15 @@ TEST_P(UsacArguments, points_of_a_wrong_shape)
 {
     const Arguments right(problem());
     const int thick[] = {300, 2, 2}, narrow[] = {300, 1, 1}, wide[] = {300, 1, 4}, four[] = {300, 1, 1, 2};
-    const Mat wrong[] = {Mat::zeros(300, 1, CV_64F), Mat::zeros(1, 300, CV_32F), Mat::zeros(4, 1, CV_8U),
-                         Mat::zeros(1, 1, CV_64F), Mat(3, thick, CV_64F, Scalar(0)), Mat(3, narrow, CV_64F, Scalar(0)),
-                         Mat(3, narrow, CV_64FC2, Scalar(0)), Mat(3, wide, CV_64F, Scalar(0)), Mat(4, four, CV_64F, Scalar(0))};
+    const Mat wrong[] = {Mat::zeros(300, 1, CV_64F),
+                         Mat::zeros(1, 300, CV_32F),
+                         Mat::zeros(4, 1, CV_8U),
+                         Mat::zeros(1, 1, CV_64F),
+                         Mat(3, thick, CV_64F, Scalar(0)),
+                         Mat(3, narrow, CV_64F, Scalar(0)),
+                         Mat(3, narrow, CV_64FC2, Scalar(0)),
+                         Mat(3, wide, CV_64F, Scalar(0)),
+                         Mat(4, four, CV_64F, Scalar(0))};
     for (int i = 0; i < 9; ++i)
     {
         SCOPED_TRACE(cv::format("shape %d", i));
@@ -99,7 +110,7 @@ TEST_P(UsacArguments, points_of_a_wrong_shape)
 TEST_P(UsacArguments, lists_of_lists)
 {
     const Scene scene = makeScene(problem());
-    const std::vector<std::vector<Point2d> > lists(2, scene.points1);
+    const std::vector<std::vector<Point2d>> lists(2, scene.points1);
     Mat mask;
     Report report;
     EXPECT_THROW(estimatePoints(problem(), lists, scene.points2, Params(), mask, report), cv::Exception);
@@ -201,11 +212,12 @@ TEST(Usac_Arguments, camera_matrices)
         call.expect("cameraMatrix1");
         Mat mask;
         Report report;
-        const std::vector<Point2d> &points1 = right.scene.points1, &points2 = right.scene.points2;
+        const std::vector<Point2d>&points1 = right.scene.points1, &points2 = right.scene.points2;
         const Matx33d K = right.scene.K;
         const Mat& bad = wrong[i];
-        expectException([&]() { estimateEssential(points1, points2, K, bad, noArray(), noArray(), Params(), mask, report); },
-                        "cameraMatrix2");
+        expectException(
+            [&]() { estimateEssential(points1, points2, K, bad, noArray(), noArray(), Params(), mask, report); },
+            "cameraMatrix2");
         expectException([&]() { findEssentialMat(points1, points2, K, noArray(), bad, noArray(), USACV20); },
                         "cameraMatrix2");
     }
@@ -221,16 +233,28 @@ TEST(Usac_Arguments, distortion)
     const Scene scene = makeScene(ESSENTIAL);
     Mat mask;
     Report report;
-    const Mat wrong[] = {Mat::ones(3, 1, CV_64F), Mat::ones(1, 6, CV_64F), Mat::ones(15, 1, CV_64F),
-                         Mat::ones(2, 4, CV_64F), Mat(1, 5, CV_64F, Scalar(NOT_A_NUMBER)), Mat(4, 1, CV_32F, Scalar(INFINITE))};
+    const Mat wrong[] = {Mat::ones(3, 1, CV_64F),
+                         Mat::ones(1, 6, CV_64F),
+                         Mat::ones(15, 1, CV_64F),
+                         Mat::ones(2, 4, CV_64F),
+                         Mat(1, 5, CV_64F, Scalar(NOT_A_NUMBER)),
+                         Mat(4, 1, CV_32F, Scalar(INFINITE))};
     for (int i = 0; i < 6; ++i)
     {
         SCOPED_TRACE(cv::format("coefficients %d", i));
         const Mat& bad = wrong[i];
-        expectException([&]() { estimateEssential(scene.points1, scene.points2, scene.K, noArray(), bad, noArray(),
-                                                  Params(), mask, report); }, "distCoeffs");
-        expectException([&]() { estimateEssential(scene.points1, scene.points2, scene.K, noArray(), noArray(), bad,
-                                                  Params(), mask, report); }, "distCoeffs");
+        expectException(
+            [&]() {
+                estimateEssential(scene.points1, scene.points2, scene.K, noArray(), bad, noArray(), Params(), mask,
+                                  report);
+            },
+            "distCoeffs");
+        expectException(
+            [&]() {
+                estimateEssential(scene.points1, scene.points2, scene.K, noArray(), noArray(), bad, Params(), mask,
+                                  report);
+            },
+            "distCoeffs");
     }
 }
 
@@ -241,9 +265,14 @@ TEST(Usac_Arguments, arrays_of_three_dimensions)
     Report report;
     const int cube[] = {3, 3, 1}, four[] = {1, 2, 2};
     const Mat K(3, cube, CV_64F, Scalar(1)), distortion(3, four, CV_64F, Scalar(0.1));
-    expectException([&]() { estimateEssential(scene.points1, scene.points2, K, Params(), mask, report); }, "cameraMatrix1");
-    expectException([&]() { estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion, noArray(), Params(),
-                                              mask, report); }, "distCoeffs1");
+    expectException([&]() { estimateEssential(scene.points1, scene.points2, K, Params(), mask, report); },
+                    "cameraMatrix1");
+    expectException(
+        [&]() {
+            estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion, noArray(), Params(), mask,
+                              report);
+        },
+        "distCoeffs1");
 }
 
 TEST(Usac_Arguments, problem)
@@ -252,4 +281,5 @@ TEST(Usac_Arguments, problem)
     expectException([&]() { Usac::create((ProblemType)(ESSENTIAL + 1), scene.points1, scene.points2); }, "problem");
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,13 +6,15 @@
 
 // Forms of cameras, distortion, homogeneous points and masks that mean the same, or something else than they seem to.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! An essential matrix of the scene with some camera and distortion for both images.
 Mat essentialOf(const Scene& scene, InputArray K, InputArray distortion, Mat& mask)
 {
     Report report;
-    return estimateEssential(scene.points1, scene.points2, K, noArray(), distortion, distortion, Params(), mask, report);
+    return estimateEssential(scene.points1, scene.points2, K, noArray(), distortion, distortion, Params(), mask,
+                             report);
 }
 
 TEST(Usac_Cameras, a_multiple_is_the_same_camera)
@@ -37,8 +39,12 @@ TEST(Usac_Cameras, transposed)
     Mat mask;
     Report report;
     expectException([&]() { essentialOf(scene, wrong, noArray(), mask); }, "cameraMatrix1");
-    expectException([&]() { estimateEssential(scene.points1, scene.points2, scene.K, wrong, noArray(), noArray(), Params(),
-                                              mask, report); }, "cameraMatrix2");
+    expectException(
+        [&]() {
+            estimateEssential(scene.points1, scene.points2, scene.K, wrong, noArray(), noArray(), Params(), mask,
+                              report);
+        },
+        "cameraMatrix2");
     expectException([&]() { findEssentialMat(scene.points1, scene.points2, wrong, USACV20); }, "cameraMatrix1");
 }
 
@@ -136,4 +142,5 @@ TEST_P(UsacForms, mask_in_a_part_of_a_matrix)
     EXPECT_EQ(2 * scene.size(), countNonZero(whole.col(0) == 9) + countNonZero(whole.col(2) == 9));
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,7 +6,8 @@
 
 // Parameters at the ends of their ranges, with every preset and flag.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacExtremes;
 INSTANTIATE_TEST_CASE_P(/**/, UsacExtremes, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -36,7 +37,8 @@ TEST_P(UsacExtremes, thresholds)
                     scene.points2[i] *= scale;
                 }
             }
-            const std::vector<Mat> models = checkEveryWay(problem(), scene.points1, scene.points2, thresholds[t], 30, K);
+            const std::vector<Mat> models = checkEveryWay(problem(), scene.points1, scene.points2, thresholds[t], 30,
+                                                          K);
             for (size_t i = 0; i < models.size(); ++i)
                 EXPECT_TRUE(thresholds[t] < 1 || !models[i].empty()) << allPresets()[i].name;
         }
@@ -63,8 +65,8 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
     checkEveryWay(problem(), scene.points1, scene.points2, 1.5, 1);
 }
 
-/** With maxIterations = INT_MAX a criterion that waits for ever does not keep the run alive: it ends when no sample is left, and
-when no sample gives a model. What remains is what confidence asks for. */
+/** With maxIterations = INT_MAX a criterion that waits for ever does not keep the run alive: it ends when no sample is
+left, and when no sample gives a model. What remains is what confidence asks for. */
 TEST_P(UsacExtremes, all_iterations_without_a_model)
 {
     RNG rng(11);
@@ -85,4 +87,5 @@ TEST_P(UsacExtremes, all_iterations_without_a_model)
     EXPECT_EQ((int)STOP_NO_MODEL, report.stop);
 }
 
-}} // namespace
+}
+}  // namespace

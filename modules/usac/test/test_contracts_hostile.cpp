@@ -6,15 +6,13 @@
 
 // Points that are made to break something: far out, tiny, on a line, all with one target; in every number.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacHostile;
 INSTANTIATE_TEST_CASE_P(/**/, UsacHostile, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-Point2d randomPixel(RNG& rng)
-{
-    return Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.));
-}
+Point2d randomPixel(RNG& rng) { return Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)); }
 
 //! The default scene with so many more rows, of which `value` takes the place of some coordinates.
 Scene withRows(ProblemType problem, double value, int rows)
@@ -99,7 +97,8 @@ TEST_P(UsacHostile, scales)
 }
 
 //! The singular values, in the coordinates in which the points have unit scale.
-Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2, const Mat& model)
+Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
+                     const Mat& model)
 {
     const Matx33d M = toInternal(Usac::create(problem, points1, points2)->points(), Matx33d(model.ptr<double>()));
     Vec3d w;
@@ -233,4 +232,5 @@ TEST_P(UsacHostile, scales_near_the_ends_of_the_range)
     }
 }
 
-}} // namespace
+}
+}  // namespace

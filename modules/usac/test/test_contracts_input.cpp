@@ -7,7 +7,8 @@
 
 // Any layout and depth of points, masks and camera matrices gives the identical answer.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacInput;
 INSTANTIATE_TEST_CASE_P(/**/, UsacInput, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -184,7 +185,8 @@ TEST(Usac_Input, every_camera_matrix)
         EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, forms[i], Params(), other))) << i;
         EXPECT_TRUE(sameBits(mask, other)) << i;
         EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K, forms[i], noArray(), noArray(),
-                                                  Params(), other, report))) << i;
+                                                  Params(), other, report)))
+            << i;
     }
     EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, scene.K, Params(), other)));
     EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K.getUMat(ACCESS_READ), Params(), other)));
@@ -273,4 +275,5 @@ TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
     checkResult(problem(), scene.points1, scene.points2, Params().threshold, model, mask, report);
 }
 
-}} // namespace
+}
+}  // namespace

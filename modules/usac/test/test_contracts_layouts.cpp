@@ -6,7 +6,8 @@
 
 // Whatever OpenCV's functions take for a list of points, with any of their flags, is taken, and read in the same way.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacLayouts;
 INSTANTIATE_TEST_CASE_P(/**/, UsacLayouts, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -106,7 +107,8 @@ TEST_P(UsacLayouts, elements_of_any_matrix)
     expected.compare("20x15, 2 channels", points1.reshape(2, 20), points2.reshape(2, 20));
     expected.compare("15x20 and 150x2, 2 channels", points1.reshape(2, 15), points2.reshape(2, 150));
     expected.compare("2x150, 3 channels", weighted1.reshape(3, 2), weighted2.reshape(3, 2));
-    expected.compare("part of a larger matrix", partOfLarger(points1.reshape(2, 20)), partOfLarger(weighted2.reshape(3, 15)));
+    expected.compare("part of a larger matrix", partOfLarger(points1.reshape(2, 20)),
+                     partOfLarger(weighted2.reshape(3, 15)));
     expected.compare("1xNx2", threeDimensional(points1, 1, 300), threeDimensional(points2, 1, 300));
     expected.compare("Nx1x2", threeDimensional(points1, 300, 1), threeDimensional(points2, 300, 1));
     expected.compare("1xNx3 and Nx1x3", threeDimensional(weighted1, 1, 300), threeDimensional(weighted2, 300, 1));
@@ -141,8 +143,9 @@ TEST_P(UsacLayouts, what_stands_behind_more_than_three_coordinates)
 //! Shapes of so few points that both readings are possible: the number of points is that of the mask.
 TEST_P(UsacLayouts, both_readings_possible)
 {
-    const int shapes[][4] = {{1, 2, 1, 1}, {1, 3, 1, 1}, {2, 1, 1, 1}, {3, 1, 1, 1}, {2, 2, 1, 2}, {2, 3, 1, 3}, {3, 2, 1, 3},
-                             {3, 3, 1, 3}, {1, 1, 2, 1}, {1, 1, 3, 1}, {1, 2, 2, 2}, {2, 1, 3, 2}, {1, 3, 2, 3}};
+    const int shapes[][4] = {{1, 2, 1, 1}, {1, 3, 1, 1}, {2, 1, 1, 1}, {3, 1, 1, 1}, {2, 2, 1, 2},
+                             {2, 3, 1, 3}, {3, 2, 1, 3}, {3, 3, 1, 3}, {1, 1, 2, 1}, {1, 1, 3, 1},
+                             {1, 2, 2, 2}, {2, 1, 3, 2}, {1, 3, 2, 3}};
     for (size_t i = 0; i < sizeof(shapes) / sizeof(shapes[0]); ++i)
     {
         const int *const s = shapes[i], count = s[3];
@@ -171,7 +174,8 @@ TEST_P(UsacLayouts, both_readings_possible)
         const Mat model = estimatePoints(problem(), points1, points2, Params(), mask, report);
         EXPECT_TRUE(sameBits(model, estimatePoints(problem(), square1, square2, Params(), otherMask, report))) << count;
         EXPECT_TRUE(sameBits(mask, otherMask)) << count;
-        EXPECT_TRUE(sameBits(model, estimatePoints(problem(), points1.t(), points2.t(), Params(), otherMask, report))) << count;
+        EXPECT_TRUE(sameBits(model, estimatePoints(problem(), points1.t(), points2.t(), Params(), otherMask, report)))
+            << count;
         EXPECT_TRUE(sameBits(mask, otherMask)) << count;
     }
 }
@@ -196,8 +200,8 @@ int openCvTakes(ProblemType problem, const Mat& points1, const Mat& points2, int
     return model.empty() ? 0 : mask.rows;
 }
 
-/** Points of every small shape. Where OpenCV's function raises no exception, this one raises none, and where it finds a model, it
-has seen as many points. */
+/** Points of every small shape. Where OpenCV's function raises no exception, this one raises none, and where it finds a
+model, it has seen as many points. */
 TEST_P(UsacLayouts, whatever_opencv_takes)
 {
     const int flags[] = {cv::RANSAC, cv::USAC_DEFAULT}, sides[] = {1, 2, 3, 4, 9};
@@ -228,4 +232,5 @@ TEST_P(UsacLayouts, whatever_opencv_takes)
     EXPECT_GT(seen, 20);
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,7 +6,8 @@
 
 // Hostile points are no error: no exception, no hang, and whatever comes back is what is promised.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacPoints;
 INSTANTIATE_TEST_CASE_P(/**/, UsacPoints, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -243,8 +244,8 @@ TEST_P(UsacPoints, extreme_coordinates)
     EXPECT_LT(modelError(clean, model), 0.8);
 }
 
-/** The points and the threshold at another place and scale, and for E the camera with them: the same inliers, but where an error is
-within so little of the threshold that the rounding of the search decides. */
+/** The points and the threshold at another place and scale, and for E the camera with them: the same inliers, but where
+an error is within so little of the threshold that the rounding of the search decides. */
 TEST_P(UsacPoints, offset_and_scale_keep_the_inliers)
 {
     const Scene scene = makeScene(problem());
@@ -277,4 +278,5 @@ TEST_P(UsacPoints, offset_and_scale_keep_the_inliers)
         }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,7 +6,8 @@
 
 // The answer belongs to the points, not to their order, and the caller's arrays stay as they are.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacTruth;
 INSTANTIATE_TEST_CASE_P(/**/, UsacTruth, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -30,9 +31,9 @@ Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
     return result;
 }
 
-/** Samples are drawn by position in a pseudo-random order that depends on the number of points alone. Other points come together
-then, so the model of noisy points differs within their noise, and the masks where an error is about the threshold. Where all
-good samples agree, on exact points, the mask moves with the points. */
+/** Samples are drawn by position in a pseudo-random order that depends on the number of points alone. Other points come
+together then, so the model of noisy points differs within their noise, and the masks where an error is about the
+threshold. Where all good samples agree, on exact points, the mask moves with the points. */
 int rowsThatDiffer(const Scene& scene, Params params, uint64 seed)
 {
     std::vector<int> order;
@@ -95,7 +96,8 @@ TEST_P(UsacTruth, copies_of_a_row_have_its_answer)
         Mat mask;
         Report report;
         ASSERT_FALSE(estimatePoints(problem(), points1, points2, params, mask, report).empty()) << presets[i].name;
-        EXPECT_TRUE(sameBits(mask.rowRange(0, scene.size()), mask.rowRange(scene.size(), 2 * scene.size()))) << presets[i].name;
+        EXPECT_TRUE(sameBits(mask.rowRange(0, scene.size()), mask.rowRange(scene.size(), 2 * scene.size())))
+            << presets[i].name;
     }
 }
 
@@ -114,7 +116,8 @@ TEST_P(UsacTruth, mask_of_the_symmetric_residual)
         ASSERT_FALSE(model.empty());
         EXPECT_EQ("", brokenResult(callOf(scene, params), model, mask, report)) << "seed " << seed;
         params.residual = RESIDUAL_STANDARD;
-        EXPECT_NE("", brokenResult(callOf(scene, params), model, mask, report)) << "seed " << seed << ": no row tells them apart";
+        EXPECT_NE("", brokenResult(callOf(scene, params), model, mask, report))
+            << "seed " << seed << ": no row tells them apart";
     }
 }
 
@@ -152,4 +155,5 @@ TEST_P(UsacTruth, all_input_is_unchanged_to_the_bit)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,7 +6,8 @@
 #include "problem_objects.hpp"
 #include "termination/termination.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Uniform samples, of which every second one is said not to count.
 class HalfCounting : public Sampler
@@ -47,10 +48,7 @@ double subsets(double inliers, double n, int m)
 }
 
 //! log(1 - confidence) / log(1 - C(I, m) / C(n, m)), of the default parameters.
-double wantedSamples(double inliers, double n, int m)
-{
-    return std::log(0.01) / std::log1p(-subsets(inliers, n, m));
-}
+double wantedSamples(double inliers, double n, int m) { return std::log(0.01) / std::log1p(-subsets(inliers, n, m)); }
 
 TEST(Usac_CountedSamples, the_others_do_not_end_the_search)
 {
@@ -161,4 +159,5 @@ TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
     EXPECT_EQ(0, general);
 }
 
-}} // namespace
+}
+}  // namespace

@@ -8,7 +8,8 @@
 
 // A problem that the library does not know: the affine map of samples/custom_problem.cpp.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 const Matx33d TRUTH(0.9, 0.2, 30, -0.15, 1.1, -20, 0, 0, 1);
 
@@ -121,4 +122,5 @@ TEST(Usac_CustomProblem, impossiblePoints)
     EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
 }
 
-}} // namespace
+}
+}  // namespace

@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 struct Outcome
 {
@@ -263,7 +264,7 @@ TEST(Usac_Orientation, homographySamples)
     const Components none;
     const int sample[] = {0, 1, 2, 3};
     const OwnPoints same(HOMOGRAPHY, square, square), mirror(HOMOGRAPHY, square, mirrored),
-                    cross(HOMOGRAPHY, square, crossed);
+        cross(HOMOGRAPHY, square, crossed);
     EXPECT_TRUE(check->validSample(Context(same.view(), none, params), sample));
     EXPECT_TRUE(check->validSample(Context(mirror.view(), none, params), sample)) << "a mirror is a homography";
     EXPECT_FALSE(check->validSample(Context(cross.view(), none, params), sample));
@@ -351,4 +352,5 @@ TEST(Usac_Degensac, matchOnTheEpipole)
     expectNoPlane(Model(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-9);
 }
 
-}} // namespace
+}
+}  // namespace

@@ -9,7 +9,8 @@
 
 // The same bits each time: of the model, the mask and the report.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 class UsacDeterminism : public UsacProblem
 {
@@ -153,4 +154,5 @@ TEST_P(UsacDeterminism, any_number_of_threads_for_every_preset)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -8,7 +8,8 @@
 #include <array>
 #include <Eigen/Dense>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! A motion, and how the scene looks; no wrong matches.
 struct Case
@@ -18,23 +19,19 @@ struct Case
     double angle, baseline, plane, nearest, farthest;
 };
 
-const Case CASES[] = {
-    {"general", MOTION_GENERAL, 12, 1, 0, 4, 9},
-    {"forward", MOTION_FORWARD, 0, 1, 0, 4, 9},
-    {"forward_turning", MOTION_FORWARD, 2, 1, 0, 4, 9},
-    {"sideways", MOTION_SIDEWAYS, 0, 1, 0, 4, 9},
-    {"sideways_over_frontal_plane", MOTION_SIDEWAYS, 0, 1, 1, 4, 9},
-    {"rectified", MOTION_RECTIFIED, 0, 1, 0, 4, 9},
-    {"aerial", MOTION_RECTIFIED, 0, 1, 0, 5.4, 6.6},
-    {"plane", MOTION_GENERAL, 12, 1, 1, 4, 9},
-    {"planar", MOTION_PLANAR, 10, 1, 0, 4, 9},
-    {"car", MOTION_CAR, 10, 1, 0, 4, 9},
-    {"small_baseline", MOTION_GENERAL, 12, 1e-3, 0, 4, 9}};
+const Case CASES[] = {{"general", MOTION_GENERAL, 12, 1, 0, 4, 9},
+                      {"forward", MOTION_FORWARD, 0, 1, 0, 4, 9},
+                      {"forward_turning", MOTION_FORWARD, 2, 1, 0, 4, 9},
+                      {"sideways", MOTION_SIDEWAYS, 0, 1, 0, 4, 9},
+                      {"sideways_over_frontal_plane", MOTION_SIDEWAYS, 0, 1, 1, 4, 9},
+                      {"rectified", MOTION_RECTIFIED, 0, 1, 0, 4, 9},
+                      {"aerial", MOTION_RECTIFIED, 0, 1, 0, 5.4, 6.6},
+                      {"plane", MOTION_GENERAL, 12, 1, 1, 4, 9},
+                      {"planar", MOTION_PLANAR, 10, 1, 0, 4, 9},
+                      {"car", MOTION_CAR, 10, 1, 0, 4, 9},
+                      {"small_baseline", MOTION_GENERAL, 12, 1e-3, 0, 4, 9}};
 
-std::ostream& operator<<(std::ostream& out, const Case& c)
-{
-    return out << c.name;
-}
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
 typedef testing::TestWithParam<Case> Usac_Essential5;
 
@@ -118,9 +115,9 @@ TEST_P(Usac_Essential5, finds_the_motion_of_exact_points)
 }
 
 //! Polynomials of degree 3 in x, y, z.
-const int MONOMIALS[20][3] = {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1}, {1, 0, 2}, {0, 3, 0}, {0, 2, 1}, {0, 1, 2},
-                              {0, 0, 3}, {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0}, {0, 1, 1}, {0, 0, 2}, {1, 0, 0}, {0, 1, 0},
-                              {0, 0, 1}, {0, 0, 0}};
+const int MONOMIALS[20][3] = {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1}, {1, 0, 2}, {0, 3, 0},
+                              {0, 2, 1}, {0, 1, 2}, {0, 0, 3}, {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0},
+                              {0, 1, 1}, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
 typedef std::array<long double, 20> Cubic;
 typedef Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> MatrixXl;
 
@@ -177,8 +174,8 @@ MatrixXl constraintsOn(const MatrixXl& N)
     return C;
 }
 
-/** All essential matrices of five points by the eigenvectors of the action matrix @cite stewenius2006recent, in long double:
-nothing of it is in the solver. */
+/** All essential matrices of five points by the eigenvectors of the action matrix @cite stewenius2006recent, in long
+double: nothing of it is in the solver. */
 std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
 {
     MatrixXl A(5, 9), G(4, 4);
@@ -239,4 +236,5 @@ TEST_P(Usac_Essential5, finds_all_solutions_of_noisy_points)
 
 INSTANTIATE_TEST_CASE_P(Motions, Usac_Essential5, testing::ValuesIn(CASES));
 
-}} // namespace
+}
+}  // namespace

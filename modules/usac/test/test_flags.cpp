@@ -6,13 +6,14 @@
 
 // The flags, and every overload of findHomography, findFundamentalMat and findEssentialMat.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacFlags;
 INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC,
-                               USACV20_MAGSAC, USACV20_PARALLEL};
+const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
+                               USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
 const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005}, FLAG_COUNT = 6;
 //! So low and so few that they show in the answer.
 const double LOW = 1e-15;
@@ -21,10 +22,12 @@ const int FEW = 20;
 //! The preset that a flag is documented to stand for.
 Params presetOf(UsacV20Method flag)
 {
-    return flag == USACV20 ? Params::usacV20() : flag == USACV20_FAST ? Params::fast()
-         : flag == USACV20_ACCURATE ? Params::accurate() : flag == USACV20_PROSAC ? Params::sorted()
-         : flag == USACV20_MAGSAC ? Params::magsacPlusPlus()
-         : Params::parallel();
+    return flag == USACV20            ? Params::usacV20()
+           : flag == USACV20_FAST     ? Params::fast()
+           : flag == USACV20_ACCURATE ? Params::accurate()
+           : flag == USACV20_PROSAC   ? Params::sorted()
+           : flag == USACV20_MAGSAC   ? Params::magsacPlusPlus()
+                                      : Params::parallel();
 }
 
 Params paramsOf(UsacV20Method flag, double pixels, double confidence, int maxIterations)
@@ -79,8 +82,22 @@ TEST(Usac_Flags, values_are_none_of_OpenCV)
 
 TEST(Usac_Flags, other_ints_are_refused)
 {
-    const int others[] = {0, 1, -1, LMEDS, RANSAC, RHO, USAC_DEFAULT, USAC_PARALLEL, USAC_FAST, USAC_ACCURATE, USAC_PROSAC,
-                          USAC_MAGSAC, 0x3fff, 0x40ff, INT_MAX, INT_MIN};
+    const int others[] = {0,
+                          1,
+                          -1,
+                          LMEDS,
+                          RANSAC,
+                          RHO,
+                          USAC_DEFAULT,
+                          USAC_PARALLEL,
+                          USAC_FAST,
+                          USAC_ACCURATE,
+                          USAC_PROSAC,
+                          USAC_MAGSAC,
+                          0x3fff,
+                          0x40ff,
+                          INT_MAX,
+                          INT_MIN};
     for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); ++i)
     {
         EXPECT_FALSE(isUsacV20Method(others[i]));
@@ -197,7 +214,8 @@ TEST(Usac_Flags, every_overload_of_findEssentialMat)
     const Mat d = findEssentialMat(s.points1, s.points2, focal, pp, flag, LOW, 2, mask);
     coarse.same("focal, mask", d, mask);
     plain.same("two cameras", findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), flag));
-    const Mat e = findEssentialMat(s.points1, s.points2, s.K, Mat::zeros(5, 1, CV_64F), s.K, noArray(), flag, LOW, 2, mask);
+    const Mat e = findEssentialMat(s.points1, s.points2, s.K, Mat::zeros(5, 1, CV_64F), s.K, noArray(), flag, LOW, 2,
+                                   mask);
     coarse.same("two cameras, mask", e, mask);
     const Params params = paramsOf(USACV20_FAST, 1.25, LOW, 1000);
     const Mat f = findEssentialMat(s.points1, s.points2, s.K, s.K, noArray(), noArray(), mask, params);
@@ -234,8 +252,9 @@ TEST(Usac_Flags, old_homography_calls_reach_calib3d)
 {
     const Scene s = makeScene(HOMOGRAPHY);
     Mat mask, old;
-    const int methods[] = {0, LMEDS, RANSAC, RHO, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_PROSAC,
-                           USAC_MAGSAC};  // USAC_PARALLEL differs from call to call
+    const int methods[] = {
+        0,         LMEDS,         RANSAC,      RHO,        USAC_DEFAULT,
+        USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};  // USAC_PARALLEL differs from call to call
     for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
@@ -261,8 +280,8 @@ TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
 {
     const Scene s = makeScene(FUNDAMENTAL);
     Mat mask, old;
-    const int methods[] = {FM_8POINT, FM_RANSAC, FM_LMEDS, USAC_DEFAULT, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE,
-                           USAC_PROSAC, USAC_MAGSAC};
+    const int methods[] = {FM_8POINT, FM_RANSAC,     FM_LMEDS,    USAC_DEFAULT, USAC_FM_8PTS,
+                           USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};
     for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
@@ -279,7 +298,8 @@ TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
     EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, FM_RANSAC)));
     cv::UsacParams params;
     const Mat withParams = cv::findFundamentalMat(s.points1, s.points2, mask, params);
-    EXPECT_FALSE(sameBits(withParams, cv::findFundamentalMat(s.points1, s.points2, mask, Params::fromUsacParams(params))));
+    EXPECT_FALSE(
+        sameBits(withParams, cv::findFundamentalMat(s.points1, s.points2, mask, Params::fromUsacParams(params))));
 }
 
 TEST(Usac_Flags, old_essential_calls_reach_calib3d)
@@ -296,7 +316,8 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
         EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, mask)));
         EXPECT_TRUE(sameBits(old, mask));
         EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
-        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, 1000, mask)));
+        EXPECT_TRUE(
+            sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, 1000, mask)));
         EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, mask)));
         EXPECT_FALSE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, USACV20, 0.99, 2)));
     }
@@ -315,4 +336,5 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
     EXPECT_FALSE(cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray()).empty());
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,24 +6,26 @@
 #include "test_contracts.hpp"
 #include "params_fields.hpp"
 
-// A flag that is known only at run time: usacv20::findHomography, findFundamentalMat and findEssentialMat with an int, which
-// is one of the module or one of OpenCV. Ours must give the bits of the overloads with a UsacV20Method, OpenCV's those of
-// calib3d.
-// What must not compile is in misc/consumer.
+// A flag that is known only at run time: usacv20::findHomography, findFundamentalMat and findEssentialMat with an int,
+// which is one of the module or one of OpenCV. Ours must give the bits of the overloads with a UsacV20Method, OpenCV's
+// those of calib3d. What must not compile is in misc/consumer.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
-const UsacV20Method OURS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
+const UsacV20Method OURS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
+                              USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
 const int OUR_COUNT = 6;
 //! OpenCV's flags without USAC_PARALLEL, which differs from call to call.
-const int THEIRS[] = {0, FM_7POINT, FM_8POINT, LMEDS, RANSAC, RHO, USAC_DEFAULT, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE,
-                      USAC_PROSAC, USAC_MAGSAC};
+const int THEIRS[] = {0,         FM_7POINT,     FM_8POINT,   LMEDS,      RANSAC, RHO, USAC_DEFAULT, USAC_FM_8PTS,
+                      USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};
 const int THEIR_COUNT = 12;
 
 //! The model and mask of a call, or the exception that it raised.
 struct Answer
 {
-    template <class Call> explicit Answer(const Call& call)
+    template <class Call>
+    explicit Answer(const Call& call)
     {
         try
         {
@@ -66,7 +68,8 @@ void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed&
             continue;
         const Answer answer([&](Mat& mask) { return atRunTime(THEIRS[i], mask); });
         const Answer expected([&](Mat& mask) { return calib3d(THEIRS[i], mask); });
-        EXPECT_TRUE(answer == expected) << "OpenCV's flag " << THEIRS[i] << ": " << answer.error << " / " << expected.error;
+        EXPECT_TRUE(answer == expected) << "OpenCV's flag " << THEIRS[i] << ": " << answer.error << " / "
+                                        << expected.error;
         models += !answer.model.empty();
         ++theirCount;
     }
@@ -74,11 +77,21 @@ void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed&
 }
 
 //! One form of a call, given by its arguments, in which `method` is the flag and `mask` the mask.
-#define CHECK_FORM(function, ...) \
-    checkForm(#function "(" #__VA_ARGS__ ")", \
-              [&](int method, Mat& mask) { (void)mask; return usacv20::function(__VA_ARGS__); }, \
-              [&](UsacV20Method method, Mat& mask) { (void)mask; return cv::function(__VA_ARGS__); }, \
-              [&](int method, Mat& mask) { (void)mask; return cv::function(__VA_ARGS__); })
+#define CHECK_FORM(function, ...)                                                                                      \
+    checkForm(                                                                                                         \
+        #function "(" #__VA_ARGS__ ")",                                                                                \
+        [&](int method, Mat& mask) {                                                                                   \
+            (void)mask;                                                                                                \
+            return usacv20::function(__VA_ARGS__);                                                                     \
+        },                                                                                                             \
+        [&](UsacV20Method method, Mat& mask) {                                                                         \
+            (void)mask;                                                                                                \
+            return cv::function(__VA_ARGS__);                                                                          \
+        },                                                                                                             \
+        [&](int method, Mat& mask) {                                                                                   \
+            (void)mask;                                                                                                \
+            return cv::function(__VA_ARGS__);                                                                          \
+        })
 
 TEST(Usac_FlagsAtRunTime, every_form_of_findHomography)
 {
@@ -133,7 +146,8 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
     CHECK_FORM(findEssentialMat, a, b, K, noArray(), K, noArray(), method, 0.9, 2, mask);
 }
 
-//! calib3d's USAC for E differs from call to call, so only that it is reached: none of ours, and not its RANSAC or LMedS.
+//! calib3d's USAC for E differs from call to call, so only that it is reached: none of ours, and not its RANSAC or
+//! LMedS.
 TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
 {
     const Scene s = makeScene(ESSENTIAL);
@@ -175,7 +189,10 @@ TEST(Usac_FlagsAtRunTime, where_programs_keep_a_flag)
     EXPECT_TRUE(sameBits(expected, byDefaultArgument(s, mask)));
     EXPECT_TRUE(sameBits(expectedMask, mask));
 
-    struct Settings { int method; } settings = {(int)USACV20};
+    struct Settings
+    {
+        int method;
+    } settings = {(int)USACV20};
     EXPECT_TRUE(sameBits(expected, usacv20::findFundamentalMat(s.points1, s.points2, settings.method, 2, 0.99)));
     std::map<std::string, int> byName;
     byName["usac"] = (int)USACV20;
@@ -201,7 +218,8 @@ TEST(Usac_FlagsAtRunTime, without_a_flag)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);
     Mat mask, expected;
-    EXPECT_TRUE(sameBits(cv::findHomography(h.points1, h.points2, USACV20), usacv20::findHomography(h.points1, h.points2)));
+    EXPECT_TRUE(
+        sameBits(cv::findHomography(h.points1, h.points2, USACV20), usacv20::findHomography(h.points1, h.points2)));
     EXPECT_TRUE(sameBits(cv::findHomography(h.points1, h.points2, expected, USACV20),
                          usacv20::findHomography(h.points1, h.points2, mask)));
     EXPECT_TRUE(sameBits(expected, mask));
@@ -239,7 +257,8 @@ TEST(Usac_FlagsAtRunTime, the_flag_itself)
     EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2, 1000, mask)));
     EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2, mask)));
     EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, focal, pp, flag, 0.9, 2)));
-    EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray(), flag, 0.9, 2)));
+    EXPECT_TRUE(
+        sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray(), flag, 0.9, 2)));
 }
 
 TEST(Usac_FlagsAtRunTime, numbers_of_nobody_are_refused)
@@ -255,9 +274,11 @@ TEST(Usac_FlagsAtRunTime, numbers_of_nobody_are_refused)
         expectException([&]() { usacv20::findFundamentalMat(f.points1, f.points2, method, 1, 0.99, 100); }, "method");
         expectException([&]() { usacv20::findEssentialMat(e.points1, e.points2, e.K, method); }, "method");
         expectException([&]() { usacv20::findEssentialMat(e.points1, e.points2, 1., Point2d(), method); }, "method");
-        expectException([&]() { usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray(), method); },
-                        "method");
+        expectException(
+            [&]() { usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray(), method); },
+            "method");
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -8,7 +8,8 @@
 #include <fstream>
 #include <iterator>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! What the fuzzer has found, and inputs of its own that reach the most code.
 TEST(Usac_Fuzz, kept_inputs)
@@ -39,7 +40,8 @@ TEST(Usac_Fuzz, random_bytes)
         ASSERT_EQ("", brokenContract(input)) << "input " << i;
         try
         {
-            models += input.problem == FUNDAMENTAL && !estimateFundamental(input.points1, input.points2, input.params).empty();
+            models += input.problem == FUNDAMENTAL &&
+                      !estimateFundamental(input.points1, input.points2, input.params).empty();
         }
         catch (const cv::Exception&)
         {
@@ -74,4 +76,5 @@ TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
     EXPECT_NE("", brokenResult(input, Mat((1 / cv::norm(H)) * H), mask, report)) << "no F has rank 3";
 }
 
-}} // namespace
+}
+}  // namespace

@@ -11,19 +11,20 @@
 #include <sstream>
 #include <Eigen/Dense>
 
-// Hashes of the results of every preset on the sets of test_data/, against those of test_data/hashes.txt: no unnoticed change
-// of a result. After an intended one, all rows are written anew by
+// Hashes of the results of every preset on the sets of test_data/, against those of test_data/hashes.txt: no unnoticed
+// change of a result. After an intended one, all rows are written anew by
 //
 //     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
 //
-// The module's own arithmetic is that of IEEE 754, in an order that the source fixes, so compiler, optimization and instruction
-// set change nothing. What it calls may differ in the last bit between machines: exp, log, pow, acos, cbrt .. of libm (glibc
-// itself takes others on a processor without FMA), cv::SVD of another OpenCV, the decompositions of another Eigen or with other
-// vectors. The file has a hash of some of their results, too. Where that is the same, the results have to be the same to
-// the bit. Elsewhere these rows are compared by the robust hash (mask, number of iterations, why they ended), and a few may
-// differ: a last bit decides where two models are as good as each other.
+// The module's own arithmetic is that of IEEE 754, in an order that the source fixes, so compiler, optimization and
+// instruction set change nothing. What it calls may differ in the last bit between machines: exp, log, pow, acos, cbrt
+// .. of libm (glibc itself takes others on a processor without FMA), cv::SVD of another OpenCV, the decompositions of
+// another Eigen or with other vectors. The file has a hash of some of their results, too. Where that is the same, the
+// results have to be the same to the bit. Elsewhere these rows are compared by the robust hash (mask, number of
+// iterations, why they ended), and a few may differ: a last bit decides where two models are as good as each other.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 struct Row
 {
@@ -56,7 +57,8 @@ uint64 platformHash()
     RNG rng(1);
     for (int i = 0; i < 1000; ++i)
     {
-        const double x = rng.uniform(-1., 1.), y = rng.uniform(0., 10.), z = rng.uniform(-30., 0.), p = rng.uniform(0., 1.);
+        const double x = rng.uniform(-1., 1.), y = rng.uniform(0., 10.), z = rng.uniform(-30., 0.),
+                     p = rng.uniform(0., 1.);
         hash.number(std::exp(z)).number(std::log(y)).number(std::log1p(-p)).number(std::pow(y, 0.5 + p));
         hash.number(std::tgamma(0.5 + y)).number(std::acos(x)).number(std::cbrt(y)).number(std::atan2(x, y));
         hash.number(std::sin(4 * x)).number(std::cos(4 * x)).number(std::sqrt(y));
@@ -71,7 +73,8 @@ uint64 platformHash()
         hash.add(Mat(w)).add(Mat(U)).add(Mat(Vt)).add(Mat(M.inv())).number(determinant(M));
         const Eigen::Map<Eigen::Matrix3d> A(M.val);
         const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(A), Eigen::ComputeFullU | Eigen::ComputeFullV);
-        const Eigen::Matrix3d product = A.transpose() * A + Eigen::Matrix3d::Identity(), inverse = product.llt().solve(A);
+        const Eigen::Matrix3d product = A.transpose() * A + Eigen::Matrix3d::Identity(),
+                              inverse = product.llt().solve(A);
         hash.add(svd.matrixU().data(), 9 * sizeof(double)).add(svd.matrixV().data(), 9 * sizeof(double));
         hash.add(inverse.data(), 9 * sizeof(double));
     }
@@ -130,7 +133,8 @@ void addRows(const std::string& name, double threshold, std::vector<Row>& rows)
         params.maxIterations = 1000;
         Result result;
         result.model = set.estimateWith(params, result.mask, result.report);
-        const Row row = {name + ":" + all[i].name, result.report.iterations, result.report.inliers, result.robust(), result.exact()};
+        const Row row = {name + ":" + all[i].name, result.report.iterations, result.report.inliers, result.robust(),
+                         result.exact()};
         rows.push_back(row);
     }
 }
@@ -158,12 +162,14 @@ void writeTable(const Table& table, const std::string& file)
 {
     std::ofstream out(file.c_str());
     out << "# made by test_hashes.cpp: set:parameters, iterations, inliers, robust hash, exact hash\n";
-    out << "kernels " << table.kernels << "\nplatform " << cv::format("%016llx", (unsigned long long)table.platform) << "\n";
+    out << "kernels " << table.kernels << "\nplatform " << cv::format("%016llx", (unsigned long long)table.platform)
+        << "\n";
     for (size_t i = 0; i < table.rows.size(); ++i)
     {
         const Row& row = table.rows[i];
-        out << row.name << cv::format(" %d %d %016llx %016llx\n", row.iterations, row.inliers, (unsigned long long)row.robust,
-                                      (unsigned long long)row.exact);
+        out << row.name
+            << cv::format(" %d %d %016llx %016llx\n", row.iterations, row.inliers, (unsigned long long)row.robust,
+                          (unsigned long long)row.exact);
     }
     out.close();
     ASSERT_TRUE(out.good()) << "cannot write " << file;
@@ -205,7 +211,8 @@ TEST(Usac_Hashes, stored)
         }
         differ += stored.rows[i].robust != table.rows[i].robust;
     }
-    EXPECT_LE(differ, samePlatform ? 0 : table.rows.size() / 10) << "of " << table.rows.size() << " rows differ in their robust hash";
+    EXPECT_LE(differ, samePlatform ? 0 : table.rows.size() / 10)
+        << "of " << table.rows.size() << " rows differ in their robust hash";
 }
 
 //! Without AVX-512.
@@ -235,9 +242,9 @@ TEST(Usac_Hashes, kernels)
 void testWithout(const std::string& features, const std::string& test, const std::string& variable)
 {
     const std::string program = testing::internal::GetArgvs()[0];
-    const std::string command =
-        "env -u GTEST_OUTPUT -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX OPENCV_CPU_DISABLE='" + features + "' " + variable + " '" +
-        program + "' --gtest_filter=" + test + " > /dev/null 2>&1";
+    const std::string command = "env -u GTEST_OUTPUT -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX OPENCV_CPU_DISABLE='" +
+                                features + "' " + variable + " '" + program + "' --gtest_filter=" + test +
+                                " > /dev/null 2>&1";
     EXPECT_EQ(0, std::system(command.c_str())) << command;
 }
 
@@ -254,7 +261,8 @@ Table tableWithout(const std::string& features)
 TEST(Usac_Hashes, every_instruction_set)
 {
     const Table& table = ownTable();
-    const std::string features[] = {"AVX512F", "AVX512F,AVX512-SKX,AVX2", "AVX512F,AVX512-SKX,AVX2,FMA3,AVX,FP16,SSE4.2,SSE4.1,SSSE3,POPCNT"};
+    const std::string features[] = {"AVX512F", "AVX512F,AVX512-SKX,AVX2",
+                                    "AVX512F,AVX512-SKX,AVX2,FMA3,AVX,FP16,SSE4.2,SSE4.1,SSSE3,POPCNT"};
     for (int i = 0; i < 3; ++i)
     {
         SCOPED_TRACE("without " + features[i]);
@@ -277,4 +285,5 @@ TEST(Usac_Hashes, every_part_of_avx512)
 
 #endif
 
-}} // namespace
+}
+}  // namespace

@@ -5,7 +5,8 @@
 #include "draw.hpp"
 #include "samplers/samplers.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 Params withScores(const std::vector<float>& scores)
 {
@@ -137,7 +138,8 @@ TEST(Usac_Importance, fewPointsOfPositiveWeight)
         }
 }
 
-//! Where one or two points have nearly all of the weight, samples are still of distinct points, and the others as they should be.
+//! Where one or two points have nearly all of the weight, samples are still of distinct points, and the others as they
+//! should be.
 TEST(Usac_Importance, overwhelmingWeights)
 {
     const int N = 20, SAMPLES = 20000;
@@ -200,4 +202,5 @@ TEST(Usac_Importance, needsScores)
     EXPECT_THROW(draw.next(), cv::Exception);
 }
 
-}} // namespace
+}
+}  // namespace

@@ -8,14 +8,12 @@
 
 #include <Eigen/SVD>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef Eigen::Matrix<double, 9, 1> Vector9;
 
-Vector9 vectorOf(const Model& model)
-{
-    return Eigen::Map<const Vector9>(model.val);
-}
+Vector9 vectorOf(const Model& model) { return Eigen::Map<const Vector9>(model.val); }
 
 std::vector<int> allOf(const Correspondences& points)
 {
@@ -34,10 +32,7 @@ std::vector<double> randomWeights(int count, RNG& rng)
 }
 
 //! The three problems with the standard, then with the symmetric residual.
-ProblemType problemOf(int param)
-{
-    return (ProblemType)(param % 3);
-}
+ProblemType problemOf(int param) { return (ProblemType)(param % 3); }
 
 Residual::Kind kindOf(int param)
 {
@@ -50,8 +45,10 @@ Residual::Kind kindOf(int param)
 Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p, const std::vector<int>& indices,
                           const double* weights, const Model& M)
 {
-    const int rows = kind == Residual::TRANSFER ? 2 : kind == Residual::SYMMETRIC_TRANSFER ? 4
-                   : kind == Residual::SAMPSON ? 1 : 2;
+    const int rows = kind == Residual::TRANSFER             ? 2
+                     : kind == Residual::SYMMETRIC_TRANSFER ? 4
+                     : kind == Residual::SAMPSON            ? 1
+                                                            : 2;
     Eigen::VectorXd r(rows * indices.size());
     for (size_t k = 0; k < indices.size(); ++k)
     {
@@ -60,10 +57,12 @@ Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p, const s
         const double w = std::sqrt(weights ? weights[k] : 1), n = w * x2.dot(y);
         const Vec3d z = M.t() * x2, back = M.inv() * x2;
         const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1];
-        const double transfer[4] = {w * (y[0] / y[2] - x2[0]), w * (y[1] / y[2] - x2[1]), w * (back[0] / back[2] - x1[0]),
-                                    w * (back[1] / back[2] - x1[1])};
+        const double transfer[4] = {w * (y[0] / y[2] - x2[0]), w * (y[1] / y[2] - x2[1]),
+                                    w * (back[0] / back[2] - x1[0]), w * (back[1] / back[2] - x1[1])};
         const double lines[2] = {n / std::sqrt(first), n / std::sqrt(second)}, sampson = n / std::sqrt(first + second);
-        const double* values = kind == Residual::SAMPSON ? &sampson : kind == Residual::SYMMETRIC_EPIPOLAR ? lines : transfer;
+        const double* values = kind == Residual::SAMPSON              ? &sampson
+                               : kind == Residual::SYMMETRIC_EPIPOLAR ? lines
+                                                                      : transfer;
         for (int j = 0; j < rows; ++j)
             r[rows * k + j] = values[j];
     }
@@ -119,7 +118,8 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
             Model plus = model, minus = model;
             plus.val[i] += step;
             minus.val[i] -= step;
-            J.col(i) = (residuals(kind, points, indices, w, plus) - residuals(kind, points, indices, w, minus)) / (2 * step);
+            J.col(i) = (residuals(kind, points, indices, w, plus) - residuals(kind, points, indices, w, minus)) /
+                       (2 * step);
         }
         NormalEquations sums;
         sums.accumulate(*residualOf(kind), PointChunks(points, indices.data(), points.size, w), model);
@@ -369,9 +369,11 @@ TEST_P(Usac_LeastSquares, equalPoints)
     Model model = first;
     solver->fit(points.view(), indices.data(), 20, 0, model);
     EXPECT_TRUE(checkRange(Mat(model)));
-    EXPECT_LE(costOf(kind, points.view(), indices, 0, model), costOf(kind, points.view(), indices, 0, first) * (1 + 1e-9));
+    EXPECT_LE(costOf(kind, points.view(), indices, 0, model),
+              costOf(kind, points.view(), indices, 0, first) * (1 + 1e-9));
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares, testing::Range(0, 6));
 
-}} // namespace
+}
+}  // namespace

@@ -7,7 +7,8 @@
 
 // Least squares where numbers end, or nothing is left to be done.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Matches of a similarity with some noise.
 struct Matches
@@ -68,4 +69,5 @@ TEST(Usac_LeastSquares_Limits, minimumIsKept)
     EXPECT_LE(modelDistance(reached, again), 1e-9);
 }
 
-}} // namespace
+}
+}  // namespace

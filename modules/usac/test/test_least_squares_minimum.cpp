@@ -7,7 +7,8 @@
 
 #include "opencv2/core/optim.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Sum of the squared errors of all points as a function of a step on the manifold from a model.
 class SumOfSquares : public MinProblemSolver::Function
@@ -15,8 +16,7 @@ class SumOfSquares : public MinProblemSolver::Function
 public:
     SumOfSquares(const Correspondences& points_, const Residual& residual_, const Model& model)
         : points(points_), residual(residual_), here(points.problem, model), errors(points.size)
-    {
-    }
+    {}
 
     int getDims() const CV_OVERRIDE { return here.dimension(); }
 
@@ -41,10 +41,10 @@ private:
 };
 
 //! Problem and residual.
-typedef testing::TestWithParam<std::tuple<int, int> > Usac_LeastSquares_Minimum;
+typedef testing::TestWithParam<std::tuple<int, int>> Usac_LeastSquares_Minimum;
 
-//! The method of Nelder and Mead, which uses no derivatives, finds nothing better nearby, and gets there from a model that
-//! is off.
+//! The method of Nelder and Mead, which uses no derivatives, finds nothing better nearby, and gets there from a model
+//! that is off.
 TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
 {
     for (uint64 seed = 1; seed <= 3; ++seed)
@@ -73,8 +73,9 @@ TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
         {
             x = start == 0 ? 0. : 1e-4;  // at the minimum, and off it
             const Mat step(1, sum->getDims(), CV_64F, Scalar(1e-4));
-            const double generic = DownhillSolver::create(sum, step, TermCriteria(TermCriteria::COUNT + TermCriteria::EPS,
-                                                                                  20000, 1e-16))->minimize(x);
+            const double generic = DownhillSolver::create(
+                                       sum, step, TermCriteria(TermCriteria::COUNT + TermCriteria::EPS, 20000, 1e-16))
+                                       ->minimize(x);
             EXPECT_GE(generic, reached * (1 - 1e-3)) << "seed " << seed;
             EXPECT_LE(generic, reached * (1 + 1e-2)) << "the generic one did not converge, seed " << seed;
         }
@@ -83,4 +84,5 @@ TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares_Minimum, testing::Combine(testing::Range(0, 3), testing::Range(0, 2)));
 
-}} // namespace
+}
+}  // namespace

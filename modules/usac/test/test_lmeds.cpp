@@ -9,7 +9,8 @@
 #include "statistics/chi_square.hpp"
 #include "statistics/mixture.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! The plainest search, whatever the threshold.
 Params searchParams()
@@ -174,4 +175,5 @@ TEST_P(Usac_Lmeds_Problem, noPoints)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Lmeds_Problem, testing::Values(0, 1, 2));
 
-}} // namespace
+}
+}  // namespace

@@ -9,7 +9,8 @@
 
 #include <tuple>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Edges as given.
 class GivenEdges : public Neighborhood
@@ -143,7 +144,8 @@ TEST(Usac_GraphCut, exactMinimum)
         graph.addEdges(rng.uniform(0.1, 0.9), 6, rng);
         const std::vector<uchar> labels = graph.cut();
         const std::vector<double> K = graph.closenesses();
-        EXPECT_NEAR(graph.leastEnergy(), energyOf(K, graph.neighborhood->given, graph.params.spatialWeight, labels), 1e-4);
+        EXPECT_NEAR(graph.leastEnergy(), energyOf(K, graph.neighborhood->given, graph.params.spatialWeight, labels),
+                    1e-4);
         for (int i = 0; i < graph.size; ++i, ++total)
         {
             different += (labels[i] != 0) != (K[i] > 0.5);
@@ -168,8 +170,8 @@ TEST(Usac_GraphCut, exactMinimumWithOutliers)
         graph.addEdges(0.6, 6, rng);
         const std::vector<uchar> labels = graph.cut();
         EXPECT_FALSE(labels[1] || labels[2]);
-        EXPECT_NEAR(graph.leastEnergy(), energyOf(graph.closenesses(), graph.neighborhood->given,
-                                                  graph.params.spatialWeight, labels), 1e-4);
+        EXPECT_NEAR(graph.leastEnergy(),
+                    energyOf(graph.closenesses(), graph.neighborhood->given, graph.params.spatialWeight, labels), 1e-4);
     }
 }
 
@@ -238,7 +240,7 @@ TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
 }
 
 //! Each problem with each kind of local optimization.
-typedef testing::TestWithParam<std::tuple<int, int> > Usac_LocalOptimization;
+typedef testing::TestWithParam<std::tuple<int, int>> Usac_LocalOptimization;
 
 TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
 {
@@ -295,7 +297,8 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         Params params;
         params.localOptimization = std::get<1>(GetParam());
         if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS &&
-            params.localOptimization <= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)  // whose threshold is a bound of the noise
+            params.localOptimization <=
+                LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)  // whose threshold is a bound of the noise
         {
             params.threshold = 4;
             params.quality = QUALITY_MAGSAC_PLUS_PLUS;
@@ -312,19 +315,22 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         usac->components().localOptimizer->optimize(context, state, model, quality);
         good += quality.cost < truth.cost * 1.02;
     }
-    // GC-RANSAC looks at the inliers alone, not at what is within three thresholds, and often ends beside the best model
+    // GC-RANSAC looks at the inliers alone, not at what is within three thresholds, and often ends beside the best
+    // model
     EXPECT_GE(good, SCENES * (std::get<1>(GetParam()) == LOCAL_OPTIMIZATION_GC_RANSAC ? 1 : 8) / 10);
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization, testing::Combine(testing::Range(0, 3),
-    testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_GC_RANSAC + 1)));
+INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization,
+                        testing::Combine(testing::Range(0, 3), testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT,
+                                                                              LOCAL_OPTIMIZATION_GC_RANSAC + 1)));
 
 //! Each `period`-th fit fails, or is wrong without saying so.
 class UnreliableSolver : public NonMinimalSolver
 {
 public:
     UnreliableSolver(const Ptr<NonMinimalSolver>& solver_, int period_, bool silent_)
-        : fits(0), solver(solver_), period(period_), silent(silent_) {}
+        : fits(0), solver(solver_), period(period_), silent(silent_)
+    {}
 
     bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
              int iterations) const CV_OVERRIDE
@@ -379,10 +385,12 @@ TEST(Usac_LocalOptimizers, fitsThatFail)
                 const Mat same = withUnreliableFits(scene, params, 1, silent != 0, fits);
                 EXPECT_GT(fits, 0);
                 EXPECT_EQ(0, cvtest::norm(plain, same, NORM_INF));
-                EXPECT_LE(modelError(scene, withUnreliableFits(scene, params, 3, silent != 0, fits)), modelError(scene, plain));
+                EXPECT_LE(modelError(scene, withUnreliableFits(scene, params, 3, silent != 0, fits)),
+                          modelError(scene, plain));
                 EXPECT_GT(fits, 2);
             }
         }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -8,7 +8,8 @@
 #include "statistics/chi_square.hpp"
 #include "statistics/marginalized_weights.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 enum { SIDE = 300 };
 
@@ -62,7 +63,8 @@ TEST_P(Usac_Magsac_Problem, magsacAgainstItsDefinition)
         for (double u = 0; u < 1.2; u += 0.061)
         {
             const double expected = (best - meanLogLikelihood(u * inlierThreshold, sigmaMax, degrees)) / (best - worst);
-            EXPECT_NEAR(expected, costOf(*score, u * inlierThreshold, inlierThreshold), 1e-3) << inlierThreshold << " " << u;
+            EXPECT_NEAR(expected, costOf(*score, u * inlierThreshold, inlierThreshold), 1e-3)
+                << inlierThreshold << " " << u;
         }
     }
 }
@@ -85,7 +87,8 @@ TEST_P(Usac_Magsac_Problem, bounds)
     for (int t = 0; t < 2; ++t)
     {
         const Ptr<OwnPoints> points(spanning(problem, thresholds[t]));
-        const Ptr<Score> scores[] = {createMagsacScore(points->view()), createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
+        const Ptr<Score> scores[] = {createMagsacScore(points->view()),
+                                     createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
         for (int s = 0; s < 2; ++s)
         {
             EXPECT_EQ(0, costOf(*scores[s], 0, thresholds[t]));
@@ -108,7 +111,8 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const Ptr<OwnPoints> points(spanning(problem, 2));
-    const Ptr<Score> scores[] = {createMagsacScore(points->view()), createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
+    const Ptr<Score> scores[] = {createMagsacScore(points->view()),
+                                 createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
     for (int s = 0; s < 2; ++s)
     {
         float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0, 4.f,
@@ -177,4 +181,5 @@ TEST_P(Usac_Magsac_Problem, estimates)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Problem, testing::Values(0, 1, 2));
 
-}} // namespace
+}
+}  // namespace

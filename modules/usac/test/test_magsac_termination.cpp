@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "termination/termination.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! A scene, the state of a run that has found its true model, and the inliers of that at parts of the threshold.
 struct Found
@@ -68,7 +69,8 @@ TEST_P(Usac_Magsac_Termination, againstItsFormula)
             }
             const Ptr<Termination> termination = createMagsacTermination();
             EXPECT_EQ(STOP_MAGSAC, termination->reason());
-            EXPECT_NEAR(sum, termination->iterations(found.context, found.state), 1.001 + 1e-9 * sum) << inlierThreshold;
+            EXPECT_NEAR(sum, termination->iterations(found.context, found.state), 1.001 + 1e-9 * sum)
+                << inlierThreshold;
             // never before the standard criterion
             EXPECT_GE(termination->iterations(found.context, found.state),
                       createStandardTermination()->iterations(found.context, found.state));
@@ -117,4 +119,5 @@ TEST_P(Usac_Magsac_Termination, estimates)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Termination, testing::Values(0, 1, 2));
 
-}} // namespace
+}
+}  // namespace

@@ -8,7 +8,8 @@
 #include "statistics/chi_square.hpp"
 #include "statistics/mixture.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Two points that span a square of this side in both images, with a threshold.
 OwnPoints* spanning(ProblemType problem, double side, double inlierThreshold)
@@ -152,4 +153,5 @@ TEST_P(Usac_Mlesac_Problem, estimates)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Mlesac_Problem, testing::Values(0, 1, 2));
 
-}} // namespace
+}
+}  // namespace

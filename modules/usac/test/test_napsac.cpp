@@ -6,7 +6,8 @@
 #include "surroundings.hpp"
 #include "samplers/samplers.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 Params withNeighbors(int neighbors)
 {
@@ -33,7 +34,7 @@ TEST(Usac_Napsac, uniformAmongNeighbors)
         Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withNeighbors(4));
         Neighborhood& neighborhood = *draw.usac->components().neighborhood;
         std::vector<int> centers(N, 0);
-        std::vector<std::vector<int> > ranks(draw.m, std::vector<int>(MEMBERS, 0));
+        std::vector<std::vector<int>> ranks(draw.m, std::vector<int>(MEMBERS, 0));
         for (int i = 0; i < SAMPLES; ++i)
         {
             draw.next();
@@ -161,4 +162,5 @@ TEST(Usac_Napsac, findsALocalModel)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -9,7 +9,8 @@
 
 #include <set>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Cell of a point along each axis of a layer with `divisions` cells.
 Vec4i cellOf(const Correspondences& p, int point, int divisions)
@@ -96,7 +97,8 @@ TEST(Usac_Neighborhood, layersAreNested)
 
 TEST(Usac_Neighborhood, equalPointsAreAllNeighbors)
 {
-    const OwnPoints points(HOMOGRAPHY, std::vector<Point2d>(37, Point2d(-3, 4)), std::vector<Point2d>(37, Point2d(0, 0)));
+    const OwnPoints points(HOMOGRAPHY, std::vector<Point2d>(37, Point2d(-3, 4)),
+                           std::vector<Point2d>(37, Point2d(0, 0)));
     const Surroundings around(points.view());
     const Ptr<Neighborhood> grid = createGridNeighborhood();
     for (int layer = 0; layer < grid->layers(); ++layer)
@@ -110,7 +112,7 @@ void checkEdges(const Correspondences& points, size_t least)
     const Surroundings around(points);
     const Ptr<Neighborhood> grid = createGridNeighborhood();
     const std::vector<Vec2i> edges = grid->edges(around.context);
-    std::set<std::pair<int, int> > seen;
+    std::set<std::pair<int, int>> seen;
     for (size_t e = 0; e < edges.size(); ++e)
     {
         const int i = edges[e][0], j = edges[e][1];
@@ -285,7 +287,7 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
         for (int k = 0; k < p.size; ++k)
             order[k] = k;
         usac->components().ordering->sort(Context(p, usac->components(), params), order);
-        std::set<std::pair<double, double> > seen;
+        std::set<std::pair<double, double>> seen;
         for (int k = 0; k < p.size; ++k)
             EXPECT_EQ(k < size, seen.insert(std::make_pair(p.dx1[order[k]], p.dy1[order[k]])).second) << k;
         std::sort(order.begin(), order.end());
@@ -303,4 +305,5 @@ TEST(Usac_Neighborhood, noPoints)
     EXPECT_TRUE(createRadiusNeighborhood(20)->edges(around.context).empty());
 }
 
-}} // namespace
+}
+}  // namespace

@@ -5,7 +5,8 @@
 #include "surroundings.hpp"
 #include "neighborhood/neighborhood.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 enum { LAYERS = 4, LINKS = 8, WIDEST = 512 };
 
@@ -14,8 +15,7 @@ class Pixels
 {
 public:
     //! Pixels are the units of the points.
-    explicit Pixels(const OwnPoints& own)
-        : around(own.view(), unitThreshold(own.view().threshold))
+    explicit Pixels(const OwnPoints& own) : around(own.view(), unitThreshold(own.view().threshold))
     {
         const Correspondences& p = own.view();
         for (int i = 0; i < p.size; ++i)
@@ -23,13 +23,13 @@ public:
     }
 
     //! Pixels are those of the images.
-    Pixels(const Scene& scene, const Params& params)
-        : usac(createUsac(scene, params)), around(usac->points(), params)
+    Pixels(const Scene& scene, const Params& params) : usac(createUsac(scene, params)), around(usac->points(), params)
     {
         for (int i = 0; i < usac->points().size; ++i)
         {
             const int row = usac->points().inputIndex[i];
-            rows.push_back(Vec4d(scene.points1[row].x, scene.points1[row].y, scene.points2[row].x, scene.points2[row].y));
+            rows.push_back(
+                Vec4d(scene.points1[row].x, scene.points1[row].y, scene.points2[row].x, scene.points2[row].y));
         }
     }
 
@@ -90,7 +90,8 @@ void checkKnn(const Pixels& pixels, int k)
             const int expected = std::min(pixels.size(), std::max(k, std::min<int>(k << layer, WIDEST)) + 1);
             ASSERT_EQ(expected, (int)list.size()) << "layer " << layer;
             for (int i = 0; i < expected; ++i)
-                ASSERT_NEAR(distances[i], pixels.distance(point, list[i]), 1e-4 * (1 + distances[i])) << "layer " << layer;
+                ASSERT_NEAR(distances[i], pixels.distance(point, list[i]), 1e-4 * (1 + distances[i]))
+                    << "layer " << layer;
         }
     }
 }
@@ -159,7 +160,7 @@ TEST(Usac_NeighborhoodFlann, boundedMemory)
     const OwnPoints own(HOMOGRAPHY, points1, points2);
     const Pixels pixels(own);
     const Ptr<Neighborhood> radius = createRadiusNeighborhood(1e300), knn = createKnnNeighborhood(1000),
-                             some = createKnnNeighborhood(100);
+                            some = createKnnNeighborhood(100);
     for (int point = 0; point < 1500; point += 50)
         for (int layer = 0; layer < LAYERS; ++layer)
         {
@@ -174,7 +175,7 @@ TEST(Usac_NeighborhoodFlann, boundedMemory)
 void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
 {
     const std::vector<Vec2i> edges = neighborhood.edges(pixels.context());
-    std::set<std::pair<int, int> > seen;
+    std::set<std::pair<int, int>> seen;
     std::vector<double> reach(pixels.size());
     for (int i = 0; i < pixels.size(); ++i)
         reach[i] = pixels.sorted(i)[std::min(links, pixels.size() - 1)] * (1 + 1e-4) + 1e-6;
@@ -369,4 +370,5 @@ TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
     EXPECT_NEAR(counts[0], counts[1], 2);
 }
 
-}} // namespace
+}
+}  // namespace

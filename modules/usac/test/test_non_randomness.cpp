@@ -7,7 +7,8 @@
 
 #include <set>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! P(Binomial(n, p) = k) for all k, by adding one point after the other.
 std::vector<long double> distribution(int n, double p)
@@ -147,7 +148,7 @@ TEST(Usac_NonRandomness, independentInliersAgainstASet)
     for (double side = 0.01; side < 100; side *= 7)
     {
         Points points;
-        std::set<std::pair<double, double> > cells1, cells2;
+        std::set<std::pair<double, double>> cells1, cells2;
         for (int i = 0; i < 2000; ++i)
         {
             const double p[4] = {rng.uniform(-50., 50.), rng.uniform(-50., 50.), rng.gaussian(20), rng.gaussian(1)};
@@ -178,7 +179,7 @@ TEST(Usac_NonRandomness, firstOfACellIsNotRepeated)
     }
     repeated[5] = 1;  // of the other image
     const int sum = markRepeated(x.data(), y.data(), order.data(), mask.data(), N, 2, repeated.data());
-    std::set<std::pair<int, int> > seen;
+    std::set<std::pair<int, int>> seen;
     int expectedSum = 0;
     for (int i = 0; i < N; ++i)
     {
@@ -192,4 +193,5 @@ TEST(Usac_NonRandomness, firstOfACellIsNotRepeated)
     EXPECT_EQ(expectedSum, sum);
 }
 
-}} // namespace
+}
+}  // namespace

@@ -10,14 +10,12 @@
 
 // The directions of a parameterization at the models of special motions, where those of angles coincide.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef Eigen::Matrix<double, 9, 1> Vector9;
 
-Vector9 vectorOf(const Model& model)
-{
-    return Eigen::Map<const Vector9>(model.val);
-}
+Vector9 vectorOf(const Model& model) { return Eigen::Map<const Vector9>(model.val); }
 
 Scene sceneOf(ProblemType problem, Motion motion, double noise, double baseline = 1)
 {
@@ -30,8 +28,8 @@ Scene sceneOf(ProblemType problem, Motion motion, double noise, double baseline 
     return makeScene(problem, options);
 }
 
-/** Least and largest singular value of the derivatives, by differences, at the parameters 0; the derivatives that the class gives
-are the same. */
+/** Least and largest singular value of the derivatives, by differences, at the parameters 0; the derivatives that the
+class gives are the same. */
 Vec2d conditionOf(const Parameterization& here)
 {
     const double h = 1e-5;
@@ -48,7 +46,7 @@ Vec2d conditionOf(const Parameterization& here)
 }
 
 //! Problem and motion.
-typedef testing::TestWithParam<std::tuple<int, int> > Usac_Parameterization;
+typedef testing::TestWithParam<std::tuple<int, int>> Usac_Parameterization;
 
 TEST_P(Usac_Parameterization, isRegularAtSpecialMotions)
 {
@@ -83,15 +81,16 @@ TEST_P(Usac_Parameterization, leastSquaresInThreeSteps)
     double cost[2];
     for (int k = 0; k < 2; ++k)
     {
-        usac->components().residual->squaredErrors(k == 0 ? steps : best, points.dx1, points.dy1, points.dx2, points.dy2,
-                                                   points.size, errors.data());
+        usac->components().residual->squaredErrors(k == 0 ? steps : best, points.dx1, points.dy1, points.dx2,
+                                                   points.dy2, points.size, errors.data());
         cost[k] = std::accumulate(errors.begin(), errors.end(), 0.);
     }
     EXPECT_LE(cost[0], cost[1] * (1 + 1e-6));
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Parameterization,
-                        testing::Combine(testing::Range(0, 3), testing::Range((int)MOTION_GENERAL, (int)MOTION_CAR + 1)));
+                        testing::Combine(testing::Range(0, 3),
+                                         testing::Range((int)MOTION_GENERAL, (int)MOTION_CAR + 1)));
 
 //! From equal singular values to a ratio of a thousand.
 TEST(Usac_Parameterization_Fundamental, isRegularForAllSingularValues)
@@ -115,4 +114,5 @@ TEST(Usac_Parameterization_Fundamental, isRegularForAllSingularValues)
     }
 }
 
-}} // namespace
+}
+}  // namespace

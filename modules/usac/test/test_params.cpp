@@ -7,7 +7,8 @@
 
 // Params: ranges, presets, conversion, storage. What each field does is in test_params_effects.cpp.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 struct Check
 {
@@ -17,17 +18,33 @@ struct Check
 
 TEST(Usac_Params, ranges_of_integers)
 {
-    const struct { const char* name; int low, high; } ranges[] = {
-        {"maxIterations", 1, INT_MAX}, {"seed", INT_MIN, INT_MAX}, {"threads", 0, 1024},
-        {"sampler", SAMPLER_UNIFORM, SAMPLER_IMPORTANCE}, {"ordering", ORDERING_AUTO, ORDERING_NONE},
-        {"scoreOrder", SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER},
-        {"neighborhood", NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS}, {"neighbors", 1, 1000},
-        {"residual", RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC}, {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
-        {"verification", VERIFICATION_NONE, VERIFICATION_TDD}, {"tddPoints", 1, 100},
-        {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC},
-        {"localIterations", 1, 1000}, {"localSampleMultiple", 2, 100}, {"localSamples", 0, 1000}, {"termination", 0, 63},
-        {"runnersUp", 0, 100}, {"orderedEvery", 1, 1000}, {"persistence", 1, 100}, {"degeneracy", 0, 7},
-        {"polishing", POLISHING_NONE, POLISHING_ROBUST}, {"polishingSteps", 1, 100}};
+    const struct
+    {
+        const char* name;
+        int low, high;
+    } ranges[] = {{"maxIterations", 1, INT_MAX},
+                  {"seed", INT_MIN, INT_MAX},
+                  {"threads", 0, 1024},
+                  {"sampler", SAMPLER_UNIFORM, SAMPLER_IMPORTANCE},
+                  {"ordering", ORDERING_AUTO, ORDERING_NONE},
+                  {"scoreOrder", SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER},
+                  {"neighborhood", NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS},
+                  {"neighbors", 1, 1000},
+                  {"residual", RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC},
+                  {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
+                  {"verification", VERIFICATION_NONE, VERIFICATION_TDD},
+                  {"tddPoints", 1, 100},
+                  {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC},
+                  {"localIterations", 1, 1000},
+                  {"localSampleMultiple", 2, 100},
+                  {"localSamples", 0, 1000},
+                  {"termination", 0, 63},
+                  {"runnersUp", 0, 100},
+                  {"orderedEvery", 1, 1000},
+                  {"persistence", 1, 100},
+                  {"degeneracy", 0, 7},
+                  {"polishing", POLISHING_NONE, POLISHING_ROBUST},
+                  {"polishingSteps", 1, 100}};
     ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::ints().size(); ++i)
     {
@@ -64,12 +81,14 @@ TEST(Usac_Params, ranges_of_integers)
 TEST(Usac_Params, ranges_of_reals)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-    const struct { const char* name; double right[2], wrong[3]; } ranges[] = {
-        {"threshold", {1e-300, 1e300}, {0, -1, inf}}, {"confidence", {1e-300, 1 - 1e-15}, {0, 1, 2}},
-        {"neighborRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}},
-        {"widestReach", {1, 1e6}, {0.99, 1.001e6, inf}},
-        {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}}, {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}},
-        {"significance", {0, 1}, {-1e-9, 1.001, -inf}}};
+    const struct
+    {
+        const char* name;
+        double right[2], wrong[3];
+    } ranges[] = {{"threshold", {1e-300, 1e300}, {0, -1, inf}},      {"confidence", {1e-300, 1 - 1e-15}, {0, 1, 2}},
+                  {"neighborRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}},
+                  {"widestReach", {1, 1e6}, {0.99, 1.001e6, inf}},   {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}},
+                  {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}},      {"significance", {0, 1}, {-1e-9, 1.001, -inf}}};
     ASSERT_EQ(Fields::doubles().size(), sizeof(ranges) / sizeof(ranges[0]));
     for (size_t i = 0; i < Fields::doubles().size(); ++i)
     {
@@ -133,12 +152,18 @@ TEST(Usac_Params, impossible_combinations_with_lmeds)
 {
     const Params lmeds = Params::lmeds();
     EXPECT_NO_THROW(lmeds.check());
-    const struct { int Params::* field; int value; const char* name; } wrong[] = {
-        {&Params::verification, VERIFICATION_SPRT, "verification"}, {&Params::verification, VERIFICATION_TDD, "verification"},
-        {&Params::localOptimization, LOCAL_OPTIMIZATION_GRAPH_CUT, "localOptimization"},
-        {&Params::localOptimization, LOCAL_OPTIMIZATION_LO_RANSAC, "localOptimization"},
-        {&Params::localOptimization, LOCAL_OPTIMIZATION_GC_RANSAC, "localOptimization"},
-        {&Params::degeneracy, DEGENERACY_DEGENSAC, "degeneracy"}, {&Params::termination, TERMINATION_MAGSAC, "termination"}};
+    const struct
+    {
+        int Params::*field;
+        int value;
+        const char* name;
+    } wrong[] = {{&Params::verification, VERIFICATION_SPRT, "verification"},
+                 {&Params::verification, VERIFICATION_TDD, "verification"},
+                 {&Params::localOptimization, LOCAL_OPTIMIZATION_GRAPH_CUT, "localOptimization"},
+                 {&Params::localOptimization, LOCAL_OPTIMIZATION_LO_RANSAC, "localOptimization"},
+                 {&Params::localOptimization, LOCAL_OPTIMIZATION_GC_RANSAC, "localOptimization"},
+                 {&Params::degeneracy, DEGENERACY_DEGENSAC, "degeneracy"},
+                 {&Params::termination, TERMINATION_MAGSAC, "termination"}};
     for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); ++i)
     {
         Check check;
@@ -295,4 +320,5 @@ TEST(Usac_Params, storage_of_some_fields)
     EXPECT_EQ("", Fields::difference(Params(), params));
 }
 
-}} // namespace
+}
+}  // namespace

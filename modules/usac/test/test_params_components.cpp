@@ -4,9 +4,11 @@
 
 #include "test_contracts.hpp"
 
-// Each field of Params changed alone has an effect: verification, local optimization, termination, degeneracy, polishing.
+// Each field of Params changed alone has an effect: verification, local optimization, termination, degeneracy,
+// polishing.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacComponents;
 INSTANTIATE_TEST_CASE_P(/**/, UsacComponents, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -35,7 +37,8 @@ class CountingResidual : public Residual
 public:
     explicit CountingResidual(const Ptr<Residual>& residual_) : points(0), residual(residual_) {}
 
-    void squaredErrors(const Correspondences& p, const Model& model, int begin, int end, float* errors) const CV_OVERRIDE
+    void squaredErrors(const Correspondences& p, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
     {
         points += end - begin;
         residual->squaredErrors(p, model, begin, end, errors);
@@ -84,8 +87,8 @@ public:
     //! @param part of the way to the fit that the model goes
     FitRecorder(const Ptr<NonMinimalSolver>& solver_, double part_) : solver(solver_), part(part_) {}
 
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
-             Model& model, int iterations) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
+             int iterations) const CV_OVERRIDE
     {
         sizes.push_back(count);
         Model fitted = model;
@@ -355,4 +358,5 @@ TEST_P(UsacComponents, polishingSteps)
         }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -11,7 +11,8 @@
 
 // Each field of Params changed alone has an effect.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef UsacProblem UsacEffects;
 INSTANTIATE_TEST_CASE_P(/**/, UsacEffects, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -134,7 +135,7 @@ TEST_P(UsacEffects, seed)
     for (params.sampler = SAMPLER_UNIFORM; params.sampler <= SAMPLER_IMPORTANCE; ++params.sampler)
     {
         SCOPED_TRACE(cv::format("sampler %d", params.sampler));
-        std::set<std::vector<int> > sequences;
+        std::set<std::vector<int>> sequences;
         const int seeds[] = {0, 1, 2, -1, INT_MAX, INT_MIN};
         for (int i = 0; i < 6; ++i)
         {
@@ -146,7 +147,8 @@ TEST_P(UsacEffects, seed)
     }
 }
 
-//! A solver that knows which threads call it; it dallies until there are two, so that a fast one cannot do all the work.
+//! A solver that knows which threads call it; it dallies until there are two, so that a fast one cannot do all the
+//! work.
 class ThreadRecorder : public MinimalSolver
 {
 public:
@@ -292,7 +294,8 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
         EXPECT_NE(0, rows[i] % 3) << "a match whose score is NaN is the worst";
 }
 
-//! Points in the order of the caller, true matches first: one sample in so many is of the first of them, the others are uniform.
+//! Points in the order of the caller, true matches first: one sample in so many is of the first of them, the others are
+//! uniform.
 TEST_P(UsacEffects, orderedEvery)
 {
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
@@ -350,4 +353,5 @@ TEST_P(UsacEffects, reach)
     EXPECT_FALSE(sameBits(models[0], models[1]));
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,7 +6,8 @@
 
 // What the loop does with components of a caller.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 Params allOf(int iterations)
 {
@@ -33,7 +34,8 @@ private:
     mutable int models;
 };
 
-//! After a million samples without a model a criterion gives up. Without a criterion, or after a model, the limit holds.
+//! After a million samples without a model a criterion gives up. Without a criterion, or after a model, the limit
+//! holds.
 TEST(Usac_Parts, hopeless)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -58,7 +60,10 @@ class Refusal : public Degeneracy
 {
 public:
     explicit Refusal(bool fromSample_) : fromSample(fromSample_) {}
-    bool recover(const Context&, State&, const int* sample, Model&, Quality&) CV_OVERRIDE { return (sample != 0) != fromSample; }
+    bool recover(const Context&, State&, const int* sample, Model&, Quality&) CV_OVERRIDE
+    {
+        return (sample != 0) != fromSample;
+    }
 
 private:
     const bool fromSample;
@@ -130,4 +135,5 @@ TEST(Usac_Parts, requiredOnesAreAskedFor)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,7 +6,8 @@
 #include "problems/fundamental/plane_parallax.hpp"
 #include "problem_objects.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 const double THRESHOLD = 1.5;
 
@@ -99,7 +100,8 @@ int searchFailures(const Params& preset, int size, double plane, double inliers,
         Params params = paramsOf(preset);
         params.seed = i;
         const Mat F = estimate(p.scene, params);
-        failures += F.empty() || costOf(p.scene, cv::Matx33d(F.ptr<double>())) > costOf(p.scene, p.toPixels(p.truth)) + 1;
+        failures += F.empty() ||
+                    costOf(p.scene, cv::Matx33d(F.ptr<double>())) > costOf(p.scene, p.toPixels(p.truth)) + 1;
     }
     return failures;
 }
@@ -253,4 +255,5 @@ TEST(Usac_PlaneParallax, fewPoints)
     }
 }
 
-}} // namespace
+}
+}  // namespace

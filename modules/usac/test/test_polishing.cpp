@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "polishing/polishing.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Mean error under the truth of both polishers, each from the same model that misses the truth a little.
 void comparePolishers(ProblemType problem, double noise, double& leastSquares, double& reweighted)
@@ -81,4 +82,5 @@ TEST(Usac_Polishing, nothingNear)
     }
 }
 
-}} // namespace
+}
+}  // namespace

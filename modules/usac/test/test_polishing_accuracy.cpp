@@ -7,7 +7,8 @@
 
 // What polishing reaches, against the best that is possible: least squares over the true matches.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 const double THRESHOLD = 1.5;
 
@@ -31,7 +32,9 @@ Scene trueMatches(const Scene& scene)
 
 Mat inPixels(const Correspondences& points, const Model& model)
 {
-    return Mat(points.problem->errorDimension() == 2 ? points.T2.inv() * model * points.T1 : points.T2.t() * model * points.T1, true);
+    return Mat(points.problem->errorDimension() == 2 ? points.T2.inv() * model * points.T1
+                                                     : points.T2.t() * model * points.T1,
+               true);
 }
 
 //! Least squares over all matches.
@@ -69,10 +72,11 @@ SceneOptions optionsOf(Motion motion, double noise, uint64 seed)
 }
 
 //! Problem and motion.
-typedef testing::TestWithParam<std::tuple<int, int> > Usac_Polishing_Accuracy;
+typedef testing::TestWithParam<std::tuple<int, int>> Usac_Polishing_Accuracy;
 
-/** Root mean square of the errors over scenes, to that of least squares, from the exact model: what the search has found may fit
-a wrong match better than the truth does, mostly under forward motions, and then polishing does not come back. */
+/** Root mean square of the errors over scenes, to that of least squares, from the exact model: what the search has
+found may fit a wrong match better than the truth does, mostly under forward motions, and then polishing does not come
+back. */
 TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
 {
     const double noises[] = {THRESHOLD / 10, THRESHOLD / 3};
@@ -110,8 +114,8 @@ TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
         }
 }
 
-/** Few matches, coordinates below 1 in image 2 and the threshold left where it was: everything is an inlier of anything, and
-polishing has to go all the way. */
+/** Few matches, coordinates below 1 in image 2 and the threshold left where it was: everything is an inlier of
+anything, and polishing has to go all the way. */
 TEST_P(Usac_Polishing_Accuracy, thresholdFarAboveTheNoise)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());
@@ -142,6 +146,8 @@ TEST_P(Usac_Polishing_Accuracy, thresholdFarAboveTheNoise)
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Polishing_Accuracy,
-                        testing::Combine(testing::Range(0, 3), testing::Range((int)MOTION_GENERAL, (int)MOTION_CAR + 1)));
+                        testing::Combine(testing::Range(0, 3),
+                                         testing::Range((int)MOTION_GENERAL, (int)MOTION_CAR + 1)));
 
-}} // namespace
+}
+}  // namespace

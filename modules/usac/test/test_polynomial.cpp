@@ -8,7 +8,8 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Coefficients of the product of (x - root), the constant first.
 std::vector<double> expand(const std::vector<double>& roots)
@@ -69,7 +70,8 @@ TEST(Usac_Polynomial, spreadRoots)
 
 TEST(Usac_Polynomial, rootsAtZeroAndOne)
 {
-    const double zero[] = {0}, zeroOne[] = {0, 1}, all[] = {-1, 0, 1}, ones[] = {-1, 1}, more[] = {-2, -1, 0, 0.5, 1, 3};
+    const double zero[] = {0}, zeroOne[] = {0, 1}, all[] = {-1, 0, 1}, ones[] = {-1, 1},
+                 more[] = {-2, -1, 0, 0.5, 1, 3};
     const double border[] = {-1.0009765625, 1}, belowBorder[] = {-1.001, -1.0009, 0.999, 1.001};
     expectProduct(zero, 1);
     expectProduct(zeroOne, 2);
@@ -146,7 +148,8 @@ TEST(Usac_Polynomial, sparse)
         SCOPED_TRACE(cv::format("degree %d, noise %g", (int)c.size() - 1, noise));
         expectRoots(c, roots, 1e-7);
     }
-    const double quartic[] = {-0.05, 0.1, 0, 0, 1};  // one change of sign: one positive root; the same for the negative ones
+    const double quartic[] = {-0.05, 0.1, 0, 0,
+                              1};  // one change of sign: one positive root; the same for the negative ones
     EXPECT_EQ(2u, findRoots(std::vector<double>(quartic, quartic + 5)).size());
 }
 
@@ -182,7 +185,7 @@ TEST(Usac_Polynomial, noRoots)
 }
 
 //! Eigenvalues of the companion matrix.
-std::vector<std::complex<double> > companionRoots(const std::vector<double>& c)
+std::vector<std::complex<double>> companionRoots(const std::vector<double>& c)
 {
     const int degree = (int)c.size() - 1;
     Eigen::MatrixXd C = Eigen::MatrixXd::Zero(degree, degree);
@@ -193,7 +196,7 @@ std::vector<std::complex<double> > companionRoots(const std::vector<double>& c)
         C(i, degree - 1) = -c[i] / c[degree];
     }
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(C, false);
-    std::vector<std::complex<double> > roots(degree);
+    std::vector<std::complex<double>> roots(degree);
     for (int i = 0; i < degree; ++i)
         roots[i] = solver.eigenvalues()[i];
     return roots;
@@ -209,7 +212,7 @@ TEST(Usac_Polynomial, asManyAsTheCompanionMatrix)
         std::vector<double> c(degree + 1), expected;
         for (int i = 0; i <= degree; ++i)
             c[i] = rng.gaussian(1) * std::pow(10., rng.uniform(-1., 1.));
-        const std::vector<std::complex<double> > all = companionRoots(c);
+        const std::vector<std::complex<double>> all = companionRoots(c);
         bool clear = true;  // no pair of roots close to where real pairs become complex ones
         for (size_t i = 0; i < all.size(); ++i)
         {
@@ -231,4 +234,5 @@ TEST(Usac_Polynomial, asManyAsTheCompanionMatrix)
     EXPECT_GT(total, 2 * compared);  // random polynomials of degree 3 .. 10 have more than two real roots on average
 }
 
-}} // namespace
+}
+}  // namespace

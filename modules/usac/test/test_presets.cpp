@@ -7,7 +7,8 @@
 
 // Presets are what the papers they are named after describe; flags and calib3d's parameters select them.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! What a preset must set; the other fields are those of the preset it starts from.
 struct Expected
@@ -22,11 +23,14 @@ TEST(Usac_Presets, change_what_they_say)
     const Params v20, ransac = Params::ransac(), lo = Params::loRansac();
     const Expected all[] = {
         {"usacV20", Params::usacV20(), v20, ""},
-        {"fast", Params::fast(), v20, "localIterations localSamples runnersUp polishingSteps spatialWeight relaxation "},
-        {"accurate", Params::accurate(), v20, "localIterations localSamples termination runnersUp persistence polishingSteps "},
+        {"fast", Params::fast(), v20,
+         "localIterations localSamples runnersUp polishingSteps spatialWeight relaxation "},
+        {"accurate", Params::accurate(), v20,
+         "localIterations localSamples termination runnersUp persistence polishingSteps "},
         {"sorted", Params::sorted(), v20, "sampler ordering "},
         {"parallel", Params::parallel(), v20, "threads "},
-        {"ransac", ransac, v20, "sampler quality verification localOptimization termination runnersUp degeneracy polishing "},
+        {"ransac", ransac, v20,
+         "sampler quality verification localOptimization termination runnersUp degeneracy polishing "},
         {"msac", Params::msac(), ransac, "quality "},
         {"lmeds", Params::lmeds(), ransac, "quality "},
         {"mlesac", Params::mlesac(), ransac, "quality "},
@@ -36,7 +40,8 @@ TEST(Usac_Presets, change_what_they_say)
         {"gcRansac", Params::gcRansac(), Params::msac(),
          "neighborhood localOptimization localIterations localSampleMultiple localSamples neighborRadius "},
         {"usac2013", Params::usac2013(), lo, "sampler ordering verification termination orderedEvery degeneracy "},
-        {"magsac", Params::magsac(), ransac, "quality localOptimization termination polishing polishingSteps reach widestReach "},
+        {"magsac", Params::magsac(), ransac,
+         "quality localOptimization termination polishing polishingSteps reach widestReach "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20,
          "quality localOptimization polishing polishingSteps reach widestReach "}};
     const int count = sizeof(all) / sizeof(all[0]);
@@ -172,4 +177,5 @@ TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
                 }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -4,7 +4,8 @@
 
 #include "test_precomp.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! What an estimation returns.
 struct Answer
@@ -391,4 +392,5 @@ TEST(Usac_Ransac_Parts, withoutOptionalComponents)
     }
 }
 
-}} // namespace
+}
+}  // namespace

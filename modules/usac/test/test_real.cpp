@@ -7,7 +7,8 @@
 
 // Real matches of test_data/, against ground truth that no estimator has seen.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! A set, its inlier threshold, the largest mean error of the check points and the least number of inliers.
 struct RealCase
@@ -17,10 +18,7 @@ struct RealCase
     int inliers;
 };
 
-void PrintTo(const RealCase& c, std::ostream* os)
-{
-    *os << c.name;
-}
+void PrintTo(const RealCase& c, std::ostream* os) { *os << c.name; }
 
 class UsacReal : public testing::TestWithParam<RealCase>
 {
@@ -39,10 +37,8 @@ protected:
     const RealSet set;
 };
 
-const RealCase CASES[] = {
-    {"graf", 2, 0.6, 235}, {"aloe", 1, 0.3, 265},
-    {"office01_F", 1, 1, 265}, {"office12_F", 1, 1, 150},
-    {"office01_E", 1, 0.6, 260}, {"office12_E", 1, 0.9, 140}};
+const RealCase CASES[] = {{"graf", 2, 0.6, 235},     {"aloe", 1, 0.3, 265},       {"office01_F", 1, 1, 265},
+                          {"office12_F", 1, 1, 150}, {"office01_E", 1, 0.6, 260}, {"office12_E", 1, 0.9, 140}};
 INSTANTIATE_TEST_CASE_P(/**/, UsacReal, testing::ValuesIn(CASES));
 
 //! Without this the bounds of the other tests would mean nothing.
@@ -55,7 +51,8 @@ TEST_P(UsacReal, truth_fits_the_check_points)
 TEST_P(UsacReal, every_flag)
 {
     Mat mask;
-    const bool graf = real.name == std::string("graf");  // of 200 seeds 7 (MAGSAC: 12) end in another optimum, 1.7 px off
+    const bool graf = real.name ==
+                      std::string("graf");  // of 200 seeds 7 (MAGSAC: 12) end in another optimum, 1.7 px off
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
     verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, graf ? 3 : 1.5);
     verify("USACV20_ACCURATE", set.find(USACV20_ACCURATE, real.threshold, mask), mask);
@@ -108,4 +105,5 @@ TEST_P(UsacReal, ransac_preset)
     EXPECT_GT(countNonZero(mask), 0.8 * real.inliers);
 }
 
-}} // namespace
+}
+}  // namespace

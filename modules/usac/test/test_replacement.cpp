@@ -8,7 +8,8 @@
 
 // A component of a caller's does what it says, and what does not fit ends in a message.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! The sample's distance in image 2 to the epipolar line, with its derivative or without.
 class LineDistance : public custom::LineDistance
@@ -152,7 +153,8 @@ TEST(Usac_Replacement, uniformSampler)
         Report report;
         EXPECT_FALSE(usac->run(noArray(), &report).empty());
         EXPECT_EQ((int)STOP_STANDARD, report.stop);
-        const int least = samplesNeeded(goodSampleProbability(scene.size(), scene.size() + 1, 4), std::log(1 - params.confidence));
+        const int least = samplesNeeded(goodSampleProbability(scene.size(), scene.size() + 1, 4),
+                                        std::log(1 - params.confidence));
         EXPECT_GE(report.iterations, least);
     }
 }
@@ -278,4 +280,5 @@ TEST(Usac_Replacement, problem)
     EXPECT_THROW(Usac::create(Ptr<Problem>(), scene.points1, scene.points2), cv::Exception);
 }
 
-}} // namespace
+}
+}  // namespace

@@ -7,9 +7,11 @@
 
 // An object that is run again gives what a new one gives.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
-void expectSame(const Mat& a, const Mat& maskA, const Report& reportA, const Mat& b, const Mat& maskB, const Report& reportB)
+void expectSame(const Mat& a, const Mat& maskA, const Report& reportA, const Mat& b, const Mat& maskB,
+                const Report& reportB)
 {
     ASSERT_EQ(a.empty(), b.empty());
     if (!a.empty())
@@ -64,7 +66,8 @@ TEST_P(Usac_Rerun, withOtherPoints)
         Report reports[2];
         usac->setPoints(scene.points1, scene.points2);
         EXPECT_EQ(sizes[i], usac->points().size);
-        const Mat again = usac->run(masks[0], &reports[0]), once = createUsac(scene, Params())->run(masks[1], &reports[1]);
+        const Mat again = usac->run(masks[0], &reports[0]),
+                  once = createUsac(scene, Params())->run(masks[1], &reports[1]);
         expectSame(again, masks[0], reports[0], once, masks[1], reports[1]);
     }
     EXPECT_THROW(usac->setPoints(std::vector<Point2d>(3), std::vector<Point2d>(4)), cv::Exception);
@@ -72,4 +75,5 @@ TEST_P(Usac_Rerun, withOtherPoints)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Rerun, testing::Values(0, 1, 2));
 
-}} // namespace
+}
+}  // namespace

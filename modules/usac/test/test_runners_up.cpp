@@ -7,7 +7,8 @@
 
 // The best models of samples that were never the best of all: what is kept, and what becomes of them.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 Candidate candidateOf(double cost)
 {
@@ -158,7 +159,8 @@ TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
 
 INSTANTIATE_TEST_CASE_P(/**/, Usac_RunnersUpOf, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-/* Nearly all points on a plane: a plane has two motions, and most points agree with both. The one with the lower cost is right. */
+/* Nearly all points on a plane: a plane has two motions, and most points agree with both. The one with the lower cost
+ * is right. */
 TEST(Usac_RunnersUp, tellTheTwoMotionsOfAPlane)
 {
     int wrong[2] = {0, 0};
@@ -178,4 +180,5 @@ TEST(Usac_RunnersUp, tellTheTwoMotionsOfAPlane)
     EXPECT_EQ(0, wrong[1]);
 }
 
-}} // namespace
+}
+}  // namespace

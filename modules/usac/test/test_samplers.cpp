@@ -6,7 +6,8 @@
 #include "draw.hpp"
 #include "samplers/samplers.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 TEST(Usac_Samplers, uniformByChiSquared)
 {
@@ -14,7 +15,7 @@ TEST(Usac_Samplers, uniformByChiSquared)
     for (int problem = 0; problem < 3; ++problem)
     {
         Draw draw((ProblemType)problem, N, createUniformSampler(), problem);
-        std::vector<std::vector<int> > places(draw.m, std::vector<int>(N, 0));
+        std::vector<std::vector<int>> places(draw.m, std::vector<int>(N, 0));
         std::vector<int> firstPair(N * N, 0), lastPair(N * N, 0);
         for (int i = 0; i < SAMPLES; ++i)
         {
@@ -42,7 +43,7 @@ TEST(Usac_Samplers, uniformByChiSquared)
 TEST(Usac_Samplers, seedsDiffer)
 {
     Draw a(HOMOGRAPHY, 50, createUniformSampler(), 1), b(HOMOGRAPHY, 50, createUniformSampler(), 2),
-         c(HOMOGRAPHY, 50, createUniformSampler(), 1);
+        c(HOMOGRAPHY, 50, createUniformSampler(), 1);
     int same = 0;
     for (int i = 0; i < 1000; ++i)
     {
@@ -55,7 +56,8 @@ TEST(Usac_Samplers, seedsDiffer)
     EXPECT_LE(same, 2);
 }
 
-//! T'_n of the published algorithm for n = 0 .. N, from the product that defines T_n; T_N: no more samples than there are.
+//! T'_n of the published algorithm for n = 0 .. N, from the product that defines T_n; T_N: no more samples than there
+//! are.
 std::vector<double> publishedGrowth(int N, int m)
 {
     long double subsets = 1;
@@ -93,13 +95,16 @@ TEST(Usac_Samplers, prosacGrowsAsPublished)
                     ++n;
                 draw.next();
                 ASSERT_TRUE(draw.valid());
-                // where a difference T_{n+1} - T_n is an integer, rounding may decide: one size more or less for a while
+                // where a difference T_{n+1} - T_n is an integer, rounding may decide: one size more or less for a
+                // while
                 wrongSize += draw.sampler->subsetSize(draw.context) != n;
                 if (draw.sampler->subsetSize(draw.context) < N)
                     withoutNewest += !draw.contains(draw.state.order[draw.sampler->subsetSize(draw.context) - 1]);
                 for (int i = 0; i < draw.m; ++i)
-                    outside += std::find(draw.state.order.begin(), draw.state.order.begin() + draw.sampler->subsetSize(draw.context),
-                                         draw.sample[i]) == draw.state.order.begin() + draw.sampler->subsetSize(draw.context);
+                    outside += std::find(draw.state.order.begin(),
+                                         draw.state.order.begin() + draw.sampler->subsetSize(draw.context),
+                                         draw.sample[i]) ==
+                               draw.state.order.begin() + draw.sampler->subsetSize(draw.context);
             }
             EXPECT_LE(wrongSize, 30) << "N " << N << " m " << draw.m;
             EXPECT_EQ(0, withoutNewest);
@@ -175,8 +180,9 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
     }
 }
 
-//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new. This holds for
-//! one sample in Params::orderedEvery, but none of the first eight if the order is a guess; the others are uniform, and they count.
+//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new.
+//! This holds for one sample in Params::orderedEvery, but none of the first eight if the order is a guess; the others
+//! are uniform, and they count.
 void expectGrowth(int ordering, int period)
 {
     const int N = 300, first = ordering == ORDERING_DENSITY ? 8 : 0;
@@ -225,8 +231,10 @@ TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
             for (int more = 0; more < 3; ++more)
             {
                 const int N = (problem == 0 ? 4 : problem == 1 ? 7 : 5) + more;
-                Draw draw((ProblemType)problem, N, kind == 0 ? createUniformSampler() : kind == 1 ?
-                                                   createProsacSampler() : createPNapsacSampler());
+                Draw draw((ProblemType)problem, N,
+                          kind == 0   ? createUniformSampler()
+                          : kind == 1 ? createProsacSampler()
+                                      : createPNapsacSampler());
                 for (int i = 0; i < 300; ++i)
                 {
                     draw.next();
@@ -271,4 +279,5 @@ TEST(Usac_Samplers, pointsAreSortedOnceAndOnlyIfNeeded)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -7,7 +7,8 @@
 
 // Many points, and many calls. Times are printed with --test_debug, and not compared with anything.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 Scene largeScene(ProblemType problem, int size)
 {
@@ -36,9 +37,11 @@ Cost costOf(const Scene& scene, const Params& params)
     EXPECT_EQ(countNonZero(mask), cost.report.inliers);
     EXPECT_GT(cost.report.inliers, 0.44 * scene.size());
     if (cvtest::debugLevel > 0)
-        printf("%s, %7d points: %8.1f ms (setup %.1f, search %.1f, local %.1f, end %.1f), %6.1f MB, %3.0f bytes a point, %d iterations\n",
-               nameOf(scene.problem), scene.size(), cost.milliseconds, cost.report.setupMs, cost.report.searchMs, cost.report.localMs,
-               cost.report.polishMs, cost.bytes / 1e6, cost.bytes / scene.size(), cost.report.iterations);
+        printf("%s, %7d points: %8.1f ms (setup %.1f, search %.1f, local %.1f, end %.1f), %6.1f MB, %3.0f bytes a "
+               "point, %d iterations\n",
+               nameOf(scene.problem), scene.size(), cost.milliseconds, cost.report.setupMs, cost.report.searchMs,
+               cost.report.localMs, cost.report.polishMs, cost.bytes / 1e6, cost.bytes / scene.size(),
+               cost.report.iterations);
     return cost;
 }
 
@@ -74,14 +77,15 @@ class CountingResidual : public Residual
 public:
     explicit CountingResidual(const Ptr<Residual>& residual_) : count(0), residual(residual_) {}
 
-    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end, float* errors) const CV_OVERRIDE
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
     {
         count += end - begin;
         residual->squaredErrors(points, model, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2, int size,
-                       double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
+                       int size, double* errors) const CV_OVERRIDE
     {
         count += size;
         residual->squaredErrors(model, x1, y1, x2, y2, size, errors);
@@ -126,8 +130,8 @@ double workPerPoint(ProblemType problem, const NamedPreset& preset, int size, ui
     usac->components().nonMinimalSolver = solver;
     EXPECT_FALSE(usac->run().empty());
     if (cvtest::debugLevel > 0)
-        printf("%s, %s, %d points: each is rated %.1f times, and fitted to %.1f times\n", nameOf(problem), preset.name, size,
-               residual->count / size, solver->count / size);
+        printf("%s, %s, %d points: each is rated %.1f times, and fitted to %.1f times\n", nameOf(problem), preset.name,
+               size, residual->count / size, solver->count / size);
     return (residual->count + solver->count) / size;
 }
 
@@ -193,10 +197,7 @@ void manyCalls(int count)
     EXPECT_LE(growth, 1e6);
 }
 
-TEST(Usac_Scale, five_thousand_calls)
-{
-    manyCalls(5000);
-}
+TEST(Usac_Scale, five_thousand_calls) { manyCalls(5000); }
 
 //! Run with --gtest_filter=*hundred_thousand_calls* --test_tag_enable=verylong.
 TEST(Usac_Scale, hundred_thousand_calls)
@@ -205,4 +206,5 @@ TEST(Usac_Scale, hundred_thousand_calls)
     manyCalls(100000);
 }
 
-}} // namespace
+}
+}  // namespace

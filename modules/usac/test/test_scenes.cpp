@@ -8,7 +8,8 @@
 
 // The synthetic scenes keep what their options promise: the other tests and the benchmark rely on it.
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 const ProblemType PROBLEMS[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
 const OutlierModel OUTLIER_MODELS[] = {OUTLIERS_UNIFORM, OUTLIERS_LOCAL, OUTLIERS_MANY_TO_ONE};
@@ -18,10 +19,7 @@ bool samePoints(const Scene& a, const Scene& b)
     return a.points1 == b.points1 && a.points2 == b.points2 && a.clean1 == b.clean1 && a.clean2 == b.clean2;
 }
 
-int countTrue(const Scene& scene)
-{
-    return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
-}
+int countTrue(const Scene& scene) { return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1); }
 
 //! Part of the pairs of a true and a wrong match in which the true one has the better score.
 double rankedRight(const Scene& scene)
@@ -196,4 +194,5 @@ TEST(Usac_Scenes, uniformOutliersFillBothImages)
         EXPECT_NEAR(options.outliers / 16., cells[k], 50);  // about five standard deviations
 }
 
-}} // namespace
+}
+}  // namespace

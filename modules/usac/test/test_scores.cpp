@@ -7,7 +7,8 @@
 #include "residuals/residuals.hpp"
 #include "scores/scores.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 enum { COUNT = 600 };
 
@@ -53,7 +54,8 @@ struct Fixture
         options.outliers = COUNT - COUNT / 2;
         options.seed = seed;
         const bool homography = kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER;
-        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON ? RESIDUAL_STANDARD : RESIDUAL_SYMMETRIC;
+        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON ? RESIDUAL_STANDARD
+                                                                                  : RESIDUAL_SYMMETRIC;
         scene = makeScene(homography ? HOMOGRAPHY : FUNDAMENTAL, options);
         usac = createUsac(scene, params);
         const Model truth = toInternal(usac->points(), scene.model);
@@ -83,7 +85,8 @@ double directError(const Correspondences& p, Residual::Kind kind, const Model& M
     const Vec3d x1(p.x1[i], p.y1[i], 1), x2(p.x2[i], p.y2[i], 1), y = M * x1;
     const Vec3d z = M.t() * x2, back = M.inv() * x2;
     const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1], n = x2.dot(y) * x2.dot(y);
-    const Vec2d forward(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]), backward(back[0] / back[2] - x1[0], back[1] / back[2] - x1[1]);
+    const Vec2d forward(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]),
+        backward(back[0] / back[2] - x1[0], back[1] / back[2] - x1[1]);
     switch (kind)
     {
     case Residual::TRANSFER: return forward.dot(forward);
@@ -273,13 +276,14 @@ class CustomResidual : public Residual
 public:
     explicit CustomResidual(const Ptr<Residual>& residual_) : residual(residual_) {}
 
-    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end, float* errors) const CV_OVERRIDE
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
     {
         residual->squaredErrors(points, model, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2, int count,
-                       double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
+                       int count, double* errors) const CV_OVERRIDE
     {
         residual->squaredErrors(model, x1, y1, x2, y2, count, errors);
     }
@@ -377,4 +381,5 @@ TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Problem, testing::Values(0, 1, 2));
 
-}} // namespace
+}
+}  // namespace

@@ -6,7 +6,8 @@
 #include "problem_objects.hpp"
 #include "problems/two_view/share_a_point.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 typedef testing::TestWithParam<int> Usac_SharedPoints;
 INSTANTIATE_TEST_CASE_P(/**/, Usac_SharedPoints, testing::Values((int)FUNDAMENTAL, (int)ESSENTIAL));
@@ -46,9 +47,13 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
 //! Distances of two matches in image 1 and in image 2.
 TEST(Usac_SharedPoints_Samples, shareATarget)
 {
-    const struct { double x1, x2; bool same; } pairs[] = {
-        {100, 1, true}, {1, 100, true}, {100, 2.1, false}, {19, 1.9, false}, {30, 1.9, true}, {1, 1, false}, {100, 100, false},
-        {9, 1, false}};  // a threshold of 1: closer than 2 and further than 20
+    const struct
+    {
+        double x1, x2;
+        bool same;
+    } pairs[] = {
+        {100, 1, true}, {1, 100, true},    {100, 2.1, false}, {19, 1.9, false}, {30, 1.9, true},
+        {1, 1, false},  {100, 100, false}, {9, 1, false}};  // a threshold of 1: closer than 2 and further than 20
     for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); ++i)
     {
         std::vector<Point2d> a(1, Point2d(5, 5)), b(1, Point2d(7, 7));
@@ -65,8 +70,8 @@ TEST(Usac_SharedPoints_Samples, shareATarget)
 //! What a new best model is worth after the check, and before.
 struct Checked
 {
-    Checked(const Scene& scene, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2, const Matx33d& given,
-            double inlierThreshold = 1.5)
+    Checked(const Scene& scene, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
+            const Matx33d& given, double inlierThreshold = 1.5)
     {
         Params params;
         params.threshold = inlierThreshold;
@@ -93,7 +98,8 @@ TEST(Usac_SharedPoints_Models, targetsCountOnce)
         const Point2d target(320, 200);
         const Matx33d cross(0, -1, target.y, 1, 0, -target.x, -target.y, target.x, 0);
         const double angle = rng.uniform(0., 6.);
-        const Matx33d F = cross * Matx33d(std::cos(angle), std::sin(angle), 100, -std::sin(angle), std::cos(angle), 50, 0, 0, 1);
+        const Matx33d F = cross * Matx33d(std::cos(angle), std::sin(angle), 100, -std::sin(angle), std::cos(angle), 50,
+                                          0, 0, 1);
         std::vector<Point2d> some, others;
         for (int i = 0; i < 300; ++i)
         {
@@ -181,4 +187,5 @@ TEST_P(Usac_SharedPoints, modelsThatAreRefusedDoNotStandInTheWay)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -10,7 +10,8 @@
 #include "polishing/polishing.hpp"
 #include "statistics/chi_square.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! A scene with all that the optimizers need.
 struct Bench
@@ -81,8 +82,8 @@ double marginalDensity(int degrees, double r, double from, double to)
     return sum * std::max(to - begin, 0.) / STEPS;
 }
 
-/** The weights by their definition, with errors of at least 1/45 of the threshold: errors under the fits to the points of
-each part, densities integrated numerically. */
+/** The weights by their definition, with errors of at least 1/45 of the threshold: errors under the fits to the points
+of each part, densities integrated numerically. */
 std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, int parts)
 {
     const Correspondences& p = bench.usac->points();
@@ -120,7 +121,8 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
         bench.minimalModel(trial, model, quality);
     SigmaConsensus consensus;
     Rng rng;
-    ASSERT_TRUE(consensus.fit(bench.context(), rng, model));  // so that even the smallest part determines its model well
+    ASSERT_TRUE(
+        consensus.fit(bench.context(), rng, model));  // so that even the smallest part determines its model well
     const std::vector<double> expected = bruteForceWeights(bench, model, SigmaConsensus::PARTITIONS);
     Model fitted = model;
     ASSERT_TRUE(consensus.fit(bench.context(), rng, fitted));
@@ -341,4 +343,5 @@ TEST_P(Usac_Sigma_Consensus, estimates)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Sigma_Consensus, testing::Values(0, 1, 2));
 
-}} // namespace
+}
+}  // namespace

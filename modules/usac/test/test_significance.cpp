@@ -6,7 +6,8 @@
 #include "scenes.hpp"
 #include "statistics/beta_binomial.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Random matches: but for one, no match is right.
 Scene randomScene(ProblemType problem, int size, uint64 seed)
@@ -51,7 +52,8 @@ TEST(Usac_Significance, betaBinomialAgainstAnUrn)
                     for (int s = i + 1; s >= 0; --s)
                     {
                         const long double fails = (s <= i) ? 1 - (c + 1.L + s) / (earlier[e] + 2.L + i) : 0;
-                        all[s] = all[s] * fails + (s > 0 ? all[s - 1] * (c + (long double)s) / (earlier[e] + 2.L + i) : 0);
+                        all[s] = all[s] * fails +
+                                 (s > 0 ? all[s - 1] * (c + (long double)s) / (earlier[e] + 2.L + i) : 0);
                     }
                 }
                 long double tail = 0;
@@ -61,7 +63,8 @@ TEST(Usac_Significance, betaBinomialAgainstAnUrn)
                     const double found = betaBinomialTail(k, trials[t], c, earlier[e]);
                     if (tail > 1e-290L)
                     {
-                        ASSERT_NEAR(1, (double)(found / tail), 1e-8) << k << " of " << trials[t] << ", " << c << " before";
+                        ASSERT_NEAR(1, (double)(found / tail), 1e-8)
+                            << k << " of " << trials[t] << ", " << c << " before";
                     }
                 }
                 EXPECT_EQ(1, betaBinomialTail(0, trials[t], c, earlier[e]));
@@ -85,7 +88,8 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
                     {
                         Params params = presets[p];
                         params.maxIterations = iterations[i];
-                        const double chance = reportOf(randomScene((ProblemType)problem, sizes[s], run + 1), params).chance;
+                        const double chance =
+                            reportOf(randomScene((ProblemType)problem, sizes[s], run + 1), params).chance;
                         half += chance <= 0.5;
                         for (int level = 0; level < 3; ++level)
                             below[level] += chance <= levels[level];
@@ -93,7 +97,8 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
         for (int level = 0; level < 3; ++level)
         {
             const double expected = calls * levels[level];
-            EXPECT_LE(below[level], expected + 3 * std::sqrt(expected)) << "problem " << problem << " level " << levels[level];
+            EXPECT_LE(below[level], expected + 3 * std::sqrt(expected))
+                << "problem " << problem << " level " << levels[level];
         }
         if (problem != HOMOGRAPHY)  // whose random models have 4 to 6 inliers, all of them likely
         {
@@ -105,9 +110,14 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
 //! With how few points a right model is told from a random one.
 TEST(Usac_Significance, rightModelsOfFewPoints)
 {
-    const struct { ProblemType problem; int size; double inlierRatio; } cases[] = {
-        {HOMOGRAPHY, 15, 0.7}, {HOMOGRAPHY, 30, 0.6}, {FUNDAMENTAL, 15, 0.9}, {FUNDAMENTAL, 30, 0.6}, {ESSENTIAL, 15, 0.8},
-        {ESSENTIAL, 30, 0.6}, {HOMOGRAPHY, 200, 0.2}, {FUNDAMENTAL, 200, 0.4}, {ESSENTIAL, 200, 0.3}};
+    const struct
+    {
+        ProblemType problem;
+        int size;
+        double inlierRatio;
+    } cases[] = {{HOMOGRAPHY, 15, 0.7},  {HOMOGRAPHY, 30, 0.6},   {FUNDAMENTAL, 15, 0.9},
+                 {FUNDAMENTAL, 30, 0.6}, {ESSENTIAL, 15, 0.8},    {ESSENTIAL, 30, 0.6},
+                 {HOMOGRAPHY, 200, 0.2}, {FUNDAMENTAL, 200, 0.4}, {ESSENTIAL, 200, 0.3}};
     for (size_t c = 0; c < sizeof(cases) / sizeof(cases[0]); ++c)
     {
         int significant = 0;
@@ -128,7 +138,8 @@ TEST(Usac_Significance, randomMatchesGiveNoModel)
         int models[2] = {0}, few = 0;
         for (uint64 seed = 1; seed <= 20; ++seed)
         {
-            const Scene many = randomScene((ProblemType)problem, 200, seed), scarce = randomScene((ProblemType)problem, 15, seed);
+            const Scene many = randomScene((ProblemType)problem, 200, seed),
+                        scarce = randomScene((ProblemType)problem, 15, seed);
             Params params;
             params.maxIterations = 1000;
             Report report;
@@ -157,7 +168,8 @@ TEST(Usac_Significance, randomMatchesGiveNoModel)
     }
 }
 
-//! Few points, points that are the sample only, thresholds far below the noise and far above the image: nothing is refused.
+//! Few points, points that are the sample only, thresholds far below the noise and far above the image: nothing is
+//! refused.
 TEST(Usac_Significance, rightModelsAreReturned)
 {
     for (int problem = 0; problem < 3; ++problem)
@@ -165,7 +177,8 @@ TEST(Usac_Significance, rightModelsAreReturned)
         {
             const int sizes[] = {8, 15, 40, 300};
             for (int s = 0; s < 4; ++s)
-                EXPECT_FALSE(estimate(rightScene((ProblemType)problem, sizes[s], 1, seed), Params()).empty()) << sizes[s];
+                EXPECT_FALSE(estimate(rightScene((ProblemType)problem, sizes[s], 1, seed), Params()).empty())
+                    << sizes[s];
             Params params;
             params.threshold = 0.05;  // a tenth of the noise
             EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << problem;
@@ -201,4 +214,5 @@ TEST(Usac_Significance, repeatedMatches)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -8,12 +8,14 @@
 #include <Eigen/Core>
 #include <Eigen/SVD>
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 Ptr<MinimalSolver> solverOf(ProblemType problem)
 {
-    return problem == HOMOGRAPHY ? createHomography4Solver() :
-           problem == FUNDAMENTAL ? createFundamental7Solver() : createEssential5Solver();
+    return problem == HOMOGRAPHY    ? createHomography4Solver()
+           : problem == FUNDAMENTAL ? createFundamental7Solver()
+                                    : createEssential5Solver();
 }
 
 std::vector<Model> solve(const MinimalSolver& solver, const Correspondences& points, const int* sample)
@@ -63,7 +65,7 @@ double manifoldError(ProblemType problem, const Model& M)
 struct Exactness
 {
     Exactness() : samples(0), unsolved(0), missed(0) {}
-    int samples, unsolved, missed;       //!< missed: the true model is not among the solutions
+    int samples, unsolved, missed;  //!< missed: the true model is not among the solutions
     std::vector<double> constraint, manifold;
 };
 
@@ -160,7 +162,8 @@ int countFundamental(const Correspondences& p)
     // det(x F0 + F1) from four values
     const double d = determinant(F[1]), plus = determinant(F[0] + F[1]), minus = determinant(F[1] - F[0]);
     const double a = determinant(F[0]), b = (plus + minus) / 2 - d, c = (plus - minus) / 2 - a;
-    const double parts[] = {18 * a * b * c * d, -4 * b * b * b * d, b * b * c * c, -4 * a * c * c * c, -27 * a * a * d * d};
+    const double parts[] = {18 * a * b * c * d, -4 * b * b * b * d, b * b * c * c, -4 * a * c * c * c,
+                            -27 * a * a * d * d};
     double discriminant = 0, size = 0;
     for (int i = 0; i < 5; ++i)
     {
@@ -300,7 +303,8 @@ TEST(Usac_Solvers, fundamentalOfAPlane)
     EXPECT_EQ(result.samples, result.unsolved);
 }
 
-//! Four points on a line in image 1, the others on a line in image 2: the product of the lines has rank 1 and fits all seven.
+//! Four points on a line in image 1, the others on a line in image 2: the product of the lines has rank 1 and fits all
+//! seven.
 TEST(Usac_Solvers, fundamentalOfALineInEachImage)
 {
     const Ptr<MinimalSolver> solver = createFundamental7Solver();
@@ -313,7 +317,8 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
             const bool exact = repeat % 2 == 0;  // without any rounding
             const Point2d p(rng.uniform(-2, 3), rng.uniform(-2, 3)), q(rng.uniform(-2., 2.), rng.uniform(-2., 2.));
             points1.push_back(exact ? p : q);
-            points2.push_back(exact ? Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3)) : Point2d(q.y * q.y, q.x * q.x * q.x));
+            points2.push_back(exact ? Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3))
+                                    : Point2d(q.y * q.y, q.x * q.x * q.x));
             if (i < 4)
                 points1.back().y = 0.5 * points1.back().x + 0.25;
             else
@@ -372,4 +377,5 @@ TEST(Usac_Solvers, homographyOfTinySquares)
     }
 }
 
-}} // namespace
+}
+}  // namespace

@@ -6,7 +6,8 @@
 #include "problem_objects.hpp"
 #include "verification/verification.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 enum { COUNT = 2000 };
 
@@ -16,7 +17,8 @@ class Trained
 public:
     Trained(ProblemType problem, double epsilon, double delta)
         : scene(makeScene(problem, optionsOf())), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params), verifier(createSprtVerifier(problemObject(problem).sampleCost()))
+          context(usac->points(), usac->components(), params),
+          verifier(createSprtVerifier(problemObject(problem).sampleCost()))
     {
         verifier->adapt(context, state);
         learn(delta, 100000);
@@ -25,10 +27,7 @@ public:
     }
 
     //! Models with this ratio of inliers in their first blocks.
-    void learn(double delta, int points)
-    {
-        verifier->sampleTested(state, cvRound(delta * points), points);
-    }
+    void learn(double delta, int points) { verifier->sampleTested(state, cvRound(delta * points), points); }
 
     void best(double epsilon)
     {
@@ -209,4 +208,5 @@ TEST(Usac_SprtAdaptation, staysATest)
     }
 }
 
-}} // namespace
+}
+}  // namespace

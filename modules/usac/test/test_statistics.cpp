@@ -11,10 +11,12 @@
 #include "statistics/mixture.hpp"
 #include "statistics/noise_scale.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! Simpson's rule.
-template <class F> double integrate(const F& f, double from, double to, int steps)
+template <class F>
+double integrate(const F& f, double from, double to, int steps)
 {
     const double h = (to - from) / (2 * steps);
     double sum = f(from) + f(to);
@@ -97,7 +99,8 @@ double squaredEpipolar(const Matx33d& F, const Point2d& a, const Point2d& b, boo
 }
 
 //! Squared errors of one exact match with `count` draws of noise in all four coordinates.
-std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int row, bool symmetric, int count, RNG& rng)
+std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int row, bool symmetric, int count,
+                                RNG& rng)
 {
     std::vector<double> errors(count);
     for (int i = 0; i < count; ++i)
@@ -113,8 +116,8 @@ std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int 
     return errors;
 }
 
-/** The choice of the degrees of freedom: the quantiles of the errors are those of chi-square, up to the scale. The ratio
-of the 0.9 to the 0.3 quantile is 18.2 for one degree, 6.5 for two, 4.4 for three and 3.5 for four. */
+/** The choice of the degrees of freedom: the quantiles of the errors are those of chi-square, up to the scale. The
+ratio of the 0.9 to the 0.3 quantile is 18.2 for one degree, 6.5 for two, 4.4 for three and 3.5 for four. */
 TEST(Usac_Statistics, degreesOfFreedomOfTheErrors)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -221,8 +224,10 @@ TEST(Usac_Statistics, marginalizedWeightsTables)
             lastWeight = weight;
         }
     }
-    EXPECT_EQ(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()), &MarginalizedWeights::of(problemObject(ESSENTIAL).errorDimension()));
-    EXPECT_NE(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()), &MarginalizedWeights::of(problemObject(HOMOGRAPHY).errorDimension()));
+    EXPECT_EQ(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()),
+              &MarginalizedWeights::of(problemObject(ESSENTIAL).errorDimension()));
+    EXPECT_NE(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()),
+              &MarginalizedWeights::of(problemObject(HOMOGRAPHY).errorDimension()));
 }
 
 //! Points are as dense as their extent says, H: in image 2, F: on the mean over both images.
@@ -262,7 +267,8 @@ TEST(Usac_Statistics, noiseScale)
                 const double far = rng.uniform(0., 1.), reach = 3 * NoiseScale::REACH;
                 errors.push_back((float)(i % 4 ? a * a + b * b : reach * reach * (degrees == 2 ? far : far * far)));
             }
-            EXPECT_NEAR(sigma, NoiseScale::estimate(errors.data(), 400, 3, degrees), 0.2 * sigma) << degrees << " " << sigma;
+            EXPECT_NEAR(sigma, NoiseScale::estimate(errors.data(), 400, 3, degrees), 0.2 * sigma)
+                << degrees << " " << sigma;
         }
     const std::vector<float> few(NoiseScale::LEAST - 1, 0.01f);
     EXPECT_EQ(1 / thresholdInSigmas(1), NoiseScale::estimate(few.data(), (int)few.size(), 1, 1));
@@ -280,4 +286,5 @@ TEST(Usac_Statistics, chiSquareOfNonsense)
     EXPECT_THROW(thresholdInSigmas(3), cv::Exception);
 }
 
-}} // namespace
+}
+}  // namespace

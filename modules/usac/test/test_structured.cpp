@@ -4,9 +4,11 @@
 
 #include "test_precomp.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
-//! Scenes with the structure that machines give them; see doc/structured.md for the rates, which take more runs than a test has.
+//! Scenes with the structure that machines give them; see doc/structured.md for the rates, which take more runs than a
+//! test has.
 struct Structure
 {
     const char* name;
@@ -15,14 +17,12 @@ struct Structure
 };
 
 const Structure STRUCTURES[] = {
-    {"forward", MOTION_FORWARD, 2, 0, 4, 9}, {"sideways", MOTION_SIDEWAYS, 2, 0, 4, 9}, {"rectified", MOTION_RECTIFIED, 0, 0, 4, 9},
-    {"aerial", MOTION_RECTIFIED, 0, 0, 5.4, 6.6}, {"planar", MOTION_PLANAR, 10, 0, 4, 9}, {"car", MOTION_CAR, 10, 0, 4, 9},
+    {"forward", MOTION_FORWARD, 2, 0, 4, 9},     {"sideways", MOTION_SIDEWAYS, 2, 0, 4, 9},
+    {"rectified", MOTION_RECTIFIED, 0, 0, 4, 9}, {"aerial", MOTION_RECTIFIED, 0, 0, 5.4, 6.6},
+    {"planar", MOTION_PLANAR, 10, 0, 4, 9},      {"car", MOTION_CAR, 10, 0, 4, 9},
     {"plane", MOTION_GENERAL, 12, 0.9, 4, 9}};
 
-std::ostream& operator<<(std::ostream& out, const Structure& s)
-{
-    return out << s.name;
-}
+std::ostream& operator<<(std::ostream& out, const Structure& s) { return out << s.name; }
 
 typedef testing::TestWithParam<Structure> Usac_Structured;
 
@@ -54,7 +54,8 @@ TEST_P(Usac_Structured, no_flag_is_wrong)
 
 INSTANTIATE_TEST_CASE_P(Motions, Usac_Structured, testing::ValuesIn(STRUCTURES));
 
-//! Few points, and scores that help, tell nothing, or are upside down: the scores make the search shorter or longer, not wrong.
+//! Few points, and scores that help, tell nothing, or are upside down: the scores make the search shorter or longer,
+//! not wrong.
 TEST(Usac_Structured, any_order_of_scores)
 {
     const double information[] = {0.9, 0.5, 0.05};
@@ -84,4 +85,5 @@ TEST(Usac_Structured, any_order_of_scores)
         }
 }
 
-}} // namespace
+}
+}  // namespace

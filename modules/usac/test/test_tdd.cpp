@@ -6,7 +6,8 @@
 #include "termination/termination.hpp"
 #include "verification/verification.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! A scene with exact matches, and what a verifier needs of it.
 struct Exact
@@ -14,8 +15,7 @@ struct Exact
     Exact(ProblemType problem, int inliers, int outliers, const Params& params_ = Params())
         : params(params_), scene(makeScene(problem, optionsOf(inliers, outliers))), usac(createUsac(scene, params)),
           context(usac->points(), usac->components(), params), truth(toInternal(usac->points(), scene.model))
-    {
-    }
+    {}
 
     static SceneOptions optionsOf(int inliers, int outliers)
     {
@@ -75,7 +75,8 @@ TEST(Usac_Tdd, acceptsGoodModels)
         {
             const double expected = acceptance(inliers, 50, d);
             const Rate rate = measure(exact, *createTddVerifier(d), exact.truth, TRIALS, d);
-            EXPECT_NEAR(expected, rate.passed, 4.5 * std::sqrt(expected * (1 - expected) / TRIALS)) << problem << " " << d;
+            EXPECT_NEAR(expected, rate.passed, 4.5 * std::sqrt(expected * (1 - expected) / TRIALS))
+                << problem << " " << d;
             EXPECT_NEAR(std::pow(inliers / 50., d), rate.passed, 0.03) << problem << " " << d;
         }
     }
@@ -125,7 +126,8 @@ TEST(Usac_Tdd, asksAllPoints)
         ++outlier;
     const Rate rate = measure(exact, *createTddVerifier(1), exact.truth, 20000, 1);
     EXPECT_NEAR(39 / 40., rate.passed, 4.5 * std::sqrt(0.025 / 20000));
-    EXPECT_EQ(0, measure(exact, *createTddVerifier(40), exact.truth, 100, 1).passed) << "the outlier is among all points";
+    EXPECT_EQ(0, measure(exact, *createTddVerifier(40), exact.truth, 100, 1).passed)
+        << "the outlier is among all points";
     EXPECT_EQ(0, measure(exact, *createTddVerifier(100), exact.truth, 100, 1).passed) << "more points than there are";
     const Exact pure(HOMOGRAPHY, 40, 0);
     EXPECT_NEAR(1, measure(pure, *createTddVerifier(100), pure.truth, 100, 1).passed, 1e-9);
@@ -160,10 +162,12 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                         for (int i = 0; i < d; ++i)
                             better *= (more - i) / (50 - i);
                     }
-                    const std::vector<Ptr<Termination> >& both = exact.usac->components().terminations;
-                    const double k[2] = {std::ceil(failure / std::log1p(-good)), std::ceil(failure / std::log1p(-better))};
+                    const std::vector<Ptr<Termination>>& both = exact.usac->components().terminations;
+                    const double k[2] = {std::ceil(failure / std::log1p(-good)),
+                                         std::ceil(failure / std::log1p(-better))};
                     for (int t = 0; t < 2; ++t)
-                        EXPECT_NEAR(1, both[t]->iterations(exact.context, state) / std::min<double>(k[t], INT_MAX), 1e-6);
+                        EXPECT_NEAR(1, both[t]->iterations(exact.context, state) / std::min<double>(k[t], INT_MAX),
+                                    1e-6);
                 }
             }
 }
@@ -202,4 +206,5 @@ TEST(Usac_Tdd, numberOfPoints)
     EXPECT_FALSE(createTddVerifier(100).empty());
 }
 
-}} // namespace
+}
+}  // namespace

@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "termination/termination.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! A context with a given number of points, for criteria that look at it only.
 struct Counts
@@ -14,8 +15,7 @@ struct Counts
         : params(params_), scene(makeScene(problem, optionsOf(count))), usac(createUsac(scene, params)),
           context(usac->points(), usac->components(), params), m(usac->components().minimalSolver->sampleSize()),
           n(count)
-    {
-    }
+    {}
 
     static SceneOptions optionsOf(int count)
     {
@@ -113,14 +113,16 @@ TEST(Usac_Termination, pNapsac)
             {
                 const int k = counts.iterations(createPNapsacTermination(), inliers);
                 const double beside = inliers - counts.m;
-                const double significant = std::min(counts.m + beside * (1 + relaxations[r] * beside / (beside + 30)), 60.);
+                const double significant = std::min(counts.m + beside * (1 + relaxations[r] * beside / (beside + 30)),
+                                                    60.);
                 EXPECT_EQ(inliers <= counts.m ? INT_MAX : counts.needed(counts.good(significant)), k) << inliers;
             }
         }
     EXPECT_EQ((int)STOP_P_NAPSAC, createPNapsacTermination()->reason());
 }
 
-//! Nothing is relaxed where the best model may be one of a plane, and less where the inliers are few, each several times.
+//! Nothing is relaxed where the best model may be one of a plane, and less where the inliers are few, each several
+//! times.
 TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
 {
     Params params;
@@ -157,7 +159,8 @@ TEST(Usac_Termination, sprtWithOneTest)
         counts.state.tests.push_back(makeTest(0.5, 0.1, 20, 0));
         for (int inliers = 0; inliers <= 60; ++inliers)
             EXPECT_EQ(counts.needed(counts.good(inliers) * (1 - 1 / 20.)),
-                      counts.iterations(createSprtTermination(), inliers)) << inliers;
+                      counts.iterations(createSprtTermination(), inliers))
+                << inliers;
     }
     EXPECT_EQ((int)STOP_SPRT, createSprtTermination()->reason());
 }
@@ -188,7 +191,8 @@ TEST(Usac_Termination, sprtWithEarlierTests)
             const double kept2 = good * (1 - std::pow(second.A, -exponentByScan(second, epsilon)));
             const double failure = std::log(1 - counts.params.confidence) - std::log1p(-kept1) - 2 * std::log1p(-kept2);
             const double more = std::ceil(failure / std::log1p(-good * (1 - 1 / last.A)));
-            EXPECT_NEAR(3 + std::max(more, 0.), counts.iterations(createSprtTermination(), inliers), more > 1000 ? 1 : 0)
+            EXPECT_NEAR(3 + std::max(more, 0.), counts.iterations(createSprtTermination(), inliers),
+                        more > 1000 ? 1 : 0)
                 << inliers;
         }
 }
@@ -222,4 +226,5 @@ TEST(Usac_Termination, sprtOfInliersOnly)
     EXPECT_LT(12, counts.iterations(createSprtTermination(), 40));
 }
 
-}} // namespace
+}
+}  // namespace

@@ -7,7 +7,8 @@
 #include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
 //! P(Binomial(n, p) >= k) from the recurrence of Pascal's triangle, no logarithms.
 double tailBySum(int k, int n, double p)
@@ -124,7 +125,8 @@ TEST(Usac_TerminationProsac, minimalSupport)
         for (double ratio = 0.001; ratio < 0.5; ratio *= 3)
             for (int kind = 0; kind < 2; ++kind)
             {
-                // All inliers come last, so that no smaller set has better odds; the confidence needs next to no samples.
+                // All inliers come last, so that no smaller set has better odds; the confidence needs next to no
+                // samples.
                 const double samples = kind ? publishedGrowth(n, 4)[n] : 1;
                 int quantile = 5, accepted = 5;  // the least I with P(Binomial(n - 4, ratio) >= I - 4) < 5 % / samples
                 while (quantile <= n && tailBySum(quantile - 4, n - 4, ratio) * samples >= 0.05)
@@ -143,7 +145,8 @@ TEST(Usac_TerminationProsac, minimalSupport)
             }
 }
 
-//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random and worth one sample.
+//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random and worth one
+//! sample.
 int firstEvidence(int N, int repeated, double ratio)
 {
     std::vector<double> uniform;
@@ -309,4 +312,5 @@ TEST(Usac_TerminationProsac, heedsTheOptions)
         EXPECT_GT(sums[option], sums[0] * 1.02) << option;
 }
 
-}} // namespace
+}
+}  // namespace

@@ -5,9 +5,11 @@
 #include "test_contracts.hpp"
 #include "statistics/significant_scale.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test {
+namespace {
 
-//! Errors of inliers with a standard deviation of 1 in each of `degrees` directions, others anywhere in a square of 400 by 400.
+//! Errors of inliers with a standard deviation of 1 in each of `degrees` directions, others anywhere in a square of 400
+//! by 400.
 std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
 {
     std::vector<float> errors;
@@ -173,4 +175,5 @@ TEST(Usac_WidestReach_Mask, mayBeEmpty)
     EXPECT_NE((int)STOP_NO_MODEL, report.stop);
 }
 
-}} // namespace
+}
+}  // namespace

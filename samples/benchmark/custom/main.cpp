@@ -4,10 +4,11 @@
 
 // The benchmark with methods of one's own beside all that usac_benchmark has: two components and a whole estimator.
 //
-//     usac_custom_benchmark --data=<folder> --methods=USACV20,custom:spread,custom:tukey,custom:ransac,cv:RANSAC > tables.md
+//     usac_custom_benchmark --data=<folder> --methods=USACV20,custom:spread,custom:tukey,custom:ransac,cv:RANSAC >
+//     tables.md
 //
-// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp. doc/benchmark.md, "Your own method", has
-// more.
+// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp. doc/benchmark.md, "Your own
+// method", has more.
 
 #include "benchmark.hpp"
 #include "components_method.hpp"
@@ -21,15 +22,9 @@ namespace {
 
 using namespace benchmark;
 
-void spreadSamples(cv::usacv20::Usac& usac)
-{
-    usac.components().sampler = cv::makePtr<custom::SpreadSampler>();
-}
+void spreadSamples(cv::usacv20::Usac& usac) { usac.components().sampler = cv::makePtr<custom::SpreadSampler>(); }
 
-void tukeyQuality(cv::usacv20::Usac& usac)
-{
-    usac.components().score = cv::makePtr<custom::TukeyScore>();
-}
+void tukeyQuality(cv::usacv20::Usac& usac) { usac.components().score = cv::makePtr<custom::TukeyScore>(); }
 
 //! Any function that makes a model from points. Here OpenCV's RANSAC, so that the accuracy is that of cv:RANSAC.
 Estimate opencvRansac(const Task& task)
@@ -53,9 +48,6 @@ int program(int argc, char** argv)
     return runBenchmark(argc, argv);
 }
 
-} // namespace
+}  // namespace
 
-int main(int argc, char** argv)
-{
-    return runProgram(program, argc, argv);
-}
+int main(int argc, char** argv) { return runProgram(program, argc, argv); }

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Methods of its own for test_custom.py: what they do is known beforehand. With the argument "mistakes" alone it prints what the
-// registry says about registrations that it must refuse, a line each.
+// Methods of its own for test_custom.py: what they do is known beforehand. With the argument "mistakes" alone it prints
+// what the registry says about registrations that it must refuse, a line each.
 
 #include <iostream>
 #include <stdexcept>
@@ -27,15 +27,9 @@ public:
     }
 };
 
-void sameSampler(cv::usacv20::Usac& usac)
-{
-    usac.components().sampler = cv::makePtr<SameSampler>();
-}
+void sameSampler(cv::usacv20::Usac& usac) { usac.components().sampler = cv::makePtr<SameSampler>(); }
 
-void noSampler(cv::usacv20::Usac& usac)
-{
-    usac.components().sampler.reset();
-}
+void noSampler(cv::usacv20::Usac& usac) { usac.components().sampler.reset(); }
 
 //! Tells what it was given by the number of its iterations. @return the identity
 Estimate echo(const Task& task)
@@ -50,10 +44,7 @@ Estimate echo(const Task& task)
     return estimate;
 }
 
-Estimate complain(const Task&)
-{
-    throw std::runtime_error("not today");
-}
+Estimate complain(const Task&) { throw std::runtime_error("not today"); }
 
 Estimate shortMask(const Task&)
 {
@@ -70,10 +61,7 @@ Estimate smallModel(const Task&)
     return estimate;
 }
 
-cv::Ptr<Method> nothing(const MethodName&)
-{
-    return cv::Ptr<Method>();
-}
+cv::Ptr<Method> nothing(const MethodName&) { return cv::Ptr<Method>(); }
 
 void registerAll()
 {
@@ -105,7 +93,7 @@ void printRefusal(Attempt attempt)
 void printMistakes()
 {
     printRefusal([] { registerMethod("custom:same", nothing); });
-    for (const char* name : { "mine", "custom:", "custom:a,b", "custom:a{b", "custom:a+scores", "Custom:a" })
+    for (const char* name : {"mine", "custom:", "custom:a,b", "custom:a{b", "custom:a+scores", "Custom:a"})
         printRefusal([=] { registerMethod(name, nothing); });
     printRefusal([] { registerMethod("custom:empty", MethodFactory()); });
     printRefusal([] { withComponents(Params(), ComponentChange()); });
@@ -123,9 +111,6 @@ int program(int argc, char** argv)
     return 0;
 }
 
-} // namespace
+}  // namespace
 
-int main(int argc, char** argv)
-{
-    return runProgram(program, argc, argv);
-}
+int main(int argc, char** argv) { return runProgram(program, argc, argv); }

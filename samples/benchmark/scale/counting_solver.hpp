@@ -43,6 +43,6 @@ private:
     mutable std::vector<Model> found;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

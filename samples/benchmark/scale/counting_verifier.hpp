@@ -11,16 +11,18 @@ namespace benchmark {
 
 /** A verifier that counts the points that the models of the samples are tested with.
 
-It is asked before and after each block of points, so it learns of every one; blocks and decisions are those of the verifier
-behind it, without one the blocks of a run without verifier. For one thread. */
+It is asked before and after each block of points, so it learns of every one; blocks and decisions are those of the
+verifier behind it, without one the blocks of a run without verifier. For one thread. */
 class CountingVerifier : public cv::usacv20::Verifier
 {
 public:
     //! @param verifier_ may be empty.
-    explicit CountingVerifier(const cv::Ptr<cv::usacv20::Verifier>& verifier_) : verifier(verifier_), before(0), count(0) {}
+    explicit CountingVerifier(const cv::Ptr<cv::usacv20::Verifier>& verifier_)
+        : verifier(verifier_), before(0), count(0)
+    {}
 
-    bool preTest(const cv::usacv20::Context& context, const cv::usacv20::Model& model, cv::usacv20::Rng& rng, int& inliers,
-                 int& tested) const CV_OVERRIDE
+    bool preTest(const cv::usacv20::Context& context, const cv::usacv20::Model& model, cv::usacv20::Rng& rng,
+                 int& inliers, int& tested) const CV_OVERRIDE
     {
         const bool passed = !verifier || verifier->preTest(context, model, rng, inliers, tested);
         count += tested;
@@ -62,6 +64,6 @@ private:
     mutable int64 count;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// How the time of robust estimators grows with the number of matches and with the part of wrong ones, on synthetic scenes; and
-// how near the search of the module's methods is to what its solver and its kernel need alone.
+// How the time of robust estimators grows with the number of matches and with the part of wrong ones, on synthetic
+// scenes; and how near the search of the module's methods is to what its solver and its kernel need alone.
 //
 //     usac_scale --csv=scale.csv --boundCsv=bound.csv > scale.md
 //     python3 samples/benchmark/plot_scale.py scale.csv --out=pictures
@@ -20,7 +20,7 @@ using namespace benchmark;
 
 namespace {
 
-void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method> >& methods)
+void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods)
 {
     std::ofstream csv;
     openOutput(csv, options.csv);
@@ -51,7 +51,7 @@ void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method> >&
 }
 
 //! Of the methods of the module; OpenCV's do not tell what they have done.
-void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method> >& methods)
+void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods)
 {
     std::ofstream csv;
     openOutput(csv, options.boundCsv);
@@ -79,13 +79,14 @@ void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method> >&
 
 void run(const ScaleOptions& options)
 {
-    std::vector<cv::Ptr<Method> > methods;
+    std::vector<cv::Ptr<Method>> methods;
     for (size_t i = 0; i < options.methods.size(); ++i)
         methods.push_back(createMethod(options.methods[i]));
     cv::setNumThreads(options.threads);
-    std::cout << "# Scale\n\nOpenCV " << cv::getVersionString() << "; synthetic scenes, noise " << options.noise << " px, "
-              << options.repeats << " of each kind, seed " << options.seed << ", threads " << options.threads
-              << ".\n\nTimes over size and part of right matches: median CPU time of a call, ms / median error, px / failures, %; -: "
+    std::cout << "# Scale\n\nOpenCV " << cv::getVersionString() << "; synthetic scenes, noise " << options.noise
+              << " px, " << options.repeats << " of each kind, seed " << options.seed << ", threads " << options.threads
+              << ".\n\nTimes over size and part of right matches: median CPU time of a call, ms / median error, px / "
+                 "failures, %; -: "
                  "not run, as the call before took more than "
               << options.limit << " ms.\n";
     if (options.sweepSizes || options.sweepInliers)
@@ -102,9 +103,6 @@ int program(int argc, char** argv)
     return 0;
 }
 
-} // namespace
+}  // namespace
 
-int main(int argc, char** argv)
-{
-    return runProgram(program, argc, argv);
-}
+int main(int argc, char** argv) { return runProgram(program, argc, argv); }

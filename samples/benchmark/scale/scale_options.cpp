@@ -13,12 +13,15 @@ namespace {
 
 const char KEYS[] =
     "{help h usage ? | | print this }"
-    "{measure        |size,inliers,bound| what to do; size: time over the number of matches; inliers: over the part of right "
+    "{measure        |size,inliers,bound| what to do; size: time over the number of matches; inliers: over the part of "
+    "right "
     "ones; bound: time of the search over its lower bound }"
     "{problems       |H,F,E| which }"
-    "{methods        |USACV20,USACV20_FAST,cv:USAC_FAST,cv:USAC_MAGSAC| names with commas as for usac_benchmark; bound: those of "
+    "{methods        |USACV20,USACV20_FAST,cv:USAC_FAST,cv:USAC_MAGSAC| names with commas as for usac_benchmark; "
+    "bound: those of "
     "the module }"
-    "{sizes          |50,100,200,500,1000,2000,5000,10000,20000,50000,100000,200000,500000,1000000| numbers of matches }"
+    "{sizes          |50,100,200,500,1000,2000,5000,10000,20000,50000,100000,200000,500000,1000000| numbers of matches "
+    "}"
     "{parts          |0.9,0.8,0.7,0.6,0.5,0.4,0.3,0.25,0.2,0.15,0.1,0.07,0.05| parts of right matches }"
     "{boundParts     |0.1,0.2,0.3| the same for bound }"
     "{size           |2000| matches where they are not what changes }"
@@ -32,10 +35,7 @@ const char KEYS[] =
     "{csv            | | file for the times }"
     "{boundCsv       | | file for the lower bounds }";
 
-bool isPart(double value)
-{
-    return value > 0 && value <= 1;
-}
+bool isPart(double value) { return value > 0 && value <= 1; }
 
 //! Harder ones last.
 std::vector<double> partsOf(const std::vector<std::string>& texts, const std::string& option)
@@ -55,7 +55,7 @@ bool has(const std::vector<std::string>& names, const std::string& name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-} // namespace
+}  // namespace
 
 opencv_test::Scene ScaleOptions::scene(ProblemType problem, int size_, double part_, int repeat) const
 {
@@ -115,9 +115,11 @@ bool ScaleOptions::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Time over the size and over the hardness of synthetic scenes, and the time of the search over its lower "
-                 "bound.\n"
-                 "Methods: " + knownMethods() + ".");
+    parser.about(
+        "Time over the size and over the hardness of synthetic scenes, and the time of the search over its lower "
+        "bound.\n"
+        "Methods: " +
+        knownMethods() + ".");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();
@@ -136,4 +138,4 @@ bool ScaleOptions::parse(int argc, char** argv)
     return true;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -18,16 +18,16 @@ struct ScaleOptions
 {
     std::vector<ProblemType> problems;
     std::vector<std::string> methods;
-    std::vector<int> sizes;              //!< sweep over the number of matches, upwards
-    std::vector<double> inliers;         //!< sweep over the part of right matches, downwards
-    std::vector<double> boundInliers;    //!< where the lower bound is measured
-    int size;                            //!< where the number of matches is fixed
-    double part;                         //!< where the part of right matches is fixed
+    std::vector<int> sizes;            //!< sweep over the number of matches, upwards
+    std::vector<double> inliers;       //!< sweep over the part of right matches, downwards
+    std::vector<double> boundInliers;  //!< where the lower bound is measured
+    int size;                          //!< where the number of matches is fixed
+    double part;                       //!< where the part of right matches is fixed
     double noise;
     int repeats, seed, threads;
-    double limit;                        //!< milliseconds
+    double limit;  //!< milliseconds
     bool sweepSizes, sweepInliers, bound;
-    std::string csv, boundCsv;           //!< files to write, empty: none
+    std::string csv, boundCsv;  //!< files to write, empty: none
 
     //! The `repeat`-th scene; the same for all methods.
     opencv_test::Scene scene(ProblemType problem, int size, double part, int repeat) const;
@@ -42,9 +42,9 @@ private:
     void parseKinds(const cv::CommandLineParser& parser, const Arguments& arguments);
     void parseScenes(const cv::CommandLineParser& parser, const Arguments& arguments);
 
-    int maxIterations;                   // 0: not given
+    int maxIterations;  // 0: not given
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -27,4 +27,4 @@ ImagePair toImagePair(const opencv_test::Scene& scene)
     return pair;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

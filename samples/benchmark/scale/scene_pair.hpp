@@ -13,6 +13,6 @@ namespace benchmark {
 //! A synthetic scene as a pair of the benchmark. The right matches without noise are the truth.
 ImagePair toImagePair(const opencv_test::Scene& scene);
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

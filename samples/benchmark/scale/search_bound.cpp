@@ -46,13 +46,12 @@ std::string perUnit(double ms, int64 count, double unit)
     return count ? cv::format("%.3g", ms * unit / count) : std::string("-");
 }
 
-} // namespace
+}  // namespace
 
 SearchBound::SearchBound(const std::string& method_, ProblemType problem_, double part_, const ScaleOptions& options_)
-    : method(method_), problem(problem_), part(part_), options(options_), samples(0), solved(0), models(0), points(0), searchMs(0),
-      solverMs(0), kernelMs(0), allSolverMs(0)
-{
-}
+    : method(method_), problem(problem_), part(part_), options(options_), samples(0), solved(0), models(0), points(0),
+      searchMs(0), solverMs(0), kernelMs(0), allSolverMs(0)
+{}
 
 void SearchBound::run(const Params& params)
 {
@@ -86,7 +85,8 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
     {
         Report report;
         createUsac(scene, params)->run(cv::noArray(), &report);
-        if (report.iterations != expected.iterations || report.models != expected.models || report.cost != expected.cost)
+        if (report.iterations != expected.iterations || report.models != expected.models ||
+            report.cost != expected.cost)
             throw std::runtime_error(method + ": the run with counting components is another one");
         search = std::min(search, report.searchMs);
         solving = std::min(solving, solverMsOf(*counted, *original.minimalSolver, *solver, found));
@@ -107,9 +107,12 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
 void SearchBound::markdownHeader(std::ostream& out)
 {
     out << "\n## Search and its lower bound\n\n"
-           "Solved: samples that reach the solver. Points: those that a model was tested with, mean. Bound: solver alone for the "
-           "samples solved + kernel alone for the points. Last column: the ratio if all samples drawn counted as solved.\n\n"
-           "| problem | method | matches | right | samples | solved | models | points | search ms | solver us a sample | "
+           "Solved: samples that reach the solver. Points: those that a model was tested with, mean. Bound: solver "
+           "alone for the "
+           "samples solved + kernel alone for the points. Last column: the ratio if all samples drawn counted as "
+           "solved.\n\n"
+           "| problem | method | matches | right | samples | solved | models | points | search ms | solver us a sample "
+           "| "
            "kernel ns a point | bound ms | ratio | ratio, all samples |\n"
            "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
 }
@@ -117,22 +120,24 @@ void SearchBound::markdownHeader(std::ostream& out)
 void SearchBound::markdown(std::ostream& out) const
 {
     const double all = allSolverMs + kernelMs;
-    out << "| " << letterOf(problem) << " | " << method << " | " << options.size << cv::format(" | %g | ", part) << samples << " | "
-        << solved << " | " << models << " | " << perUnit((double)points, models, 1) << " | " << cv::format("%.4g", searchMs) << " | "
-        << perUnit(solverMs, solved, 1e3) << " | " << perUnit(kernelMs, points, 1e6) << " | "
+    out << "| " << letterOf(problem) << " | " << method << " | " << options.size << cv::format(" | %g | ", part)
+        << samples << " | " << solved << " | " << models << " | " << perUnit((double)points, models, 1) << " | "
+        << cv::format("%.4g", searchMs) << " | " << perUnit(solverMs, solved, 1e3) << " | "
+        << perUnit(kernelMs, points, 1e6) << " | "
         << cv::format("%.4g | %.2f | %.2f |\n", boundMs(), searchMs / boundMs(), searchMs / all);
 }
 
 void SearchBound::csvHeader(std::ostream& out)
 {
-    out << "problem,method,size,inliers,scenes,samples,solved,models,points,search_ms,solver_ms,kernel_ms,bound_ms,ratio\n";
+    out << "problem,method,size,inliers,scenes,samples,solved,models,points,search_ms,solver_ms,kernel_ms,bound_ms,"
+           "ratio\n";
 }
 
 void SearchBound::csv(std::ostream& out) const
 {
-    out << letterOf(problem) << ",\"" << method << "\"," << options.size << ',' << part << ',' << options.repeats << ',' << samples
-        << ',' << solved << ',' << models << ',' << points
+    out << letterOf(problem) << ",\"" << method << "\"," << options.size << ',' << part << ',' << options.repeats << ','
+        << samples << ',' << solved << ',' << models << ',' << points
         << cv::format(",%.6g,%.6g,%.6g,%.6g,%.4f\n", searchMs, solverMs, kernelMs, boundMs(), searchMs / boundMs());
 }
 
-} // namespace benchmark
+}  // namespace benchmark

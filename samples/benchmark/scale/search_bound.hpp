@@ -12,13 +12,13 @@
 
 namespace benchmark {
 
-/** What the search of a run costs (Report::searchMs: all but reading the points, local optimization and polishing), and what it
-would cost at least: the minimal solver alone for the samples that it got, and the kernel alone for the points that the models
-were tested with.
+/** What the search of a run costs (Report::searchMs: all but reading the points, local optimization and polishing), and
+what it would cost at least: the minimal solver alone for the samples that it got, and the kernel alone for the points
+that the models were tested with.
 
-The solver is timed on the samples of the run, the kernel on models of the run over all points. A run of counting components
-tells how many there are; the same run without them is timed. All times are the least of several, as the same instructions
-run each time. One thread. */
+The solver is timed on the samples of the run, the kernel on models of the run over all points. A run of counting
+components tells how many there are; the same run without them is timed. All times are the least of several, as the same
+instructions run each time. One thread. */
 class SearchBound
 {
 public:
@@ -45,6 +45,6 @@ private:
     double searchMs, solverMs, kernelMs, allSolverMs;  //!< the last one: as if all samples had been solved
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -11,15 +11,12 @@ namespace benchmark {
 
 namespace {
 
-const char* const NAMES[] = { "size", "inliers" };
+const char* const NAMES[] = {"size", "inliers"};
 
 //! A number for a CSV file, empty if it is NaN.
-std::string field(double value)
-{
-    return std::isnan(value) ? std::string() : cv::format("%.6g", value);
-}
+std::string field(double value) { return std::isnan(value) ? std::string() : cv::format("%.6g", value); }
 
-} // namespace
+}  // namespace
 
 Sweep::Sweep(Kind kind_, ProblemType problem_, const ScaleOptions& options_)
     : kind(kind_), problem(problem_), options(options_)
@@ -27,13 +24,13 @@ Sweep::Sweep(Kind kind_, ProblemType problem_, const ScaleOptions& options_)
     const size_t count = kind == OVER_SIZE ? options.sizes.size() : options.inliers.size();
     for (size_t i = 0; i < count; ++i)
     {
-        const Point point = { kind == OVER_SIZE ? options.sizes[i] : options.size,
-                              kind == OVER_SIZE ? options.part : options.inliers[i], std::vector<Summary>() };
+        const Point point = {kind == OVER_SIZE ? options.sizes[i] : options.size,
+                             kind == OVER_SIZE ? options.part : options.inliers[i], std::vector<Summary>()};
         points.push_back(point);
     }
 }
 
-void Sweep::run(const std::vector<cv::Ptr<Method> >& methods, Meter& meter, Progress& progress)
+void Sweep::run(const std::vector<cv::Ptr<Method>>& methods, Meter& meter, Progress& progress)
 {
     std::vector<bool> active(methods.size());
     for (size_t m = 0; m < methods.size(); ++m)
@@ -49,7 +46,8 @@ void Sweep::run(const std::vector<cv::Ptr<Method> >& methods, Meter& meter, Prog
     }
 }
 
-void Sweep::measure(Point& point, const std::vector<cv::Ptr<Method> >& methods, std::vector<bool>& active, Meter& meter) const
+void Sweep::measure(Point& point, const std::vector<cv::Ptr<Method>>& methods, std::vector<bool>& active,
+                    Meter& meter) const
 {
     ListResult result;
     result.problem = problem;
@@ -94,7 +92,8 @@ void Sweep::markdown(std::ostream& out) const
         for (size_t m = 0; m < points[i].rows.size(); ++m)
         {
             const Summary& row = points[i].rows[m];
-            out << (row.lists ? cv::format(" %.3g / %.3g / %.0f |", row.medianCpu, row.medianError, row.failures) : " - |");
+            out << (row.lists ? cv::format(" %.3g / %.3g / %.0f |", row.medianCpu, row.medianError, row.failures)
+                              : " - |");
         }
         out << "\n";
     }
@@ -113,11 +112,11 @@ void Sweep::csv(std::ostream& out) const
         {
             const Summary& row = points[i].rows[m];
             if (row.lists)
-                out << NAMES[kind] << ',' << letterOf(problem) << ',' << points[i].size << ',' << points[i].part << ",\""
-                    << options.methods[m] << "\"," << options.repeats << ',' << field(row.medianCpu) << ','
+                out << NAMES[kind] << ',' << letterOf(problem) << ',' << points[i].size << ',' << points[i].part
+                    << ",\"" << options.methods[m] << "\"," << options.repeats << ',' << field(row.medianCpu) << ','
                     << field(row.medianWall) << ',' << field(row.medianError) << ',' << field(row.failures) << ','
                     << field(row.medianIterations) << '\n';
         }
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -16,8 +16,8 @@ namespace benchmark {
 
 /** Times of all methods on scenes of growing hardness: more matches, or a smaller part of right ones.
 
-On each scene all methods run one after the other. A method whose median time is above ScaleOptions::limit does not run on the
-harder ones. */
+On each scene all methods run one after the other. A method whose median time is above ScaleOptions::limit does not run
+on the harder ones. */
 class Sweep
 {
 public:
@@ -25,7 +25,7 @@ public:
 
     Sweep(Kind kind, ProblemType problem, const ScaleOptions& options);
 
-    void run(const std::vector<cv::Ptr<Method> >& methods, Meter& meter, Progress& progress);
+    void run(const std::vector<cv::Ptr<Method>>& methods, Meter& meter, Progress& progress);
 
     //! Scenes of different hardness, for Progress.
     size_t size() const { return points.size(); }
@@ -42,7 +42,8 @@ private:
     };
 
     //! @param active which methods run; those that were too slow are taken out.
-    void measure(Point& point, const std::vector<cv::Ptr<Method> >& methods, std::vector<bool>& active, Meter& meter) const;
+    void measure(Point& point, const std::vector<cv::Ptr<Method>>& methods, std::vector<bool>& active,
+                 Meter& meter) const;
     std::string label(const Point& point) const;
 
     const Kind kind;
@@ -51,6 +52,6 @@ private:
     std::vector<Point> points;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -46,11 +46,13 @@ double percentOf(const std::vector<bool>& flags)
 std::string poseText(const std::vector<double>& poses, const std::vector<bool>& wrong)
 {
     const double pose = medianOf(poses);
-    return (pose < 0 ? std::string() : std::string(cv::format(" / %.3g deg", pose))) + cv::format(" (%.0f) |", percentOf(wrong));
+    return (pose < 0 ? std::string() : std::string(cv::format(" / %.3g deg", pose))) +
+           cv::format(" (%.0f) |", percentOf(wrong));
 }
 
 //! Of the runs that are not far off; those have any quotient.
-std::vector<double> quotients(const std::vector<double>& values, const std::vector<bool>& far, const std::vector<double>& by)
+std::vector<double> quotients(const std::vector<double>& values, const std::vector<bool>& far,
+                              const std::vector<double>& by)
 {
     std::vector<double> result;
     for (size_t i = 0; i < values.size(); ++i)
@@ -59,7 +61,7 @@ std::vector<double> quotients(const std::vector<double>& values, const std::vect
     return result;
 }
 
-} // namespace
+}  // namespace
 
 AccuracyTable::AccuracyTable(const StructuredOptions& options_) : options(options_)
 {
@@ -70,14 +72,15 @@ AccuracyTable::AccuracyTable(const StructuredOptions& options_) : options(option
 Cell AccuracyTable::cellOf(ProblemType problem, const std::string& motion, int size, double ratio) const
 {
     const bool aerial = motion == "aerial" && !options.ratiosGiven;
-    const Cell cell = { problem, motion, "generic", size, aerial ? AERIAL_RATIO : ratio, "none" };
+    const Cell cell = {problem, motion, "generic", size, aerial ? AERIAL_RATIO : ratio, "none"};
     return cell;
 }
 
 void AccuracyTable::run(std::ostream& out, std::ostream* csv)
 {
     if (csv)
-        *csv << "problem,motion,size,ratio,noise,method,runs,median_error,median_ratio,mean_ratio,median_pose,wrong_percent\n";
+        *csv << "problem,motion,size,ratio,noise,method,runs,median_error,median_ratio,mean_ratio,median_pose,wrong_"
+                "percent\n";
     const size_t each = options.motions.size() * options.sizes.size() * options.ratios.size() * options.noises.size();
     Progress progress((int)(each * options.problems.size()));
     opencv_test::SceneOptions unused;
@@ -139,7 +142,8 @@ void AccuracyTable::row(const Cell& cell, double noise, std::ostream& out, std::
     }
     const Errors& reference = all.back();
     out << "| " << cell.motion << " | " << cell.size << " | " << cell.ratio
-        << cv::format(" | %.3g | %.4g", noise, medianOf(reference.errors)) << poseText(reference.poses, reference.wrong);
+        << cv::format(" | %.3g | %.4g", noise, medianOf(reference.errors))
+        << poseText(reference.poses, reference.wrong);
     for (size_t m = 0; m < methods.size(); ++m)
     {
         if (all[m].errors.empty())
@@ -166,4 +170,4 @@ void AccuracyTable::csvRow(const Cell& cell, double noise, const std::string& me
         << cv::format(",%.6g,%.6g", medianOf(errors.poses), percentOf(errors.wrong)) << std::endl;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -13,7 +13,8 @@
 
 namespace benchmark {
 
-/** Errors of methods against that of least squares over the right matches, over motions and noise. Wrong matches are uniform. */
+/** Errors of methods against that of least squares over the right matches, over motions and noise. Wrong matches are
+ * uniform. */
 class AccuracyTable
 {
 public:
@@ -35,13 +36,13 @@ private:
     void header(ProblemType problem, std::ostream& out) const;
     void row(const Cell& cell, double noise, std::ostream& out, std::ostream* csv) const;
     static void add(const Verdict& verdict, Errors& errors);
-    void csvRow(const Cell& cell, double noise, const std::string& method, const Errors& errors, const Errors& reference,
-                std::ostream& csv) const;
+    void csvRow(const Cell& cell, double noise, const std::string& method, const Errors& errors,
+                const Errors& reference, std::ostream& csv) const;
 
     const StructuredOptions& options;
-    std::vector<cv::Ptr<Method> > methods;
+    std::vector<cv::Ptr<Method>> methods;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -20,7 +20,7 @@ void runModule(const ModuleMethod& method, const ImagePair& pair, Estimate& esti
     limited = report.stop == cv::usacv20::STOP_MAX_ITERATIONS;
 }
 
-} // namespace
+}  // namespace
 
 Call::Call(Method& method, const ImagePair& pair, const Settings& settings) : cpuUs(0), limited(false)
 {
@@ -41,4 +41,4 @@ Call::Call(Method& method, const ImagePair& pair, const Settings& settings) : cp
     cpuUs = watch.cpuMs() * 1e3;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

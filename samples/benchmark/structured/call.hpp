@@ -16,10 +16,10 @@ struct Call
     Call(Method& method, const ImagePair& pair, const Settings& settings);
 
     Estimate estimate;
-    double cpuUs;    //!< processor time, microseconds
-    bool limited;    //!< ended by Settings::maxIterations; false where the method does not tell
+    double cpuUs;  //!< processor time, microseconds
+    bool limited;  //!< ended by Settings::maxIterations; false where the method does not tell
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

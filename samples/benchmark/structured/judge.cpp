@@ -22,7 +22,7 @@ const double FEW = 0.01;
 //! Limits of a result that is right: thresholds, or deviations of the noise if that is more (H, F), and degrees (E).
 const double WRONG_ERROR = 3, WRONG_POSE = 5;
 
-} // namespace
+}  // namespace
 
 Judge::Judge(const opencv_test::Scene& scene_, const ImagePair& pair_, const Settings& settings_, double noise)
     : scene(scene_), pair(pair_), settings(settings_), farLimit(WRONG_ERROR * std::max(settings_.threshold, noise)),
@@ -88,4 +88,4 @@ Verdict Judge::judge(const Estimate& estimate) const
     return verdict;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -24,17 +24,10 @@ struct NamedMotion
 };
 
 const NamedMotion MOTIONS[] = {
-    { "general", MOTION_GENERAL, 12, 1 },
-    { "forward", MOTION_FORWARD, 2, 1 },
-    { "forward0", MOTION_FORWARD, 0, 1 },
-    { "sideways", MOTION_SIDEWAYS, 2, 1 },
-    { "rectified", MOTION_RECTIFIED, 0, 1 },
-    { "planar", MOTION_PLANAR, 12, 1 },
-    { "car", MOTION_CAR, 12, 1 },
-    { "narrow", MOTION_GENERAL, 12, 0.01 },
-    { "rotation", MOTION_GENERAL, 12, 0.001 },
-    { "frontal", MOTION_SIDEWAYS, 0, 1 },
-    { "aerial", MOTION_RECTIFIED, 0, 1 },
+    {"general", MOTION_GENERAL, 12, 1},  {"forward", MOTION_FORWARD, 2, 1},     {"forward0", MOTION_FORWARD, 0, 1},
+    {"sideways", MOTION_SIDEWAYS, 2, 1}, {"rectified", MOTION_RECTIFIED, 0, 1}, {"planar", MOTION_PLANAR, 12, 1},
+    {"car", MOTION_CAR, 12, 1},          {"narrow", MOTION_GENERAL, 12, 0.01},  {"rotation", MOTION_GENERAL, 12, 0.001},
+    {"frontal", MOTION_SIDEWAYS, 0, 1},  {"aerial", MOTION_RECTIFIED, 0, 1},
 };
 
 struct NamedOutliers
@@ -44,21 +37,22 @@ struct NamedOutliers
 };
 
 const NamedOutliers OUTLIERS[] = {
-    { "generic", OUTLIERS_UNIFORM },     { "clustered", OUTLIERS_CLUSTERED },   { "local", OUTLIERS_LOCAL },
-    { "manyToOne", OUTLIERS_MANY_TO_ONE }, { "targets", OUTLIERS_TARGETS },     { "line", OUTLIERS_LINE },
-    { "second", OUTLIERS_SECOND_MODEL }, { "duplicates", OUTLIERS_UNIFORM },    { "copies", OUTLIERS_UNIFORM },
+    {"generic", OUTLIERS_UNIFORM},       {"clustered", OUTLIERS_CLUSTERED}, {"local", OUTLIERS_LOCAL},
+    {"manyToOne", OUTLIERS_MANY_TO_ONE}, {"targets", OUTLIERS_TARGETS},     {"line", OUTLIERS_LINE},
+    {"second", OUTLIERS_SECOND_MODEL},   {"duplicates", OUTLIERS_UNIFORM},  {"copies", OUTLIERS_UNIFORM},
 };
 
 //! The part of a name `planeN`; 0 if it is none.
 double planeOf(const std::string& name)
 {
     const std::string number = name.compare(0, 5, "plane") == 0 ? name.substr(5) : std::string();
-    const bool digits = !number.empty() && number.size() < 4 && number.find_first_not_of("0123456789") == std::string::npos;
+    const bool digits = !number.empty() && number.size() < 4 &&
+                        number.find_first_not_of("0123456789") == std::string::npos;
     const int percent = digits ? std::atoi(number.c_str()) : 0;
     return percent <= 100 ? percent / 100. : 0;
 }
 
-} // namespace
+}  // namespace
 
 int sampleSizeOf(ProblemType problem)
 {
@@ -139,4 +133,4 @@ std::string Cell::name() const
     return value("problem") + " " + motion + " " + kind + " " + value("size") + " " + value("ratio") + " " + order;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -22,10 +22,11 @@ struct Cell
     std::string kind;    //!< see setKind
     int size;            //!< matches; kind `copies`: different ones; kind `second`: of the right model
     double ratio;        //!< part of right matches
-    std::string order;   //!< `none`: without scores; else the probability that a right match has a better score than a wrong one
+    std::string
+        order;  //!< `none`: without scores; else the probability that a right match has a better score than a wrong one
 
-    //! Points, but for noise and seed. @return false if there is no such scene, or it holds less than `spare` right matches more
-    //! than a sample.
+    //! Points, but for noise and seed. @return false if there is no such scene, or it holds less than `spare` right
+    //! matches more than a sample.
     bool options(int spare, opencv_test::SceneOptions& result) const;
     bool scored() const { return order != "none"; }
     //! Kind `second`: all is given by the size, whatever `ratio` is.
@@ -42,8 +43,9 @@ struct Cell
     forward    along the optical axis, 2 degrees            car       on a circle, up to 12 degrees
     forward0   the same without rotation                    narrow    general with 1/100 of the distance
     sideways   parallel to the image, 2 degrees             rotation  the same with 1/1000
-    rectified  along the rows, no rotation                  frontal   sideways without rotation over a plane parallel to the image
-    aerial     rectified, depths within 10 % of one (E, F)            (E, H: all points on it; F is not determined)
+    rectified  along the rows, no rotation                  frontal   sideways without rotation over a plane parallel to
+the image aerial     rectified, depths within 10 % of one (E, F)            (E, H: all points on it; F is not
+determined)
 
 @return false for any other name. */
 bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
@@ -60,6 +62,6 @@ bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
 @return false for any other name. */
 bool setKind(const std::string& name, opencv_test::SceneOptions& options);
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -16,18 +16,12 @@ namespace {
 const char SUFFIX[] = "+scores";
 
 //! The name with scores: "USACV20{runnersUp=1}" becomes "USACV20+scores{runnersUp=1}".
-std::string scoredName(std::string name)
-{
-    return name.insert(std::min(name.find('{'), name.size()), SUFFIX);
-}
+std::string scoredName(std::string name) { return name.insert(std::min(name.find('{'), name.size()), SUFFIX); }
 
 //! Of calib3d's flags one alone makes use of scores.
-bool takesScores(const std::string& name)
-{
-    return name.compare(0, 3, "cv:") != 0 || name == "cv:USAC_PROSAC";
-}
+bool takesScores(const std::string& name) { return name.compare(0, 3, "cv:") != 0 || name == "cv:USAC_PROSAC"; }
 
-} // namespace
+}  // namespace
 
 SearchGrid::SearchGrid(const StructuredOptions& options_) : options(options_)
 {
@@ -60,7 +54,7 @@ std::vector<Cell> SearchGrid::cells() const
                         int last = 0;
                         for (double ratio : options.ratios)
                         {
-                            const Cell cell = { problem, motion, kind, size, ratio, order };
+                            const Cell cell = {problem, motion, kind, size, ratio, order};
                             if (!cell.options(options.spare, scene) || scene.inliers == last)
                                 continue;  // few matches have the same number of right ones for several parts
                             last = scene.inliers;
@@ -118,8 +112,8 @@ void SearchGrid::measure(const Cell& cell, const opencv_test::SceneOptions& scen
         tallyOf(groupOf(cell), m).add(tallies[m], cell.name());
         if (csv)
             *csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.kind << ',' << cell.size << ','
-                 << cell.value("ratio") << ',' << cell.order << ",\"" << options.methods[m] << "\","
-                 << tallies[m].csv() << std::endl;
+                 << cell.value("ratio") << ',' << cell.order << ",\"" << options.methods[m] << "\"," << tallies[m].csv()
+                 << std::endl;
     }
 }
 
@@ -187,4 +181,4 @@ void SearchGrid::brief(std::ostream& out) const
     }
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -46,10 +46,10 @@ private:
 
     const StructuredOptions& options;
     std::vector<Entry> methods;
-    typedef std::pair<std::string, std::vector<Tally> > Group;
+    typedef std::pair<std::string, std::vector<Tally>> Group;
     std::vector<Group> groups;  //!< in the order of the cells
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

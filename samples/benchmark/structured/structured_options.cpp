@@ -13,28 +13,37 @@ namespace {
 
 const char KEYS[] =
     "{help h usage ? | | print this }"
-    "{mode           |search| search: how often the true model is missed; accuracy: errors against least squares over the right "
+    "{mode           |search| search: how often the true model is missed; accuracy: errors against least squares over "
+    "the right "
     "matches }"
-    "{methods        |USACV20| names with commas as for usac_benchmark; orders other than none: the module's get the scores }"
+    "{methods        |USACV20| names with commas as for usac_benchmark; orders other than none: the module's get the "
+    "scores }"
     "{problems       |H,F,E| which }"
-    "{motions        | | of the camera (default: search: general; accuracy: general,forward,forward0,sideways,rectified,planar,"
+    "{motions        | | of the camera (default: search: general; accuracy: "
+    "general,forward,forward0,sideways,rectified,planar,"
     "car,narrow,aerial) }"
     "{kinds          |generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line| search: wrong "
     "matches and repetitions; also local, plane1 to plane100 }"
     "{sizes          | | numbers of matches (default: search: 15,20,30,50,100,300,1000,10000; accuracy: 300) }"
-    "{ratios         | | parts of right matches (default: search: 0.3,0.5,0.6,0.7,0.9,0.95; accuracy: 0.7, aerial 0.9) }"
-    "{orders         |none,0.95,0.8,0.5,0.05| search: none: without scores; else the probability that a right match has a better "
+    "{ratios         | | parts of right matches (default: search: 0.3,0.5,0.6,0.7,0.9,0.95; accuracy: 0.7, aerial 0.9) "
+    "}"
+    "{orders         |none,0.95,0.8,0.5,0.05| search: none: without scores; else the probability that a right match "
+    "has a better "
     "score than a wrong one }"
-    "{by             |problem,kind,order| search: a row for each combination of some of: problem, motion, kind, size, ratio, "
+    "{by             |problem,kind,order| search: a row for each combination of some of: problem, motion, kind, size, "
+    "ratio, "
     "order }"
-    "{table          |full| search: full: all figures, a row for each method; brief: failures, a column for each method }"
+    "{table          |full| search: full: all figures, a row for each method; brief: failures, a column for each "
+    "method }"
     "{noise          |0.5| search: standard deviation of the right matches in each coordinate, pixels }"
     "{noises         |0,0.0333333,0.1,0.333333,1| accuracy: the same in thresholds }"
     "{threshold      |1.5| pixels }"
     "{confidence     |0.99| asked for }"
     "{maxIters       |100000| most iterations }"
-    "{maxItersInverted |5000| most iterations for orders below 0.5, but at least three times what the confidence takes }"
-    "{spare          |3| search: least number of different right matches beyond a sample; cells with less are left out }"
+    "{maxItersInverted |5000| most iterations for orders below 0.5, but at least three times what the confidence takes "
+    "}"
+    "{spare          |3| search: least number of different right matches beyond a sample; cells with less are left out "
+    "}"
     "{runs           |20| scenes of each cell, with a seed of their own }"
     "{seed           |1| of the first scene, the next ones count up }"
     "{threads        |1| given to cv::setNumThreads; -1: all processors }"
@@ -42,8 +51,8 @@ const char KEYS[] =
 
 const char SEARCH_SIZES[] = "15,20,30,50,100,300,1000,10000", SEARCH_RATIOS[] = "0.3,0.5,0.6,0.7,0.9,0.95";
 const char ACCURACY_MOTIONS[] = "general,forward,forward0,sideways,rectified,planar,car,narrow,aerial";
-const char* const OF_SEARCH[] = { "kinds", "orders", "by", "table", "noise", "maxItersInverted", "spare" };
-const char* const AXES[] = { "problem", "motion", "kind", "size", "ratio", "order" };
+const char* const OF_SEARCH[] = {"kinds", "orders", "by", "table", "noise", "maxItersInverted", "spare"};
+const char* const AXES[] = {"problem", "motion", "kind", "size", "ratio", "order"};
 
 std::vector<double> numbersOf(const std::vector<std::string>& texts, const std::string& option, double most)
 {
@@ -56,7 +65,7 @@ std::vector<double> numbersOf(const std::vector<std::string>& texts, const std::
     return numbers;
 }
 
-} // namespace
+}  // namespace
 
 Settings StructuredOptions::settings(const Cell& cell) const
 {
@@ -138,7 +147,8 @@ bool StructuredOptions::parse(int argc, char** argv)
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
     parser.about("Failures of the search, and accuracy, on synthetic scenes with the structure that real ones have.\n"
-                 "Methods: " + knownMethods() + ".");
+                 "Methods: " +
+                 knownMethods() + ".");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();
@@ -156,4 +166,4 @@ bool StructuredOptions::parse(int argc, char** argv)
     return true;
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -26,7 +26,7 @@ struct StructuredOptions
     bool ratiosGiven, brief;
     double noise, threshold, confidence;
     int maxIterations, maxIterationsInverted, spare, runs, seed, threads;
-    std::string csv;             //!< file to write, empty: none
+    std::string csv;  //!< file to write, empty: none
 
     //! What the methods are given in a cell.
     Settings settings(const Cell& cell) const;
@@ -40,6 +40,6 @@ private:
     void parseNumbers(const cv::CommandLineParser& parser);
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -22,12 +22,9 @@ double median(std::vector<float> values)
     return values[values.size() / 2];
 }
 
-std::string percent(int count, int of)
-{
-    return of ? cv::format("%.1f", 100. * count / of) : std::string("-");
-}
+std::string percent(int count, int of) { return of ? cv::format("%.1f", 100. * count / of) : std::string("-"); }
 
-} // namespace
+}  // namespace
 
 Proportion::Proportion(int count, int of_) : of(of_), value(0), low(0), high(1)
 {
@@ -47,9 +44,9 @@ std::string Proportion::text() const
 }
 
 Tally::Tally()
-    : calls(0), limited(0), failed(0), limitedFailed(0), worse(0), wrong(0), none(0), iterations(0), tells(true), worstRate(0)
-{
-}
+    : calls(0), limited(0), failed(0), limitedFailed(0), worse(0), wrong(0), none(0), iterations(0), tells(true),
+      worstRate(0)
+{}
 
 void Tally::add(const Call& call, const Verdict& verdict)
 {
@@ -83,10 +80,7 @@ void Tally::add(const Tally& cell, const std::string& name)
     worstCell = name;
 }
 
-double Tally::meanIterations() const
-{
-    return tells && calls > 0 ? iterations / calls : -1;
-}
+double Tally::meanIterations() const { return tells && calls > 0 ? iterations / calls : -1; }
 
 std::string Tally::markdownHeader()
 {
@@ -121,4 +115,4 @@ std::string Tally::csv() const
                       limitedFailed, worse, wrong, none, meanIterations(), median(times));
 }
 
-} // namespace benchmark
+}  // namespace benchmark

@@ -60,6 +60,6 @@ private:
     double worstRate;
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -17,16 +17,13 @@ namespace {
 
 typedef cv::Vec<double, TrueModel::MAX_DIRECTIONS> Step;
 
-//! Of the numeric derivatives, in units of the normalized image plane. The error of a central difference is of the order of its
-//! square, that of rounding 1e-16 divided by it: 1e-10, far below what the last steps need.
+//! Of the numeric derivatives, in units of the normalized image plane. The error of a central difference is of the
+//! order of its square, that of rounding 1e-16 divided by it: 1e-10, far below what the last steps need.
 const double DIFFERENCE = 1e-6;
 //! Steps are few, as the search starts at the truth.
 const int MAX_STEPS = 60;
 
-cv::Matx33d crossMatrix(const cv::Vec3d& v)
-{
-    return cv::Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0);
-}
+cv::Matx33d crossMatrix(const cv::Vec3d& v) { return cv::Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0); }
 
 double sumOfSquares(const std::vector<double>& values)
 {
@@ -36,7 +33,7 @@ double sumOfSquares(const std::vector<double>& values)
     return sum;
 }
 
-} // namespace
+}  // namespace
 
 TrueModel::TrueModel(const opencv_test::Scene& scene_) : scene(&scene_), R(scene_.R), t(scene_.t)
 {
@@ -45,10 +42,7 @@ TrueModel::TrueModel(const opencv_test::Scene& scene_) : scene(&scene_), R(scene
     setMatrix(scene->problem == HOMOGRAPHY ? K.inv() * scene->model * K : crossMatrix(t) * R);
 }
 
-int TrueModel::directions() const
-{
-    return scene->problem == HOMOGRAPHY ? 9 : scene->problem == FUNDAMENTAL ? 8 : 6;
-}
+int TrueModel::directions() const { return scene->problem == HOMOGRAPHY ? 9 : scene->problem == FUNDAMENTAL ? 8 : 6; }
 
 void TrueModel::setMatrix(const cv::Matx33d& M)
 {
@@ -98,7 +92,8 @@ void TrueModel::residuals(const std::vector<int>& rows, std::vector<double>& val
     for (size_t i = 0; i < rows.size(); ++i)
     {
         const cv::Point2d &p1 = scene->points1[rows[i]], &p2 = scene->points2[rows[i]];
-        const cv::Vec3d x1((p1.x - cx) / focal, (p1.y - cy) / focal, 1), x2((p2.x - cx) / focal, (p2.y - cy) / focal, 1);
+        const cv::Vec3d x1((p1.x - cx) / focal, (p1.y - cy) / focal, 1),
+            x2((p2.x - cx) / focal, (p2.y - cy) / focal, 1);
         const cv::Vec3d a = model * x1;
         if (scene->problem == HOMOGRAPHY)
         {
@@ -173,9 +168,10 @@ cv::Mat TrueModel::matrix() const
 {
     const cv::Matx33d& K = scene->K;
     const cv::Matx33d Kinv = K.inv();
-    const cv::Matx33d M = scene->problem == HOMOGRAPHY ? K * model * Kinv
-                        : scene->problem == FUNDAMENTAL ? Kinv.t() * model * Kinv : model;
+    const cv::Matx33d M = scene->problem == HOMOGRAPHY    ? K * model * Kinv
+                          : scene->problem == FUNDAMENTAL ? Kinv.t() * model * Kinv
+                                                          : model;
     return cv::Mat(M, true);
 }
 
-} // namespace benchmark
+}  // namespace benchmark

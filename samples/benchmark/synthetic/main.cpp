@@ -30,7 +30,8 @@ const char KEYS[] =
     "{angle          |12| rotation between the cameras, degrees }"
     "{outliers       |uniform| wrong matches; uniform: anywhere; local: right but for 5 to 50 pixels in image 2; "
     "manyToOne: about ten with the same point of image 2, that of a right match }"
-    "{scores         |0.5| probability that a right match has a better score than a wrong one; 0.5: scores tell nothing, "
+    "{scores         |0.5| probability that a right match has a better score than a wrong one; 0.5: scores tell "
+    "nothing, "
     "1: all }"
     "{seed           |1| of the first pair, the next ones count up }";
 
@@ -42,10 +43,7 @@ struct Command
     SceneOptions options;
 };
 
-bool isPart(double value)
-{
-    return value >= 0 && value <= 1;
-}
+bool isPart(double value) { return value >= 0 && value <= 1; }
 
 OutlierModel outlierModelOf(const std::string& name)
 {
@@ -59,7 +57,8 @@ bool parse(int argc, char** argv, Command& command)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Writes synthetic scenes with exact truth as data for usac_benchmark. The same options write the same files.");
+    parser.about(
+        "Writes synthetic scenes with exact truth as data for usac_benchmark. The same options write the same files.");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();
@@ -89,7 +88,8 @@ bool parse(int argc, char** argv, Command& command)
     require(options.angle >= 0 && options.angle <= 60, "--angle: expected a number between 0 and 60");
     require(isPart(inliers) && isPart(options.planeFraction) && duplicates >= 0 && duplicates < 1,
             "--inliers, --planeFraction, --duplicates: expected numbers between 0 and 1");
-    require(options.scoreInformation > 0 && options.scoreInformation <= 1, "--scores: expected a number above 0 up to 1");
+    require(options.scoreInformation > 0 && options.scoreInformation <= 1,
+            "--scores: expected a number above 0 up to 1");
     options.setSize(size, inliers);
     options.duplicates = (int)(options.inliers * duplicates);
     require(options.inliers > 0 && options.outliers >= 0, "--size, --inliers: there is no right match");
@@ -107,9 +107,6 @@ int run(int argc, char** argv)
     return 0;
 }
 
-} // namespace
+}  // namespace
 
-int main(int argc, char** argv)
-{
-    return runProgram(run, argc, argv);
-}
+int main(int argc, char** argv) { return runProgram(run, argc, argv); }

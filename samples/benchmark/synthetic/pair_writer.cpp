@@ -37,7 +37,7 @@ void writeMatrix(cv::FileStorage& out, const std::string& name, const cv::Matx33
     out << "]";
 }
 
-} // namespace
+}  // namespace
 
 PairWriter::PairWriter(const std::string& folder_, const std::string& name_, const std::string& letters_)
     : folder(folder_), name(name_), letters(letters_), count(0)
@@ -77,29 +77,38 @@ void PairWriter::writeTruth(const std::string& file, const Scene& scene) const
     cv::FileStorage out(file, cv::FileStorage::WRITE | cv::FileStorage::FORMAT_JSON);
     if (!out.isOpened())
         throw std::runtime_error(file + ": cannot be written");
-    out << "problem" << "[:";
+    out << "problem"
+        << "[:";
     for (size_t i = 0; i < letters.size(); ++i)
         out << std::string(1, letters[i]);
     out << "]";
     for (int image = 1; image <= 2; ++image)
-        out << cv::format("size%d", image) << "[:" << (int)opencv_test::SCENE_WIDTH << (int)opencv_test::SCENE_HEIGHT << "]";
+        out << cv::format("size%d", image) << "[:" << (int)opencv_test::SCENE_WIDTH << (int)opencv_test::SCENE_HEIGHT
+            << "]";
     if (scene.problem == cv::usacv20::HOMOGRAPHY)
         writeMatrix(out, "H", scene.model);
     writeMatrix(out, "K1", scene.K);
     writeMatrix(out, "K2", scene.K);
     writeMatrix(out, "R", scene.R);
-    out << "t" << "[:" << scene.t[0] << scene.t[1] << scene.t[2] << "]" << "gt_kind" << "exact" << "gt_points" << "[";
+    out << "t"
+        << "[:" << scene.t[0] << scene.t[1] << scene.t[2] << "]"
+        << "gt_kind"
+        << "exact"
+        << "gt_points"
+        << "[";
     for (int i = 0, written = 0; i < scene.size() && written < MAX_TRUE_POINTS; ++i)
         if (scene.truth[i])
         {
             out << "[:" << scene.clean1[i].x << scene.clean1[i].y << scene.clean2[i].x << scene.clean2[i].y << "]";
             ++written;
         }
-    out << "]" << "gt_mask" << "[:";
+    out << "]"
+        << "gt_mask"
+        << "[:";
     for (int i = 0; i < scene.size(); ++i)
         if (scene.truth[i])
             out << i;
     out << "]";
 }
 
-} // namespace benchmark
+}  // namespace benchmark

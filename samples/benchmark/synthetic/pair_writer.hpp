@@ -15,8 +15,8 @@ namespace benchmark {
 
 /** Writes scenes as a data set of the benchmark.
 
-`<folder>/lists/<name>.<letter>.list` for each letter names the pairs, `<folder>/pairs/<name>/<number>.corr` and `.json` hold
-them. Files of the same names are replaced. What cannot be written raises std::runtime_error. */
+`<folder>/lists/<name>.<letter>.list` for each letter names the pairs, `<folder>/pairs/<name>/<number>.corr` and `.json`
+hold them. Files of the same names are replaced. What cannot be written raises std::runtime_error. */
 class PairWriter
 {
 public:
@@ -30,10 +30,10 @@ private:
     void writeTruth(const std::string& file, const opencv_test::Scene& scene) const;
 
     std::string folder, name, letters;
-    std::vector<cv::Ptr<std::ofstream> > lists;  //!< one a letter
-    int count;                                   //!< pairs so far
+    std::vector<cv::Ptr<std::ofstream>> lists;  //!< one a letter
+    int count;                                  //!< pairs so far
 };
 
-} // namespace benchmark
+}  // namespace benchmark
 
 #endif

@@ -11,11 +11,12 @@
 The RANSAC framework of @cite ivashechkin2021usacv20 behind the functions of the module calib3d. Three levels of use:
 
 1. A flag of cv::UsacV20Method in the place of `cv::RANSAC`:
-   `cv::findHomography(points1, points2, cv::USACV20, 3.0, mask)`. A flag that is an `int` of the program, be it of this module or
-   of OpenCV: `cv::usacv20::findHomography(points1, points2, method, 3.0, mask)`.
+   `cv::findHomography(points1, points2, cv::USACV20, 3.0, mask)`. A flag that is an `int` of the program, be it of this
+module or of OpenCV: `cv::usacv20::findHomography(points1, points2, method, 3.0, mask)`.
 2. A usacv20::Params with all options, match scores among them, and a usacv20::Report:
    usacv20::estimateHomography, usacv20::estimateFundamental, usacv20::estimateEssential.
-3. A component of one's own: usacv20::Usac::create builds the default set, each can be replaced before usacv20::Usac::run.
+3. A component of one's own: usacv20::Usac::create builds the default set, each can be replaced before
+usacv20::Usac::run.
 */
 
 #include "opencv2/usac/params.hpp"
@@ -24,5 +25,6 @@ The RANSAC framework of @cite ivashechkin2021usacv20 behind the functions of the
 #include "opencv2/usac/estimate.hpp"
 #include "opencv2/usac/components.hpp"
 #include "opencv2/usac/problem.hpp"
+#include "opencv2/usac/estimator.hpp"
 
 #endif

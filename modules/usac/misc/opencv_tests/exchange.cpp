@@ -35,29 +35,17 @@ static usacv20::Params exchange(const UsacParams& params)
 
 // Four of the documented differences are taken back here, so that the tests see the rest.
 
-static bool isUsac(int method)
-{
-    return method >= USAC_DEFAULT && method <= USAC_MAGSAC;
-}
+static bool isUsac(int method) { return method >= USAC_DEFAULT && method <= USAC_MAGSAC; }
 
 //! 1. cv::findFundamentalMat takes a confidence of 0 or 1 for 0.99; for this module that is a mistake in the call.
-static double confidenceOf(double confidence)
-{
-    return confidence > 0 && confidence < 1 ? confidence : 0.99;
-}
+static double confidenceOf(double confidence) { return confidence > 0 && confidence < 1 ? confidence : 0.99; }
 
 //! 2. F has unit norm; that of OpenCV's flags has f33 = 1.
-static Mat scaled(const Mat& F)
-{
-    return F.empty() || F.at<double>(2, 2) == 0 ? F : Mat(F / F.at<double>(2, 2));
-}
+static Mat scaled(const Mat& F) { return F.empty() || F.at<double>(2, 2) == 0 ? F : Mat(F / F.at<double>(2, 2)); }
 
-/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras; those of test_fundam.cpp look
-anywhere. Where that leaves no model (1 call of 100 there), it is estimated without that test. */
-static bool mayBeBehind(const Mat& model, int method)
-{
-    return model.empty() && !isUsac(method);
-}
+/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras; those of test_fundam.cpp
+look anywhere. Where that leaves no model (1 call of 100 there), it is estimated without that test. */
+static bool mayBeBehind(const Mat& model, int method) { return model.empty() && !isUsac(method); }
 
 static usacv20::Params anySide(usacv20::Params params)
 {
@@ -65,7 +53,8 @@ static usacv20::Params anySide(usacv20::Params params)
     return params;
 }
 
-//! 4. For E, OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the threshold, not the Sampson one.
+//! 4. For E, OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the threshold, not the
+//! Sampson one.
 static usacv20::Params symmetric(usacv20::Params params)
 {
     params.residual = usacv20::RESIDUAL_SYMMETRIC;
@@ -123,46 +112,48 @@ Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray 
     return scaled(findFundamentalMat(points1, points2, mask, exchange(params)));
 }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence, double threshold,
-                          int maxIters, OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence,
+                          double threshold, int maxIters, OutputArray mask)
 {
     if (isUsac(method))
         return findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
                                 symmetric(exchange(threshold, confidence, maxIters)));
     const Mat E = findEssentialMat(points1, points2, K, exchange(), confidence, threshold, maxIters, mask);
-    return !mayBeBehind(E, method) ? E : findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
-                                                          anySide(exchange(threshold, confidence, maxIters)));
+    return !mayBeBehind(E, method) ? E
+                                   : findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
+                                                      anySide(exchange(threshold, confidence, maxIters)));
 }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence, double threshold,
-                          OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence,
+                          double threshold, OutputArray mask)
 {
     if (isUsac(method))
         return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, 1000, mask);
     const Mat E = findEssentialMat(points1, points2, K, exchange(), confidence, threshold, mask);
-    return !mayBeBehind(E, method) ? E : findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
-                                                          anySide(exchange(threshold, confidence, 1000)));
+    return !mayBeBehind(E, method) ? E
+                                   : findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
+                                                      anySide(exchange(threshold, confidence, 1000)));
 }
 
-static Matx33d cameraOf(double focal, Point2d pp)
-{
-    return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
-}
+static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1); }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double confidence,
-                          double threshold, int maxIters, OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
+                          double confidence, double threshold, int maxIters, OutputArray mask)
 {
     const Mat E = findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, maxIters, mask);
-    return isUsac(method) || mayBeBehind(E, method) ?
-           exchangedEssentialMat(points1, points2, cameraOf(focal, pp), method, confidence, threshold, maxIters, mask) : E;
+    return isUsac(method) || mayBeBehind(E, method)
+               ? exchangedEssentialMat(points1, points2, cameraOf(focal, pp), method, confidence, threshold, maxIters,
+                                       mask)
+               : E;
 }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double confidence,
-                          double threshold, OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
+                          double confidence, double threshold, OutputArray mask)
 {
     const Mat E = findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, mask);
-    return isUsac(method) || mayBeBehind(E, method) ?
-           exchangedEssentialMat(points1, points2, cameraOf(focal, pp), method, confidence, threshold, mask) : E;
+    return isUsac(method) || mayBeBehind(E, method)
+               ? exchangedEssentialMat(points1, points2, cameraOf(focal, pp), method, confidence, threshold, mask)
+               : E;
 }
 
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray distortion1, InputArray K2,
@@ -171,7 +162,8 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1,
     if (isUsac(method))
         return findEssentialMat(points1, points2, K1, K2, distortion1, distortion2, mask,
                                 symmetric(exchange(threshold, confidence, 1000)));
-    return findEssentialMat(points1, points2, K1, distortion1, K2, distortion2, exchange(), confidence, threshold, mask);
+    return findEssentialMat(points1, points2, K1, distortion1, K2, distortion2, exchange(), confidence, threshold,
+                            mask);
 }
 
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2, InputArray distortion1,
@@ -180,4 +172,4 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1,
     return findEssentialMat(points1, points2, K1, K2, distortion1, distortion2, mask, symmetric(exchange(params)));
 }
 
-} // namespace cv
+}  // namespace cv

@@ -35,21 +35,23 @@ Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray 
                             double threshold = 3, double confidence = 0.99);
 Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params);
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method = RANSAC, double confidence = 0.999,
-                          double threshold = 1, int maxIters = 1000, OutputArray mask = noArray());
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method = RANSAC,
+                          double confidence = 0.999, double threshold = 1, int maxIters = 1000,
+                          OutputArray mask = noArray());
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence,
                           double threshold, OutputArray mask);
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal = 1, Point2d pp = Point2d(), int method = RANSAC,
-                          double confidence = 0.999, double threshold = 1, int maxIters = 1000, OutputArray mask = noArray());
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double confidence,
-                          double threshold, OutputArray mask);
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal = 1, Point2d pp = Point2d(),
+                          int method = RANSAC, double confidence = 0.999, double threshold = 1, int maxIters = 1000,
+                          OutputArray mask = noArray());
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
+                          double confidence, double threshold, OutputArray mask);
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray distortion1, InputArray K2,
                           InputArray distortion2, int method = RANSAC, double confidence = 0.999, double threshold = 1,
                           OutputArray mask = noArray());
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2, InputArray distortion1,
                           InputArray distortion2, OutputArray mask, const UsacParams& params);
 
-} // namespace cv
+}  // namespace cv
 
 #define findHomography exchangedHomography
 #define findFundamentalMat exchangedFundamentalMat

@@ -8,10 +8,16 @@
 #include <sstream>
 #include "exchange.hpp"
 
-static const struct { const char* name; cv::UsacV20Method method; } FLAGS[] = {
-    {"USACV20", cv::USACV20}, {"USACV20_FAST", cv::USACV20_FAST}, {"USACV20_ACCURATE", cv::USACV20_ACCURATE},
-    {"USACV20_PROSAC", cv::USACV20_PROSAC}, {"USACV20_MAGSAC", cv::USACV20_MAGSAC}, {"USACV20_PARALLEL", cv::USACV20_PARALLEL}
-};
+static const struct
+{
+    const char* name;
+    cv::UsacV20Method method;
+} FLAGS[] = {{"USACV20", cv::USACV20},
+             {"USACV20_FAST", cv::USACV20_FAST},
+             {"USACV20_ACCURATE", cv::USACV20_ACCURATE},
+             {"USACV20_PROSAC", cv::USACV20_PROSAC},
+             {"USACV20_MAGSAC", cv::USACV20_MAGSAC},
+             {"USACV20_PARALLEL", cv::USACV20_PARALLEL}};
 
 static std::string nameOf(const testing::TestInfo& test)
 {
@@ -34,16 +40,13 @@ static std::vector<std::string> flagsOf(const std::string& list)
     return result;
 }
 
-int Outcomes::flags()
-{
-    return sizeof(FLAGS) / sizeof(FLAGS[0]);
-}
+int Outcomes::flags() { return sizeof(FLAGS) / sizeof(FLAGS[0]); }
 
 Outcomes::Outcomes(const std::string& listOfDifferences) : passed(0), failed(0)
 {
     std::ifstream file(listOfDifferences.c_str());
     CV_Assert(file.is_open());
-    for (std::string line, more; std::getline(file, line); )
+    for (std::string line, more; std::getline(file, line);)
     {
         for (; file.peek() == ' '; line += ' ' + more)
             std::getline(file >> std::ws, more);
@@ -54,7 +57,8 @@ Outcomes::Outcomes(const std::string& listOfDifferences) : passed(0), failed(0)
         words >> where >> test >> std::ws;
         std::getline(words, reason);
         if ((kind != "fails" && kind != "data") || reason.empty())
-            CV_Error_(cv::Error::StsParseError, ("%s: cannot read the line: %s", listOfDifferences.c_str(), line.c_str()));
+            CV_Error_(cv::Error::StsParseError,
+                      ("%s: cannot read the line: %s", listOfDifferences.c_str(), line.c_str()));
         if (kind == "data")
             data[Pair(where, test)] = reason;
         else
@@ -82,10 +86,7 @@ void Outcomes::OnTestIterationStart(const testing::UnitTest&, int iteration)
     std::cout << "== " << flag << std::endl;
 }
 
-void Outcomes::OnTestStart(const testing::TestInfo&)
-{
-    cv::Exchange::calls = 0;
-}
+void Outcomes::OnTestStart(const testing::TestInfo&) { cv::Exchange::calls = 0; }
 
 void Outcomes::OnTestEnd(const testing::TestInfo& test)
 {

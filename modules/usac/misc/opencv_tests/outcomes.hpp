@@ -11,8 +11,8 @@
 
 /** Runs all tests once with each flag of the module, compares what comes out with the list of differences, and counts.
 
-Only a test that has called one of the exchanged functions counts. One that fails with a flag for which it is on the list is
-neither passed nor failed; one that is on the list and passes is a failure, so that the list stays true. */
+Only a test that has called one of the exchanged functions counts. One that fails with a flag for which it is on the
+list is neither passed nor failed; one that is on the list and passes is a failure, so that the list stays true. */
 class Outcomes : public testing::EmptyTestEventListener
 {
 public:
@@ -34,9 +34,9 @@ public:
 private:
     typedef std::pair<std::string, std::string> Pair;  // flag or file, test
 
-    std::map<Pair, std::string> fails, data;           // their reasons
-    std::set<std::string> notOurs;                     // tests that call none of the functions
-    std::string flag, expected, unexpected;            // the last two: what is printed at the end
+    std::map<Pair, std::string> fails, data;  // their reasons
+    std::set<std::string> notOurs;            // tests that call none of the functions
+    std::string flag, expected, unexpected;   // the last two: what is printed at the end
     int passed, failed;
 };
 

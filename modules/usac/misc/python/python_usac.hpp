@@ -12,10 +12,9 @@
 namespace cv {
 
 #ifdef OPENCV_BINDING_PARSER
-// The enumerators of an enum class would become cv2.UsacV20Method_USACV20 and so on. The generator takes the names from here; the
-// code that it writes uses the constants of params.hpp.
-enum UsacV20Method
-{
+// The enumerators of an enum class would become cv2.UsacV20Method_USACV20 and so on. The generator takes the names from
+// here; the code that it writes uses the constants of params.hpp.
+enum UsacV20Method {
     USACV20 = 0x4000,
     USACV20_FAST = 0x4001,
     USACV20_ACCURATE = 0x4002,
@@ -27,8 +26,8 @@ enum UsacV20Method
 
 namespace usacv20 {
 
-// The functions of find.hpp with Params in the place of the flag. In C++ they are in the namespace cv alone: a second set would
-// make a call below `using namespace cv` ambiguous, as the class Params leads to the namespace cv::usacv20.
+// The functions of find.hpp with Params in the place of the flag. In C++ they are in the namespace cv alone: a second
+// set would make a call below `using namespace cv` ambiguous, as the class Params leads to the namespace cv::usacv20.
 
 //! @overload
 CV_EXPORTS_W inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
@@ -52,7 +51,7 @@ CV_EXPORTS_W inline Mat findEssentialMat(InputArray points1, InputArray points2,
     return cv::findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, dist_coeff1, dist_coeff2, mask, params);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -9,10 +9,11 @@
 #include <vector>
 #include "opencv2/core/parallel/parallel_backend.hpp"
 
-/* ThreadSanitizer sees only synchronisation in code that is compiled with it. OpenCV's thread pool is not, so each parallel
-loop would look like a race. This backend of parallel_for_ replaces the pool before any test: every loop starts its threads
-and joins them in instrumented code. No suppression is needed, and what the bodies of the module do is seen in full. Which thread
-has which part is fixed: a queue of them would be synchronisation, and quick bodies would all run in the first thread. */
+/* ThreadSanitizer sees only synchronisation in code that is compiled with it. OpenCV's thread pool is not, so each
+parallel loop would look like a race. This backend of parallel_for_ replaces the pool before any test: every loop starts
+its threads and joins them in instrumented code. No suppression is needed, and what the bodies of the module do is seen
+in full. Which thread has which part is fixed: a queue of them would be synchronisation, and quick bodies would all run
+in the first thread. */
 
 namespace {
 
@@ -24,8 +25,7 @@ public:
     void parallel_for(int tasks, FN_parallel_for_body_cb_t body, void* data) override
     {
         const int count = std::min((int)threads, tasks);
-        const auto work = [=](int number)
-        {
+        const auto work = [=](int number) {
             const int before = current;
             current = number;
             for (int task = number; task < tasks; task += count)
@@ -62,4 +62,4 @@ struct Install
     Install() { cv::parallel::setParallelForBackend(std::make_shared<ThreadsBackend>(), false); }
 } install;
 
-} // namespace
+}  // namespace

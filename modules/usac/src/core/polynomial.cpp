@@ -94,13 +94,17 @@ public:
     }
 
 private:
-    struct Link { double a, b, s; };
+    struct Link
+    {
+        double a, b, s;
+    };
     Link links[MAX_DEGREE];
     double tail[MAX_DEGREE + 1];
     int count, lastDegree;
 };
 
-//! The root in (low, high], where the polynomial changes its sign: Newton's steps, bisection where they leave the bracket.
+//! The root in (low, high], where the polynomial changes its sign: Newton's steps, bisection where they leave the
+//! bracket.
 double refine(const Polynomial& p, double low, double high, double atLow)
 {
     double x = 0.5 * (low + high);
@@ -115,7 +119,8 @@ double refine(const Polynomial& p, double low, double high, double atLow)
         const bool inside = next > low && next < high;
         if (!inside)
             next = 0.5 * (low + high);
-        if (std::abs(next - x) <= (inside ? 1e-9 : 4e-16) * std::abs(x))  // the error of a step of Newton is that of the last one squared
+        if (std::abs(next - x) <=
+            (inside ? 1e-9 : 4e-16) * std::abs(x))  // the error of a step of Newton is that of the last one squared
             return next;
         x = next;
     }
@@ -151,7 +156,8 @@ int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double 
 //! Where #realRoots changes from the polynomial to the reversed one; no round number, as Sturm's interval excludes it.
 const double LOWEST = -1.0009765625, HIGHEST = 1.0007;
 
-//! Roots in (LOWEST, HIGHEST], between the roots of the derivative: slower than Sturm's sequence, but without its exceptions.
+//! Roots in (LOWEST, HIGHEST], between the roots of the derivative: slower than Sturm's sequence, but without its
+//! exceptions.
 int betweenExtrema(const Polynomial& p, double* roots)
 {
     if (p.degree <= 1)
@@ -201,8 +207,8 @@ double polish(const Polynomial& p, double x)
     return std::abs(newValue) < std::abs(value) ? next : x;
 }
 
-/** Roots of a cubic in closed form, by Viete's cosines or Cardano's cube root @cite press2007numerical; double roots once. The
-leading coefficient must not be small. */
+/** Roots of a cubic in closed form, by Viete's cosines or Cardano's cube root @cite press2007numerical; double roots
+once. The leading coefficient must not be small. */
 int cubicRoots(const double* c, double* roots)
 {
     const Polynomial p = {c, 3};
@@ -218,7 +224,8 @@ int cubicRoots(const double* c, double* roots)
     }
     else
     {
-        const double A = (R > 0 ? -1 : 1) * std::cbrt(std::abs(R) + std::sqrt(std::max(excess, 0.))), B = A != 0 ? Q / A : 0;
+        const double A = (R > 0 ? -1 : 1) * std::cbrt(std::abs(R) + std::sqrt(std::max(excess, 0.))),
+                     B = A != 0 ? Q / A : 0;
         roots[0] = A + B - a / 3;
         if (twice && A != 0)
             roots[count++] = -0.5 * (A + B) - a / 3;
@@ -228,7 +235,7 @@ int cubicRoots(const double* c, double* roots)
     return std::abs(roots[0]) <= DBL_MAX ? count : 0;  // 0 if a coefficient is NaN
 }
 
-} // namespace
+}  // namespace
 
 int realRoots(const double* coefficients, int degree, double* roots)
 {
@@ -260,5 +267,5 @@ int realRoots(const double* coefficients, int degree, double* roots)
     return count;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -21,7 +21,7 @@ Newton's method inside a bracket refines them to double precision.
 @return number of roots; 0 for a constant and for coefficients that are not finite. @cite press2007numerical */
 int realRoots(const double* coefficients, int degree, double* roots);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -26,5 +26,5 @@ int samplesNeeded(double p, double logFailure)
     return k < INT_MAX ? (int)k : INT_MAX;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

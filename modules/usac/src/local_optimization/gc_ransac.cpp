@@ -12,12 +12,13 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a faster
-one.
+/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a
+faster one.
 
 Each alternation cuts the graph for the inliers of the model (Labeling) and fits models to random samples of them, of
-Params::localSampleMultiple times the minimal size, or to all if there are not as many. The first alternation without a better
-model is the last. Their number and that of their samples are bounded by Params::localIterations and Params::localSamples. */
+Params::localSampleMultiple times the minimal size, or to all if there are not as many. The first alternation without a
+better model is the last. Their number and that of their samples are bounded by Params::localIterations and
+Params::localSamples. */
 class GcRansacOptimizer : public LocalOptimizer
 {
 public:
@@ -48,12 +49,9 @@ private:
     InlierSet inliers;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<LocalOptimizer> createGcRansacOptimizer()
-{
-    return makePtr<GcRansacOptimizer>();
-}
+Ptr<LocalOptimizer> createGcRansacOptimizer() { return makePtr<GcRansacOptimizer>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -14,11 +14,11 @@ namespace {
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.
 
-Alternates between the spatially coherent inliers of the model (Labeling) and an inner RANSAC over them: models fitted to
-random samples of Params::localSampleMultiple times the minimal size, and to all of them up to a bound. Before, as in
-LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of the threshold that shrinks to 1: from
-a minimal sample the threshold alone leads to the nearest local optimum, whose inliers confirm it. If that does
-not make the model clearly better than the best one so far, it ends there. A fit that is better replaces the model; the
+Alternates between the spatially coherent inliers of the model (Labeling) and an inner RANSAC over them: models fitted
+to random samples of Params::localSampleMultiple times the minimal size, and to all of them up to a bound. Before, as in
+LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of the threshold that shrinks to 1:
+from a minimal sample the threshold alone leads to the nearest local optimum, whose inliers confirm it. If that does not
+make the model clearly better than the best one so far, it ends there. A fit that is better replaces the model; the
 first alternation without a clear gain is the last, and their number is bounded. */
 class GraphCutOptimizer : public LocalOptimizer
 {
@@ -55,7 +55,8 @@ private:
         for (int multiple = 3; multiple >= 1; --multiple)
         {
             inliers.within(context, fitted, multiple);
-            if (inliers.size() <= m || !inliers.fit(context, inliers.select(state.rng, MAX_SHRINK), fitted, SHRINK_STEPS))
+            if (inliers.size() <= m ||
+                !inliers.fit(context, inliers.select(state.rng, MAX_SHRINK), fitted, SHRINK_STEPS))
                 break;
             improved |= keepBetter(context, fitted, model, quality);
         }
@@ -84,12 +85,9 @@ private:
 const double GraphCutOptimizer::WORTHWHILE = 0.97;
 const double GraphCutOptimizer::LABELED = std::sqrt(2 * CV_LOG2);
 
-} // namespace
+}  // namespace
 
-Ptr<LocalOptimizer> createGraphCutOptimizer()
-{
-    return makePtr<GraphCutOptimizer>();
-}
+Ptr<LocalOptimizer> createGraphCutOptimizer() { return makePtr<GraphCutOptimizer>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -53,5 +53,5 @@ bool keepBetter(const Context& context, const Model& candidate, Model& model, Qu
     return true;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief What the local optimizers share: a set of points, random parts of it, and fits that are kept if they are better. */
+/** @brief What the local optimizers share: a set of points, random parts of it, and fits that are kept if they are
+ * better. */
 class InlierSet
 {
 public:
@@ -34,7 +35,7 @@ private:
 //! Puts `candidate` in the place of a model that is worse.
 bool keepBetter(const Context& context, const Model& candidate, Model& model, Quality& quality);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -13,7 +13,7 @@ namespace {
 //! K of a point at 3.25 thresholds.
 const float NEGLIGIBLE = 0.005f;
 
-} // namespace
+}  // namespace
 
 void Labeling::weigh(const Context& context, const Model& model)
 {
@@ -42,9 +42,9 @@ int Labeling::degreeOf(const std::vector<Vec2i>& edges)
     return most;
 }
 
-/* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier and by lambda (1 - a) if
-q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets its label before any cut: most points at
-first sight, as lambda times the number of edges is not enough. */
+/* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier and by lambda (1 -
+a) if q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets its label before any cut: most points
+at first sight, as lambda times the number of edges is not enough. */
 void Labeling::fix(const std::vector<Vec2i>& edges, float lambda)
 {
     const size_t size = unary.size();
@@ -93,8 +93,8 @@ void Labeling::cut(const Context& context, const Model& model, std::vector<int>&
             inliers.push_back((int)i);
 }
 
-/* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the last term being one arc of
-the graph. */
+/* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the last term being one arc
+of the graph. */
 void Labeling::label(const std::vector<Vec2i>& edges, float lambda)
 {
     const int nodes = (int)open.size();
@@ -131,5 +131,5 @@ void Labeling::label(const std::vector<Vec2i>& edges, float lambda)
         node[open[v]] = (linked ? graph.inSourceSegment(v) : unary[open[v]] < 0) ? INLIER : OUTLIER;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

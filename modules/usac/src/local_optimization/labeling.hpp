@@ -17,9 +17,9 @@ With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as inlier 
 lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are outliers, 1 - (K_p + K_q) / 2 if both are inliers. The
 sum over edges is submodular, so a minimal cut is the exact minimum.
 
-Points that no labeling of their neighbors can turn, most of them in practice, get their label before and are no nodes of the
-graph; those far from the model (K_p below #NEGLIGIBLE) are always outliers. O(N) time to set up; the cut is linear
-in practice. */
+Points that no labeling of their neighbors can turn, most of them in practice, get their label before and are no nodes
+of the graph; those far from the model (K_p below #NEGLIGIBLE) are always outliers. O(N) time to set up; the cut is
+linear in practice. */
 class Labeling
 {
 public:
@@ -40,15 +40,15 @@ private:
 
     std::vector<float> errors;
     std::vector<float> K;
-    std::vector<float> unary;  //!< cost of being an inlier minus that of being an outlier
+    std::vector<float> unary;            //!< cost of being an inlier minus that of being an outlier
     std::vector<float> lowest, highest;  //!< the same with the edges, whatever the labels of the neighbors
-    std::vector<int> node;     //!< of each point in the graph, or its label
-    std::vector<int> open;     //!< point of each node
-    std::vector<Vec2i> arcs;   //!< between nodes
-    int degree;                //!< most edges of a point
+    std::vector<int> node;               //!< of each point in the graph, or its label
+    std::vector<int> open;               //!< point of each node
+    std::vector<Vec2i> arcs;             //!< between nodes
+    int degree;                          //!< most edges of a point
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

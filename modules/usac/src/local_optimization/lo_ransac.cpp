@@ -11,16 +11,17 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Local optimization of LO-RANSAC @cite chum2003locally, also in the form that "Fixing the locally optimized RANSAC"
+/** @brief Local optimization of LO-RANSAC @cite chum2003locally, also in the form that "Fixing the locally optimized
+RANSAC"
 @cite lebeda2012fixing gave it (FLO-RANSAC).
 
 The model is fitted to its inliers within a wide threshold. Then an inner RANSAC draws Params::localSamples samples of
-Params::localSampleMultiple times the minimal size, at most half of them all, from the inliers of that fit; each is fitted and then
-refined by least squares over the points within a threshold that shrinks from #WIDE times to the threshold itself in
-Params::localIterations steps. The best of all these fits replaces the model if it is better.
+Params::localSampleMultiple times the minimal size, at most half of them all, from the inliers of that fit; each is
+fitted and then refined by least squares over the points within a threshold that shrinks from #WIDE times to the
+threshold itself in Params::localIterations steps. The best of all these fits replaces the model if it is better.
 
-LO-RANSAC fits to all the points that are selected. FLO-RANSAC fits to at most 7 times as many as a minimal sample has, random
-ones: the fits cost the same for any number of points, and vary more. */
+LO-RANSAC fits to all the points that are selected. FLO-RANSAC fits to at most 7 times as many as a minimal sample has,
+random ones: the fits cost the same for any number of points, and vary more. */
 class LoRansacOptimizer : public LocalOptimizer
 {
 public:
@@ -75,17 +76,11 @@ private:
     InlierSet base, inliers;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<LocalOptimizer> createLoRansacOptimizer()
-{
-    return makePtr<LoRansacOptimizer>(INT_MAX);
-}
+Ptr<LocalOptimizer> createLoRansacOptimizer() { return makePtr<LoRansacOptimizer>(INT_MAX); }
 
-Ptr<LocalOptimizer> createFloRansacOptimizer()
-{
-    return makePtr<LoRansacOptimizer>(7);
-}
+Ptr<LocalOptimizer> createFloRansacOptimizer() { return makePtr<LoRansacOptimizer>(7); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -23,7 +23,7 @@ Ptr<LocalOptimizer> createSigmaConsensus();
 //! See SigmaConsensusPlusPlus.
 Ptr<LocalOptimizer> createSigmaConsensusPlusPlus();
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -51,5 +51,5 @@ bool MarginalizedFit::fit(const Context& context, Model& model) const
            context.nonMinimalSolver().fit(context.points, indices.data(), size(), weights.data(), model);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -31,7 +31,7 @@ private:
     std::vector<double> weights;
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

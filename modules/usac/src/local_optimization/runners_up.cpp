@@ -8,9 +8,7 @@
 namespace cv {
 namespace usacv20 {
 
-RunnersUp::RunnersUp(int most_) : most(most_), limit(std::numeric_limits<double>::infinity())
-{
-}
+RunnersUp::RunnersUp(int most_) : most(most_), limit(std::numeric_limits<double>::infinity()) {}
 
 void RunnersUp::add(const Candidate& candidate)
 {
@@ -39,5 +37,5 @@ std::vector<Candidate> RunnersUp::take()
     return taken;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -18,8 +18,7 @@ struct Candidate
     Candidate() {}
     Candidate(const Sample& sample_, const Model& model_, const Quality& quality_)
         : sample(sample_), model(model_), quality(quality_)
-    {
-    }
+    {}
 
     Sample sample;
     Model model;
@@ -28,9 +27,9 @@ struct Candidate
 
 /** @brief The best models of samples that were never the best of all.
 
-With noise, the better sample often gives the worse model, and only local optimization tells @cite lebeda2012fixing. Those
-that beat all samples before are optimized at once; the best of the others, when the search is about to end. Each is
-given once. */
+With noise, the better sample often gives the worse model, and only local optimization tells @cite lebeda2012fixing.
+Those that beat all samples before are optimized at once; the best of the others, when the search is about to end. Each
+is given once. */
 class RunnersUp
 {
 public:
@@ -48,11 +47,11 @@ public:
 
 private:
     const size_t most;
-    double limit;                     //!< of the cost
-    std::vector<Candidate> kept;      //!< best first
+    double limit;                 //!< of the cost
+    std::vector<Candidate> kept;  //!< best first
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -47,8 +47,8 @@ void SigmaConsensus::marginalize(const Context& context, const Model& model, int
     const MarginalizedWeights& table = MarginalizedWeights::of(context.points.problem->errorDimension());
     const int count = (int)indices.size();
     squared.resize(count);
-    context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(), coordinates[2].data(),
-                                               coordinates[3].data(), count, squared.data());
+    context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(),
+                                               coordinates[2].data(), coordinates[3].data(), count, squared.data());
     const double scale = 1 / (context.points.threshold * context.points.threshold);
     const double end = (double)part / partitions, begin = (part - 1.0) / partitions;
     for (int i = 0; i < count; ++i)
@@ -93,8 +93,8 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
 
 namespace {
 
-/** Local optimization by SigmaConsensus: the marginalized fit, again from its result, Params::localIterations times at most.
-A fit that is better replaces the model; the first that is not is the last. */
+/** Local optimization by SigmaConsensus: the marginalized fit, again from its result, Params::localIterations times at
+most. A fit that is better replaces the model; the first that is not is the last. */
 class SigmaConsensusOptimizer : public LocalOptimizer
 {
 public:
@@ -117,12 +117,9 @@ private:
     SigmaConsensus consensus;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<LocalOptimizer> createSigmaConsensus()
-{
-    return makePtr<SigmaConsensusOptimizer>();
-}
+Ptr<LocalOptimizer> createSigmaConsensus() { return makePtr<SigmaConsensusOptimizer>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

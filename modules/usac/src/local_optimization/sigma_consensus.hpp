@@ -18,8 +18,8 @@ few, it is the given model. A point's weight is its likelihood under the model o
 scale as in MarginalizedWeights: within a part the integral is that class's formula, taken between the ends of the part.
 The result is the fit with these weights.
 
-The points are those within the threshold of the given model, or #MAX_FIT random ones of them. So the cost of the fits, one
-for each part and the last, is bounded; besides there is one pass over all points. */
+The points are those within the threshold of the given model, or #MAX_FIT random ones of them. So the cost of the fits,
+one for each part and the last, is bounded; besides there is one pass over all points. */
 class SigmaConsensus
 {
 public:
@@ -57,7 +57,7 @@ private:
     std::vector<double> weights, coordinates[4], squared;
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

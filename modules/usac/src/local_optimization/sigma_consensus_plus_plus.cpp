@@ -45,12 +45,9 @@ private:
     MarginalizedFit reweighted;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<LocalOptimizer> createSigmaConsensusPlusPlus()
-{
-    return makePtr<SigmaConsensusPlusPlus>();
-}
+Ptr<LocalOptimizer> createSigmaConsensusPlusPlus() { return makePtr<SigmaConsensusPlusPlus>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

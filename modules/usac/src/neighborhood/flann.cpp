@@ -17,7 +17,8 @@ typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, without r
 //! Squared distance and index of a point.
 typedef std::pair<float, int> Found;
 
-//! The nearest points within a radius, at most `capacity` of them, in a heap. FLANN's sets have no such bound, or no radius.
+//! The nearest points within a radius, at most `capacity` of them, in a heap. FLANN's sets have no such bound, or no
+//! radius.
 class NearestWithin : public cvflann::ResultSet<float>
 {
 public:
@@ -52,21 +53,22 @@ private:
 //! What a layer contains of the surroundings of a point.
 struct Reach
 {
-    int neighbors;        //!< at most, nearest first
+    int neighbors;         //!< at most, nearest first
     double squaredRadius;  //!< pixels
 };
 
-/** @brief Nearest neighbors in the joint space of the coordinates (x1, y1, x2, y2) in pixels, by an exact kd-tree of cv::flann.
+/** @brief Nearest neighbors in the joint space of the coordinates (x1, y1, x2, y2) in pixels, by an exact kd-tree of
+cv::flann.
 
-Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbors have k, 2 k, 4 k and 8 k
-of them, those of a radius r have the points within r, 2 r, 4 r and 8 r. P-NAPSAC needs layers that grow, as it asks for ever
-more members; the finest one is what the parameters say. The graph cut uses that one, NAPSAC the coarsest. More than #WIDEST
-neighbors are kept only if k itself is larger; of more points within a radius, the nearest ones. So memory is O(N) whatever
-the radius. Edges link each point to its nearest neighbors in the finest layer, at most #LINKS of them: with more, the
-spatial coherence would outweigh the error of a point.
+Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbors have k, 2 k, 4 k
+and 8 k of them, those of a radius r have the points within r, 2 r, 4 r and 8 r. P-NAPSAC needs layers that grow, as it
+asks for ever more members; the finest one is what the parameters say. The graph cut uses that one, NAPSAC the coarsest.
+More than #WIDEST neighbors are kept only if k itself is larger; of more points within a radius, the nearest ones. So
+memory is O(N) whatever the radius. Edges link each point to its nearest neighbors in the finest layer, at most #LINKS
+of them: with more, the spatial coherence would outweigh the error of a point.
 
-The tree is built at first use in O(N log N); neighbors are looked for when a point is asked about for the first time, in
-O(log N) each, as samplers see but few of many points. */
+The tree is built at first use in O(N log N); neighbors are looked for when a point is asked about for the first time,
+in O(log N) each, as samplers see but few of many points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:
@@ -101,7 +103,7 @@ public:
             return links;
         linked = true;
         const Reach nearest = {std::min<int>(reach[0].neighbors, LINKS), reach[0].squaredRadius};
-        std::vector<std::pair<int, int> > pairs;
+        std::vector<std::pair<int, int>> pairs;
         for (int i = 0; i < coordinates.rows; ++i)
         {
             find(i, nearest);
@@ -133,7 +135,8 @@ private:
         if (tree || p.size == 0)
             return;
         // internal units of a pixel; E: of a pixel of a camera with the mean focal length
-        const double unit2 = p.threshold / (context.params.threshold * context.params.reach), unit1 = unit2 * p.T1(0, 0) / p.T2(0, 0);
+        const double unit2 = p.threshold / (context.params.threshold * context.params.reach),
+                     unit1 = unit2 * p.T1(0, 0) / p.T2(0, 0);
         const double LARGEST = 1e18;  // its square is a float
         const double *from[4] = {p.dx1, p.dy1, p.dx2, p.dy2}, unit[4] = {unit1, unit1, unit2, unit2};
         coordinates.create(p.size, 4, CV_32F);
@@ -169,7 +172,7 @@ private:
     }
 
     const std::vector<Reach> reach;
-    Mat coordinates;    //!< pixels, one point a row
+    Mat coordinates;  //!< pixels, one point a row
     Ptr<KdTree> tree;
     std::vector<Surroundings> known;
     std::vector<Found> found;  //!< by the last search
@@ -177,7 +180,7 @@ private:
     bool linked;
 };
 
-} // namespace
+}  // namespace
 
 Ptr<Neighborhood> createKnnNeighborhood(int neighbors)
 {
@@ -201,5 +204,5 @@ Ptr<Neighborhood> createRadiusNeighborhood(double radius)
     return makePtr<FlannNeighborhood>(reach);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -28,11 +28,13 @@ public:
         int first = rank[point], last = first + 1;  // in the cell; bounds double their distance until they are outside
         for (int step = 1; first > 0 && sortedCodes[first - 1] >> shift == cell; step *= 2)
             first = std::max(first - step, 0);
-        first = (int)(std::lower_bound(sortedCodes.begin() + first, sortedCodes.begin() + rank[point], cell << shift, lessCode) -
+        first = (int)(std::lower_bound(sortedCodes.begin() + first, sortedCodes.begin() + rank[point], cell << shift,
+                                       lessCode) -
                       sortedCodes.begin());
         for (int step = 1; last < size && sortedCodes[last] >> shift == cell; step *= 2)
             last = std::min(last + step, size);
-        last = (int)(std::lower_bound(sortedCodes.begin() + rank[point], sortedCodes.begin() + last, (cell + 1) << shift, lessCode) -
+        last = (int)(std::lower_bound(sortedCodes.begin() + rank[point], sortedCodes.begin() + last,
+                                      (cell + 1) << shift, lessCode) -
                      sortedCodes.begin());
         members = sorted.data() + first;
         return last - first;
@@ -74,7 +76,8 @@ private:
             const float scale = range > 0 ? (1 << BITS) / range : 0;
             for (int i = 0; i < points.size; ++i)
             {
-                const float last = (1 << BITS) - 1, cell = (coordinates[axis][i] - low) * scale, inside = cell > 0 ? cell : 0;
+                const float last = (1 << BITS) - 1, cell = (coordinates[axis][i] - low) * scale,
+                            inside = cell > 0 ? cell : 0;
                 to[i] = (ushort)(to[i] | spread((int)(inside < last ? inside : last)) << axis);
             }
         }
@@ -116,12 +119,9 @@ private:
     std::vector<Vec2i> links;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Neighborhood> createGridNeighborhood()
-{
-    return makePtr<GridNeighborhood>();
-}
+Ptr<Neighborhood> createGridNeighborhood() { return makePtr<GridNeighborhood>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -17,7 +17,7 @@ Ptr<Neighborhood> createKnnNeighborhood(int neighbors);
 //! Points within a radius, see FlannNeighborhood. @param radius pixels, of the finest layer
 Ptr<Neighborhood> createRadiusNeighborhood(double radius);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

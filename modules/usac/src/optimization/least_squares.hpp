@@ -14,10 +14,10 @@ namespace usacv20 {
 /** @brief Least squares of the geometric error by Gauss and Newton's method, damped as by Levenberg and Marquardt
 @cite more1978levenberg after a step that does not lower the cost.
 
-Minimizes the sum of (weighted) squared errors of a Residual over the models of one kind, from the given one, in a minimal
-parameterization of that kind (DIMENSION, tangent(), project(), plus(), model(), hasFullRank()). Starting from a model, not from nothing, it needs no linear estimate and is not confused by planar
-scenes, on which the eight-point method fails. About 40 (H) or 100 (F, E) operations a point and iteration, twice that for the
-symmetric errors.
+Minimizes the sum of (weighted) squared errors of a Residual over the models of one kind, from the given one, in a
+minimal parameterization of that kind (DIMENSION, tangent(), project(), plus(), model(), hasFullRank()). Starting from a
+model, not from nothing, it needs no linear estimate and is not confused by planar scenes, on which the eight-point
+method fails. About 40 (H) or 100 (F, E) operations a point and iteration, twice that for the symmetric errors.
 
 The first step is not damped: a polisher asks for one step at a time, and any damping that is worth its name would stop
 the movement in a weakly determined direction (along the epipole under a forward motion) each time anew. */
@@ -28,11 +28,10 @@ public:
     //! `errorDimension_`: Problem::errorDimension()
     LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_)
         : residual(residual_), errorDimension(errorDimension_)
-    {
-    }
+    {}
 
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
-             Model& model, int iterations) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
+             int iterations) const CV_OVERRIDE
     {
         if (errorDimension * count < DIMENSION)
             return false;
@@ -75,7 +74,8 @@ private:
     typedef typename Parameterization::Step Step;
     typedef typename Parameterization::Matrix Matrix;
 
-    //! Takes the step if it lowers the cost; with the new normal equations, or with the cost alone if it is the last one.
+    //! Takes the step if it lowers the cost; with the new normal equations, or with the cost alone if it is the last
+    //! one.
     bool tryStep(const PointChunks& chunks, const Step& step, bool last, Parameterization& here,
                  NormalEquations& sums) const
     {
@@ -93,9 +93,10 @@ private:
         return true;
     }
 
-    /** Step of the damped normal equations on the tangent space, and by how much it lowers the cost where the residuals are
-    linear. False if they are singular or not finite. */
-    static bool solve(const Parameterization& here, const NormalEquations& sums, double damping, Step& step, double& gain)
+    /** Step of the damped normal equations on the tangent space, and by how much it lowers the cost where the residuals
+    are linear. False if they are singular or not finite. */
+    static bool solve(const Parameterization& here, const NormalEquations& sums, double damping, Step& step,
+                      double& gain)
     {
         Matrix A;
         Step b, added;
@@ -113,7 +114,8 @@ private:
 
     //! So many steps that did not lower the cost are not counted.
     enum { RETRIES = 2 };
-    //! What is added to the diagonal of the normal equations: a part of it after a step that failed, and of their mean always.
+    //! What is added to the diagonal of the normal equations: a part of it after a step that failed, and of their mean
+    //! always.
     static const double FIRST_DAMPING, SINGULAR;
     //! Expected decrease, a part of the cost, of a step that is the last one, and of one that is not worth its while.
     static const double SETTLED, ARRIVED;
@@ -131,7 +133,7 @@ const double LeastSquaresSolver<Parameterization>::SETTLED = 1e-4;
 template <class Parameterization>
 const double LeastSquaresSolver<Parameterization>::ARRIVED = 1e-10;
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

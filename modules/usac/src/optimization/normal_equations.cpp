@@ -30,7 +30,8 @@ void fromTransferSums(const double* sums, NormalEquations& equations)
     equations.cost = sums[33];
 }
 
-//! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of the triangle holds the gradient and the cost.
+//! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of the triangle holds
+//! the gradient and the cost.
 void fromEpipolarSums(const double* sums, NormalEquations& equations)
 {
     for (int row = 0, n = 0; row < 9; ++row)
@@ -42,8 +43,8 @@ void fromEpipolarSums(const double* sums, NormalEquations& equations)
     equations.cost = sums[54];
 }
 
-/** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG = -G dH G the derivatives
-by H, entries row by row, are those by G times -G (x) G^T. */
+/** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG = -G dH G the
+derivatives by H, entries row by row, are those by G times -G (x) G^T. */
 void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
 {
     Eigen::Matrix<double, 9, 9, Eigen::RowMajor> L;
@@ -67,7 +68,7 @@ void addPoints(const Residual& residual, const PointChunks& points, const Model&
         const int components = residual.linearize(model, match, error, derivative);
         for (int k = 0; k < components; ++k)
         {
-            const Eigen::Map<const Eigen::Matrix<double, 9, 1> > row(derivative + 9 * k);
+            const Eigen::Map<const Eigen::Matrix<double, 9, 1>> row(derivative + 9 * k);
             equations.JtJ += weight * row * row.transpose();
             equations.Jtr += weight * error[k] * row;
             equations.cost += weight * error[k] * error[k];
@@ -87,7 +88,7 @@ double costOfPoints(const Residual& residual, const PointChunks& points, const M
     return cost;
 }
 
-} // namespace
+}  // namespace
 
 void NormalEquations::accumulate(const Residual& residual, const PointChunks& points, const Model& model)
 {
@@ -130,5 +131,5 @@ double NormalEquations::costOf(const Residual& residual, const PointChunks& poin
     return cost + back;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

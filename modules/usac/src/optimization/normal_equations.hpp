@@ -11,8 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** Gauss-Newton sums of an error in the nine entries of the model: JtJ, Jtr and the cost r^T r. A parameterization projects
-them onto its tangent space afterwards, so that the work of a point is the same for all. */
+/** Gauss-Newton sums of an error in the nine entries of the model: JtJ, Jtr and the cost r^T r. A parameterization
+projects them onto its tangent space afterwards, so that the work of a point is the same for all. */
 struct NormalEquations
 {
     Eigen::Matrix<double, 9, 9, Eigen::RowMajor> JtJ;
@@ -26,7 +26,7 @@ struct NormalEquations
     static double costOf(const Residual& residual, const PointChunks& points, const Model& model);
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -70,5 +70,5 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool sw
     }
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

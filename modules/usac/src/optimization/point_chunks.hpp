@@ -11,7 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** Some of the points and their weights, gathered once for all steps of a fit, in the chunks that a SumsKernel takes. */
+/** Some of the points and their weights, gathered once for all steps of a fit, in the chunks that a SumsKernel takes.
+ */
 class PointChunks
 {
 public:
@@ -32,7 +33,7 @@ private:
     int size, chunks;
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* Gauss-Newton sums of the geometric errors over a chunk of points, in vector code. No include guard: compiled once for each
-instruction set by residuals/kernels.inl.hpp. The sums run in lanes that the caller adds in a fixed order. */
+/* Gauss-Newton sums of the geometric errors over a chunk of points, in vector code. No include guard: compiled once for
+each instruction set by residuals/kernels.inl.hpp. The sums run in lanes that the caller adds in a fixed order. */
 
 namespace cv {
 namespace usacv20 {
@@ -92,7 +92,7 @@ void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     for (int f = 0; f < 4; f += 2)
         for (int j = 0; j < 6; j += 2)
         {
-            double (*const first)[SUMS_LANES] = sums + 6 * f + j, (*const second)[SUMS_LANES] = first + 6;
+            double(*const first)[SUMS_LANES] = sums + 6 * f + j, (*const second)[SUMS_LANES] = first + 6;
             addProducts(factor + f, pp + j, first[0], first[1], second[0], second[1]);
         }
     for (int row = 0; row < 3; ++row)
@@ -110,16 +110,17 @@ void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     for (int i = 0; i < SUMS_CHUNK; ++i)
     {
         const double w = 1 / (m[6] * x[i] + m[7] * y[i] + m[8]);
-        const double ru = (m[0] * x[i] + m[1] * y[i] + m[2]) * w - x2[i], rv = (m[3] * x[i] + m[4] * y[i] + m[5]) * w - y2[i];
+        const double ru = (m[0] * x[i] + m[1] * y[i] + m[2]) * w - x2[i],
+                     rv = (m[3] * x[i] + m[4] * y[i] + m[5]) * w - y2[i];
         cost[i] = ru * ru + rv * rv;
     }
     addProducts(cost, weight, sums[0]);
 }
 
-/** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2 for Sampson's distance, where
-(a, b) are the first two entries of F x1 (FIRST) and (d, e) those of F^T x2 (SECOND); one pair alone gives the distance to
-the line in one image. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D).
-sums: the lower triangle of JtJ row by row (45); the gradient (9); the cost. */
+/** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2 for Sampson's
+distance, where (a, b) are the first two entries of F x1 (FIRST) and (d, e) those of F^T x2 (SECOND); one pair alone
+gives the distance to the line in one image. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D). sums:
+the lower triangle of JtJ row by row (45); the gradient (9); the cost. */
 template <bool FIRST, bool SECOND>
 void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
@@ -156,7 +157,7 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     }
     for (int row = 0; row < 10; row += 2)
     {
-        double (*const first)[SUMS_LANES] = sums + row * (row + 1) / 2, (*const second)[SUMS_LANES] = first + row + 1;
+        double(*const first)[SUMS_LANES] = sums + row * (row + 1) / 2, (*const second)[SUMS_LANES] = first + row + 1;
         for (int col = 0; col < row; col += 2)
             addProducts(weighted + row, J + col, first[col], first[col + 1], second[col], second[col + 1]);
         addProducts(weighted[row], J[row], first[row]);
@@ -205,6 +206,6 @@ void symmetricEpipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, d
     epipolarCost<false, true>(chunk, m, sums);
 }
 
-} // namespace
-} // namespace usacv20
-} // namespace cv
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv

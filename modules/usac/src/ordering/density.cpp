@@ -11,13 +11,14 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Local density of the points in the joint space, relative to their density in the images (paper, section "Other
-features").
+/** @brief Local density of the points in the joint space, relative to their density in the images (paper, section
+"Other features").
 
 Right matches come in groups: of the points that share a point's cell in image 1 or image 2, most also share its cell in
-the other image. Points are ordered by this fraction, s / (s + n + #ORDERING_OTHERS) with s points in both cells and on average n
-more in one of them. The absolute density alone would put the one most crowded place of the images first, right or wrong.
-Counts and a bucket sort; points of equal rank keep their pseudo-random order, repeated matches are last. O(N). */
+the other image. Points are ordered by this fraction, s / (s + n + #ORDERING_OTHERS) with s points in both cells and on
+average n more in one of them. The absolute density alone would put the one most crowded place of the images first,
+right or wrong. Counts and a bucket sort; points of equal rank keep their pseudo-random order, repeated matches are
+last. O(N). */
 class DensityOrdering : public Ordering
 {
 public:
@@ -59,7 +60,8 @@ private:
         return (int)(inside < DIVISIONS - 1.f ? inside : DIVISIONS - 1.f);
     }
 
-    static void assignCells(const float* x, const float* y, const Correspondences& p, int axis, std::vector<ushort>& cells)
+    static void assignCells(const float* x, const float* y, const Correspondences& p, int axis,
+                            std::vector<ushort>& cells)
     {
         float scale[2];
         for (int k = 0; k < 2; ++k)
@@ -74,12 +76,9 @@ private:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Ordering> createDensityOrdering()
-{
-    return makePtr<DensityOrdering>();
-}
+Ptr<Ordering> createDensityOrdering() { return makePtr<DensityOrdering>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

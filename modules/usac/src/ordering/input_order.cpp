@@ -26,12 +26,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Ordering> createInputOrderOrdering()
-{
-    return makePtr<InputOrderOrdering>();
-}
+Ptr<Ordering> createInputOrderOrdering() { return makePtr<InputOrderOrdering>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -17,7 +17,7 @@ Ptr<Ordering> createScoreOrdering();
 //! As the caller sorted them.
 Ptr<Ordering> createInputOrderOrdering();
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

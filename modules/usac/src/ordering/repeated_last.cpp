@@ -25,7 +25,7 @@ bool same(const Correspondences& p, int i, int k)
     return p.x1[i] == p.x1[k] && p.y1[i] == p.y1[k] && p.x2[i] == p.x2[k] && p.y2[i] == p.y2[k];
 }
 
-} // namespace
+}  // namespace
 
 void repeatedLast(const Correspondences& points, std::vector<int>& order)
 {
@@ -52,5 +52,5 @@ void repeatedLast(const Correspondences& points, std::vector<int>& order)
     std::copy(repeated.begin(), repeated.end(), order.begin() + kept);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -32,12 +32,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Ordering> createScoreOrdering()
-{
-    return makePtr<ScoreOrdering>();
-}
+Ptr<Ordering> createScoreOrdering() { return makePtr<ScoreOrdering>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -42,12 +42,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Polisher> createLeastSquaresPolisher()
-{
-    return makePtr<LeastSquaresPolisher>();
-}
+Ptr<Polisher> createLeastSquaresPolisher() { return makePtr<LeastSquaresPolisher>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -17,7 +17,7 @@ Ptr<Polisher> createReweightedPolisher();
 //! See RobustPolisher.
 Ptr<Polisher> createRobustPolisher();
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -43,12 +43,9 @@ private:
 
 const double ReweightedPolisher::SETTLED = 1e-5;
 
-} // namespace
+}  // namespace
 
-Ptr<Polisher> createReweightedPolisher()
-{
-    return makePtr<ReweightedPolisher>();
-}
+Ptr<Polisher> createReweightedPolisher() { return makePtr<ReweightedPolisher>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -13,12 +13,13 @@ namespace usacv20 {
 namespace {
 
 /** Gauss and Newton's method on the geometric error under Tukey's biweight @cite beaton1974fitting, by weights
-w = (1 - (error / support)^2)^2 that are renewed. The support is #SUPPORT standard deviations of the noise (NoiseScale), at which
-the biweight is nearly as accurate as least squares under normal noise. What is further away has no say: a wrong match
-far from the others in the images (near the epipole, say) would pull at F with even a hundredth of its weight.
+w = (1 - (error / support)^2)^2 that are renewed. The support is #SUPPORT standard deviations of the noise (NoiseScale),
+at which the biweight is nearly as accurate as least squares under normal noise. What is further away has no say: a
+wrong match far from the others in the images (near the epipole, say) would pull at F with even a hundredth of its
+weight.
 
-It ends when it has arrived: when the last step has lowered the loss by less than a tenth of that of a mean point near, whatever
-the threshold is; or after Params::polishingSteps, of which the last is a fit to the end. */
+It ends when it has arrived: when the last step has lowered the loss by less than a tenth of that of a mean point near,
+whatever the threshold is; or after Params::polishingSteps, of which the last is a fit to the end. */
 class RobustPolisher : public Polisher
 {
 public:
@@ -49,14 +50,14 @@ public:
             }
             lossBefore = loss;
             lookedBefore = looked;
-            if (!context.nonMinimalSolver().fit(p, near.data(), count, weights.data(), model,
-                                                          i + 1 < steps ? 1 : LAST))
+            if (!context.nonMinimalSolver().fit(p, near.data(), count, weights.data(), model, i + 1 < steps ? 1 : LAST))
                 return;
         }
     }
 
 private:
-    //! Errors of the first points until `wanted` are within #REACH thresholds, or a block more. @return how many it took
+    //! Errors of the first points until `wanted` are within #REACH thresholds, or a block more. @return how many it
+    //! took
     int look(const Context& context, const Model& model, int wanted)
     {
         const Correspondences& p = context.points;
@@ -74,8 +75,8 @@ private:
         return looked;
     }
 
-    /** Finds the points within the support of those looked at, and their weights. @return the loss of those looked at, of which
-    each takes at most 1 */
+    /** Finds the points within the support of those looked at, and their weights. @return the loss of those looked at,
+    of which each takes at most 1 */
     double weigh(const Correspondences& p, double sigma, int looked)
     {
         const double support = SUPPORT * sigma * p.threshold, scale = 1 / (support * support);
@@ -100,8 +101,8 @@ private:
         return lossNear + looked - count;
     }
 
-    /** The weights are renewed before a fit with the old ones has converged, but for the last one; all points are needed for the
-    last two. */
+    /** The weights are renewed before a fit with the old ones has converged, but for the last one; all points are
+    needed for the last two. */
     enum { REACH = 3, FEW = 500, BLOCK = 256, LAST = 10 };
 
     //! In standard deviations: 1.6 % (F, E) and 2.3 % (H) less accurate than least squares under normal noise.
@@ -116,8 +117,8 @@ private:
     std::vector<float> errors;
     std::vector<int> near;        //!< the points within the support come first
     std::vector<double> weights;  //!< theirs
-    int count;        //!< of both
-    double lossNear;  //!< of the points near
+    int count;                    //!< of both
+    double lossNear;              //!< of the points near
 };
 
 const double RobustPolisher::SUPPORT = 5.3;
@@ -126,12 +127,9 @@ const double RobustPolisher::SETTLED = 0.1;
 const double RobustPolisher::SAME_SCALE = 0.1;
 const double RobustPolisher::MARKED = 0.1;
 
-} // namespace
+}  // namespace
 
-Ptr<Polisher> createRobustPolisher()
-{
-    return makePtr<RobustPolisher>();
-}
+Ptr<Polisher> createRobustPolisher() { return makePtr<RobustPolisher>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -23,5 +23,5 @@ Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArra
     CV_Error_(Error::StsBadArg, ("problem: one of ProblemType is expected, not %d", (int)type));
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -33,8 +33,7 @@ struct EpipolarLines
     EpipolarLines(const T* m, T x1, T y1, T x2, T y2)
         : a(m[0] * x1 + m[1] * y1 + m[2]), b(m[3] * x1 + m[4] * y1 + m[5]), d(m[0] * x2 + m[3] * y2 + m[6]),
           e(m[1] * x2 + m[4] * y2 + m[7]), r(x2 * a + y2 * b + (m[6] * x1 + m[7] * y1 + m[8]))
-    {
-    }
+    {}
     T a, b, d, e, r;
 };
 
@@ -49,8 +48,8 @@ struct SampsonError
     }
 };
 
-/** Symmetric transfer error, squared: that of H in image 2 plus that of its inverse in image 1 @cite hartley2003multiple. The
-adjugate serves as the inverse, since a factor cancels; it is the same for all points. */
+/** Symmetric transfer error, squared: that of H in image 2 plus that of its inverse in image 1 @cite
+hartley2003multiple. The adjugate serves as the inverse, since a factor cancels; it is the same for all points. */
 struct SymmetricTransferError
 {
     template <typename T>
@@ -75,9 +74,9 @@ struct SymmetricEpipolarError
     }
 };
 
-} // namespace
+}  // namespace
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -8,10 +8,7 @@
 namespace cv {
 namespace usacv20 {
 
-Kernels baselineKernels()
-{
-    return allKernels();
-}
+Kernels baselineKernels() { return allKernels(); }
 
 static Kernels bestKernels()
 {
@@ -44,5 +41,5 @@ void toFloat(const Model& model, float* m)
         m[i] = (float)(model.val[i] * factor);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

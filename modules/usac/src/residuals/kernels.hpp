@@ -17,7 +17,8 @@ typedef void (*ErrorKernel)(const Correspondences& points, const float* model, i
 enum { SUMS_CHUNK = 32 };
 //! Each sum is kept in so many parts, to be added at the end.
 enum { SUMS_LANES = 8 };
-/** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors alone; see sums.inl.hpp.
+/** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors alone; see
+sums.inl.hpp.
 @param chunk x1, y1, x2, y2 and the weight of the points: 5 rows of #SUMS_CHUNK */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double (*sums)[SUMS_LANES]);
 //! Length of `sums` for the transfer error and the epipolar distances.
@@ -25,7 +26,8 @@ enum { TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55 };
 
 //! Of ArcsKernel: points come in multiples of this, rows of numbers, coefficients of the line, parts of the line.
 enum { ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256 };
-/** Of `stride` points, the arcs of a line on which an epipole keeps them within the threshold, see PlaneParallax and arcs.inl.hpp.
+/** Of `stride` points, the arcs of a line on which an epipole keeps them within the threshold, see PlaneParallax and
+arcs.inl.hpp.
 @param rows #ARCS_ROWS rows of `stride` numbers: n (3 of them) and the upper triangle of G (6)
 @param stride points, a multiple of #ARCS_BLOCK
 @param weights #ARCS_WEIGHTS coefficients of the line
@@ -33,8 +35,8 @@ enum { ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256 };
 typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
 
 /** The loops over points, compiled once for each instruction set. All versions return the same bits: the sums run in
-the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind; the sums and the
-costs of the symmetric transfer error are those in image 2 alone. */
+the same lanes and order, and no multiplication is contracted with an addition. Indices: Residual::Kind; the sums and
+the costs of the symmetric transfer error are those in image 2 alone. */
 struct Kernels
 {
     ErrorKernel errors[Residual::CUSTOM];
@@ -59,7 +61,7 @@ const Kernels& kernels();
 //! Model in the precision of the kernels, scaled so that no float overflows.
 void toFloat(const Model& model, float* m);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

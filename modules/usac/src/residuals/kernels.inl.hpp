@@ -108,6 +108,6 @@ Kernels allKernels()
     return all;
 }
 
-} // namespace
-} // namespace usacv20
-} // namespace cv
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv

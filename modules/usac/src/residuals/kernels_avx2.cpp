@@ -11,13 +11,10 @@
 namespace cv {
 namespace usacv20 {
 
-Kernels avx2Kernels()
-{
-    return allKernels();
-}
+Kernels avx2Kernels() { return allKernels(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif
 #endif

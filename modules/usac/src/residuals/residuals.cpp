@@ -35,27 +35,21 @@ public:
     Kind kind() const CV_OVERRIDE { return KIND; }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Residual> createTransferResidual()
-{
-    return makePtr<FormulaResidual<TransferError, Residual::TRANSFER> >();
-}
+Ptr<Residual> createTransferResidual() { return makePtr<FormulaResidual<TransferError, Residual::TRANSFER>>(); }
 
-Ptr<Residual> createSampsonResidual()
-{
-    return makePtr<FormulaResidual<SampsonError, Residual::SAMPSON> >();
-}
+Ptr<Residual> createSampsonResidual() { return makePtr<FormulaResidual<SampsonError, Residual::SAMPSON>>(); }
 
 Ptr<Residual> createSymmetricTransferResidual()
 {
-    return makePtr<FormulaResidual<SymmetricTransferError, Residual::SYMMETRIC_TRANSFER> >();
+    return makePtr<FormulaResidual<SymmetricTransferError, Residual::SYMMETRIC_TRANSFER>>();
 }
 
 Ptr<Residual> createSymmetricEpipolarResidual()
 {
-    return makePtr<FormulaResidual<SymmetricEpipolarError, Residual::SYMMETRIC_EPIPOLAR> >();
+    return makePtr<FormulaResidual<SymmetricEpipolarError, Residual::SYMMETRIC_EPIPOLAR>>();
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -19,7 +19,7 @@ Ptr<Residual> createSymmetricTransferResidual();
 //! F, E: distances to both epipolar lines, see SymmetricEpipolarError.
 Ptr<Residual> createSymmetricEpipolarResidual();
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

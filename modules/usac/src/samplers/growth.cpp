@@ -31,5 +31,5 @@ void GrowingSet::next()
         growth.grow();
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

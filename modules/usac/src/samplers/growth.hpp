@@ -10,8 +10,8 @@ namespace usacv20 {
 
 /** @brief How PROSAC's set of the best points grows @cite chum2005matching.
 
-Of T_N = 200 000 uniform samples of N points, or of as many as there are different ones, T_n = T_N prod_{i<m} (n - i)/(N - i)
-would lie within the n best. The set grows from n to n + 1 when the ceiling of that many samples has been drawn:
+Of T_N = 200 000 uniform samples of N points, or of as many as there are different ones, T_n = T_N prod_{i<m} (n - i)/(N
+- i) would lie within the n best. The set grows from n to n + 1 when the ceiling of that many samples has been drawn:
 T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
 class Growth
 {
@@ -24,7 +24,8 @@ public:
     int size() const { return n; }
     //! T'_n: this many samples are drawn before the set grows; all of them lie within the n best points.
     double samples() const { return limit; }
-    //! T_n: of uniform samples of the n best points, so many have as many good ones as the T'_n have at least, on average.
+    //! T_n: of uniform samples of the n best points, so many have as many good ones as the T'_n have at least, on
+    //! average.
     double uniformSamples() const { return expected; }
 
 private:
@@ -52,7 +53,7 @@ private:
     double drawn;  //!< t
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

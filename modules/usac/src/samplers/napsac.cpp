@@ -12,13 +12,13 @@ namespace {
 
 /** @brief NAPSAC: any point and its neighbors @cite nasuto2002napsac.
 
-The first point is uniform, the others are uniform among its neighbors in the coarsest layer of the graph. Finer layers find
-more samples of inliers only, but a model of points that are close to each other is inaccurate and, where they lie on a plane,
-wrong: on an office scene they gave twice as many wrong fundamental and essential matrices.
+The first point is uniform, the others are uniform among its neighbors in the coarsest layer of the graph. Finer layers
+find more samples of inliers only, but a model of points that are close to each other is inaccurate and, where they lie
+on a plane, wrong: on an office scene they gave twice as many wrong fundamental and essential matrices.
 
-A point with fewer neighbors than a sample needs is most likely a wrong match. The paper gives the sample up; here another first
-point is drawn, which is the same without a lost iteration. Where #TRIES of them have too few neighbors, hardly any point has
-enough, and the sample is drawn from all points. */
+A point with fewer neighbors than a sample needs is most likely a wrong match. The paper gives the sample up; here
+another first point is drawn, which is the same without a lost iteration. Where #TRIES of them have too few neighbors,
+hardly any point has enough, and the sample is drawn from all points. */
 class NapsacSampler : public Sampler
 {
 public:
@@ -46,12 +46,9 @@ private:
     enum { TRIES = 100 };
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Sampler> createNapsacSampler()
-{
-    return makePtr<NapsacSampler>();
-}
+Ptr<Sampler> createNapsacSampler() { return makePtr<NapsacSampler>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

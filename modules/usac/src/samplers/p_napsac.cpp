@@ -19,14 +19,14 @@ bool isGuess(const Context& context)
 
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
-The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its neighborhood: the
-finest layer of the graph with 2 m members at first, and with twice as many each time the point is chosen again, until
-that is everything and the sample is PROSAC's. One in four of the samples that are not uniform (Params::orderedEvery) is local,
-every second one if the order of the points is a guess (the density). With more, small groups of wrong matches that agree with
-each other (repeated patterns) won more often on real pairs than small groups of right ones were found sooner. If the order is a
-guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more, and so neither order nor neighborhood. Of samples of at
-most #SMALL points (H), the first #ORDERED all keep to the order instead: they come from the few densest points, and four right
-ones among these are soon met. */
+The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its
+neighborhood: the finest layer of the graph with 2 m members at first, and with twice as many each time the point is
+chosen again, until that is everything and the sample is PROSAC's. One in four of the samples that are not uniform
+(Params::orderedEvery) is local, every second one if the order of the points is a guess (the density). With more, small
+groups of wrong matches that agree with each other (repeated patterns) won more often on real pairs than small groups of
+right ones were found sooner. If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy problems need
+no more, and so neither order nor neighborhood. Of samples of at most #SMALL points (H), the first #ORDERED all keep to
+the order instead: they come from the few densest points, and four right ones among these are soon met. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -116,12 +116,9 @@ private:
     std::vector<Center> centers;  //!< for each point
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Sampler> createPNapsacSampler()
-{
-    return makePtr<PNapsacSampler>();
-}
+Ptr<Sampler> createPNapsacSampler() { return makePtr<PNapsacSampler>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Samples of the n best points with slowly growing n, each new point in all samples until the next one arrives; uniform
-once n is everything @cite chum2005matching. */
+/** Samples of the n best points with slowly growing n, each new point in all samples until the next one arrives;
+uniform once n is everything @cite chum2005matching. */
 class ProsacSampler : public Sampler
 {
 public:
@@ -47,12 +47,9 @@ private:
     Ptr<GrowingSet> growth;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Sampler> createProsacSampler()
-{
-    return makePtr<ProsacSampler>();
-}
+Ptr<Sampler> createProsacSampler() { return makePtr<ProsacSampler>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

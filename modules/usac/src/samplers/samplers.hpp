@@ -18,8 +18,8 @@ inline void drawUniform(const Context& context, State& state, int* sample)
     state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
 }
 
-/** @brief True if the sampler shall draw the sample as it prefers, see Params::orderedEvery; it does then not count for the
-criteria, unless all samples are of this kind. Else it has been drawn from all points. */
+/** @brief True if the sampler shall draw the sample as it prefers, see Params::orderedEvery; it does then not count for
+the criteria, unless all samples are of this kind. Else it has been drawn from all points. */
 inline bool isOrdered(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -43,7 +43,8 @@ Ptr<Sampler> createNapsacSampler();
 //! Points as often as their scores say, see ImportanceSampler.
 Ptr<Sampler> createImportanceSampler();
 
-//! Fills places 1 .. m-1 of a sample with distinct points other than sample[0]. `members` are `count` >= m, sample[0] among them.
+//! Fills places 1 .. m-1 of a sample with distinct points other than sample[0]. `members` are `count` >= m, sample[0]
+//! among them.
 inline void drawOthers(Rng& rng, const int* members, int count, int m, int* sample)
 {
     for (int k = 1; k < m;)
@@ -56,7 +57,7 @@ inline void drawOthers(Rng& rng, const int* members, int count, int m, int* samp
     }
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

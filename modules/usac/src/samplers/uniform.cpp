@@ -20,12 +20,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Sampler> createUniformSampler()
-{
-    return makePtr<UniformSampler>();
-}
+Ptr<Sampler> createUniformSampler() { return makePtr<UniformSampler>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold, else 1; the errors themselves are
-not used. One pass over the points, fused with the residual. */
+/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold, else 1; the errors
+themselves are not used. One pass over the points, fused with the residual. */
 class InlierScore : public Score
 {
 public:
@@ -32,12 +32,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Score> createInlierScore()
-{
-    return makePtr<InlierScore>();
-}
+Ptr<Score> createInlierScore() { return makePtr<InlierScore>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -28,8 +28,7 @@ public:
     explicit LmedsScore(const Correspondences& points)
         : extent(std::max(points.problem->outlierExtent(points), (double)FLT_MIN)),
           sigmas(sigmasInMedian(points.problem->errorDimension()))
-    {
-    }
+    {}
 
     void accumulate(float* squaredErrors, int count, float, Quality& sum) const CV_OVERRIDE
     {
@@ -88,12 +87,9 @@ private:
     const double sigmas;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Score> createLmedsScore(const Correspondences& points)
-{
-    return makePtr<LmedsScore>(points);
-}
+Ptr<Score> createLmedsScore(const Correspondences& points) { return makePtr<LmedsScore>(points); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

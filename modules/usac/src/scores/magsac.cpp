@@ -27,14 +27,14 @@ L = logDensityRatio(sigma_max) the integral is in closed form, and as a loss fro
 
     u + (k^2 / (2 n) u (1 - u) - u log(u)) / (1 + L).
 
-It grows strictly, as L is at least k^2 / (2 n), where an inlier at the threshold is as likely as an outlier. What L divides is
-tabulated over u with linear interpolation: a root and a look-up for each inlier. */
+It grows strictly, as L is at least k^2 / (2 n), where an inlier at the threshold is as likely as an outlier. What L
+divides is tabulated over u with linear interpolation: a root and a look-up for each inlier. */
 class MagsacScore : public Score
 {
 public:
     explicit MagsacScore(const Correspondences& points)
-        : degrees(points.problem->errorDimension()), k(thresholdInSigmas(degrees)), extent(points.problem->outlierExtent(points)),
-          bends(SIZE + 2, 0.f)
+        : degrees(points.problem->errorDimension()), k(thresholdInSigmas(degrees)),
+          extent(points.problem->outlierExtent(points)), bends(SIZE + 2, 0.f)
     {
         const double curvature = 0.5 * k * k / degrees;
         for (int i = 1; i < SIZE; ++i)
@@ -68,12 +68,9 @@ private:
     std::vector<float> bends;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Score> createMagsacScore(const Correspondences& points)
-{
-    return makePtr<MagsacScore>(points);
-}
+Ptr<Score> createMagsacScore(const Correspondences& points) { return makePtr<MagsacScore>(points); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -32,12 +32,9 @@ private:
     const MarginalizedWeights& table;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Score> createMagsacPlusPlusScore(int errorDimension)
-{
-    return makePtr<MagsacPlusPlusScore>(errorDimension);
-}
+Ptr<Score> createMagsacPlusPlusScore(int errorDimension) { return makePtr<MagsacPlusPlusScore>(errorDimension); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

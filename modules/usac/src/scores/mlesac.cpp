@@ -28,8 +28,7 @@ class MlesacScore : public Score
 public:
     explicit MlesacScore(const Correspondences& points)
         : degrees(points.problem->errorDimension()), extent(points.problem->outlierExtent(points))
-    {
-    }
+    {}
 
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
@@ -70,12 +69,9 @@ private:
 
 const double MlesacScore::NEGLIGIBLE = 1e-6;
 
-} // namespace
+}  // namespace
 
-Ptr<Score> createMlesacScore(const Correspondences& points)
-{
-    return makePtr<MlesacScore>(points);
-}
+Ptr<Score> createMlesacScore(const Correspondences& points) { return makePtr<MlesacScore>(points); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** MSAC @cite torr2000mlesac: the cost of a point is min(error^2 / threshold^2, 1). One pass over the points, fused with the
-residual. */
+/** MSAC @cite torr2000mlesac: the cost of a point is min(error^2 / threshold^2, 1). One pass over the points, fused
+with the residual. */
 class MsacScore : public Score
 {
 public:
@@ -33,12 +33,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Score> createMsacScore()
-{
-    return makePtr<MsacScore>();
-}
+Ptr<Score> createMsacScore() { return makePtr<MsacScore>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -19,8 +19,8 @@ class Judge
 {
 public:
     Judge(const Context& context, const Score& score_, const Model& model_)
-        : points(context.points), score(score_), residual(*context.components.residual),
-          kernel(score.fused(residual)), limit((float)(points.threshold * points.threshold)), model(model_)
+        : points(context.points), score(score_), residual(*context.components.residual), kernel(score.fused(residual)),
+          limit((float)(points.threshold * points.threshold)), model(model_)
     {
         toFloat(model, m);
     }
@@ -74,11 +74,12 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
 }
 
 //! All points at once. A verifier looks at the numbers of inliers before.
-void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound, int start, Rating& rating,
-               std::vector<float>& errors)
+void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
+               Rating& rating, std::vector<float>& errors)
 {
     const Correspondences& points = context.points;
-    if (verifier && !rateBlocks(Judge(context, *createInlierScore(), model), points.size, verifier, DBL_MAX, start, rating))
+    if (verifier &&
+        !rateBlocks(Judge(context, *createInlierScore(), model), points.size, verifier, DBL_MAX, start, rating))
     {
         rating.costBefore = 0;  // that was the counter's
         return;
@@ -91,7 +92,7 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
     rating.complete = rating.quality.cost < bound;
 }
 
-} // namespace
+}  // namespace
 
 Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
             std::vector<float>& errors)
@@ -111,5 +112,5 @@ Quality Context::rate(const Model& model, double bound) const
     return usacv20::rate(*this, 0, model, bound, 0, errors).quality;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

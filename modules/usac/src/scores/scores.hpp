@@ -26,21 +26,22 @@ Ptr<Score> createMagsacPlusPlusScore(int errorDimension);
 //! What rating one model found out.
 struct Rating
 {
-    Quality quality;      //!< of all points if `complete`
-    bool complete;        //!< false: dropped by the verifier, or no better than the bound
-    bool refused;         //!< dropped by the verifier
-    int firstInliers;     //!< inliers among
-    int firstTested;      //!< the points of the first block
-    double costBefore;    //!< the last block that was looked at
+    Quality quality;    //!< of all points if `complete`
+    bool complete;      //!< false: dropped by the verifier, or no better than the bound
+    bool refused;       //!< dropped by the verifier
+    int firstInliers;   //!< inliers among
+    int firstTested;    //!< the points of the first block
+    double costBefore;  //!< the last block that was looked at
 };
 
 /** Rates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points. After each block the
 verifier may drop the model, and it is dropped when its cost reaches the bound. The blocks start at point `start`
-and wrap around, so that no point is always the first to be asked. `errors` is memory for scores that want all errors at once. */
+and wrap around, so that no point is always the first to be asked. `errors` is memory for scores that want all errors at
+once. */
 Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
             std::vector<float>& errors);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

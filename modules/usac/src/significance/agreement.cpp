@@ -14,14 +14,14 @@ namespace {
 //! Wrong matches of each point, at least.
 enum { PARTNERS = 4 };
 
-/** Some of the points, with the numbers that a residual wants: double for one of the caller's own, which may know nothing of
-Correspondences but those of the estimation, float for the others. */
+/** Some of the points, with the numbers that a residual wants: double for one of the caller's own, which may know
+nothing of Correspondences but those of the estimation, float for the others. */
 template <typename T>
 class Pairing
 {
 public:
-    Pairing(const Residual& residual_, const Model& model_, const T* x1, const T* y1, const T* x2, const T* y2, int count,
-            double threshold)
+    Pairing(const Residual& residual_, const Model& model_, const T* x1, const T* y1, const T* x2, const T* y2,
+            int count, double threshold)
         : residual(residual_), model(model_), limit((T)(threshold * threshold)), size(count), stride(2 * count),
           memory(5 * stride)
     {
@@ -40,7 +40,8 @@ public:
         return sum;
     }
 
-    //! Leaves out what is marked, and writes image 2 a second time behind the first: the last points have partners, too.
+    //! Leaves out what is marked, and writes image 2 a second time behind the first: the last points have partners,
+    //! too.
     int drop(const uchar* repeated)
     {
         int kept = 0;
@@ -118,10 +119,10 @@ Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double
     return found;
 }
 
-} // namespace
+}  // namespace
 
-Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& p, int size, double threshold,
-                         int pairs)
+Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& p, int size,
+                         double threshold, int pairs)
 {
     if (residual.kind() == Residual::CUSTOM)
     {
@@ -132,5 +133,5 @@ Agreement countAgreement(const Residual& residual, const Model& model, const Cor
     return count(pairing, p, size, threshold, pairs);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -21,16 +21,16 @@ struct Agreement
 
 /** @brief Compares the errors of the first `count` matches with those of the same points wrongly paired.
 
-If the matches are random, any other pairing of their points is as good as the given one: so the wrong matches tell how often a
-random one agrees with this very model, wherever the points are and whatever the model is like (one that maps everything to
-one place, or an epipole amid the points, too), and right matches have no part in it.
+If the matches are random, any other pairing of their points is as good as the given one: so the wrong matches tell how
+often a random one agrees with this very model, wherever the points are and whatever the model is like (one that maps
+everything to one place, or an epipole amid the points, too), and right matches have no part in it.
 
-Inliers in one place of an image, see #markRepeated, count once: the others are left out. Each point is paired with 4 others, or
-with as many more as make `pairs` wrong matches, if there are so many. O(count + pairs). */
-Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& points, int count, double threshold,
-                         int pairs);
+Inliers in one place of an image, see #markRepeated, count once: the others are left out. Each point is paired with 4
+others, or with as many more as make `pairs` wrong matches, if there are so many. O(count + pairs). */
+Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& points, int count,
+                         double threshold, int pairs);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -11,7 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Inliers beside a sample that are looked at first, so many times more if they do not settle it; wrong matches of all points.
+//! Inliers beside a sample that are looked at first, so many times more if they do not settle it; wrong matches of all
+//! points.
 enum { FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096 };
 //! Wider thresholds that are looked at, in units of the given one.
 const double WIDE[] = {4, 16};
@@ -27,16 +28,15 @@ double trialsOf(const SearchEffort& effort, int points)
     return std::max(models, 1.) * optimized * (effort.ownThreshold ? std::max(n - m, 1.) : 1.);
 }
 
-} // namespace
+}  // namespace
 
 const double Significance::MAIN_SHARE = 0.8, Significance::WIDE_SHARE = 0.1;
 
-Significance::Significance(const Residual& residual_, const Model& model_, const Correspondences& points_, double threshold_,
-                           const SearchEffort& effort)
+Significance::Significance(const Residual& residual_, const Model& model_, const Correspondences& points_,
+                           double threshold_, const SearchEffort& effort)
     : residual(residual_), model(model_), points(points_), threshold(threshold_), sampleSize(effort.sampleSize),
       trials(trialsOf(effort, points_.size)), last()
-{
-}
+{}
 
 double Significance::chance(int inliers, double clear)
 {
@@ -74,9 +74,10 @@ double Significance::chanceOf(const Agreement& found, double share) const
 {
     if (found.inliers <= sampleSize)
         return 1;
-    const double p = betaBinomialTail(found.inliers - sampleSize, found.points - sampleSize, found.agreeing, found.pairs);
+    const double p = betaBinomialTail(found.inliers - sampleSize, found.points - sampleSize, found.agreeing,
+                                      found.pairs);
     return -std::expm1(trials / share * std::log1p(-p));
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -19,7 +19,8 @@ double logFactorial(double n)
         return std::log(factorial);
     }
     const double r = 1 / (n * n);
-    return (n + 0.5) * std::log(n) - n + 0.5 * std::log(2 * CV_PI) + (1. / 12 - (1. / 360 - (1. / 1260 - r / 1680) * r) * r) / n;
+    return (n + 0.5) * std::log(n) - n + 0.5 * std::log(2 * CV_PI) +
+           (1. / 12 - (1. / 360 - (1. / 1260 - r / 1680) * r) * r) / n;
 }
 
 double betaBinomialTail(int successes, int trials, int earlierSuccesses, int earlierTrials)
@@ -30,8 +31,8 @@ double betaBinomialTail(int successes, int trials, int earlierSuccesses, int ear
     const bool upper = successes > n * (c + 1) / (c + f + 2);
     double k = upper ? successes : successes - 1;
     double term = std::exp(logFactorial(n) - logFactorial(k) - logFactorial(n - k) + logFactorial(k + c) +
-                           logFactorial(n - k + f) - logFactorial(n + c + f + 1) + logFactorial(c + f + 1) - logFactorial(c) -
-                           logFactorial(f));
+                           logFactorial(n - k + f) - logFactorial(n + c + f + 1) + logFactorial(c + f + 1) -
+                           logFactorial(c) - logFactorial(f));
     double sum = 0;
     for (; k >= 0 && k <= n && term > 1e-17 * sum; k += upper ? 1 : -1)
     {
@@ -41,5 +42,5 @@ double betaBinomialTail(int successes, int trials, int earlierSuccesses, int ear
     return upper ? std::min(sum, 1.) : std::max(1 - sum, 0.);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -37,5 +37,5 @@ double thresholdInSigmas(int degrees)
     return degrees == 1 ? ONE : TWO;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -20,7 +20,7 @@ in @cite barath2019magsac. So Params::threshold says what sigma_max is, and loss
 up to sigma_max end at the threshold. */
 double thresholdInSigmas(int degrees);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

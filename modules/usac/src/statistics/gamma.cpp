@@ -53,7 +53,7 @@ double upperFraction(double a, double x)
     return h * std::pow(x, a) * std::exp(-x);
 }
 
-} // namespace
+}  // namespace
 
 double lowerGamma(double a, double x)
 {
@@ -71,5 +71,5 @@ double upperGamma(double a, double x)
     return x > 0 ? exponentialSeries(x) : std::numeric_limits<double>::infinity();
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

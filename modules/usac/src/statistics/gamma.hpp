@@ -16,7 +16,7 @@ double lowerGamma(double a, double x);
 //! The same over x .. infinity; a >= 0, x >= 0. For a = 0 this is the exponential integral, infinite at x = 0.
 double upperGamma(double a, double x);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -47,8 +47,7 @@ const MarginalizedWeights& MarginalizedWeights::of(int degrees)
     return degrees == 1 ? one : two;
 }
 
-MarginalizedWeights::MarginalizedWeights(int degrees)
-    : a(0.5 * (degrees - 1)), losses(SIZE + 2), weights(SIZE + 2)
+MarginalizedWeights::MarginalizedWeights(int degrees) : a(0.5 * (degrees - 1)), losses(SIZE + 2), weights(SIZE + 2)
 {
     const double k = thresholdInSigmas(degrees);
     K = 0.5 * k * k;
@@ -79,5 +78,5 @@ double MarginalizedWeights::weight(double u) const
     return scale * K * (upperGamma(a, std::max(u, 1.0 / SIZE) * K) - atEnd);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -72,7 +72,7 @@ private:
     std::vector<float> losses, weights;
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -32,5 +32,5 @@ double mixingWeight(const float* ratios, int near, int count)
     return std::min(weight, 1.0);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

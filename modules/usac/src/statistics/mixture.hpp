@@ -17,7 +17,7 @@ double logDensityRatio(double extent, double sigma, int degrees);
 as an inlier of the first `near` points is `ratios` times that as an outlier; that of the others is 0. */
 double mixingWeight(const float* ratios, int near, int count);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

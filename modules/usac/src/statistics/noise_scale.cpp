@@ -28,7 +28,8 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
         return 1 / thresholdInSigmas(degrees);
     for (int i = 0; i < BINS; ++i)
         near[i] /= std::max(members[i], 1);
-    const double outlier = degrees == 1 ? 1. / REACH : 1 / limit;  // densities; of the square for two degrees of freedom
+    const double outlier = degrees == 1 ? 1. / REACH
+                                        : 1 / limit;  // densities; of the square for two degrees of freedom
     double variance = 0.15, part = 0.7;
     for (int step = 0; step < 4; ++step)
     {
@@ -59,8 +60,9 @@ bool NoiseScale::hasTail(const int* members, double sigma, int degrees)
     const double inner = degrees == 1 ? INSIDE - first : INSIDE * INSIDE - first * first;
     const double outer = degrees == 1 ? BINS - INSIDE : BINS * BINS - INSIDE * INSIDE;
     const double expected = outside * inner / outer;
-    return tail > expected + 2 * std::sqrt(expected) + 0.02 * core;  // two standard deviations, and a fiftieth of the inliers
+    return tail >
+           expected + 2 * std::sqrt(expected) + 0.02 * core;  // two standard deviations, and a fiftieth of the inliers
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

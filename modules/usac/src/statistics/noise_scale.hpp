@@ -11,20 +11,21 @@ namespace usacv20 {
 /** @brief Standard deviation of the noise of the inliers in units of the threshold, by expectation and maximization.
 
 The errors within #REACH thresholds are a mixture of those of inliers (half normal for one degree of freedom, Rayleigh's
-distribution for two) and of outliers (uniform in the same sense) @cite torr2000mlesac. At most #MOST errors are looked at, the
-first ones, in #BINS bins of equal width, each by the mean square of its errors. With fewer than #LEAST of them the noise that the
-threshold stands for is returned, 1 / thresholdInSigmas(degrees).
+distribution for two) and of outliers (uniform in the same sense) @cite torr2000mlesac. At most #MOST errors are looked
+at, the first ones, in #BINS bins of equal width, each by the mean square of its errors. With fewer than #LEAST of them
+the noise that the threshold stands for is returned, 1 / thresholdInSigmas(degrees).
 
-Noise that is less than #leastSigma needs evidence: that next to no error lies between four of its standard deviations and the
-threshold, but those that outliers explain, whose density shows beyond the threshold. Else the noise has long tails, or the
-model does not fit all of the points alike (a surface that is not quite a plane): then a fit to the closest points would be one to
-a part of the scene, and #leastSigma is returned. */
+Noise that is less than #leastSigma needs evidence: that next to no error lies between four of its standard deviations
+and the threshold, but those that outliers explain, whose density shows beyond the threshold. Else the noise has long
+tails, or the model does not fit all of the points alike (a surface that is not quite a plane): then a fit to the
+closest points would be one to a part of the scene, and #leastSigma is returned. */
 class NoiseScale
 {
 public:
     enum { REACH = 4, LEAST = 20, MOST = 200, BINS = 48 };
 
-    //! Unit: threshold. Measured: errors of H on photographs grow below it, by 8 % at 0.1, without the test for evidence.
+    //! Unit: threshold. Measured: errors of H on photographs grow below it, by 8 % at 0.1, without the test for
+    //! evidence.
     static double leastSigma() { return 0.27; }
 
     //! @param squaredErrors `count` squared errors @param threshold not squared @param degrees 1 or 2
@@ -37,7 +38,7 @@ private:
     static bool hasTail(const int* members, double sigma, int degrees);
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

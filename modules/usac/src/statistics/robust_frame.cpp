@@ -34,10 +34,7 @@ void medianFrame(const double* values, int count, double& center, double& deviat
 //! Sums and extremes are kept in so many parts, which do not wait for each other.
 enum { LANES = 4 };
 
-double sumOf(const double* lanes)
-{
-    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
+double sumOf(const double* lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
 double meanAndExtremes(const double* values, int count, double& lowest, double& highest)
 {
@@ -84,7 +81,7 @@ double meanDistance(const double* values, int count, double center)
     return sumOf(sums);
 }
 
-} // namespace
+}  // namespace
 
 void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high)
 {
@@ -101,5 +98,5 @@ void robustFrame(const double* values, int count, double& center, double& deviat
         medianFrame(values, count, center, deviation);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e + 1)) from e = LOWEST on.
+//! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e + 1)) from e =
+//! LOWEST on.
 enum { LOWEST = -4, BINS = 128 };
 
 //! Exponent and first bit of the mantissa. Larger ones than there are bins for, and NaN, are in none.
@@ -21,10 +22,7 @@ int binOf(float square)
     return std::max((int)(bits >> 22) - 2 * (127 + LOWEST), 0);
 }
 
-double endOf(int bin)
-{
-    return std::ldexp(bin % 2 ? 2. : 1.5, LOWEST + bin / 2);
-}
+double endOf(int bin) { return std::ldexp(bin % 2 ? 2. : 1.5, LOWEST + bin / 2); }
 
 //! n D(k/n, p) where k/n > p.
 double surprise(double k, double n, double p)
@@ -35,20 +33,22 @@ double surprise(double k, double n, double p)
     return n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
 }
 
-//! The median error of the points up to a bin, with errors evenly spread (two degrees of freedom: over the area) in their bin.
+//! The median error of the points up to a bin, with errors evenly spread (two degrees of freedom: over the area) in
+//! their bin.
 double medianOf(const int* members, int last, int within, int degrees)
 {
     const double half = 0.5 * within;
     int bin = 0, before = 0;
     while (bin < last && before + members[bin] < half)
         before += members[bin++];
-    const double part = (half - before) / std::max(members[bin], 1), begin = bin > 0 ? endOf(bin - 1) : 0, end = endOf(bin);
+    const double part = (half - before) / std::max(members[bin], 1), begin = bin > 0 ? endOf(bin - 1) : 0,
+                 end = endOf(bin);
     if (degrees == 2)
         return std::sqrt(begin + part * (end - begin));
     return std::sqrt(begin) + part * (std::sqrt(end) - std::sqrt(begin));
 }
 
-} // namespace
+}  // namespace
 
 double SignificantScale::estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees,
                                   int sampleSize)
@@ -82,5 +82,5 @@ double SignificantScale::estimate(const float* squaredErrors, int count, double 
     return found < 0 ? 0 : medianOf(members, found, foundWithin, degrees) / (degrees == 2 ? 1.15 : 0.64) * threshold;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -10,16 +10,17 @@ namespace usacv20 {
 
 /** @brief Standard deviation of the noise of the inliers from the errors alone, whatever the threshold is.
 
-Inliers are the points within the r at which they are the least likely by chance: a point is within r of a wrong model with the
-probability p(r) = chance (r / threshold)^degrees, and by Chernoff's bound k of n points are so at most with the probability
-exp(-n D(k/n, p)), D being the divergence of Kullback and Leibler; r has the least bound, as in an a-contrario RANSAC
-@cite moisan2004probabilistic. With Gaussian noise that is 2.4 to 2.9 sigma for two degrees of freedom (errors in the plane) and
-1.7 to 2.4 sigma for one, with 10 to 100 % of inliers, so their median is 1.15 or 0.64 sigma, up to 3 %. It is the median that
-gives the scale: where half of the inliers are much closer than others (a second plane, not far from the first), it is that
-half's. The points of the sample are inliers anyway and do not count for the bound.
+Inliers are the points within the r at which they are the least likely by chance: a point is within r of a wrong model
+with the probability p(r) = chance (r / threshold)^degrees, and by Chernoff's bound k of n points are so at most with
+the probability exp(-n D(k/n, p)), D being the divergence of Kullback and Leibler; r has the least bound, as in an
+a-contrario RANSAC
+@cite moisan2004probabilistic. With Gaussian noise that is 2.4 to 2.9 sigma for two degrees of freedom (errors in the
+plane) and 1.7 to 2.4 sigma for one, with 10 to 100 % of inliers, so their median is 1.15 or 0.64 sigma, up to 3 %. It
+is the median that gives the scale: where half of the inliers are much closer than others (a second plane, not far from
+the first), it is that half's. The points of the sample are inliers anyway and do not count for the bound.
 
-The radii grow by factors of 1.15 and 1.22, from a quarter of the threshold up to where p is 1. At most #MOST errors are looked
-at, the first ones. */
+The radii grow by factors of 1.15 and 1.22, from a quarter of the threshold up to where p is 1. At most #MOST errors are
+looked at, the first ones. */
 class SignificantScale
 {
 public:
@@ -31,10 +32,11 @@ public:
     @param degrees of freedom of the error, 1 or 2
     @param sampleSize m points of a minimal sample
     @return sigma, 0 where even the least bound would be met by one of the n^m samples */
-    static double estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees, int sampleSize);
+    static double estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees,
+                           int sampleSize);
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -14,8 +14,8 @@ namespace {
 noise, uniform in 0 .. sigma_max. For the scales i sigma_max / #PARTITIONS the inliers of the best model are the points
 within i / #PARTITIONS of the threshold.
 
-The finest scale has the fewest inliers and asks for the most samples, so the criterion is stricter than the standard one. It
-suits a threshold that is several times that of the noise; where it is about that of the noise, the finest scale
+The finest scale has the fewest inliers and asks for the most samples, so the criterion is stricter than the standard
+one. It suits a threshold that is several times that of the noise; where it is about that of the noise, the finest scale
 leaves too few inliers for an end before Params::maxIterations. One pass over the points. */
 class MagsacTermination : public Termination
 {
@@ -65,12 +65,9 @@ private:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Termination> createMagsacTermination()
-{
-    return makePtr<MagsacTermination>();
-}
+Ptr<Termination> createMagsacTermination() { return makePtr<MagsacTermination>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

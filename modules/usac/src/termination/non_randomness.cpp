@@ -99,7 +99,7 @@ private:
     int mask;
 };
 
-} // namespace
+}  // namespace
 
 double chanceOf(int inliers, int n, int m, double randomRatio)
 {
@@ -110,8 +110,8 @@ double chanceOf(int inliers, int n, int m, double randomRatio)
     return randomRatio < 1 ? upperTail(inliers - m, n - m, randomRatio) : 1;
 }
 
-int independentInliers(const double* x1, const double* y1, const double* x2, const double* y2, const uchar* mask, int count,
-                       double threshold1, double threshold2)
+int independentInliers(const double* x1, const double* y1, const double* x2, const double* y2, const uchar* mask,
+                       int count, double threshold1, double threshold2)
 {
     std::vector<uchar> repeated1(count, 0), repeated2(count, 0);
     const int repetitions = std::max(markRepeated(x1, y1, 0, mask, count, threshold1, repeated1.data()),
@@ -122,7 +122,8 @@ int independentInliers(const double* x1, const double* y1, const double* x2, con
     return inliers - repetitions;
 }
 
-int markRepeated(const double* x, const double* y, const int* order, const uchar* mask, int count, double side, uchar* repeated)
+int markRepeated(const double* x, const double* y, const int* order, const uchar* mask, int count, double side,
+                 uchar* repeated)
 {
     int marked = 0;
     for (int i = 0; i < count; ++i)
@@ -142,5 +143,5 @@ int markRepeated(const double* x, const double* y, const int* order, const uchar
     return sum;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -10,27 +10,30 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Probability that a wrong model of m of n points has this many inliers: P(Binomial(n - m, randomRatio) >= inliers - m)
+/** @brief Probability that a wrong model of m of n points has this many inliers: P(Binomial(n - m, randomRatio) >=
+inliers - m)
 @cite chum2005matching.
 
-The points of the sample are inliers in any case; each other one is, by chance, with probability `randomRatio`. Exact sum: the
-first term in the form of @cite loader2000fast, which cancels nothing, the others by their ratios, from the side of the
-distribution where they decrease. 0 where the probability is smaller than a double can be. At most O(n) time, mostly O(sqrt(n)). */
+The points of the sample are inliers in any case; each other one is, by chance, with probability `randomRatio`. Exact
+sum: the first term in the form of @cite loader2000fast, which cancels nothing, the others by their ratios, from the
+side of the distribution where they decrease. 0 where the probability is smaller than a double can be. At most O(n)
+time, mostly O(sqrt(n)). */
 double chanceOf(int inliers, int n, int m, double randomRatio);
 
 /** @brief Number of inliers that are independent of each other: those of one place count once.
 
-A place is a cell of side `threshold1` in image 1 and `threshold2` in image 2; the smaller of the numbers of places counts, so that
-neither repeated matches nor many points that match one give a model support. `mask` marks the inliers among the `count` points.
-O(count). */
-int independentInliers(const double* x1, const double* y1, const double* x2, const double* y2, const uchar* mask, int count,
-                       double threshold1, double threshold2);
+A place is a cell of side `threshold1` in image 1 and `threshold2` in image 2; the smaller of the numbers of places
+counts, so that neither repeated matches nor many points that match one give a model support. `mask` marks the inliers
+among the `count` points. O(count). */
+int independentInliers(const double* x1, const double* y1, const double* x2, const double* y2, const uchar* mask,
+                       int count, double threshold1, double threshold2);
 
 /** Marks in `repeated` those inliers of one image that lie in a cell of side `side` with an earlier one. `mask` and
 `repeated` are in the order of `order`, null for 0, 1, 2, ... @return their number, those marked before included. */
-int markRepeated(const double* x, const double* y, const int* order, const uchar* mask, int count, double side, uchar* repeated);
+int markRepeated(const double* x, const double* y, const int* order, const uchar* mask, int count, double side,
+                 uchar* repeated);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -10,11 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-/** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one @cite barath2019progressive,
-that is with a part r more of them. There r is a constant. Here those of the sample do not count: any model has them, so that of a
-few points a wrong one has not many less than the right one. For the same reason r is Params::relaxation k / (k + #HALF) for k
-different inliers beside the sample; and 0 where samples of inliers only may lead to a wrong model (State::yield), which then has nearly
-as many as the right one. */
+/** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one @cite
+barath2019progressive, that is with a part r more of them. There r is a constant. Here those of the sample do not count:
+any model has them, so that of a few points a wrong one has not many less than the right one. For the same reason r is
+Params::relaxation k / (k + #HALF) for k different inliers beside the sample; and 0 where samples of inliers only may
+lead to a wrong model (State::yield), which then has nearly as many as the right one. */
 class PNapsacTermination : public Termination
 {
 public:
@@ -27,24 +27,22 @@ public:
         const double beside = inliers - m, different = beside / copiesOf(state, n, m);
         const double more = state.yield < 1 ? 0 : context.params.relaxation * different / (different + HALF);
         const double significant = std::min(m + beside * (1 + more), (double)n);
-        return samplesNeeded(goodModelProbability(context, state, significant), std::log(1 - context.params.confidence));
+        return samplesNeeded(goodModelProbability(context, state, significant),
+                             std::log(1 - context.params.confidence));
     }
 
     bool countsAll() const CV_OVERRIDE { return false; }
     int reason() const CV_OVERRIDE { return STOP_P_NAPSAC; }
 
 private:
-    /** Inliers. Search failures of F with r = 0.5 over 15 to 1000 points, generic / each point five times: 3.9 / 6.0 % with 0 (and
-    r = 0.4), 1.7 / 2.8 with 30, 0.7 / 1.9 with 40 (and r = 0.4). */
+    /** Inliers. Search failures of F with r = 0.5 over 15 to 1000 points, generic / each point five times: 3.9 / 6.0 %
+    with 0 (and r = 0.4), 1.7 / 2.8 with 30, 0.7 / 1.9 with 40 (and r = 0.4). */
     enum { HALF = 30 };
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Termination> createPNapsacTermination()
-{
-    return makePtr<PNapsacTermination>();
-}
+Ptr<Termination> createPNapsacTermination() { return makePtr<PNapsacTermination>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& repeated, int m, double kept, double randomRatio,
-                  double logFailure, bool exact, int& length)
+int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& repeated, int m, double kept,
+                  double randomRatio, double logFailure, bool exact, int& length)
 {
     const double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;  // T_n may be an integer
     const int size = (int)inliers.size();
@@ -41,22 +41,22 @@ namespace {
 
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
 
-A length n* at which both hold, see prosacSamples, ends the search when T'_n* samples have been drawn. Three things differ from
-the paper:
+A length n* at which both hold, see prosacSamples, ends the search when T'_n* samples have been drawn. Three things
+differ from the paper:
 
-- There the set stops growing at n*, and the n* with the fewest samples needed for maximality is chosen. Here the set grows on, as
-other criteria may need it; so the samples up to the T'_n*-th count, which were drawn from the n* best points (with P-NAPSAC
-but for the local and the uniform ones), and the n* that is reached first is chosen. Of all lengths only n* = N has samples
-without end.
-- There each sample counts. But the first ones must contain the newest of a few points: they are worth T_n* uniform samples,
-however the inliers are ordered, and more only by good luck. With all of them, two or three samples of the very best
-points ended real runs with whatever model they gave.
-- There the 5 % are those of one wrong model. But the best of thousands of wrong models has a support of that kind more often
-than not; in small scenes a tenth of the runs ended with one. Here they are those of all T'_n* samples.
+- There the set stops growing at n*, and the n* with the fewest samples needed for maximality is chosen. Here the set
+grows on, as other criteria may need it; so the samples up to the T'_n*-th count, which were drawn from the n* best
+points (with P-NAPSAC but for the local and the uniform ones), and the n* that is reached first is chosen. Of all
+lengths only n* = N has samples without end.
+- There each sample counts. But the first ones must contain the newest of a few points: they are worth T_n* uniform
+samples, however the inliers are ordered, and more only by good luck. With all of them, two or three samples of the very
+best points ended real runs with whatever model they gave.
+- There the 5 % are those of one wrong model. But the best of thousands of wrong models has a support of that kind more
+often than not; in small scenes a tenth of the runs ended with one. Here they are those of all T'_n* samples.
 
-Inliers that lie within a threshold of a better one in either image do not count for non-randomness, as the best points are
-often one match found several times. The criterion wants an order that has nothing to do with where the points are, as scores have
-it: in the densest place of the images (#ORDERING_DENSITY) many wrong models fit all points.
+Inliers that lie within a threshold of a better one in either image do not count for non-randomness, as the best points
+are often one match found several times. The criterion wants an order that has nothing to do with where the points are,
+as scores have it: in the densest place of the images (#ORDERING_DENSITY) many wrong models fit all points.
 
 O(N) an update, O(N log N) once the rest is fulfilled. */
 class ProsacTermination : public Termination
@@ -91,8 +91,8 @@ public:
     int reason() const CV_OVERRIDE { return STOP_PROSAC; }
 
 private:
-    static void markRepeatedInliers(const Correspondences& p, const std::vector<int>& order, const std::vector<uchar>& inliers,
-                                    std::vector<uchar>& repeated)
+    static void markRepeatedInliers(const Correspondences& p, const std::vector<int>& order,
+                                    const std::vector<uchar>& inliers, std::vector<uchar>& repeated)
     {
         const double side1 = p.threshold * p.T1(0, 0) / p.T2(0, 0);
         repeated.assign(p.size, 0);
@@ -103,12 +103,12 @@ private:
     const double randomRatio;
 };
 
-} // namespace
+}  // namespace
 
 Ptr<Termination> createProsacTermination(const Correspondences& points)
 {
     return makePtr<ProsacTermination>(points.problem->randomInlierRatio(points));
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

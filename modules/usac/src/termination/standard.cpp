@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Standard: the samples after which at least one of inliers only has been drawn with the wanted confidence, if the best
-model so far has all inliers @cite fischler1981random. */
+/** Standard: the samples after which at least one of inliers only has been drawn with the wanted confidence, if the
+best model so far has all inliers @cite fischler1981random. */
 class StandardTermination : public Termination
 {
 public:
@@ -25,12 +25,9 @@ public:
     int reason() const CV_OVERRIDE { return STOP_STANDARD; }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Termination> createStandardTermination()
-{
-    return makePtr<StandardTermination>();
-}
+Ptr<Termination> createStandardTermination() { return makePtr<StandardTermination>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

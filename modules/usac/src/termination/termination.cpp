@@ -40,5 +40,5 @@ double goodModelProbability(const Context& context, const State& state, double i
     return goodSampleProbability(context, state, inliers) * keptProbability(context, inliers);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -12,21 +12,20 @@ namespace {
 
 /** @brief Wald's sequential probability ratio test on blocks of points @cite matas2005randomized @cite chum2008optimal.
 
-A point is an inlier of a good model with probability epsilon, of a bad one with delta. The likelihood ratio of bad to good
-after t points, k of them inliers, is (delta / epsilon)^k ((1 - delta) / (1 - epsilon))^(t - k); a model is dropped when
-it exceeds A. The A that minimizes the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected
-log-ratio of a point under a bad model, t_M the time to compute a model in units of that to test a point, and m_S the number
-of models of a sample. Both probabilities are learned: epsilon is the inlier ratio of the best model of a sample, delta the mean
-inlier ratio of the first blocks of all models, which are seen whatever happens later. Before there is
-a best model nothing is dropped. The test changes only between batches of samples, so that it does not depend on threads. */
+A point is an inlier of a good model with probability epsilon, of a bad one with delta. The likelihood ratio of bad to
+good after t points, k of them inliers, is (delta / epsilon)^k ((1 - delta) / (1 - epsilon))^(t - k); a model is dropped
+when it exceeds A. The A that minimizes the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected
+log-ratio of a point under a bad model, t_M the time to compute a model in units of that to test a point, and m_S the
+number of models of a sample. Both probabilities are learned: epsilon is the inlier ratio of the best model of a sample,
+delta the mean inlier ratio of the first blocks of all models, which are seen whatever happens later. Before there is a
+best model nothing is dropped. The test changes only between batches of samples, so that it does not depend on threads.
+*/
 class SprtVerifier : public Verifier
 {
 public:
     explicit SprtVerifier(const SampleCost& cost_)
-        : cost(cost_), current(), inlierStep(0),
-          outlierStep(0), logA(0), inliersSeen(0), pointsSeen(0)
-    {
-    }
+        : cost(cost_), current(), inlierStep(0), outlierStep(0), logA(0), inliersSeen(0), pointsSeen(0)
+    {}
 
     int nextBlock(int tested) const CV_OVERRIDE { return tested < 64 ? 32 : tested < 256 ? 64 : 256; }
 
@@ -50,7 +49,8 @@ public:
         const double epsilon = std::min((double)state.sampleQuality.inliers / context.points.size, 0.99);
         // the prior weighs as much as 100 points
         const double delta = std::min((100 * 0.01 + inliersSeen) / (100. + pointsSeen), 0.8 * epsilon);
-        if (!state.tests.empty() && epsilon <= current.epsilon && std::abs(delta - current.delta) <= 0.05 * current.delta)
+        if (!state.tests.empty() && epsilon <= current.epsilon &&
+            std::abs(delta - current.delta) <= 0.05 * current.delta)
             return;
         design(epsilon, delta);
         state.tests.push_back(current);
@@ -79,12 +79,9 @@ private:
     double inliersSeen, pointsSeen;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Verifier> createSprtVerifier(const SampleCost& cost)
-{
-    return makePtr<SprtVerifier>(cost);
-}
+Ptr<Verifier> createSprtVerifier(const SampleCost& cost) { return makePtr<SprtVerifier>(cost); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -13,10 +13,10 @@ namespace {
 
 /** @brief T(d,d): a model goes on only if d random points are all inliers @cite matas2004randomized.
 
-The points are drawn for each model anew, before the blocks. A fixed order of the points, as the blocks have it, would not do: in a
-small scene it may be that nowhere d inliers follow each other, and then no model at all would pass. Of good models
-epsilon^d go on, of wrong ones delta^d, after (1 - delta^d) / (1 - delta) points on average. That good models are lost is made
-up for by more samples, see goodModelProbability. O(d). */
+The points are drawn for each model anew, before the blocks. A fixed order of the points, as the blocks have it, would
+not do: in a small scene it may be that nowhere d inliers follow each other, and then no model at all would pass. Of
+good models epsilon^d go on, of wrong ones delta^d, after (1 - delta^d) / (1 - delta) points on average. That good
+models are lost is made up for by more samples, see goodModelProbability. O(d). */
 class TddVerifier : public Verifier
 {
 public:
@@ -58,7 +58,7 @@ private:
     const int points;
 };
 
-} // namespace
+}  // namespace
 
 Ptr<Verifier> createTddVerifier(int points)
 {
@@ -66,5 +66,5 @@ Ptr<Verifier> createTddVerifier(int points)
     return makePtr<TddVerifier>(points);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -15,7 +15,7 @@ Ptr<Verifier> createSprtVerifier(const SampleCost& cost);
 //! T(d,d) with d `points`, see TddVerifier.
 Ptr<Verifier> createTddVerifier(int points);
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

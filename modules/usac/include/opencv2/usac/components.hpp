@@ -39,21 +39,21 @@ class Problem;
 /** @brief The correspondences as the components see them: scaled, shuffled, structure of arrays.
 
 H, F: translated and scaled to about unit size (F, E: the same scale in both images, so that errors scale with it).
-E: coordinates of the normalized image plane. The order is pseudo-random and fixed, so that any run of consecutive points
-is a random sample. Arrays have `size` elements.
+E: coordinates of the normalized image plane. The order is pseudo-random and fixed, so that any run of consecutive
+points is a random sample. Arrays have `size` elements.
 */
 struct Correspondences
 {
-    const Problem* problem;                     //!< what is estimated
-    int size;                                   //!< finite correspondences
-    int inputSize;                              //!< rows that the caller gave
-    const float *x1, *y1, *x2, *y2;             //!< for scoring, 64-byte aligned
-    const double *dx1, *dy1, *dx2, *dy2;        //!< for solving and refinement
-    const int* inputIndex;                      //!< row of the caller's arrays
-    const float* scores;                        //!< Params::scores in this order, lower is better; null if none were given
-    double threshold;                           //!< Params::threshold times Params::reach in these coordinates, not squared
-    Matx33d T1, T2;                             //!< from the caller's (E: normalized) coordinates to these
-    float lower[4], upper[4];                   //!< where nearly all of x1, y1, x2, y2 lie
+    const Problem* problem;               //!< what is estimated
+    int size;                             //!< finite correspondences
+    int inputSize;                        //!< rows that the caller gave
+    const float *x1, *y1, *x2, *y2;       //!< for scoring, 64-byte aligned
+    const double *dx1, *dy1, *dx2, *dy2;  //!< for solving and refinement
+    const int* inputIndex;                //!< row of the caller's arrays
+    const float* scores;                  //!< Params::scores in this order, lower is better; null if none were given
+    double threshold;                     //!< Params::threshold times Params::reach in these coordinates, not squared
+    Matx33d T1, T2;                       //!< from the caller's (E: normalized) coordinates to these
+    float lower[4], upper[4];             //!< where nearly all of x1, y1, x2, y2 lie
 };
 
 //! What a model is worth: the lower the cost, the better.
@@ -69,8 +69,8 @@ struct Quality
 
 /** @brief Counter-based pseudo-random generator: the k-th number of a stream depends on seed, stream and k alone.
 
-The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has a stream of its own, so
-the samples do not depend on threads or on what was drawn elsewhere.
+The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has a stream of its own,
+so the samples do not depend on threads or on what was drawn elsewhere.
 */
 class Rng
 {
@@ -128,17 +128,17 @@ struct CV_EXPORTS State
         return order;
     }
 
-    Rng rng;                 //!< generator of the current iteration
-    int iteration;           //!< samples drawn so far
-    bool counts;             //!< the present sample is as good as a uniform one of all points; true unless the sampler says no
-    double yield;            //!< part of the samples of inliers only that lead to the best model; 1, but for degenerate scenes
-    int countedSamples;      //!< samples so far that count: what the confidence rests on
-    int repeatedSamples;     //!< samples that do not count only because a match was in them twice
-    std::vector<int> order;  //!< what bestFirst() has returned; empty before
-    Model best;              //!< the best model so far
-    Quality bestQuality;     //!< and what it is worth
-    Quality sampleQuality;   //!< the best of a model as it came from its sample, before any optimization
-    std::vector<SequentialTest> tests; //!< those of the verifier so far, the last one is in use
+    Rng rng;        //!< generator of the current iteration
+    int iteration;  //!< samples drawn so far
+    bool counts;    //!< the present sample is as good as a uniform one of all points; true unless the sampler says no
+    double yield;   //!< part of the samples of inliers only that lead to the best model; 1, but for degenerate scenes
+    int countedSamples;                 //!< samples so far that count: what the confidence rests on
+    int repeatedSamples;                //!< samples that do not count only because a match was in them twice
+    std::vector<int> order;             //!< what bestFirst() has returned; empty before
+    Model best;                         //!< the best model so far
+    Quality bestQuality;                //!< and what it is worth
+    Quality sampleQuality;              //!< the best of a model as it came from its sample, before any optimization
+    std::vector<SequentialTest> tests;  //!< those of the verifier so far, the last one is in use
     Report report;
 
 private:
@@ -153,7 +153,8 @@ class NonMinimalSolver;
 struct CV_EXPORTS Context
 {
     Context(const Correspondences& points_, const Components& components_, const Params& params_)
-        : points(points_), components(components_), params(params_) {}
+        : points(points_), components(components_), params(params_)
+    {}
 
     /** @brief Quality of a model over all points.
     @param bound stop as soon as the cost reaches it; the result is then only known not to be better. */
@@ -202,8 +203,8 @@ public:
     virtual void sample(const Context& context, State& state, int* sample) = 0;
     //! The samples that are not uniform come from so many of the best points (State::bestFirst()) now. Default: all.
     virtual int subsetSize(const Context& context) const;
-    //! Part of the samples that are drawn as PROSAC does, from its growing set, and that its criterion may count. Default: 0,
-    //! so that this criterion never ends the search.
+    //! Part of the samples that are drawn as PROSAC does, from its growing set, and that its criterion may count.
+    //! Default: 0, so that this criterion never ends the search.
     virtual double growingShare(const Context& context) const;
 };
 
@@ -230,8 +231,8 @@ public:
     @param model input: where to start; output: the fit
     @param iterations an iterative solver may stop after as many steps; >= 1
     @return false if the points do not determine a model; `model` is then as before. */
-    virtual bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
-                     Model& model, int iterations = 10) const = 0;
+    virtual bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
+                     int iterations = 10) const = 0;
 };
 
 //! Error of points under a model.
@@ -252,8 +253,9 @@ public:
     /** @brief The error of one match as a vector whose squared length is the squared error.
     @param model, match what, and x1, y1, x2, y2
     @param error output, at most #MAX_COMPONENTS numbers
-    @return their number. Default: one, the root of the squared error. That is the distance to a curve but for its sign; for an
-    error with two components it is better to write this method: the root has no derivative where the error is 0. */
+    @return their number. Default: one, the root of the squared error. That is the distance to a curve but for its sign;
+    for an error with two components it is better to write this method: the root has no derivative where the error is 0.
+  */
     virtual int error(const Model& model, const double* match, double* error) const;
     /** @brief The same, with the derivative by the entries of the model: what a model is fitted with.
     @param model, match, error as above
@@ -278,7 +280,8 @@ public:
     virtual void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const = 0;
     //! A kernel that does the same without the array of errors, or null.
     virtual FusedKernel fused(const Residual& residual) const;
-    //! True: the cost is no sum over the points; accumulate is called once for a model, with all of them. Default: false.
+    //! True: the cost is no sum over the points; accumulate is called once for a model, with all of them. Default:
+    //! false.
     virtual bool wholeModel() const;
     //! The threshold, not squared, of the inliers of a model. Default: that of the points.
     virtual double threshold(const Context& context, const Model& model) const;
@@ -304,7 +307,8 @@ public:
     @param inliers of the model, of all points
     @param withoutRepetition no point is drawn twice: hypergeometric, not binomial */
     virtual double keptProbability(const Context& context, double inliers, bool withoutRepetition) const;
-    //! A sample has been dealt with; its models had `inliers` among the `tested` points that each was tested with first.
+    //! A sample has been dealt with; its models had `inliers` among the `tested` points that each was tested with
+    //! first.
     virtual void sampleTested(State& state, int inliers, int tested) = 0;
     //! Called before the first sample and between batches of samples: may adapt the test.
     virtual void adapt(const Context& context, State& state) = 0;
@@ -318,12 +322,13 @@ public:
     virtual ~Degeneracy();
     //! False: no model shall be computed from the sample. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
-    //! Of a sample that validSample() has refused: might all of it be inliers (a match is in it twice), so that it does not count
-    //! as one that failed? Default: false.
+    //! Of a sample that validSample() has refused: might all of it be inliers (a match is in it twice), so that it does
+    //! not count as one that failed? Default: false.
     virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model shall not be tested. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
-    /** @brief Looks at a new so-far-the-best model and may replace it by a better one, lower its quality, or set `state.yield`.
+    /** @brief Looks at a new so-far-the-best model and may replace it by a better one, lower its quality, or set
+    `state.yield`.
     @param sample the sample that the model was computed from; null after the local optimization
     @param context, state, model, quality what does not change, what does, the model and its quality
     @return false: the model is degenerate and could not be mended, it is dropped. Default: true. */
@@ -344,11 +349,12 @@ class CV_EXPORTS Termination
 {
 public:
     virtual ~Termination();
-    //! Number of samples after which the run can stop, given the best model so far. INT_MAX: not yet known. Asked when the best
-    //! model changes, and when the verifier begins another of `state.tests`. Which samples are counted, countsAll() says.
+    //! Number of samples after which the run can stop, given the best model so far. INT_MAX: not yet known. Asked when
+    //! the best model changes, and when the verifier begins another of `state.tests`. Which samples are counted,
+    //! countsAll() says.
     virtual int iterations(const Context& context, const State& state) const = 0;
-    //! True, the default: the number is one of all samples. False: of those for which State::counts is true, or of all where one
-    //! model has more than half of the points beside its sample.
+    //! True, the default: the number is one of all samples. False: of those for which State::counts is true, or of all
+    //! where one model has more than half of the points beside its sample.
     virtual bool countsAll() const;
     //! @ref StopReason. Default #STOP_CUSTOM.
     virtual int reason() const;
@@ -366,74 +372,26 @@ public:
 //! The parts of one estimator.
 struct Components
 {
-    Ptr<Residual> residual;                    //!< required
-    Ptr<Score> score;                          //!< required
-    Ptr<Ordering> ordering;                          //!< empty: State::order is 0, 1, 2, ...
+    Ptr<Residual> residual;                  //!< required
+    Ptr<Score> score;                        //!< required
+    Ptr<Ordering> ordering;                  //!< empty: State::order is 0, 1, 2, ...
     Ptr<Neighborhood> neighborhood;          //!< required by P-NAPSAC and graph cut
-    Ptr<Sampler> sampler;                      //!< required
-    Ptr<MinimalSolver> minimalSolver;          //!< required
-    Ptr<NonMinimalSolver> nonMinimalSolver;    //!< required by graph cut and least squares
-    std::vector<Ptr<Degeneracy> > degeneracies;
-    Ptr<Verifier> verifier;                    //!< empty: none
-    Ptr<LocalOptimizer> localOptimizer;        //!< empty: none
-    std::vector<Ptr<Termination> > terminations;
-    Ptr<Polisher> polisher;                    //!< empty: none
+    Ptr<Sampler> sampler;                    //!< required
+    Ptr<MinimalSolver> minimalSolver;        //!< required
+    Ptr<NonMinimalSolver> nonMinimalSolver;  //!< required by graph cut and least squares
+    std::vector<Ptr<Degeneracy>> degeneracies;
+    Ptr<Verifier> verifier;              //!< empty: none
+    Ptr<LocalOptimizer> localOptimizer;  //!< empty: none
+    std::vector<Ptr<Termination>> terminations;
+    Ptr<Polisher> polisher;  //!< empty: none
 };
 
 //! @}
 
-/** @brief One estimation: points, parameters and the components that will do the work.
-
-@code
-    Ptr<usacv20::Usac> usac = usacv20::Usac::create(usacv20::HOMOGRAPHY, points1, points2, params);
-    usac->components().sampler = makePtr<MySampler>();
-    Mat mask, H = usac->run(mask);
-@endcode
-*/
-class CV_EXPORTS Usac
-{
-public:
-    virtual ~Usac();
-
-    /** @brief Reads the points and builds the components that `params` names.
-    @param problem what to estimate
-    @param points1 N points of image 1, as in #estimateHomography
-    @param points2 their N counterparts in image 2
-    @param params options
-    @param cameraMatrix1 for #ESSENTIAL: 3x3 camera matrix of image 1
-    @param cameraMatrix2 the same for image 2; empty: as image 1
-    @param distCoeffs1 distortion of camera 1; empty: none
-    @param distCoeffs2 distortion of camera 2; empty: none
-    Raises cv::Exception for wrong arguments. */
-    static Ptr<Usac> create(ProblemType problem, InputArray points1, InputArray points2, const Params& params = Params(),
-                            InputArray cameraMatrix1 = noArray(), InputArray cameraMatrix2 = noArray(),
-                            InputArray distCoeffs1 = noArray(), InputArray distCoeffs2 = noArray());
-
-    /** @brief The same for a problem of the caller's own, which the object keeps. */
-    static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
-                            const Params& params = Params());
-
-    /** The components, to be replaced before #run. Those that nobody has replaced fit each other, whatever is replaced: a residual is also
-    what models are fitted with. A component that is missing, a sampler that draws what is no sample and a score that
-    counts no inliers end in a cv::Exception that names it. */
-    virtual Components& components() = 0;
-    //! The points as the components see them.
-    virtual const Correspondences& points() const = 0;
-    /** @brief Other points for the next #run, of any number, in the place of those of #create.
-    @param points1, points2 as there */
-    virtual void setPoints(InputArray points1, InputArray points2) = 0;
-    /** @brief Runs the estimation. May be called again, with the same result for the same points: the components that #create has made
-    begin anew, those of the caller are used as they are.
-    @param mask output, N x 1, CV_8U
-    @param report output, may be null
-    @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it, empty if there is none. */
-    virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
-};
-
 //! @}
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif
 

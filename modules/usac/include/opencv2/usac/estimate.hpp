@@ -16,10 +16,11 @@ namespace usacv20 {
 
 /** @brief Estimates the homography that maps image 1 to image 2.
 
-@param points1 N points of image 1 in any layout and depth that OpenCV takes with one flag or another: a matrix with 2 channels
-(Nx1, 1xN, any), or with 1 channel, Nx2 or 2xN; vector<Point>, vector<Point2f>, vector<Point2d> etc. 3 in the place of 2
-(vector<Point3f>, Nx3, 3xN): homogeneous coordinates; a third one of 0 is a point at infinity and never an inlier. 4 or more: the
-first two count. With 1 channel the longer side counts the points, with equal sides the rows do; one row or column is one point.
+@param points1 N points of image 1 in any layout and depth that OpenCV takes with one flag or another: a matrix with 2
+channels (Nx1, 1xN, any), or with 1 channel, Nx2 or 2xN; vector<Point>, vector<Point2f>, vector<Point2d> etc. 3 in the
+place of 2 (vector<Point3f>, Nx3, 3xN): homogeneous coordinates; a third one of 0 is a point at infinity and never an
+inlier. 4 or more: the first two count. With 1 channel the longer side counts the points, with equal sides the rows do;
+one row or column is one point.
 @param points2 their N counterparts in image 2; layout and depth may differ.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the threshold, else 0.
@@ -29,8 +30,8 @@ first two count. With 1 channel the longer side counts the points, with equal si
 Points with NaN or infinite coordinates are never inliers. Raises cv::Exception for lists of different
 lengths, points of a wrong shape and wrong parameters. @cite ivashechkin2021usacv20
 */
-CV_EXPORTS_W Mat estimateHomography(InputArray points1, InputArray points2, const Params& params,
-                                    OutputArray mask, CV_OUT Report& report);
+CV_EXPORTS_W Mat estimateHomography(InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                                    CV_OUT Report& report);
 //! @overload
 CV_EXPORTS Mat estimateHomography(InputArray points1, InputArray points2, const Params& params = Params(),
                                   OutputArray mask = noArray());
@@ -40,12 +41,13 @@ CV_EXPORTS Mat estimateHomography(InputArray points1, InputArray points2, const 
 @param points1 N points of image 1, as in #estimateHomography.
 @param points2 their N counterparts in image 2.
 @param params options; `threshold` is the Sampson distance in pixels.
-@param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance under the returned F is at most the threshold, else 0.
+@param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance under the returned F is at most the threshold, else
+0.
 @param report output, what the run learned.
 @return 3x3, CV_64F, rank 2, unit Frobenius norm; empty if there is none, and `report` says why.
 */
-CV_EXPORTS_W Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
-                                     OutputArray mask, CV_OUT Report& report);
+CV_EXPORTS_W Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                                     CV_OUT Report& report);
 //! @overload
 CV_EXPORTS Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params = Params(),
                                    OutputArray mask = noArray());
@@ -54,31 +56,31 @@ CV_EXPORTS Mat estimateFundamental(InputArray points1, InputArray points2, const
 
 @param points1 N points of image 1 in pixels, as in #estimateHomography.
 @param points2 their N counterparts in image 2.
-@param cameraMatrix1 3x3 camera matrix of image 1, of any depth, with the last row 0 0 1 or a multiple of such a matrix; skew is
-allowed. A transposed one is refused.
+@param cameraMatrix1 3x3 camera matrix of image 1, of any depth, with the last row 0 0 1 or a multiple of such a matrix;
+skew is allowed. A transposed one is refused.
 @param cameraMatrix2 3x3 camera matrix of image 2; empty: that of image 1.
 @param distCoeffs1 4, 5, 8, 12 or 14 coefficients of the distortion of camera 1, as in cv::undistortPoints; empty: none.
 @param distCoeffs2 distortion of camera 2; empty: none.
-@param params options; `threshold` is the Sampson distance in pixels: it is divided by the mean of the four focal lengths.
-@param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalized points under the returned E is at most
-threshold / mean focal length, else 0.
+@param params options; `threshold` is the Sampson distance in pixels: it is divided by the mean of the four focal
+lengths.
+@param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalized points under the returned E is at
+most threshold / mean focal length, else 0.
 @param report output, what the run learned.
 @return 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there is none, and `report` says why.
 */
-CV_EXPORTS_W Mat estimateEssential(InputArray points1, InputArray points2,
-                                   InputArray cameraMatrix1, InputArray cameraMatrix2,
-                                   InputArray distCoeffs1, InputArray distCoeffs2,
+CV_EXPORTS_W Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+                                   InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
                                    const Params& params, OutputArray mask, CV_OUT Report& report);
 //! @overload
 CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
                                  const Params& params = Params(), OutputArray mask = noArray());
 //! @overload
-CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
-                                 const Params& params, OutputArray mask, Report& report);
+CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix, const Params& params,
+                                 OutputArray mask, Report& report);
 
 //! @}
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

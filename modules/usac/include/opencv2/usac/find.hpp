@@ -16,17 +16,17 @@ namespace cv {
 
 /** @name The functions of calib3d with a flag of this module
 Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat, with the same meaning, order and
-defaults of the arguments. Overload resolution picks these for a #UsacV20Method, and the old ones for an `int`; an `int` that may
-hold a flag of this module is for usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat.
-Results are those of usacv20::estimateHomography, usacv20::estimateFundamental and usacv20::estimateEssential.
-A flag does not tell whether `maxIters` ended the search: one of these three functions does, called with the flag's options
-(usacv20::Params::fromMethod), by usacv20::Report::stop == usacv20::STOP_MAX_ITERATIONS.
+defaults of the arguments. Overload resolution picks these for a #UsacV20Method, and the old ones for an `int`; an `int`
+that may hold a flag of this module is for usacv20::findHomography, usacv20::findFundamentalMat and
+usacv20::findEssentialMat. Results are those of usacv20::estimateHomography, usacv20::estimateFundamental and
+usacv20::estimateEssential. A flag does not tell whether `maxIters` ended the search: one of these three functions does,
+called with the flag's options (usacv20::Params::fromMethod), by usacv20::Report::stop == usacv20::STOP_MAX_ITERATIONS.
 @{ */
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method,
-                              double ransacReprojThreshold = 3, OutputArray mask = noArray(),
-                              const int maxIters = 2000, const double confidence = 0.995);
-CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
-                              UsacV20Method method, double ransacReprojThreshold = 3);
+                              double ransacReprojThreshold = 3, OutputArray mask = noArray(), const int maxIters = 2000,
+                              const double confidence = 0.995);
+CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, UsacV20Method method,
+                              double ransacReprojThreshold = 3);
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
                               const usacv20::Params& params);
 
@@ -51,25 +51,23 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, double f
                                 OutputArray mask = noArray());
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method,
                                 double prob, double threshold, OutputArray mask);
-CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2,
-                                InputArray cameraMatrix1, InputArray distCoeffs1,
-                                InputArray cameraMatrix2, InputArray distCoeffs2,
+CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+                                InputArray distCoeffs1, InputArray cameraMatrix2, InputArray distCoeffs2,
                                 UsacV20Method method, double prob = 0.999, double threshold = 1.0,
                                 OutputArray mask = noArray());
-CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2,
-                                InputArray cameraMatrix1, InputArray cameraMatrix2,
-                                InputArray distCoeffs1, InputArray distCoeffs2,
+CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+                                InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
                                 OutputArray mask, const usacv20::Params& params);
 //! @}
 
 namespace usacv20 {
 
 /** @name The functions of calib3d with any flag, known only at run time
-Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat that has an `int method`, with the same
-meaning, order and defaults of the arguments, but #USACV20 for a `method` that is left out. The method is the value of a
-#UsacV20Method, and the result that of cv::findHomography and its kin with this flag; or it is one of OpenCV's own flags, and
-the call is handed on to calib3d as it is. A number that is neither (OpenCV's flags are among 0 .. 63) raises a cv::Exception
-that names `method`.
+Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat that has an `int method`, with
+the same meaning, order and defaults of the arguments, but #USACV20 for a `method` that is left out. The method is the
+value of a #UsacV20Method, and the result that of cv::findHomography and its kin with this flag; or it is one of
+OpenCV's own flags, and the call is handed on to calib3d as it is. A number that is neither (OpenCV's flags are among 0
+.. 63) raises a cv::Exception that names `method`.
 
 Below `using namespace cv` and `using namespace cv::usacv20` together, a call with an `int` has to name the namespace,
 `usacv20::findHomography(...)`: calib3d's function is as good a match.
@@ -97,13 +95,14 @@ CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, Output
 @param method value of one of #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold in pixels
 @param confidence probability that the result is the best model
-@param maxIters upper bound of the number of samples; its default in Python makes a None in this place, meant for `mask`,
-harmless
+@param maxIters upper bound of the number of samples; its default in Python makes a None in this place, meant for
+`mask`, harmless
 @param mask output, Nx1, CV_8U, 1 for inliers
 @return 3x3, CV_64F (with OpenCV's flags and seven points up to three of them in 9x3); empty if there is none
 */
 CV_EXPORTS_W Mat findFundamentalMat(InputArray points1, InputArray points2, int method, double ransacReprojThreshold,
-                                    double confidence, int maxIters CV_WRAP_DEFAULT(1000), OutputArray mask = noArray());
+                                    double confidence, int maxIters CV_WRAP_DEFAULT(1000),
+                                    OutputArray mask = noArray());
 //! @overload
 CV_EXPORTS_W Mat findFundamentalMat(InputArray points1, InputArray points2, int method = (int)USACV20,
                                     double ransacReprojThreshold = 3., double confidence = 0.99,
@@ -127,8 +126,8 @@ CV_EXPORTS_W Mat findEssentialMat(InputArray points1, InputArray points2, InputA
                                   int method = (int)USACV20, double prob = 0.999, double threshold = 1.0,
                                   int maxIters = 1000, OutputArray mask = noArray());
 //! @overload
-CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, int method, double prob,
-                                double threshold, OutputArray mask);
+CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, int method,
+                                double prob, double threshold, OutputArray mask);
 /** @overload
 @param points1 N points of image 1 in pixels
 @param points2 their counterparts in image 2
@@ -140,12 +139,12 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArr
 @param maxIters upper bound of the number of samples
 @param mask output, Nx1, CV_8U, 1 for inliers
 */
-CV_EXPORTS_W Mat findEssentialMat(InputArray points1, InputArray points2, double focal = 1.0, Point2d pp = Point2d(0, 0),
-                                  int method = (int)USACV20, double prob = 0.999, double threshold = 1.0,
-                                  int maxIters = 1000, OutputArray mask = noArray());
+CV_EXPORTS_W Mat findEssentialMat(InputArray points1, InputArray points2, double focal = 1.0,
+                                  Point2d pp = Point2d(0, 0), int method = (int)USACV20, double prob = 0.999,
+                                  double threshold = 1.0, int maxIters = 1000, OutputArray mask = noArray());
 //! @overload
-CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method, double prob,
-                                double threshold, OutputArray mask);
+CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
+                                double prob, double threshold, OutputArray mask);
 /** @overload
 @param points1 N points of image 1 in pixels
 @param points2 their counterparts in image 2
@@ -167,8 +166,8 @@ Mat findEssentialMat(InputArray points1, InputArray points2, int method) = delet
 //! @}
 
 /** @name The same with a flag that is known when the program is compiled
-They call cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat with the same arguments. They are templates, which
-keeps a call without a namespace below both using-directives from being ambiguous.
+They call cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat with the same arguments. They are
+templates, which keeps a call without a namespace below both using-directives from being ambiguous.
 @{ */
 template <typename... Others>
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method, Others&&... others)
@@ -177,7 +176,8 @@ Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method met
 }
 
 template <typename... Others>
-Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, UsacV20Method method, Others&&... others)
+Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, UsacV20Method method,
+                   Others&&... others)
 {
     return cv::findHomography(srcPoints, dstPoints, mask, method, std::forward<Others>(others)...);
 }
@@ -189,7 +189,8 @@ Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method met
 }
 
 template <typename... Others>
-Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, UsacV20Method method, Others&&... others)
+Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, UsacV20Method method,
+                       Others&&... others)
 {
     return cv::findFundamentalMat(points1, points2, mask, method, std::forward<Others>(others)...);
 }
@@ -217,10 +218,10 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
 }
 //! @}
 
-} // namespace usacv20
+}  // namespace usacv20
 
 //! @}
 
-} // namespace cv
+}  // namespace cv
 
 #endif

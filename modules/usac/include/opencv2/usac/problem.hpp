@@ -26,9 +26,9 @@ struct SampleCost
 
 /** @brief One kind of model of two views: all that is particular to it.
 
-The search, the samplers, the scores, the criteria know nothing else of what is estimated. A program can bring a problem of its own, see
-Usac::create and samples/custom_problem.cpp. All methods are `const`; those that are called during the search (closest()) come from
-one thread at a time. */
+The search, the samplers, the scores, the criteria know nothing else of what is estimated. A program can bring a problem
+of its own, see Usac::create and samples/custom_problem.cpp. All methods are `const`; those that are called during the
+search (closest()) come from one thread at a time. */
 class CV_EXPORTS Problem
 {
 public:
@@ -38,16 +38,19 @@ public:
     virtual String name() const = 0;
     //! Degrees of freedom of a model.
     virtual int dimension() const = 0;
-    /** Degrees of freedom of the error of an inlier, that is the codimension of the manifold on which exact data lie in the space of a
-    datum: 2 where a point is mapped to a point (H), 1 where it is mapped to a line (F, E). 1 or 2. So it is for symmetric errors, too: their
-    terms are functions of each other, so the second term changes the scale of the error only. */
+    /** Degrees of freedom of the error of an inlier, that is the codimension of the manifold on which exact data lie in
+    the space of a datum: 2 where a point is mapped to a point (H), 1 where it is mapped to a line (F, E). 1 or 2. So it
+    is for symmetric errors, too: their terms are functions of each other, so the second term changes the scale of the
+    error only. */
     virtual int errorDimension() const = 0;
     //! For the sequential test, and for the size of the batches.
     virtual SampleCost sampleCost() const = 0;
-    //! True if two good models can have the same inliers, as the two motions of a plane that E has: then each is optimized. Default: false.
+    //! True if two good models can have the same inliers, as the two motions of a plane that E has: then each is
+    //! optimized. Default: false.
     virtual bool ambiguous() const;
 
-    /** @brief Moves the caller's points to the coordinates of the model, in place; E: from pixels to the normalized image plane.
+    /** @brief Moves the caller's points to the coordinates of the model, in place; E: from pixels to the normalized
+    image plane.
     @param x1, y1, x2, y2 `count` numbers each
     @param count number of points
     @return pixels in a unit of the new coordinates. Default: 1, nothing is moved. */
@@ -62,7 +65,8 @@ public:
     @param result output
     @return false if it is not finite. */
     virtual bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const = 0;
-    //! The closest model that fulfills all constraints; what solvers and polishers find may miss them by a bit. Default: the model itself.
+    //! The closest model that fulfills all constraints; what solvers and polishers find may miss them by a bit.
+    //! Default: the model itself.
     virtual Model closest(const Model& model) const;
 
     //! The error that @ref ResidualType names.
@@ -70,33 +74,35 @@ public:
     virtual Ptr<MinimalSolver> createMinimalSolver() const = 0;
     //! Least squares of the errors of a residual. Asked again if the caller has brought another residual. Empty: none.
     virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const = 0;
-    /** @brief Adds the checks that a set of @ref DegeneracyFlags names, in the order in which they are asked. Default: none.
+    /** @brief Adds the checks that a set of @ref DegeneracyFlags names, in the order in which they are asked. Default:
+    none.
     @param flags set of @ref DegeneracyFlags
     @param points the correspondences
     @param degeneracies output, to be appended to */
-    virtual void createDegeneracies(int flags, const Correspondences& points, std::vector<Ptr<Degeneracy> >& degeneracies) const;
+    virtual void createDegeneracies(int flags, const Correspondences& points,
+                                    std::vector<Ptr<Degeneracy>>& degeneracies) const;
 
-    /** @brief Side of the square on which outliers are taken to be uniform, in the coordinates of `points`: the vector of a
-    2-D error has the density extent^-2, a distance about 1 / extent. Default: the root of the area on which the points of
-    image 2 lie, for errors of dimension 1 that of the mean area of both images. */
+    /** @brief Side of the square on which outliers are taken to be uniform, in the coordinates of `points`: the vector
+    of a 2-D error has the density extent^-2, a distance about 1 / extent. Default: the root of the area on which the
+    points of image 2 lie, for errors of dimension 1 that of the mean area of both images. */
     virtual double outlierExtent(const Correspondences& points) const;
-    /** @brief Probability that a point is an inlier of a wrong model, if wrong matches are everywhere: the part of image 2 that is
-    within the threshold of a point or, for errors of dimension 1, of the longest line, by Sampson's distance. At most 1. */
+    /** @brief Probability that a point is an inlier of a wrong model, if wrong matches are everywhere: the part of
+    image 2 that is within the threshold of a point or, for errors of dimension 1, of the longest line, by Sampson's
+    distance. At most 1. */
     virtual double randomInlierRatio(const Correspondences& points) const;
 };
 
 //! Values of Problem::normalization.
-enum Normalization
-{
-    SCALE_NONE,   //!< the constraints of the model need the coordinates as they are
-    SCALE_COMMON, //!< each image is moved to its center, both with one scale, with which the errors scale
-    SCALE_EACH    //!< each image is moved to its center and scaled by itself
+enum Normalization {
+    SCALE_NONE,    //!< the constraints of the model need the coordinates as they are
+    SCALE_COMMON,  //!< each image is moved to its center, both with one scale, with which the errors scale
+    SCALE_EACH     //!< each image is moved to its center and scaled by itself
 };
 
 //! @}
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif
 

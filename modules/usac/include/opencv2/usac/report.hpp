@@ -14,20 +14,19 @@ namespace usacv20 {
 //! @{
 
 //! Why an estimation ended.
-enum StopReason
-{
-    STOP_NOT_RUN           = 0, //!< nothing has been run
-    STOP_TOO_FEW_POINTS    = 1, //!< fewer finite correspondences than a minimal sample: no model
-    STOP_NO_MODEL          = 2, //!< no sample gave a model with more inliers than a sample (degenerate data): no model
-    STOP_MAX_ITERATIONS    = 3, //!< Params::maxIterations reached
-    STOP_STANDARD          = 4, //!< #TERMINATION_STANDARD fired
-    STOP_SPRT              = 5, //!< #TERMINATION_SPRT fired
-    STOP_P_NAPSAC          = 6, //!< #TERMINATION_P_NAPSAC fired
-    STOP_CUSTOM            = 7, //!< a Termination of the caller's fired
-    STOP_PROSAC            = 8, //!< #TERMINATION_PROSAC fired
-    STOP_MAGSAC            = 9, //!< #TERMINATION_MAGSAC fired
+enum StopReason {
+    STOP_NOT_RUN = 0,         //!< nothing has been run
+    STOP_TOO_FEW_POINTS = 1,  //!< fewer finite correspondences than a minimal sample: no model
+    STOP_NO_MODEL = 2,        //!< no sample gave a model with more inliers than a sample (degenerate data): no model
+    STOP_MAX_ITERATIONS = 3,  //!< Params::maxIterations reached
+    STOP_STANDARD = 4,        //!< #TERMINATION_STANDARD fired
+    STOP_SPRT = 5,            //!< #TERMINATION_SPRT fired
+    STOP_P_NAPSAC = 6,        //!< #TERMINATION_P_NAPSAC fired
+    STOP_CUSTOM = 7,          //!< a Termination of the caller's fired
+    STOP_PROSAC = 8,          //!< #TERMINATION_PROSAC fired
+    STOP_MAGSAC = 9,          //!< #TERMINATION_MAGSAC fired
     //! the best model has no more support than random points give, see Params::significance: no model
-    STOP_NOT_SIGNIFICANT   = 10
+    STOP_NOT_SIGNIFICANT = 10
 };
 
 /** @brief What one estimation learned on its way. Times are of the steady clock and decide nothing. */
@@ -61,10 +60,10 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int inliers;
     //! Inliers that are more than a threshold apart from each other in both images: repeated matches count once.
     CV_PROP_RW int independentInliers;
-    /** Probability that the same search finds a model with as many independent inliers (at the threshold, or at 4 or 16 times of
-    it) in random matches of the same points, 0..1: an upper bound, after @cite moisan2004probabilistic. Values below a millionth,
-    and below a hundredth of Params::significance, may come from a part of the points. Kept if the model was refused; 1 if there
-    was none. */
+    /** Probability that the same search finds a model with as many independent inliers (at the threshold, or at 4 or 16
+    times of it) in random matches of the same points, 0..1: an upper bound, after @cite moisan2004probabilistic. Values
+    below a millionth, and below a hundredth of Params::significance, may come from a part of the points. Kept if the
+    model was refused; 1 if there was none. */
     CV_PROP_RW double chance;
     //! Threshold of the mask in pixels, that of Params; #QUALITY_LMEDS: found from the data.
     CV_PROP_RW double threshold;
@@ -85,7 +84,7 @@ struct CV_EXPORTS_W_SIMPLE Report
 
 //! @}
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Programs that would lose a flag without a word: they must not compile. One is chosen by its macro REFUSED_*. With MENDED the
-// marked place is as it should be, and the same program must compile, which shows that it is refused for this place. What stands
-// below a macro ALLOWED_* must compile as it is.
+// Programs that would lose a flag without a word: they must not compile. One is chosen by its macro REFUSED_*. With
+// MENDED the marked place is as it should be, and the same program must compile, which shows that it is refused for
+// this place. What stands below a macro ALLOWED_* must compile as it is.
 
 #include <map>
 #include <string>
@@ -12,7 +12,7 @@
 #include <opencv2/usac.hpp>
 
 #ifdef MENDED
-#define FLAG(flag) (int)flag   // the flag as a number, for usacv20::find*
+#define FLAG(flag) (int)flag  // the flag as a number, for usacv20::find*
 #define FOCAL(length) 1. * length
 #define IN_NAMESPACE usacv20::
 #else
@@ -58,12 +58,18 @@ cv::Mat estimate(const Points& a, const Points& b, bool fast)
     return cv::findFundamentalMat(a, b, fast ? FLAG(cv::USACV20_FAST) : cv::RANSAC);
 }
 #elif defined(REFUSED_or)
-cv::Mat estimate(const Points& a, const Points& b) { return cv::findFundamentalMat(a, b, FLAG(cv::USACV20) | cv::RANSAC); }
+cv::Mat estimate(const Points& a, const Points& b)
+{
+    return cv::findFundamentalMat(a, b, FLAG(cv::USACV20) | cv::RANSAC);
+}
 #elif defined(REFUSED_focal_length)
 // The camera has been forgotten.
 cv::Mat estimate(const Points& a, const Points& b) { return cv::findEssentialMat(a, b, FLAG(cv::USACV20)); }
 #elif defined(REFUSED_focal_length_at_run_time)
-cv::Mat estimate(const Points& a, const Points& b, int method) { return cv::usacv20::findEssentialMat(a, b, FOCAL(method)); }
+cv::Mat estimate(const Points& a, const Points& b, int method)
+{
+    return cv::usacv20::findEssentialMat(a, b, FOCAL(method));
+}
 #elif defined(REFUSED_both_namespaces)
 using namespace cv;
 using namespace cv::usacv20;

@@ -15,15 +15,16 @@ Matx33d readCamera(InputArray array, const char* name)
     Mat camera = array.getMat();
     if (camera.rows != 3 || camera.cols != 3 || camera.channels() != 1)
         CV_Error_(Error::StsBadArg, ("%s: a 3x3 matrix is expected, not %dx%d with %d channel(s)", name, camera.rows,
-                  camera.cols, camera.channels()));
+                                     camera.cols, camera.channels()));
     Matx33d K;
     camera.convertTo(Mat(3, 3, CV_64F, K.val), CV_64F);
     const double focalProduct = K(0, 0) * K(1, 1);
     if (!checkRange(Mat(3, 3, CV_64F, K.val)) || K(0, 0) == 0 || K(1, 1) == 0 || K(2, 0) != 0 || K(2, 1) != 0 ||
         !(std::abs(determinant(K)) > 1e-12 * std::abs(focalProduct * K(2, 2))))
-        CV_Error_(Error::StsBadArg, ("%s: an invertible matrix with focal lengths and the last row 0 0 1 is expected, fx = %g, "
-                  "fy = %g, determinant = %g, last row %g %g %g", name, K(0, 0), K(1, 1), determinant(K), K(2, 0), K(2, 1),
-                  K(2, 2)));
+        CV_Error_(Error::StsBadArg,
+                  ("%s: an invertible matrix with focal lengths and the last row 0 0 1 is expected, fx = %g, "
+                   "fy = %g, determinant = %g, last row %g %g %g",
+                   name, K(0, 0), K(1, 1), determinant(K), K(2, 0), K(2, 1), K(2, 2)));
     return K * (1 / K(2, 2));  // a multiple is the same camera
 }
 
@@ -36,15 +37,15 @@ Mat readDistortion(InputArray array, const char* name)
     const size_t count = coefficients.total();
     const bool known = count == 4 || count == 5 || count == 8 || count == 12 || count == 14;
     if (!known || (coefficients.rows != 1 && coefficients.cols != 1) || coefficients.channels() != 1)
-        CV_Error_(Error::StsBadArg, ("%s: 4, 5, 8, 12 or 14 coefficients are expected, not %dx%d with %d channel(s)", name,
-                  coefficients.rows, coefficients.cols, coefficients.channels()));
+        CV_Error_(Error::StsBadArg, ("%s: 4, 5, 8, 12 or 14 coefficients are expected, not %dx%d with %d channel(s)",
+                                     name, coefficients.rows, coefficients.cols, coefficients.channels()));
     if (!checkRange(coefficients))
         CV_Error_(Error::StsBadArg, ("%s: finite coefficients are expected", name));
     return countNonZero(coefficients) ? coefficients : Mat();
 }
 
-/** From pixels to the normalized image plane, in place. cv::undistortPoints knows no skew, so that the camera matrix is taken off
-before. */
+/** From pixels to the normalized image plane, in place. cv::undistortPoints knows no skew, so that the camera matrix is
+taken off before. */
 void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, int count)
 {
     const Matx33d inverse = K.inv();
@@ -63,14 +64,13 @@ void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, in
     }
 }
 
-} // namespace
+}  // namespace
 
 Cameras::Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
     : K1(readCamera(cameraMatrix1, "cameraMatrix1")),
       K2(cameraMatrix2.empty() ? K1 : readCamera(cameraMatrix2, "cameraMatrix2")),
       distortion1(readDistortion(distCoeffs1, "distCoeffs1")), distortion2(readDistortion(distCoeffs2, "distCoeffs2"))
-{
-}
+{}
 
 double Cameras::toImagePlane(double* x1, double* y1, double* x2, double* y2, int count) const
 {
@@ -79,5 +79,5 @@ double Cameras::toImagePlane(double* x1, double* y1, double* x2, double* y2, int
     return (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

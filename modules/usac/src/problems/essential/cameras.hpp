@@ -27,7 +27,7 @@ private:
     Mat distortion1, distortion2;  //!< empty: none
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -15,7 +15,8 @@ namespace usacv20 {
 
 namespace {
 
-//! The epipolar geometry of two calibrated views: x2^T E x1 = 0 on the normalized image planes, singular values (s, s, 0).
+//! The epipolar geometry of two calibrated views: x2^T E x1 = 0 on the normalized image planes, singular values (s, s,
+//! 0).
 class EssentialProblem : public Problem
 {
 public:
@@ -25,7 +26,8 @@ public:
     int dimension() const CV_OVERRIDE { return EssentialParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(4000, 2); }  // measured
-    //! A plane has two motions with the same inliers @cite ma2004invitation; which is right the few points beside it tell.
+    //! A plane has two motions with the same inliers @cite ma2004invitation; which is right the few points beside it
+    //! tell.
     bool ambiguous() const CV_OVERRIDE { return true; }
 
     double toModelCoordinates(double* x1, double* y1, double* x2, double* y2, int count) const CV_OVERRIDE
@@ -54,13 +56,15 @@ public:
         return createEssentialFit(residual);
     }
 
-    void createDegeneracies(int flags, const Correspondences& points, std::vector<Ptr<Degeneracy> >& degeneracies) const CV_OVERRIDE
+    void createDegeneracies(int flags, const Correspondences& points,
+                            std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
     {
         if (flags & DEGENERACY_ORIENTATION)
             degeneracies.push_back(createOrientedEpipolar());
         if (flags & DEGENERACY_DEGENSAC)
             degeneracies.push_back(createPlanarMotion());
-        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of their own models
+        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of
+                                          // their own models
             degeneracies.push_back(createSharedPoints(points));
     }
 
@@ -68,7 +72,7 @@ private:
     const Cameras cameras;
 };
 
-} // namespace
+}  // namespace
 
 Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
                                     InputArray distCoeffs2)
@@ -78,8 +82,8 @@ Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraM
 
 Ptr<NonMinimalSolver> createEssentialFit(const Ptr<Residual>& residual)
 {
-    return makePtr<LeastSquaresSolver<EssentialParameterization> >(residual, 1);
+    return makePtr<LeastSquaresSolver<EssentialParameterization>>(residual, 1);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

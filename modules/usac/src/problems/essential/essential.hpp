@@ -20,7 +20,7 @@ Ptr<NonMinimalSolver> createEssentialFit(const Ptr<Residual>& residual);
 //! Scenes dominated by a plane, see PlanarMotion.
 Ptr<Degeneracy> createPlanarMotion();
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

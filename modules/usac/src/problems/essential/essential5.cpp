@@ -16,7 +16,8 @@ namespace {
 /* Polynomials in x, y, z as arrays of coefficients.
 Linear[4]:     x y z 1
 Quadratic[10]: x2 xy xz x y2 yz y z2 z 1
-Cubic[20]:     x3 y3 x2y xy2 x2z x2 y2z y2 xyz xy | xz2 xz x yz2 yz y z3 z2 z 1, in the order of @cite nister2004efficient */
+Cubic[20]:     x3 y3 x2y xy2 x2z x2 y2z y2 xyz xy | xz2 xz x yz2 yz y z3 z2 z 1, in the order of @cite
+nister2004efficient */
 
 //! q += f a b
 void addProduct(const double* a, const double* b, double f, double* q)
@@ -154,10 +155,7 @@ void addProduct3(const double* a, const double* b, const double* c, double sign,
             result[i + j] += sign * ab[i] * c[j];
 }
 
-double horner(const double* c, double z)
-{
-    return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
-}
+double horner(const double* c, double z) { return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0]; }
 
 //! (x, y, 1) in the null space of B(z): the largest of the cross products of its rows. False if x or y is infinite.
 bool backSubstitute(const double (&B)[3][3][5], double z, double& x, double& y)
@@ -182,7 +180,8 @@ bool backSubstitute(const double (&B)[3][3][5], double z, double& x, double& y)
     return best > 0 && std::abs(x) < 1e12 && std::abs(y) < 1e12;
 }
 
-//! sums[i] += the i-th of ten constraints, or a part of it: their coefficients of the monomials first..last-1 times those values.
+//! sums[i] += the i-th of ten constraints, or a part of it: their coefficients of the monomials first..last-1 times
+//! those values.
 inline void addRows(const double (&T)[20][10], const double* values, int first, int last, double* sums)
 {
     for (int k = first; k < last; ++k)
@@ -196,8 +195,9 @@ const double EXACT = 1e-12, VIOLATED = 1e-9;
 //! Largest of the ten constraints r at (x, y, z).
 double violation(const double (&T)[20][10], double x, double y, double z, double (&r)[10])
 {
-    const double m[20] = {x * x * x, y * y * y, x * x * y, x * y * y, x * x * z, x * x, y * y * z, y * y, x * y * z, x * y,
-                          x * z * z, x * z, x, y * z * z, y * z, y, z * z * z, z * z, z, 1};
+    const double m[20] = {x * x * x, y * y * y, x * x * y, x * y * y, x * x * z, x * x, y * y * z,
+                          y * y,     x * y * z, x * y,     x * z * z, x * z,     x,     y * z * z,
+                          y * z,     y,         z * z * z, z * z,     z,         1};
     std::fill(r, r + 10, 0.);
     addRows(T, m, 0, 20, r);
     double largest = 0;
@@ -211,7 +211,8 @@ Vec3d stepOf(const double (&T)[20][10], double x, double y, double z, const doub
 {
     const double mx[20] = {3 * x * x, 0, 2 * x * y, y * y, 2 * x * z, 2 * x, 0, 0, y * z, y, z * z, z, 1};
     const double my[20] = {0, 3 * y * y, x * x, 2 * x * y, 0, 0, 2 * y * z, 2 * y, x * z, x, 0, 0, 0, z * z, z, 1};
-    const double mz[20] = {0, 0, 0, 0, x * x, 0, y * y, 0, x * y, 0, 2 * x * z, x, 0, 2 * y * z, y, 0, 3 * z * z, 2 * z, 1};
+    const double mz[20] = {0,         0, 0, 0,         x * x, 0, y * y,     0,     x * y, 0,
+                           2 * x * z, x, 0, 2 * y * z, y,     0, 3 * z * z, 2 * z, 1};
     double gx[10] = {0}, gy[10] = {0}, gz[10] = {0};
     addRows(T, mx, 0, 13, gx);
     addRows(T, my, 1, 16, gy);
@@ -236,8 +237,8 @@ Vec3d stepOf(const double (&T)[20][10], double x, double y, double z, const doub
     return A.inv() * b;
 }
 
-/** Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots are small; the
-steps bring them back.
+/** Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots are
+small; the steps bring them back.
 @param T coefficients of the constraints, a row for each monomial
 @param length of Z; those of X, Y and W are 1
 @param x, y, z solution, in and out
@@ -252,7 +253,8 @@ double correct(const double (&T)[20][10], double length, double& x, double& y, d
         if (left < EXACT * squared * std::sqrt(squared) || k == STEPS)
             return left;
         const Vec3d step = stepOf(T, x, y, z, r);
-        if (!(step[0] * step[0] + step[1] * step[1] + length * length * step[2] * step[2] < 0.1 * squared))  // also for NaN
+        if (!(step[0] * step[0] + step[1] * step[1] + length * length * step[2] * step[2] <
+              0.1 * squared))  // also for NaN
             return left;
         x -= step[0];
         y -= step[1];
@@ -293,8 +295,8 @@ struct System
     double B[3][3][5];          //!< B(z) (x, y, 1)^T = 0
 };
 
-//! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a scene with parallax is
-//! among them.
+//! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a scene with parallax
+//! is among them.
 const double SMALL_PIVOT = 5e-4;
 
 /** @brief Up to ten essential matrices from five points of calibrated cameras @cite nister2004efficient.
@@ -359,12 +361,9 @@ private:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<MinimalSolver> createEssential5Solver()
-{
-    return makePtr<Essential5Solver>();
-}
+Ptr<MinimalSolver> createEssential5Solver() { return makePtr<Essential5Solver>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

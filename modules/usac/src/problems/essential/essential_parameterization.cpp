@@ -21,7 +21,7 @@ Eigen::Matrix3d rotation(const Eigen::Vector3d& w)
     return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
 }
 
-} // namespace
+}  // namespace
 
 EssentialParameterization::EssentialParameterization(const Model& model)
 {
@@ -42,7 +42,7 @@ EssentialParameterization::Basis EssentialParameterization::tangent() const
     D[4] = -s * U.col(0) * V.col(2).transpose();
     Basis basis;
     for (int k = 0; k < DIMENSION; ++k)
-        basis.col(k) = Eigen::Map<const Eigen::Matrix<double, 9, 1> >(D[k].data());
+        basis.col(k) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(D[k].data());
     return basis;
 }
 
@@ -62,5 +62,5 @@ Model EssentialParameterization::model() const
     return result;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

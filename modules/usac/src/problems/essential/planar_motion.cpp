@@ -13,10 +13,10 @@ namespace {
 
 /** @brief E of a scene that is dominated by a plane takes more samples.
 
-Five points of a plane have two motions @cite ma2004invitation, both of which fit all of the plane; which one is right, the few
-points beside it tell. With noise, the right motion of such a sample is often too far off to be told from others, so that
-a sample of inliers only does not lead to it for certain. If most inliers of a new best model (after its local optimization) lie
-on a plane, one in 1 / YIELD of these samples is counted on. */
+Five points of a plane have two motions @cite ma2004invitation, both of which fit all of the plane; which one is right,
+the few points beside it tell. With noise, the right motion of such a sample is often too far off to be told from
+others, so that a sample of inliers only does not lead to it for certain. If most inliers of a new best model (after its
+local optimization) lie on a plane, one in 1 / YIELD of these samples is counted on. */
 class PlanarMotion : public Degeneracy
 {
 public:
@@ -41,12 +41,9 @@ private:
 const double PlanarMotion::DOMINANT = 0.8;
 const double PlanarMotion::YIELD = 0.5;
 
-} // namespace
+}  // namespace
 
-Ptr<Degeneracy> createPlanarMotion()
-{
-    return makePtr<PlanarMotion>();
-}
+Ptr<Degeneracy> createPlanarMotion() { return makePtr<PlanarMotion>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

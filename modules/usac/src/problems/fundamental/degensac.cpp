@@ -20,25 +20,26 @@ namespace {
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
 
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else. One of five triples
-of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it maps
-give the degeneracy away. A locally optimized model has no sample; there it is a plane with more than half of its inliers. The
-remedy is plane and parallax: that homography H, refined on its points, and two correspondences off the plane determine
-F = [e]x H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if it beats the original, so
-that other scenes lose nothing; a plane with less than half of the model's inliers is left alone, as there the samples
-find F. A plane that was dealt with is looked at again if clearly more points are on it now. */
+of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it
+maps give the degeneracy away. A locally optimized model has no sample; there it is a plane with more than half of its
+inliers. The remedy is plane and parallax: that homography H, refined on its points, and two correspondences off the
+plane determine F = [e]x H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if
+it beats the original, so that other scenes lose nothing; a plane with less than half of the model's inliers is left
+alone, as there the samples find F. A plane that was dealt with is looked at again if clearly more points are on it now.
+*/
 class Degensac : public Degeneracy
 {
 public:
     Degensac()
         : fitter(createHomographyFit(createTransferResidual())), known(Matx33d::zeros()), knownThreshold(0),
           knownPoints(0)
-    {
-    }
+    {}
 
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {
         Matx33d H;
-        if (sample ? !planeOfSample(context.points, sample, model, H) : !plane.find(context, state.rng, model, DOMINANT, H))
+        if (sample ? !planeOfSample(context.points, sample, model, H)
+                   : !plane.find(context, state.rng, model, DOMINANT, H))
             return true;
         state.report.degenerate = true;
         const Quality before = quality;
@@ -70,8 +71,8 @@ private:
     static const double CLEARLY;
     //! A plane has so many of the model's inliers at least; before it is fitted, so many of these.
     static const double DOMINANT, ROUGHLY;
-    //! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its seven points, 21 w^5;
-    //! what is seen is chance.
+    //! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its seven points, 21
+    //! w^5; what is seen is chance.
     static const double SEEN;
     //! A model has so many of the inliers of the best one to be of interest: what it lacks the optimization may add.
     static const double OF_INTEREST;
@@ -181,14 +182,14 @@ private:
     }
 
     Ptr<NonMinimalSolver> fitter;
-    Matx33d known;         //!< homography of the last plane
-    double knownThreshold; //!< of that time
-    int knownPoints;       //!< on it
-    Model knownModel;      //!< the F found with it
-    Quality knownQuality;  //!< infinite cost: none better than what was known
+    Matx33d known;          //!< homography of the last plane
+    double knownThreshold;  //!< of that time
+    int knownPoints;        //!< on it
+    Model knownModel;       //!< the F found with it
+    Quality knownQuality;   //!< infinite cost: none better than what was known
     DominantPlane plane;
     std::vector<int> onPlane, offPlane;
-    std::vector<float> errors;  //!< of all points under a plane
+    std::vector<float> errors;    //!< of all points under a plane
     Ptr<PlaneParallax> parallax;  //!< from the first plane on
 };
 
@@ -199,12 +200,9 @@ const double Degensac::SEEN = 0.1;
 const double Degensac::OF_INTEREST = 0.9;
 const double Degensac::OFF_PLANE = 4;
 
-} // namespace
+}  // namespace
 
-Ptr<Degeneracy> createDegensac()
-{
-    return makePtr<Degensac>();
-}
+Ptr<Degeneracy> createDegensac() { return makePtr<Degensac>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

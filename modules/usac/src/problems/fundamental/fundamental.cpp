@@ -14,8 +14,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Of unit norm. T2^T F T1 has rank 2 up to the rounding of its largest terms; where these cancel, as with both epipoles at
-the origin of large coordinates, that is not small against what is left. */
+/** Of unit norm. T2^T F T1 has rank 2 up to the rounding of its largest terms; where these cancel, as with both
+epipoles at the origin of large coordinates, that is not small against what is left. */
 Matx33d toRankTwo(const Matx33d& F)
 {
     Vec3d w;
@@ -61,28 +61,27 @@ public:
         return createFundamentalFit(residual);
     }
 
-    void createDegeneracies(int flags, const Correspondences& points, std::vector<Ptr<Degeneracy> >& degeneracies) const CV_OVERRIDE
+    void createDegeneracies(int flags, const Correspondences& points,
+                            std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
     {
         if (flags & DEGENERACY_ORIENTATION)
             degeneracies.push_back(createOrientedEpipolar());
         if (flags & DEGENERACY_DEGENSAC)
             degeneracies.push_back(createDegensac());
-        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of their own models
+        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of
+                                          // their own models
             degeneracies.push_back(createSharedPoints(points));
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Problem> createFundamentalProblem()
-{
-    return makePtr<FundamentalProblem>();
-}
+Ptr<Problem> createFundamentalProblem() { return makePtr<FundamentalProblem>(); }
 
 Ptr<NonMinimalSolver> createFundamentalFit(const Ptr<Residual>& residual)
 {
-    return makePtr<LeastSquaresSolver<FundamentalParameterization> >(residual, 1);
+    return makePtr<LeastSquaresSolver<FundamentalParameterization>>(residual, 1);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -19,7 +19,7 @@ Ptr<NonMinimalSolver> createFundamentalFit(const Ptr<Residual>& residual);
 //! Samples dominated by a plane, see Degensac.
 Ptr<Degeneracy> createDegensac();
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -36,8 +36,9 @@ double dot9(const double* a, const double* b)
 
 /** @brief One to three fundamental matrices from seven points @cite hartley2003multiple.
 
-The epipolar constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated points lower the rank
-of the constraints: the sample is degenerate. Points on a line fit l2 l1^T, which has rank 1 and is no epipolar geometry. */
+The epipolar constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated points lower the
+rank of the constraints: the sample is degenerate. Points on a line fit l2 l1^T, which has rank 1 and is no epipolar
+geometry. */
 class Fundamental7Solver : public MinimalSolver
 {
 public:
@@ -90,12 +91,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<MinimalSolver> createFundamental7Solver()
-{
-    return makePtr<Fundamental7Solver>();
-}
+Ptr<MinimalSolver> createFundamental7Solver() { return makePtr<Fundamental7Solver>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -21,9 +21,9 @@ Eigen::Matrix3d completion(const Eigen::Vector3d& n)
     return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
 }
 
-/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction of the time of a singular
-value decomposition: all rows of its cofactors are multiples of the one, all columns of the other. False if its rank is not 2 but
-for rounding. */
+/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction of the time of a
+singular value decomposition: all rows of its cofactors are multiples of the one, all columns of the other. False if its
+rank is not 2 but for rounding. */
 bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
 {
     Eigen::Matrix3d cofactors;
@@ -41,7 +41,7 @@ bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Ma
     return true;
 }
 
-} // namespace
+}  // namespace
 
 FundamentalParameterization::FundamentalParameterization(const Model& model)
 {
@@ -59,13 +59,10 @@ FundamentalParameterization::FundamentalParameterization(const Model& model)
     corner << first / norm, 0, 0, second / norm;
 }
 
-bool FundamentalParameterization::hasFullRank() const
-{
-    return std::abs(corner.determinant()) > LEAST_RATIO;
-}
+bool FundamentalParameterization::hasFullRank() const { return std::abs(corner.determinant()) > LEAST_RATIO; }
 
-/** With the corner (a, b; c, d) as a quaternion, times the three imaginary units: three matrices orthogonal to it and to each
-other, all of unit norm. */
+/** With the corner (a, b; c, d) as a quaternion, times the three imaginary units: three matrices orthogonal to it and
+to each other, all of unit norm. */
 void FundamentalParameterization::cornerDirections(Eigen::Matrix2d (&directions)[3]) const
 {
     const double a = corner(0, 0), b = corner(0, 1), c = corner(1, 0), d = corner(1, 1);
@@ -88,12 +85,13 @@ FundamentalParameterization::Basis FundamentalParameterization::tangent() const
     }
     Basis basis;
     for (int k = 0; k < DIMENSION; ++k)
-        basis.col(k) = Eigen::Map<const Eigen::Matrix<double, 9, 1> >(D[k].data());
+        basis.col(k) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(D[k].data());
     return basis;
 }
 
-/** S plus the step, with the last entry that makes its rank 2 again, is [I; y^T] C [I, x] with the new corner C, the last column
-C x and the last row y^T C. Its null vectors (-x, 1) and (-y, 1) become the last columns of V and U by a reflection each. */
+/** S plus the step, with the last entry that makes its rank 2 again, is [I; y^T] C [I, x] with the new corner C, the
+last column C x and the last row y^T C. Its null vectors (-x, 1) and (-y, 1) become the last columns of V and U by a
+reflection each. */
 FundamentalParameterization FundamentalParameterization::plus(const Step& step) const
 {
     FundamentalParameterization result(*this);
@@ -123,5 +121,5 @@ Model FundamentalParameterization::model() const
     return result;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -12,19 +12,21 @@ namespace usacv20 {
 
 namespace {
 
-//! A place so many bins from the match's own points does not count: there the match agrees with anything, it is no evidence.
+//! A place so many bins from the match's own points does not count: there the match agrees with anything, it is no
+//! evidence.
 enum { NEAR = 2 };
 
 /* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 % inliers: */
 
-//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1 failures rise from 3 to 7 %,
-//! with 0.3 they stay.
+//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1 failures rise from 3 to 7
+//! %, with 0.3 they stay.
 const double GOOD_LINES = 0.5;
-//! A place with so many votes, as a part of the best support, is worth a fit: the same number of inliers can be a lower cost. 0.6
-//! changes nothing but the time; 0.9 saves 2 % of the time of F and misses 1 % of the epipoles of cameras that move forwards.
+//! A place with so many votes, as a part of the best support, is worth a fit: the same number of inliers can be a lower
+//! cost. 0.6 changes nothing but the time; 0.9 saves 2 % of the time of F and misses 1 % of the epipoles of cameras
+//! that move forwards.
 const double WORTH_A_FIT = 0.8;
-//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the lowest
-//! one: the points on the plane decide between similar epipoles. More changes nothing.
+//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the
+//! lowest one: the points on the plane decide between similar epipoles. More changes nothing.
 const double GOES_ON = 8, WORTH_RATING = 3;
 //! Widths of the steps of a fit, in thresholds: from a bin's middle the first ones must be wider than the threshold.
 const double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
@@ -90,7 +92,8 @@ int densest(const int* change, const int* own, int& first, int& last)
     return most;
 }
 
-//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, from a guess; false if all vectors are ones.
+//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, from a guess; false if all vectors
+//! are ones.
 bool smallestEigenvector(const Matx33d& M, Vec3d& e)
 {
     enum { STEPS = 4 };
@@ -107,7 +110,7 @@ bool smallestEigenvector(const Matx33d& M, Vec3d& e)
     return true;
 }
 
-} // namespace
+}  // namespace
 
 PlaneParallax::PlaneParallax() : H(Matx33d::zeros()), limit(0), stride(0), next(0), fitted(0) {}
 
@@ -196,7 +199,8 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
         change[0] += from[k] > to[k] + 1;
     }
     const Vec3d x2(p.x2[line], p.y2[line], 1), y = H * Vec3d(p.x1[line], p.y1[line], 1);
-    const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))), binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
+    const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))),
+                        binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
     int first = 0, last = -1;
     const int votes = densest(change, own, first, last);
     if (votes > 0)
@@ -204,7 +208,8 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     return votes;
 }
 
-//! Fits an epipole to the voters within shrinking multiples of the threshold; the best of the fits is rated over all points.
+//! Fits an epipole to the voters within shrinking multiples of the threshold; the best of the fits is rated over all
+//! points.
 void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Quality& quality)
 {
     Model F = crossMatrix(e) * H, candidate = F;
@@ -238,7 +243,8 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
     quality = whole;
 }
 
-//! Least squares of the errors of `most` voters within so many thresholds of F = [e]x H; their denominators are those of e.
+//! Least squares of the errors of `most` voters within so many thresholds of F = [e]x H; their denominators are those
+//! of e.
 bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
 {
     const Correspondences& p = voters.view();
@@ -263,8 +269,8 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
         double d = 0;
         for (int k = 0; k < 6; ++k)
             d += weights[k] * rows[G00 + k][i];
-        const double inverse = d > 0 ? 1 / d : 0, n0 = rows[N0][i], n1 = rows[N1][i], n2 = rows[N2][i], a = n0 * inverse,
-                     b = n1 * inverse;
+        const double inverse = d > 0 ? 1 / d : 0, n0 = rows[N0][i], n1 = rows[N1][i], n2 = rows[N2][i],
+                     a = n0 * inverse, b = n1 * inverse;
         sums[0] += a * n0;
         sums[1] += a * n1;
         sums[2] += a * n2;
@@ -272,8 +278,9 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
         sums[4] += b * n2;
         sums[5] += n2 * n2 * inverse;
     }
-    return smallestEigenvector(Matx33d(sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5]), e);
+    return smallestEigenvector(Matx33d(sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5]),
+                               e);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -11,17 +11,19 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The best F = [e]x H for the homography H of a plane: which epipole e of image 2 suits the points off the plane?
+/** @brief The best F = [e]x H for the homography H of a plane: which epipole e of image 2 suits the points off the
+plane?
 
 The line through x2 and H x1 of a right match off the plane goes through e, so two of them determine it. DEGENSAC
-@cite chum2005two draws pairs and counts the support of each; if a part w of the points is right, that takes w^-2 pairs. Here
-one match is drawn. What is left of e is its place on that line, and all other matches vote for it at once: the places that
-keep one within the threshold are an arc of the line (projective, so closed), in closed form. Where most arcs overlap is the
-best e of all pairs that the match is in, and of all noise of the second one. So w^-1 lines are enough.
+@cite chum2005two draws pairs and counts the support of each; if a part w of the points is right, that takes w^-2 pairs.
+Here one match is drawn. What is left of e is its place on that line, and all other matches vote for it at once: the
+places that keep one within the threshold are an arc of the line (projective, so closed), in closed form. Where most
+arcs overlap is the best e of all pairs that the match is in, and of all noise of the second one. So w^-1 lines are
+enough.
 
-The lines are a RANSAC of their own, without repetition: they are looked at in the order of the points until one that leads to a
-better e would have been among them. That many are needed for a support that a model of interest has, see search(), and there
-are as many as points, so the work is bounded where nothing is off the plane. */
+The lines are a RANSAC of their own, without repetition: they are looked at in the order of the points until one that
+leads to a better e would have been among them. That many are needed for a support that a model of interest has, see
+search(), and there are as many as points, so the work is bounded where nothing is off the plane. */
 class PlaneParallax
 {
 public:
@@ -36,7 +38,8 @@ public:
     /** @brief Replaces a model by a better [e]x H.
     @param context rates models over all points
     @param failure probability that there is one and it is missed, in (0, 1)
-    @param wanted models with fewer inliers off the plane are of no interest; if only a part votes, inliers among that part
+    @param wanted models with fewer inliers off the plane are of no interest; if only a part votes, inliers among that
+    part
     @param model, quality input: what is known; output: unit Frobenius norm
     @return true if the model was replaced */
     bool search(const Context& context, double failure, double wanted, Model& model, Quality& quality);
@@ -61,17 +64,17 @@ private:
     void refine(const Context& context, Vec3d epipole, Model& model, Quality& quality);
     bool fit(const Model& F, double width, int most, Vec3d& epipole) const;
 
-    Matx33d H;      //!< unit Frobenius norm
-    double limit;   //!< squared threshold
+    Matx33d H;     //!< unit Frobenius norm
+    double limit;  //!< squared threshold
     SideBySide<MAX_POINTS> voters;
     std::vector<float> numbers;  //!< ARCS_ROWS rows of `stride`
-    int stride;     //!< size(), rounded up to whole blocks
-    Quality best;   //!< lowest cost of the voters
-    Vec3d lastFit;  //!< the last epipole that was fitted
+    int stride;                  //!< size(), rounded up to whole blocks
+    Quality best;                //!< lowest cost of the voters
+    Vec3d lastFit;               //!< the last epipole that was fitted
     int next, fitted;
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -23,8 +23,12 @@ public:
     int errorDimension() const CV_OVERRIDE { return 2; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(250, 1); }  // measured
 
-    //! The transfer error is one of image 2, so that the scale of image 1 does not matter; errors in both images need one scale.
-    int normalization(int residual) const CV_OVERRIDE { return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH; }
+    //! The transfer error is one of image 2, so that the scale of image 1 does not matter; errors in both images need
+    //! one scale.
+    int normalization(int residual) const CV_OVERRIDE
+    {
+        return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH;
+    }
 
     //! h33 = 1 where that is not nearly 0 against the weights of the other points.
     bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const CV_OVERRIDE
@@ -57,7 +61,8 @@ public:
         return createHomographyFit(residual);
     }
 
-    void createDegeneracies(int flags, const Correspondences&, std::vector<Ptr<Degeneracy> >& degeneracies) const CV_OVERRIDE
+    void createDegeneracies(int flags, const Correspondences&,
+                            std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
     {
         if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples
             degeneracies.push_back(createHomographyOrientation());
@@ -66,17 +71,14 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Problem> createHomographyProblem()
-{
-    return makePtr<HomographyProblem>();
-}
+Ptr<Problem> createHomographyProblem() { return makePtr<HomographyProblem>(); }
 
 Ptr<NonMinimalSolver> createHomographyFit(const Ptr<Residual>& residual)
 {
-    return makePtr<LeastSquaresSolver<HomographyParameterization> >(residual, 2);
+    return makePtr<LeastSquaresSolver<HomographyParameterization>>(residual, 2);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

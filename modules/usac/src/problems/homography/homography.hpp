@@ -21,7 +21,7 @@ Ptr<Degeneracy> createHomographyOrientation();
 //! Matches of which many are the same, see RepeatedPoints.
 Ptr<Degeneracy> createRepeatedPoints();
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

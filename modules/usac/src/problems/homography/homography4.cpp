@@ -45,7 +45,8 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
 /** @brief Homography from four points, exact, in closed form.
 
 Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale @cite hartley2003multiple. A
-sample with three points (nearly) on a line or two points at one place in either image is degenerate. About 150 operations. */
+sample with three points (nearly) on a line or two points at one place in either image is degenerate. About 150
+operations. */
 class Homography4Solver : public MinimalSolver
 {
 public:
@@ -57,9 +58,10 @@ public:
         if (!fromBasis(p.dx1, p.dy1, sample, B1) || !fromBasis(p.dx2, p.dy2, sample, B2))
             return 0;
         // rows of adj(B1) are cross products of the columns of B1
-        const double adj[9] = {B1[4] * B1[8] - B1[5] * B1[7], B1[2] * B1[7] - B1[1] * B1[8], B1[1] * B1[5] - B1[2] * B1[4],
-                               B1[5] * B1[6] - B1[3] * B1[8], B1[0] * B1[8] - B1[2] * B1[6], B1[2] * B1[3] - B1[0] * B1[5],
-                               B1[3] * B1[7] - B1[4] * B1[6], B1[1] * B1[6] - B1[0] * B1[7], B1[0] * B1[4] - B1[1] * B1[3]};
+        const double adj[9] = {
+            B1[4] * B1[8] - B1[5] * B1[7], B1[2] * B1[7] - B1[1] * B1[8], B1[1] * B1[5] - B1[2] * B1[4],
+            B1[5] * B1[6] - B1[3] * B1[8], B1[0] * B1[8] - B1[2] * B1[6], B1[2] * B1[3] - B1[0] * B1[5],
+            B1[3] * B1[7] - B1[4] * B1[6], B1[1] * B1[6] - B1[0] * B1[7], B1[0] * B1[4] - B1[1] * B1[3]};
         double squares = 0;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
@@ -75,12 +77,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<MinimalSolver> createHomography4Solver()
-{
-    return makePtr<Homography4Solver>();
-}
+Ptr<MinimalSolver> createHomography4Solver() { return makePtr<Homography4Solver>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -50,12 +50,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Degeneracy> createHomographyOrientation()
-{
-    return makePtr<HomographyOrientation>();
-}
+Ptr<Degeneracy> createHomographyOrientation() { return makePtr<HomographyOrientation>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -12,14 +12,10 @@ namespace usacv20 {
 static const double LEAST_DETERMINANT = 1e-9;
 
 HomographyParameterization::HomographyParameterization(const Model& model)
-    : h(Eigen::Map<const Eigen::Matrix<double, 9, 1> >(model.val).normalized())
-{
-}
+    : h(Eigen::Map<const Eigen::Matrix<double, 9, 1>>(model.val).normalized())
+{}
 
-bool HomographyParameterization::hasFullRank() const
-{
-    return std::abs(determinant(model())) > LEAST_DETERMINANT;
-}
+bool HomographyParameterization::hasFullRank() const { return std::abs(determinant(model())) > LEAST_DETERMINANT; }
 
 HomographyParameterization::Basis HomographyParameterization::tangent() const
 {
@@ -60,9 +56,9 @@ HomographyParameterization HomographyParameterization::plus(const Step& step) co
 Model HomographyParameterization::model() const
 {
     Model result;
-    Eigen::Map<Eigen::Matrix<double, 9, 1> >(result.val) = h;
+    Eigen::Map<Eigen::Matrix<double, 9, 1>>(result.val) = h;
     return result;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

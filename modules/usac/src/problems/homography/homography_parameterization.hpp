@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A homography and a minimal parameterization around it: unit 9-vectors, 8 directions orthogonal to it. Parameters 0 are
-the model itself. */
+/** @brief A homography and a minimal parameterization around it: unit 9-vectors, 8 directions orthogonal to it.
+Parameters 0 are the model itself. */
 class HomographyParameterization
 {
 public:
@@ -27,7 +27,8 @@ public:
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T Jtr with B = tangent().
+    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T Jtr with B =
+    //! tangent().
     void project(const NormalEquations& sums, Matrix& A, Step& b) const;
     //! The parameterization around the model that has these parameters.
     HomographyParameterization plus(const Step& step) const;
@@ -46,7 +47,7 @@ private:
     Eigen::Matrix<double, 9, 1> h;
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -13,9 +13,9 @@ namespace {
 
 /** @brief Refuses samples in which two matches share a point of image 1 or of image 2.
 
-A point has one counterpart at most: of two such matches one is wrong, or they are the same match twice. Compares all pairs of
-the sample. A match that is there so often that it is a tenth of all counts as one for the quality of a new best model: any model
-fitted to it would have that tenth, and no sample of right matches has. */
+A point has one counterpart at most: of two such matches one is wrong, or they are the same match twice. Compares all
+pairs of the sample. A match that is there so often that it is a tenth of all counts as one for the quality of a new
+best model: any model fitted to it would have that tenth, and no sample of right matches has. */
 class RepeatedPoints : public Degeneracy
 {
 public:
@@ -42,8 +42,8 @@ public:
         if (count == 0 || score.wholeModel())
             return true;
         errors.resize(count);
-        context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(), coordinates[2].data(),
-                                                   coordinates[3].data(), count, errors.data());
+        context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(),
+                                                   coordinates[2].data(), coordinates[3].data(), count, errors.data());
         floats.assign(errors.begin(), errors.end());
         Quality sum(0, 0);
         score.accumulate(floats.data(), count, (float)(context.points.threshold * context.points.threshold), sum);
@@ -89,12 +89,9 @@ private:
     std::vector<float> floats;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Degeneracy> createRepeatedPoints()
-{
-    return makePtr<RepeatedPoints>();
-}
+Ptr<Degeneracy> createRepeatedPoints() { return makePtr<RepeatedPoints>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -34,8 +34,8 @@ bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A,
     if (!(std::abs(det) > 1e-9))
         return false;
     const Vec3d v = M.inv() * b;
-    H = A - Matx33d(e[0] * v[0], e[0] * v[1], e[0] * v[2], e[1] * v[0], e[1] * v[1], e[1] * v[2],
-                    e[2] * v[0], e[2] * v[1], e[2] * v[2]);
+    H = A - Matx33d(e[0] * v[0], e[0] * v[1], e[0] * v[2], e[1] * v[0], e[1] * v[1], e[1] * v[2], e[2] * v[0],
+                    e[2] * v[1], e[2] * v[2]);
     return true;
 }
 
@@ -85,5 +85,5 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
     return found;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

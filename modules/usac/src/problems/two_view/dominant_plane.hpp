@@ -10,18 +10,15 @@
 namespace cv {
 namespace usacv20 {
 
-//! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F. False if they determine
-//! none.
+//! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F. False if they
+//! determine none.
 bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e, Matx33d& H);
 
 //! A = [e]x F with the unit epipole e of image 2; false if F has none.
 bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 
 //! Squared errors above this are off a plane that was found from three points: three thresholds.
-inline double planeLimit(const Correspondences& p)
-{
-    return 9 * p.threshold * p.threshold;
-}
+inline double planeLimit(const Correspondences& p) { return 9 * p.threshold * p.threshold; }
 
 //! Looks for a plane with many of the inliers of F, or of E, which is the F of normalized points.
 class DominantPlane
@@ -46,7 +43,7 @@ private:
     SideBySide<MAX_INLIERS> someInliers;
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -11,9 +11,9 @@ namespace usacv20 {
 
 namespace {
 
-/** Oriented epipolar constraint @cite chum2004epipolar: points in front of both cameras fulfil e2 x x2 = s F x1 with s > 0
-for all, or s < 0 for all, as F and e2 are known up to sign. A model whose own sample breaks it is dropped before any other
-point is looked at. */
+/** Oriented epipolar constraint @cite chum2004epipolar: points in front of both cameras fulfil e2 x x2 = s F x1 with s
+> 0 for all, or s < 0 for all, as F and e2 are known up to sign. A model whose own sample breaks it is dropped before
+any other point is looked at. */
 class OrientedEpipolar : public Degeneracy
 {
 public:
@@ -37,12 +37,9 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Degeneracy> createOrientedEpipolar()
-{
-    return makePtr<OrientedEpipolar>();
-}
+Ptr<Degeneracy> createOrientedEpipolar() { return makePtr<OrientedEpipolar>(); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -11,7 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! True if two matches have the same point in image 1 or in image 2: at most one of them is right, or they are the same.
+//! True if two matches have the same point in image 1 or in image 2: at most one of them is right, or they are the
+//! same.
 inline bool shareAPoint(const Correspondences& p, int i, int j)
 {
     return (p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j]) || (p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j]);
@@ -44,12 +45,14 @@ inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 //! The scale between the images of a small surface is less.
 enum { FAR_APART = 10 };
 
-template <class T> T square(T x)
+template <class T>
+T square(T x)
 {
     return x * x;
 }
 
-//! Squared distances in the two images below which two points may be one but for the noise, and above which they are far apart.
+//! Squared distances in the two images below which two points may be one but for the noise, and above which they are
+//! far apart.
 struct TargetLimits
 {
     /** Two thresholds are near, but no more than a fiftieth of the image: a threshold may be as wide as an image.
@@ -68,8 +71,8 @@ struct TargetLimits
     float near[2], far[2];
 };
 
-/** True if two matches have the same point of an image; or if they are, but for the noise each, matches of one point of an
-image, but FAR_APART times as far from each other in the other image: at most one of them is right. */
+/** True if two matches have the same point of an image; or if they are, but for the noise each, matches of one point of
+an image, but FAR_APART times as far from each other in the other image: at most one of them is right. */
 inline bool shareATarget(const Correspondences& p, const TargetLimits& limits, int i, int j)
 {
     const float dx1 = p.x1[i] - p.x1[j], dy1 = p.y1[i] - p.y1[j], dx2 = p.x2[i] - p.x2[j], dy2 = p.y2[i] - p.y2[j];
@@ -78,7 +81,7 @@ inline bool shareATarget(const Correspondences& p, const TargetLimits& limits, i
            shareAPoint(p, i, j);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

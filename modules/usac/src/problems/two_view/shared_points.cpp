@@ -12,12 +12,13 @@ namespace usacv20 {
 
 namespace {
 
-/** Tells whether a match is an inlier whatever one of its ends is, see SharedPoints. `scale`: size of image 2 over that of image
-1. */
+/** Tells whether a match is an inlier whatever one of its ends is, see SharedPoints. `scale`: size of image 2 over that
+of image 1. */
 class OneEnd
 {
 public:
-    OneEnd(const Model& F, double scale) : most1((float)square(FAR_APART / scale)), most2((float)square(FAR_APART * scale))
+    OneEnd(const Model& F, double scale)
+        : most1((float)square(FAR_APART / scale)), most2((float)square(FAR_APART * scale))
     {
         toFloat(F, f);
     }
@@ -36,27 +37,30 @@ private:
 
 /** @brief F, E: matches of many points to one, however noisy, are no independent evidence.
 
-Matches of one target (repeated patterns, matching without cross-check) are fitted by every epipolar geometry whose epipole is the
-target, whatever their other ends are; those of two targets, or of points on a line, by an F of nearly rank 1, to which all
-epipolar lines are that line. So
+Matches of one target (repeated patterns, matching without cross-check) are fitted by every epipolar geometry whose
+epipole is the target, whatever their other ends are; those of two targets, or of points on a line, by an F of nearly
+rank 1, to which all epipolar lines are that line. So
 
-- samples are refused in which two matches share a point; if many matches do, also but for the noise (shareATarget: where they
-  are few, two of them may be right ones that one camera sees close together);
-- of a new best model, the inliers that would be inliers whatever their other ends were count as one. Quality is changed by the
-  rest of them. The model stays, as there may be no better one; but it does not beat those with real support any more.
+- samples are refused in which two matches share a point; if many matches do, also but for the noise (shareATarget:
+where they are few, two of them may be right ones that one camera sees close together);
+- of a new best model, the inliers that would be inliers whatever their other ends were count as one. Quality is changed
+by the rest of them. The model stays, as there may be no better one; but it does not beat those with real support any
+more.
 
-Which inliers these are: where the line F^T x2 has next to no normal (its first two entries), a shift of x2 within the noise turns
-it anywhere, and x1 tells nothing. The lengths of the normals of F x1 and F^T x2 are as the distances of neighboring epipolar
-lines in the two images, which in right geometries are as the local scales; a ratio of #FAR_APART times that of the images' sizes
-is taken for too much. Points beside the epipole of a camera that moves forwards are beside both epipoles, and pass.
+Which inliers these are: where the line F^T x2 has next to no normal (its first two entries), a shift of x2 within the
+noise turns it anywhere, and x1 tells nothing. The lengths of the normals of F x1 and F^T x2 are as the distances of
+neighboring epipolar lines in the two images, which in right geometries are as the local scales; a ratio of #FAR_APART
+times that of the images' sizes is taken for too much. Points beside the epipole of a camera that moves forwards are
+beside both epipoles, and pass.
 
-The first #LOOKED_AT points tell whether it is worth while to look at the others. Qualities that are no sum over the points are
-left. */
+The first #LOOKED_AT points tell whether it is worth while to look at the others. Qualities that are no sum over the
+points are left. */
 class SharedPoints : public Degeneracy
 {
 public:
-    /** How large the images are, as far as there are points: by the frame of the points, which some that are far out do not
-    change, or by the first points, of which the matches of one target are not all; the images are most often of one size. */
+    /** How large the images are, as far as there are points: by the frame of the points, which some that are far out do
+    not change, or by the first points, of which the matches of one target are not all; the images are most often of one
+    size. */
     explicit SharedPoints(const Correspondences& p)
     {
         const int count = std::min<int>(p.size, LOOKED_AT);
@@ -111,8 +115,8 @@ public:
         find(p, one);
         const int count = (int)coordinates[0].size();
         errors.resize(count);
-        context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(), coordinates[2].data(),
-                                                   coordinates[3].data(), count, errors.data());
+        context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(),
+                                                   coordinates[2].data(), coordinates[3].data(), count, errors.data());
         floats.assign(errors.begin(), errors.end());
         Quality sum(0, 0);
         score.accumulate(floats.data(), count, (float)(p.threshold * p.threshold), sum);
@@ -126,8 +130,8 @@ public:
 private:
     //! Fewer than so many of the first points are no matter; all of few points are looked at.
     enum { LOOKED_AT = 64, FEW = 8 };
-    //! Many matches share points if so many pairs of the first points do, 3 %. With two targets of a third of the matches each a
-    //! fifth of the pairs do.
+    //! Many matches share points if so many pairs of the first points do, 3 %. With two targets of a third of the
+    //! matches each a fifth of the pairs do.
     enum { FIRST_PAIRS = 32, SHARED_PAIRS = 16 };
 
     void find(const Correspondences& p, const OneEnd& one)
@@ -141,18 +145,15 @@ private:
                     coordinates[k].push_back(from[k][i]);
     }
 
-    float sizes[2];  //!< of the images
-    bool targets;    //!< many matches share points
+    float sizes[2];                              //!< of the images
+    bool targets;                                //!< many matches share points
     std::vector<double> coordinates[4], errors;  //!< of the matches that tell nothing
     std::vector<float> floats;
 };
 
-} // namespace
+}  // namespace
 
-Ptr<Degeneracy> createSharedPoints(const Correspondences& points)
-{
-    return makePtr<SharedPoints>(points);
-}
+Ptr<Degeneracy> createSharedPoints(const Correspondences& points) { return makePtr<SharedPoints>(points); }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv

@@ -66,7 +66,7 @@ private:
     float coordinates[4][MOST];
 };
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -24,7 +24,7 @@ void projectOnTangents(const NormalEquations& sums, const Eigen::Matrix<double, 
     b = basis.transpose().lazyProduct(sums.Jtr);
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

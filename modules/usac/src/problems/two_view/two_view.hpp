@@ -16,7 +16,8 @@ Ptr<Degeneracy> createOrientedEpipolar();
 //! F, E: see SharedPoints.
 Ptr<Degeneracy> createSharedPoints(const Correspondences& points);
 
-//! A model of normalized points, as x2^T F x1 = 0 has it, in the coordinates before; unit norm, false if it is not finite.
+//! A model of normalized points, as x2^T F x1 = 0 has it, in the coordinates before; unit norm, false if it is not
+//! finite.
 inline bool toUnitNorm(Matx33d& model)
 {
     const double size = norm(model);
@@ -26,7 +27,7 @@ inline bool toUnitNorm(Matx33d& model)
     return true;
 }
 
-} // namespace usacv20
-} // namespace cv
+}  // namespace usacv20
+}  // namespace cv
 
 #endif

@@ -1,0 +1,75 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_ESTIMATOR_HPP
+#define OPENCV_USACV20_ESTIMATOR_HPP
+
+#ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! @addtogroup usacv20
+//! @{
+
+/** @brief One estimation: points, parameters and the components that will do the work.
+
+@code
+    Ptr<usacv20::Usac> usac = usacv20::Usac::create(usacv20::HOMOGRAPHY, points1, points2, params);
+    usac->components().sampler = makePtr<MySampler>();
+    Mat mask, H = usac->run(mask);
+@endcode
+*/
+class CV_EXPORTS Usac
+{
+public:
+    virtual ~Usac();
+
+    /** @brief Reads the points and builds the components that `params` names.
+    @param problem what to estimate
+    @param points1 N points of image 1, as in #estimateHomography
+    @param points2 their N counterparts in image 2
+    @param params options
+    @param cameraMatrix1 for #ESSENTIAL: 3x3 camera matrix of image 1
+    @param cameraMatrix2 the same for image 2; empty: as image 1
+    @param distCoeffs1 distortion of camera 1; empty: none
+    @param distCoeffs2 distortion of camera 2; empty: none
+    Raises cv::Exception for wrong arguments. */
+    static Ptr<Usac> create(ProblemType problem, InputArray points1, InputArray points2,
+                            const Params& params = Params(), InputArray cameraMatrix1 = noArray(),
+                            InputArray cameraMatrix2 = noArray(), InputArray distCoeffs1 = noArray(),
+                            InputArray distCoeffs2 = noArray());
+
+    /** @brief The same for a problem of the caller's own, which the object keeps. */
+    static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
+                            const Params& params = Params());
+
+    /** The components, to be replaced before #run. Those that nobody has replaced fit each other, whatever is replaced:
+    a residual is also what models are fitted with. A component that is missing, a sampler that draws what is no sample
+    and a score that counts no inliers end in a cv::Exception that names it. */
+    virtual Components& components() = 0;
+    //! The points as the components see them.
+    virtual const Correspondences& points() const = 0;
+    /** @brief Other points for the next #run, of any number, in the place of those of #create.
+    @param points1, points2 as there */
+    virtual void setPoints(InputArray points1, InputArray points2) = 0;
+    /** @brief Runs the estimation. May be called again, with the same result for the same points: the components that
+    #create has made begin anew, those of the caller are used as they are.
+    @param mask output, N x 1, CV_8U
+    @param report output, may be null
+    @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it, empty if there is
+    none. */
+    virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
+};
+
+//! @}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
+
+#endif
