@@ -4,4 +4,4 @@
 
 # The module's version, the same inside OpenCV and stand-alone.
 
-set(USAC_VERSION 0.1.0)
+set(USAC_VERSION 0.2.0)
