@@ -188,7 +188,7 @@ class CustomTest(FolderTest):
     def test_what_an_estimator_does_wrong(self):
         """Counts as a failure, and is told once a problem."""
         for method, what in (("custom:complain", "not today"), ("custom:shortMask", "expected a mask with a byte for each"),
-                             ("custom:smallModel", "expected a model of 3 x 3 doubles"), ("custom:noSampler", "parts.sampler")):
+                             ("custom:smallModel", "expected a model of 3 x 3 doubles"), ("custom:noSampler", "components().sampler")):
             message = r"%s threw on graf \(H\), which counts as a failure; not told again: .*%s.*\n" % (method, re.escape(what))
             rows, _ = self.runs("usac_test_methods", [method], message, "--problem=H")
             self.assertEqual([(row["failed"], row["error"]) for row in rows["H"][method]], [("1", "inf")] * REPEATS)

@@ -46,6 +46,27 @@ void checkScore(const Score& score)
 
 }  // namespace
 
+void checkProblem(const Problem& problem, int residual)
+{
+    const String name = problem.name();
+    const Ptr<MinimalSolver> solver = problem.createMinimalSolver();
+    if (!solver || !problem.createResidual(residual))
+        CV_Error_(Error::StsNullPtr,
+                  ("problem %s: createResidual() or createMinimalSolver() has given nothing", name.c_str()));
+    const int dimensions = problem.errorDimension(), m = solver->sampleSize();
+    if (dimensions < 1 || dimensions > 2)
+        CV_Error_(Error::StsOutOfRange,
+                  ("problem %s: errors of 1 or 2 dimensions are expected, not of %d", name.c_str(), dimensions));
+    if (problem.dimension() < 1 || m * dimensions < problem.dimension())
+        CV_Error_(Error::StsOutOfRange,
+                  ("problem %s: %d points with errors of %d dimensions cannot determine a model of %d", name.c_str(), m,
+                   dimensions, problem.dimension()));
+    const SampleCost cost = problem.sampleCost();
+    if (!(cost.time > 0 && cost.models > 0))
+        CV_Error_(Error::StsOutOfRange, ("problem %s: costs above 0 are expected, not time %g and %g models",
+                                         name.c_str(), cost.time, cost.models));
+}
+
 void checkComponents(const Components& parts, const Components& made)
 {
     checkPresent(parts.residual, "residual");

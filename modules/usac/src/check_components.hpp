@@ -5,10 +5,14 @@
 #ifndef OPENCV_USACV20_CHECK_COMPONENTS_HPP
 #define OPENCV_USACV20_CHECK_COMPONENTS_HPP
 
-#include "opencv2/usac/components.hpp"
+#include "opencv2/usac/problem.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+/** @brief Raises cv::Exception that names a problem of the caller's whose numbers do not fit each other: errors of one
+or two dimensions, samples that determine a model, costs above 0. @param residual ResidualType */
+void checkProblem(const Problem& problem, int residual);
 
 /** @brief Raises cv::Exception that names the component where a required one or an entry of a list is empty, or a score
 of the caller's is none: points without error must be inliers, and costs lie between 0 and 1. @param made the library's

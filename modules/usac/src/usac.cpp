@@ -41,6 +41,7 @@ public:
         : params(params_), problem(problem_), givenReach(params_.reach), used(false)
     {
         setPoints(points1, points2);
+        checkProblem(*problem, params.residual);
         parts = made = createComponents(data->points(), params);
         used = false;
     }

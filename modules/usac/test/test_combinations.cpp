@@ -196,7 +196,7 @@ TEST_P(UsacCombinations, each_pair_of_options)
     for (size_t i = 0; i < choices.size(); ++i)
         arena.expectRight(choices[i]);
 
-    enum { SAMPLER, PRIOR, QUALITY = 4, VERIFICATION, LOCAL_OPTIMIZATION, TERMINATION, DEGENERACY };
+    enum { SAMPLER, ORDERING, QUALITY = 4, VERIFICATION, LOCAL_OPTIMIZATION, TERMINATION, DEGENERACY };
     std::set<Pair> expected;
     for (int v = VERIFICATION_SPRT; v <= VERIFICATION_TDD; ++v)
         expected.insert(pairOf(QUALITY, QUALITY_LMEDS, VERIFICATION, v));
@@ -214,8 +214,8 @@ TEST_P(UsacCombinations, each_pair_of_options)
     expected.insert(pairOf(SAMPLER, SAMPLER_UNIFORM, TERMINATION, prosac));
     expected.insert(pairOf(SAMPLER, SAMPLER_NAPSAC, TERMINATION, prosac));
     expected.insert(pairOf(SAMPLER, SAMPLER_IMPORTANCE, TERMINATION, prosac));
-    expected.insert(pairOf(PRIOR, ORDERING_DENSITY, TERMINATION, prosac));
-    expected.insert(pairOf(PRIOR, ORDERING_NONE, TERMINATION, prosac));
+    expected.insert(pairOf(ORDERING, ORDERING_DENSITY, TERMINATION, prosac));
+    expected.insert(pairOf(ORDERING, ORDERING_NONE, TERMINATION, prosac));
     EXPECT_TRUE(expected == impossible) << impossible.size() << " pairs are impossible, " << expected.size()
                                         << " documented";
 }

@@ -98,6 +98,41 @@ TEST(Usac_CustomProblem, endsWhereTheConfidenceSays)
     EXPECT_LE(report.iterations, 300);
 }
 
+//! Numbers of a problem that do not fit each other.
+class WrongProblem : public custom::AffineProblem
+{
+public:
+    explicit WrongProblem(int mistake_) : mistake(mistake_) {}
+    int dimension() const CV_OVERRIDE { return mistake == 0 ? 7 : 6; }
+    int errorDimension() const CV_OVERRIDE { return mistake == 1 ? 3 : 2; }
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(mistake == 2 ? 0 : 100, 1); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
+    {
+        return mistake == 3 ? Ptr<MinimalSolver>() : AffineProblem::createMinimalSolver();
+    }
+
+private:
+    const int mistake;
+};
+
+TEST(Usac_CustomProblem, mistakesAreNamed)
+{
+    const AffineScene scene(20, 0, 0.5);
+    for (int mistake = 0; mistake <= 4; ++mistake)
+    {
+        std::string message;
+        try
+        {
+            Usac::create(makePtr<WrongProblem>(mistake), scene.points1, scene.points2, Params::magsac());
+        }
+        catch (const cv::Exception& e)
+        {
+            message = e.err;
+        }
+        EXPECT_EQ(mistake < 4, message.find("problem affine:") == 0) << message;
+    }
+}
+
 TEST(Usac_CustomProblem, impossiblePoints)
 {
     const std::vector<Point2d> same(50, Point2d(3, 4));

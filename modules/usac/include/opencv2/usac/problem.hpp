@@ -34,9 +34,10 @@ class CV_EXPORTS Problem
 public:
     virtual ~Problem();
 
-    //! For messages, one word.
+    //! For messages, one word. Usac::create raises cv::Exception that has it if the numbers below do not fit each
+    //! other.
     virtual String name() const = 0;
-    //! Degrees of freedom of a model.
+    //! Degrees of freedom of a model; at most errorDimension() times the size of a sample.
     virtual int dimension() const = 0;
     /** Degrees of freedom of the error of an inlier, that is the codimension of the manifold on which exact data lie in
     the space of a datum: 2 where a point is mapped to a point (H), 1 where it is mapped to a line (F, E). 1 or 2. So it

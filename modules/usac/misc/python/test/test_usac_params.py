@@ -243,7 +243,7 @@ class EstimateTest(unittest.TestCase):
         self.assertEqual(results, [expected] * len(results))
 
     def test_enumerations(self):
-        for prefix, count in (("SAMPLER_", 3), ("PRIOR_", 4), ("SCORES_", 2), ("QUALITY_", 2), ("VERIFICATION_", 2),
+        for prefix, count in (("SAMPLER_", 3), ("ORDERING_", 4), ("SCORES_", 2), ("QUALITY_", 2), ("VERIFICATION_", 2),
                               ("LOCAL_OPTIMIZATION_", 2), ("TERMINATION_", 3), ("DEGENERACY_", 2), ("POLISHING_", 2),
                               ("STOP_", 8)):
             found = [getattr(usac, name) for name in dir(usac) if name.startswith(prefix)]
