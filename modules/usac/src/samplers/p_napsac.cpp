@@ -70,13 +70,15 @@ private:
     //! As isOrdered(), but for the first samples.
     static bool isOrderedGuess(const Context& context, State& state, int* sample)
     {
+        if (context.params.orderedEvery == 1 || state.iteration >= ORDERED)
+            return isOrdered(context, state, sample);
         const bool small = context.components.minimalSolver->sampleSize() <= SMALL;
-        if (context.params.orderedEvery > 1 && small && state.iteration < ORDERED)
+        if (small)
         {
             state.counts = false;
             return true;
         }
-        if (context.params.orderedEvery > 1 && !small && state.iteration < BEFORE_ORDER)
+        if (state.iteration < BEFORE_ORDER)
         {
             drawUniform(context, state, sample);
             return false;
