@@ -93,7 +93,7 @@ public:
     cv::String name() const CV_OVERRIDE { return "affine"; }
     int dimension() const CV_OVERRIDE { return 6; }
     int errorDimension() const CV_OVERRIDE { return 2; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(100, 1); }  // a fifth of a microsecond
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(100, 1); }  // only roughly
     int normalization(int) const CV_OVERRIDE { return cv::usacv20::SCALE_EACH; }
 
     bool toInput(const Model& model, const Correspondences& points, cv::Matx33d& result) const CV_OVERRIDE

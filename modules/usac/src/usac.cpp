@@ -59,11 +59,13 @@ public:
 
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
     {
+        if (created == 0)  // the same points again
+            created = getTickCount();
         if (used)
             renew();
         used = true;
         if (parts.residual != made.residual && parts.nonMinimalSolver == made.nonMinimalSolver)
-            parts.nonMinimalSolver = problem->createNonMinimalSolver(parts.residual);
+            parts.nonMinimalSolver = made.nonMinimalSolver = problem->createNonMinimalSolver(parts.residual);
         checkComponents(parts, made);
         const Context context(data->points(), parts, params);
         State state;
@@ -71,6 +73,7 @@ public:
             search(context, state);
         else
             state.report.stop = STOP_TOO_FEW_POINTS;
+        created = 0;
         return finish(context, state, mask, report);
     }
 
@@ -78,7 +81,6 @@ private:
     //! Components as new, but for those of the caller.
     void renew()
     {
-        created = getTickCount();
         params.reach = givenReach;
         data->restoreThreshold();
         const Components fresh = createComponents(data->points(), params);
@@ -212,7 +214,7 @@ private:
         return result;
     }
 
-    int64 created;
+    int64 created;  //!< when the points came; 0: they have been used
     Params params;  //!< `reach` is the present one
     const Ptr<Problem> problem;
     Ptr<ProblemData> data;

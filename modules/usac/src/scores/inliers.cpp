@@ -4,35 +4,26 @@
 
 #include "precomp.hpp"
 #include "residuals/kernels.hpp"
+#include "scores/inliers.hpp"
 #include "scores/scores.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-namespace {
-
-/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold, else 1; the errors
-themselves are not used. One pass over the points, fused with the residual. */
-class InlierScore : public Score
+void InlierScore::accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const
 {
-public:
-    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    for (int i = 0; i < count; ++i)
     {
-        for (int i = 0; i < count; ++i)
-        {
-            const bool inlier = squaredErrors[i] <= squaredThreshold;
-            sum.inliers += inlier;
-            sum.cost += !inlier;
-        }
+        const bool inlier = squaredErrors[i] <= squaredThreshold;
+        sum.inliers += inlier;
+        sum.cost += !inlier;
     }
+}
 
-    FusedKernel fused(const Residual& residual) const CV_OVERRIDE
-    {
-        return residual.kind() == Residual::CUSTOM ? 0 : kernels().inliers[residual.kind()];
-    }
-};
-
-}  // namespace
+FusedKernel InlierScore::fused(const Residual& residual) const
+{
+    return residual.kind() == Residual::CUSTOM ? 0 : kernels().inliers[residual.kind()];
+}
 
 Ptr<Score> createInlierScore() { return makePtr<InlierScore>(); }
 

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "residuals/kernels.hpp"
+#include "scores/inliers.hpp"
 #include "scores/scores.hpp"
 
 namespace cv {
@@ -78,8 +79,8 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
                Rating& rating, std::vector<float>& errors)
 {
     const Correspondences& points = context.points;
-    if (verifier &&
-        !rateBlocks(Judge(context, *createInlierScore(), model), points.size, verifier, DBL_MAX, start, rating))
+    const InlierScore counter;
+    if (verifier && !rateBlocks(Judge(context, counter, model), points.size, verifier, DBL_MAX, start, rating))
     {
         rating.costBefore = 0;  // that was the counter's
         return;

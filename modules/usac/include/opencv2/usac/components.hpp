@@ -260,7 +260,7 @@ public:
     /** @brief The same, with the derivative by the entries of the model: what a model is fitted with.
     @param model, match, error as above
     @param derivative output, a row of 9 numbers for each component
-    Default: central differences of error(), at about twenty times the cost. */
+    Default: central differences, 19 calls of error(). */
     virtual int linearize(const Model& model, const double* match, double* error, double* derivative) const;
     //! Names the formula, so that a Score can offer a fused kernel for it. Default: CUSTOM, which has none.
     virtual Kind kind() const;

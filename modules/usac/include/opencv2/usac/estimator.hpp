@@ -54,7 +54,8 @@ public:
     //! The points as the components see them.
     virtual const Correspondences& points() const = 0;
     /** @brief Other points for the next #run, of any number, in the place of those of #create.
-    @param points1, points2 as there */
+    @param points1, points2 as there. Params::scores, if there are any, are those of the new points: of the same number
+  */
     virtual void setPoints(InputArray points1, InputArray points2) = 0;
     /** @brief Runs the estimation. May be called again, with the same result for the same points: the components that
     #create has made begin anew, those of the caller are used as they are.
