@@ -16,22 +16,25 @@ using cv::usacv20::NonMinimalSolver;
 using cv::usacv20::Problem;
 using cv::usacv20::Residual;
 using cv::usacv20::SampleCost;
+using cv::usacv20::X1;
+using cv::usacv20::X2;
+using cv::usacv20::Y1;
+using cv::usacv20::Y2;
 
-//! Distance in image 2 between A x1 and x2. The last row of A is 0 0 1.
+//! Distance in image 2 between A x1 and x2.
 class AffineError : public Residual
 {
 public:
     void squaredErrors(const Correspondences& p, const Model& A, int begin, int end, float* errors) const CV_OVERRIDE
     {
         for (int i = begin; i < end; ++i)
-            errors[i - begin] = (float)squared(A, p.x1[i], p.y1[i], p.x2[i], p.y2[i]);
+            errors[i - begin] = (float)squared(A, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]);
     }
 
-    void squaredErrors(const Model& A, const double* x1, const double* y1, const double* x2, const double* y2,
-                       int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& A, const double* const* c, int count, double* errors) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
-            errors[i] = squared(A, x1[i], y1[i], x2[i], y2[i]);
+            errors[i] = squared(A, c[X1][i], c[Y1][i], c[X2][i], c[Y2][i]);
     }
 
 private:
@@ -50,20 +53,20 @@ inline bool fitAffine(const Correspondences& p, const int* indices, int count, c
     for (int k = 0; k < count; ++k)
     {
         const int i = indices[k];
-        const double w = weights ? weights[k] : 1, x[] = {p.dx1[i], p.dy1[i], 1};
+        const double w = weights ? weights[k] : 1, x[] = {p.exact[X1][i], p.exact[Y1][i], 1};
         for (int row = 0; row < 3; ++row)
         {
             for (int col = 0; col < 3; ++col)
                 N(row, col) += w * x[row] * x[col];
-            r(row, 0) += w * x[row] * p.dx2[i];
-            r(row, 1) += w * x[row] * p.dy2[i];
+            r(row, 0) += w * x[row] * p.exact[X2][i];
+            r(row, 1) += w * x[row] * p.exact[Y2][i];
         }
     }
     const double size = cv::trace(N);
     if (!(cv::determinant(N) > 1e-12 * size * size * size))  // also for NaN
         return false;
     const cv::Matx<double, 3, 2> solution = N.inv() * r;
-    A = Model(solution(0, 0), solution(1, 0), solution(2, 0), solution(0, 1), solution(1, 1), solution(2, 1), 0, 0, 1);
+    A = solution.t();
     return true;
 }
 
@@ -96,10 +99,15 @@ public:
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(100, 1); }  // only roughly
     int normalization(int) const CV_OVERRIDE { return cv::usacv20::SCALE_EACH; }
 
-    bool toInput(const Model& model, const Correspondences& points, cv::Matx33d& result) const CV_OVERRIDE
+    bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
     {
-        result = points.T2.inv() * model * points.T1;
-        return cv::checkRange(cv::Mat(result, false));
+        cv::Matx33d A = cv::Matx33d::eye();
+        for (int row = 0; row < 2; ++row)
+            for (int col = 0; col < 3; ++col)
+                A(row, col) = model(row, col);
+        A = points.frame[1].matrix().inv() * A * points.frame[0].matrix();
+        result = A.get_minor<2, 3>(0, 0);
+        return cv::checkRange(cv::Mat(A, false));
     }
 
     cv::Ptr<Residual> createResidual(int) const CV_OVERRIDE { return cv::makePtr<AffineError>(); }

@@ -21,21 +21,22 @@ public:
 
     void squaredErrors(const Correspondences& p, const Model& F, int begin, int end, float* errors) const CV_OVERRIDE
     {
+        using namespace cv::usacv20;
         for (int i = begin; i < end; ++i)
-            errors[i - begin] = squared<float>(F, p.x1[i], p.y1[i], p.x2[i], p.y2[i]);
+            errors[i - begin] = squared<float>(F, p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]);
     }
 
-    void squaredErrors(const Model& F, const double* x1, const double* y1, const double* x2, const double* y2,
-                       int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& F, const double* const* c, int count, double* errors) const CV_OVERRIDE
     {
+        using namespace cv::usacv20;
         for (int i = 0; i < count; ++i)
-            errors[i] = squared<double>(F, x1[i], y1[i], x2[i], y2[i]);
+            errors[i] = squared<double>(F, c[X1][i], c[Y1][i], c[X2][i], c[Y2][i]);
     }
 
     //! With its sign, which the root of the square has lost.
     int error(const Model& F, const double* match, double* out) const CV_OVERRIDE
     {
-        const cv::Vec3d line = F * cv::Vec3d(match[0], match[1], 1);
+        const cv::Vec3d line = cv::Matx33d(F) * cv::Vec3d(match[0], match[1], 1);
         *out = line.dot(cv::Vec3d(match[2], match[3], 1)) / std::hypot(line[0], line[1]);
         return 1;
     }
@@ -44,7 +45,7 @@ public:
     int linearize(const Model& F, const double* match, double* out, double* derivative) const CV_OVERRIDE
     {
         const double x1[] = {match[0], match[1], 1}, x2[] = {match[2], match[3], 1};
-        const cv::Vec3d line = F * cv::Vec3d(x1[0], x1[1], 1);
+        const cv::Vec3d line = cv::Matx33d(F) * cv::Vec3d(x1[0], x1[1], 1);
         const double length = std::hypot(line[0], line[1]);
         error(F, match, out);
         for (int row = 0; row < 3; ++row)

@@ -50,7 +50,8 @@ private:
     {
         std::vector<std::vector<int>> all(DIVISIONS * DIVISIONS);
         for (int i = 0; i < p.size; ++i)
-            all[division(p.y1[i], p.lower[1], p.upper[1]) * DIVISIONS + division(p.x1[i], p.lower[0], p.upper[0])]
+            all[division(p.column[Y1][i], p.lower[1], p.upper[1]) * DIVISIONS +
+                division(p.column[X1][i], p.lower[0], p.upper[0])]
                 .push_back(i);
         for (size_t c = 0; c < all.size(); ++c)
             if (!all[c].empty())

@@ -30,10 +30,9 @@ public:
     {
         known->squaredErrors(points, model, begin, end, errors);
     }
-    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
-                       int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
     {
-        known->squaredErrors(model, x1, y1, x2, y2, count, errors);
+        known->squaredErrors(model, columns, count, errors);
     }
 
 private:

@@ -54,6 +54,10 @@ void checkProblem(const Problem& problem, int residual)
         CV_Error_(Error::StsNullPtr,
                   ("problem %s: createResidual() or createMinimalSolver() has given nothing", name.c_str()));
     const int dimensions = problem.errorDimension(), m = solver->sampleSize();
+    const int first = problem.coordinates(0), second = problem.coordinates(1);
+    if (first < 1 || first > 3 || second < 0 || second > 3)
+        CV_Error_(Error::StsOutOfRange, ("problem %s: points of 1 to 3 coordinates are expected, not of %d and %d",
+                                         name.c_str(), first, second));
     if (dimensions < 1 || dimensions > 2)
         CV_Error_(Error::StsOutOfRange,
                   ("problem %s: errors of 1 or 2 dimensions are expected, not of %d", name.c_str(), dimensions));
@@ -94,6 +98,16 @@ void checkSample(const int* sample, int m, int size)
         if (std::find(sample, sample + k, sample[k]) != sample + k)
             CV_Error_(Error::StsBadArg, ("components().sampler: a sample has the index %d twice", sample[k]));
     }
+}
+
+void checkModels(const Model* models, int count)
+{
+    bool written = count <= MAX_MODELS;
+    for (int k = 0; written && k < count; ++k)
+        written = models[k].size() > 0;
+    if (!written)
+        CV_Error_(Error::StsOutOfRange,
+                  ("components().minimalSolver: at most %d models are expected, each a matrix", (int)MAX_MODELS));
 }
 
 }  // namespace usacv20

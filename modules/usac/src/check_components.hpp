@@ -22,6 +22,9 @@ void checkComponents(const Components& parts, const Components& made);
 //! Raises cv::Exception if a sample of a caller's sampler does not have m distinct indices of 0 .. size-1.
 void checkSample(const int* sample, int m, int size);
 
+//! That a minimal solver has written models; else a cv::Exception.
+void checkModels(const Model* models, int count);
+
 }  // namespace usacv20
 }  // namespace cv
 

@@ -49,28 +49,31 @@ const NonMinimalSolver& Context::nonMinimalSolver() const
 
 Residual::Kind Residual::kind() const { return CUSTOM; }
 
-int Residual::error(const Model& model, const double* match, double* error) const
+int Residual::error(const Model& model, const double* datum, double* error) const
 {
-    squaredErrors(model, match, match + 1, match + 2, match + 3, 1, error);
+    const double* columns[MAX_COLUMNS];  // of one row; those that the residual does not have are not read
+    for (int k = 0; k < MAX_COLUMNS; ++k)
+        columns[k] = datum + k;
+    squaredErrors(model, columns, 1, error);
     *error = std::sqrt(*error);
     return 1;
 }
 
-int Residual::linearize(const Model& model, const double* match, double* error, double* derivative) const
+int Residual::linearize(const Model& model, const double* datum, double* error, double* derivative) const
 {
     // the step at which rounding and the third derivative cost as many digits
-    const double step = std::cbrt(DBL_EPSILON) * norm(model);
+    const double step = std::cbrt(DBL_EPSILON) * std::sqrt(normL2Sqr<double, double>(model.val, model.size()));
     double above[MAX_COMPONENTS], below[MAX_COMPONENTS];
-    const int components = this->error(model, match, error);
-    for (int j = 0; j < 9; ++j)
+    const int components = this->error(model, datum, error);
+    for (int j = 0; j < model.size(); ++j)
     {
         Model moved = model;
         moved.val[j] = model.val[j] + step;
-        this->error(moved, match, above);
+        this->error(moved, datum, above);
         moved.val[j] = model.val[j] - step;
-        this->error(moved, match, below);
+        this->error(moved, datum, below);
         for (int k = 0; k < components; ++k)
-            derivative[9 * k + j] = (above[k] - below[k]) / (2 * step);
+            derivative[model.size() * k + j] = (above[k] - below[k]) / (2 * step);
     }
     return components;
 }

@@ -41,13 +41,13 @@ Ptr<Ordering> createOrdering(int type, bool haveScores)
     }
 }
 
-Ptr<Neighborhood> createNeighborhood(const Params& params)
+Ptr<Neighborhood> createNeighborhood(const Params& params, int columns)
 {
     switch (params.neighborhood)
     {
     case NEIGHBORHOOD_KNN: return createKnnNeighborhood(params.neighbors);
     case NEIGHBORHOOD_RADIUS: return createRadiusNeighborhood(params.neighborRadius);
-    default: return createGridNeighborhood();
+    default: return createGridNeighborhood(columns);
     }
 }
 
@@ -158,7 +158,7 @@ Components createComponents(const Correspondences& points, const Params& params)
     parts.score = createScore(params.quality, points);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
         parts.ordering = createOrdering(params.ordering, points.scores != 0);
-    parts.neighborhood = createNeighborhood(params);
+    parts.neighborhood = createNeighborhood(params, points.columns());
     parts.sampler = createSampler(params.sampler);
     parts.nonMinimalSolver = problem.createNonMinimalSolver(parts.residual);
     problem.createDegeneracies(params.degeneracy, points, parts.degeneracies);

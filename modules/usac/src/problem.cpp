@@ -7,31 +7,74 @@
 namespace cv {
 namespace usacv20 {
 
+namespace {
+
+//! Where nearly all points of an array lie.
+class Box
+{
+public:
+    Box(const Correspondences& points, int array) : dimensions(points.coordinates[array])
+    {
+        const int first = array ? points.coordinates[0] : 0;
+        for (int k = 0; k < dimensions; ++k)
+            side[k] = std::max((double)points.upper[first + k] - points.lower[first + k], 0.0);
+    }
+
+    double volume() const
+    {
+        double product = 1;
+        for (int k = 0; k < dimensions; ++k)
+            product *= side[k];
+        return product;
+    }
+
+    double meanSide() const { return dimensions == 2 ? std::sqrt(volume()) : std::pow(volume(), 1. / dimensions); }
+
+    //! Bound of the length of a line or the area of a plane within the box.
+    double largestSection() const
+    {
+        double squares = 0;
+        for (int k = 0; k < dimensions; ++k)
+            squares += side[k] * side[k];
+        return std::pow(std::sqrt(squares), dimensions - 1);
+    }
+
+private:
+    const int dimensions;
+    double side[3];
+};
+
+}  // namespace
+
 Problem::~Problem() {}
 
+int Problem::coordinates(int) const { return 2; }
+bool Problem::commonUnit() const { return true; }
 bool Problem::ambiguous() const { return false; }
-double Problem::toModelCoordinates(double*, double*, double*, double*, int) const { return 1; }
+double Problem::toModelCoordinates(double* const*, int) const { return 1; }
 int Problem::normalization(int) const { return SCALE_NONE; }
 Model Problem::closest(const Model& model) const { return model; }
 void Problem::createDegeneracies(int, const Correspondences&, std::vector<Ptr<Degeneracy>>&) const {}
 
 double Problem::outlierExtent(const Correspondences& points) const
 {
-    double side[4];
-    for (int k = 0; k < 4; ++k)
-        side[k] = std::max((double)points.upper[k] - points.lower[k], 0.0);
-    const double second = std::sqrt(side[2] * side[3]);
-    return errorDimension() > 1 ? second : std::sqrt(std::sqrt(side[0] * side[1]) * second);
+    const Box last(points, points.coordinates[1] ? 1 : 0);
+    if (errorDimension() > 1 || points.coordinates[1] == 0)
+        return last.meanSide();
+    return std::sqrt(Box(points, 0).meanSide() * last.meanSide());
 }
 
 double Problem::randomInlierRatio(const Correspondences& points) const
 {
-    const double t = points.threshold, width = points.upper[2] - points.lower[2],
-                 height = points.upper[3] - points.lower[3];
-    // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both images are equal
-    const double within = errorDimension() > 1 ? CV_PI * t * t
-                                               : 2 * std::sqrt(2.) * t * std::sqrt(width * width + height * height);
-    return within < width * height ? within / (width * height) : 1;
+    const Box last(points, points.coordinates[1] ? 1 : 0);
+    const double t = points.threshold;
+    double within;
+    if (errorDimension() > 1)
+        within = errorDimension() > 2 ? 4 * CV_PI / 3 * t * t * t : CV_PI * t * t;
+    else  // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both are equal
+        within = 2 * (points.coordinates[1] ? std::sqrt(2.) : 1.) * t * last.largestSection();
+    const double whole = last.volume();
+    return within < whole ? within / whole : 1;
 }
 
 }  // namespace usacv20

@@ -29,25 +29,27 @@ public:
     //! So many times as large a Correspondences::threshold for the rest of the run; the mask has that of before.
     void scaleReach(double factor) { view.threshold *= factor; }
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.
-    int mask(const Residual& residual, const Matx33d& model, std::vector<uchar>& mask) const;
+    int mask(const Residual& residual, const Model& model, std::vector<uchar>& mask) const;
     //! Of the mask, in the coordinates of points().
-    double maskThreshold() const { return inputThreshold * view.T2(0, 0); }
-    //! Those of a mask that are not within a threshold of another one in either image.
+    double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
+    //! Those of a mask that are not the same as another one in either array, see Problem::commonUnit.
     int independentInliers(const std::vector<uchar>& mask) const;
 
 private:
     void read(InputArray points1, InputArray points2);
+    bool finiteRow(int row) const;
     void scale(const Params& params);
+    void scaleColumn(int k, double shift, double factor);
     void shuffle(const Params& params);
 
     Correspondences view;
-    double givenThreshold[3];  //!< that of points(), of the mask and in pixels before the run
-    double inputThreshold;     //!< of the mask, in the coordinates of `input`
-    double pixelThreshold;     //!< the same in pixels
-    double pixels;             //!< in one unit of `input`
-    Mat inputRows;             //!< memory of `input`
-    double* input[4];          //!< all rows: x1, y1, x2, y2 (E: on the normalized image plane)
-    Mat floats, doubles;       //!< 4 rows each; cv::Mat aligns them
+    double givenThreshold[3];    //!< that of points(), of the mask and in pixels before the run
+    double inputThreshold;       //!< of the mask, in the coordinates of `input`
+    double pixelThreshold;       //!< the same in pixels
+    double pixels;               //!< in one unit of `input`
+    Mat inputRows;               //!< memory of `input`
+    double* input[MAX_COLUMNS];  //!< all rows, a column each (E: on the normalized image plane)
+    Mat floats, doubles;         //!< a row each column; cv::Mat aligns them
     std::vector<int> indices;
     std::vector<float> scores;
 

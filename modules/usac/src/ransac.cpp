@@ -205,6 +205,7 @@ void Ransac::hypothesize(int index, Hypotheses& h) const
     if (h.rejectedSample)
         return;                                                                 // 5
     h.computed = parts.minimalSolver->solve(context.points, sample, h.models);  // 6
+    checkModels(h.models, h.computed);
     Rng rotation(context.params.seed, ROTATION_STREAM + firstOfBatch + index);
     for (int k = 0; k < h.computed; ++k)  // 7
     {

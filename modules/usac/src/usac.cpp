@@ -186,12 +186,12 @@ private:
         {
             data->setThreshold(parts.score->threshold(context, state.best));
             learned.cost = polish(context, state.best).cost / context.points.size;
-            Matx33d model;
+            Model model;
             if (problem->toInput(state.best, context.points, model))
             {
                 learned.inliers = data->mask(*parts.residual, model, inliers);
                 if (learned.inliers > 0 || params.reach > givenReach)
-                    result = Mat(model, true);
+                    result = Mat(model.rows, model.cols, CV_64F, model.val).clone();
             }
         }
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS)

@@ -19,8 +19,7 @@ public:
     {
         std::copy(given.begin() + begin, given.begin() + end, errors);
     }
-    void squaredErrors(const Model&, const double*, const double*, const double*, const double*, int count,
-                       double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model&, const double* const*, int count, double* errors) const CV_OVERRIDE
     {
         std::copy(given.begin(), given.begin() + count, errors);
     }

@@ -31,18 +31,16 @@ OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1, c
     }
     points.problem = &problemObject(problem);
     points.size = points.inputSize = size;
-    points.x1 = floats.ptr<float>(0);
-    points.y1 = floats.ptr<float>(1);
-    points.x2 = floats.ptr<float>(2);
-    points.y2 = floats.ptr<float>(3);
-    points.dx1 = doubles[0].data();
-    points.dy1 = doubles[1].data();
-    points.dx2 = doubles[2].data();
-    points.dy2 = doubles[3].data();
+    points.coordinates[0] = points.coordinates[1] = 2;
+    for (int k = 0; k < 4; ++k)
+    {
+        points.column[k] = floats.ptr<float>(k);
+        points.exact[k] = doubles[k].data();
+    }
     points.inputIndex = index.data();
     points.scores = 0;
     points.threshold = inlierThreshold;
-    points.T1 = points.T2 = Matx33d::eye();
+    points.frame[0] = points.frame[1] = Frame();
     for (int k = 0; k < 4; ++k)
     {
         points.lower[k] = size ? *std::min_element(floats.ptr<float>(k), floats.ptr<float>(k) + size) : 0;

@@ -359,9 +359,17 @@ Mat estimate(const Scene& scene, const Params& params, OutputArray mask, Report*
 
 Matx33d toInternal(const Correspondences& points, const Matx33d& model)
 {
-    const Matx33d M = points.problem->errorDimension() == 2 ? points.T2 * model * points.T1.inv()
-                                                            : points.T2.inv().t() * model * points.T1.inv();
+    const Matx33d T1 = points.frame[0].matrix(), T2 = points.frame[1].matrix();
+    const Matx33d M = points.problem->errorDimension() == 2 ? T2 * model * T1.inv() : T2.inv().t() * model * T1.inv();
     return M * (1 / cv::norm(M));
+}
+
+Matx33d normalized(const Matx33d& model) { return model * (1 / cv::norm(model)); }
+
+Matx33d toInput(const Correspondences& points, const Matx33d& model)
+{
+    const Matx33d T1 = points.frame[0].matrix(), T2 = points.frame[1].matrix();
+    return points.problem->errorDimension() == 2 ? T2.inv() * model * T1 : T2.t() * model * T1;
 }
 
 double modelDistance(const Matx33d& a, const Matx33d& b) { return std::min(cv::norm(a - b), cv::norm(a + b)); }

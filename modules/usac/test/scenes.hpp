@@ -110,6 +110,10 @@ cv::Mat estimate(const Scene& scene, const cv::usacv20::Params& params, cv::Outp
 
 //! The model in the coordinates of `points`, of unit Frobenius norm.
 cv::Matx33d toInternal(const cv::usacv20::Correspondences& points, const cv::Matx33d& model);
+//! Of unit norm.
+cv::Matx33d normalized(const cv::Matx33d& model);
+//! The inverse of toInternal(), up to scale.
+cv::Matx33d toInput(const cv::usacv20::Correspondences& points, const cv::Matx33d& model);
 
 //! Norm of the difference of two models of unit Frobenius norm, up to sign.
 double modelDistance(const cv::Matx33d& a, const cv::Matx33d& b);

@@ -135,13 +135,13 @@ TEST(Usac_Degensac, neverRaisesTheCost)
                 EXPECT_EQ(after.cost, quality.cost);
                 EXPECT_EQ(after.inliers, quality.inliers);
                 EXPECT_LE(after.cost, before.cost);
-                const bool changed = cv::norm(model - models[k]) > 0;
+                const bool changed = model != models[k];
                 EXPECT_EQ(changed, after.cost < before.cost);
                 replaced += changed;
                 detected += state.report.degenerate;
                 if (changed)
                 {
-                    EXPECT_NEAR(0, determinant(model), 1e-9);
+                    EXPECT_NEAR(0, determinant(Matx33d(model)), 1e-9);
                 }
             }
         }
@@ -215,7 +215,8 @@ TEST(Usac_Orientation, trueModelsAreKept)
             Rng(1, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
             EXPECT_TRUE(check->validSample(context, sample));
             EXPECT_TRUE(check->validModel(context, sample, truth));
-            EXPECT_TRUE(check->validModel(context, sample, truth * -3.)) << "the sign of a model means nothing";
+            EXPECT_TRUE(check->validModel(context, sample, Matx33d(truth) * -3.))
+                << "the sign of a model means nothing";
         }
     }
 }
@@ -269,10 +270,10 @@ TEST(Usac_Orientation, homographySamples)
     EXPECT_TRUE(check->validSample(Context(mirror.view(), none, params), sample)) << "a mirror is a homography";
     EXPECT_FALSE(check->validSample(Context(cross.view(), none, params), sample));
     const Context context(same.view(), none, params);
-    EXPECT_TRUE(check->validModel(context, sample, Model::eye()));
-    EXPECT_FALSE(check->validModel(context, sample, Model(1, 0, 0, 1, 0, 0, 0, 0, 1)));
-    EXPECT_FALSE(check->validModel(context, sample, Model::zeros()));
-    EXPECT_FALSE(check->validModel(context, sample, Model(1, 2, 3, 4, 5, 6, 7, 8, 9)));
+    EXPECT_TRUE(check->validModel(context, sample, Matx33d::eye()));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d(1, 0, 0, 1, 0, 0, 0, 0, 1)));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d::zeros()));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d(1, 2, 3, 4, 5, 6, 7, 8, 9)));
 }
 
 //! A model without a sample whose inliers are on a plane, as after a local optimization, is mended as well.
@@ -341,15 +342,15 @@ void expectNoPlane(const Model& F, double threshold)
 //! A matrix of rank 1 has no epipole, and so no plane.
 TEST(Usac_Degensac, noEpipole)
 {
-    expectNoPlane(Model(1, 0, 0, 0, 0, 0, 0, 0, 0), 10);
-    expectNoPlane(Model::zeros(), 10);
+    expectNoPlane(Matx33d(1, 0, 0, 0, 0, 0, 0, 0, 0), 10);
+    expectNoPlane(Matx33d::zeros(), 10);
 }
 
 //! The first match lies on the epipole of image 2: it is on the plane of any two others.
 TEST(Usac_Degensac, matchOnTheEpipole)
 {
-    expectNoPlane(Model(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-3);
-    expectNoPlane(Model(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-9);
+    expectNoPlane(Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-3);
+    expectNoPlane(Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-9);
 }
 
 }

@@ -182,7 +182,7 @@ std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
     for (int k = 0; k < 5; ++k)
     {
         const int i = sample[k];
-        const long double x1[] = {p.dx1[i], p.dy1[i], 1}, x2[] = {p.dx2[i], p.dy2[i], 1};
+        const long double x1[] = {p.exact[X1][i], p.exact[Y1][i], 1}, x2[] = {p.exact[X2][i], p.exact[Y2][i], 1};
         for (int j = 0; j < 9; ++j)
             A(k, j) = x2[j / 3] * x1[j % 3];
     }

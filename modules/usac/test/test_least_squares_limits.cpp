@@ -41,7 +41,7 @@ TEST(Usac_LeastSquares_Limits, largeErrorsLeaveTheModel)
     const double denominators[] = {0, 1e-170, 1e-150};
     for (int i = 0; i < 3; ++i)
     {
-        const Model before(1, 0, 0, 0, 1, 0, 0, 0, denominators[i]);
+        const Model before = Matx33d(1, 0, 0, 0, 1, 0, 0, 0, denominators[i]);
         Model model = before;
         EXPECT_FALSE(Matches().fit(model)) << denominators[i];
         EXPECT_EQ(before, model) << denominators[i];
@@ -52,7 +52,7 @@ TEST(Usac_LeastSquares_Limits, largeErrorsLeaveTheModel)
 TEST(Usac_LeastSquares_Limits, smallWeightsLeaveTheModel)
 {
     const std::vector<double> weights(12, std::numeric_limits<double>::denorm_min());
-    const Model before(0.1, 0, 3, 0, 0.1, 3, 0, 0, 1);
+    const Model before = Matx33d(0.1, 0, 3, 0, 0.1, 3, 0, 0, 1);
     Model model = before;
     EXPECT_FALSE(Matches().fit(model, weights.data()));
     EXPECT_EQ(before, model);
@@ -61,7 +61,7 @@ TEST(Usac_LeastSquares_Limits, smallWeightsLeaveTheModel)
 //! More steps change nothing, however many are allowed.
 TEST(Usac_LeastSquares_Limits, minimumIsKept)
 {
-    Model reached = Model::eye();
+    Model reached = Matx33d::eye();
     for (int i = 0; i < 30; ++i)
         ASSERT_TRUE(Matches().fit(reached));
     Model again = reached;

@@ -25,8 +25,7 @@ public:
         Parameterization::Step step(here.dimension());
         for (int i = 0; i < here.dimension(); ++i)
             step[i] = x[i];
-        residual.squaredErrors(here.plus(step).model(), points.dx1, points.dy1, points.dx2, points.dy2, points.size,
-                               errors.data());
+        residual.squaredErrors(here.plus(step).model(), points.exact, points.size, errors.data());
         double sum = 0;
         for (size_t i = 0; i < errors.size(); ++i)
             sum += errors[i];

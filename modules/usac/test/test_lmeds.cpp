@@ -59,7 +59,7 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
         Quality quality(0, 0);
         score->accumulate(errors.data(), count, 1e-6f, quality);
         EXPECT_NEAR(count * root / (root + side), quality.cost, 1e-9 * count);
-        EXPECT_NEAR(limit, score->threshold(context, Model::eye()), 1e-4 * limit);
+        EXPECT_NEAR(limit, score->threshold(context, Matx33d::eye()), 1e-4 * limit);
         EXPECT_EQ(count / 2 + 1, quality.inliers);
     }
 }
@@ -83,7 +83,7 @@ TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
         const double a = rng.gaussian(3), b = problem == HOMOGRAPHY ? rng.gaussian(3) : 0;
         residual->given.push_back((float)(a * a + b * b));
     }
-    const double limit = createLmedsScore(points.view())->threshold(context, Model::eye());
+    const double limit = createLmedsScore(points.view())->threshold(context, Matx33d::eye());
     int within = 0;
     for (int i = 0; i < COUNT; ++i)
         within += residual->given[i] <= limit * limit;
@@ -170,7 +170,7 @@ TEST_P(Usac_Lmeds_Problem, noPoints)
     Quality quality(0, 0);
     score->accumulate(0, 0, 1, quality);
     EXPECT_EQ(0, quality.cost);
-    EXPECT_EQ(0, score->threshold(Context(none.view(), parts, params), Model::eye()));
+    EXPECT_EQ(0, score->threshold(Context(none.view(), parts, params), Matx33d::eye()));
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Lmeds_Problem, testing::Values(0, 1, 2));

@@ -84,7 +84,7 @@ TEST_P(Usac_Magsac_Termination, withoutAModel)
     State state;
     EXPECT_EQ(INT_MAX, termination->iterations(found.context, state));
     state = found.state;
-    state.best *= std::numeric_limits<double>::quiet_NaN();
+    state.best = Matx33d::all(std::numeric_limits<double>::quiet_NaN());
     EXPECT_EQ(INT_MAX, termination->iterations(found.context, state));
 }
 

@@ -15,7 +15,7 @@ namespace {
 //! Cell of a point along each axis of a layer with `divisions` cells.
 Vec4i cellOf(const Correspondences& p, int point, int divisions)
 {
-    const float* coordinates[4] = {p.x1, p.y1, p.x2, p.y2};
+    const float* coordinates[4] = {p.column[X1], p.column[Y1], p.column[X2], p.column[Y2]};
     Vec4i cell;
     for (int k = 0; k < 4; ++k)
     {
@@ -29,7 +29,7 @@ Vec4i cellOf(const Correspondences& p, int point, int divisions)
 void compareWithBruteForce(const Correspondences& points)
 {
     const Surroundings around(points);
-    const Ptr<Neighborhood> grid = createGridNeighborhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood(4);
     ASSERT_EQ(4, grid->layers());
     for (int layer = 0; layer < 4; ++layer)
         for (int i = 0; i < points.size; ++i)
@@ -78,7 +78,7 @@ TEST(Usac_Neighborhood, layersAreNested)
     const Scene scene = makeScene(HOMOGRAPHY);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Surroundings around(usac->points());
-    const Ptr<Neighborhood> grid = createGridNeighborhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood(4);
     int grown = 0;
     for (int i = 0; i < usac->points().size; ++i)
     {
@@ -100,7 +100,7 @@ TEST(Usac_Neighborhood, equalPointsAreAllNeighbors)
     const OwnPoints points(HOMOGRAPHY, std::vector<Point2d>(37, Point2d(-3, 4)),
                            std::vector<Point2d>(37, Point2d(0, 0)));
     const Surroundings around(points.view());
-    const Ptr<Neighborhood> grid = createGridNeighborhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood(4);
     for (int layer = 0; layer < grid->layers(); ++layer)
         EXPECT_EQ(37u, membersOf(*grid, around.context, layer, layer).size());
     EXPECT_LE(grid->edges(around.context).size(), 4u * 37);
@@ -110,7 +110,7 @@ TEST(Usac_Neighborhood, equalPointsAreAllNeighbors)
 void checkEdges(const Correspondences& points, size_t least)
 {
     const Surroundings around(points);
-    const Ptr<Neighborhood> grid = createGridNeighborhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood(4);
     const std::vector<Vec2i> edges = grid->edges(around.context);
     std::set<std::pair<int, int>> seen;
     for (size_t e = 0; e < edges.size(); ++e)
@@ -143,7 +143,7 @@ TEST(Usac_Neighborhood, noPointIsForgotten)
     const Scene scene = makeScene(HOMOGRAPHY);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Surroundings around(usac->points());
-    const Ptr<Neighborhood> grid = createGridNeighborhood();
+    const Ptr<Neighborhood> grid = createGridNeighborhood(4);
     std::vector<int> degree(usac->points().size, 0);
     const std::vector<Vec2i>& edges = grid->edges(around.context);
     for (size_t e = 0; e < edges.size(); ++e)
@@ -289,7 +289,7 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
         usac->components().ordering->sort(Context(p, usac->components(), params), order);
         std::set<std::pair<double, double>> seen;
         for (int k = 0; k < p.size; ++k)
-            EXPECT_EQ(k < size, seen.insert(std::make_pair(p.dx1[order[k]], p.dy1[order[k]])).second) << k;
+            EXPECT_EQ(k < size, seen.insert(std::make_pair(p.exact[X1][order[k]], p.exact[Y1][order[k]])).second) << k;
         std::sort(order.begin(), order.end());
         for (int k = 0; k < p.size; ++k)
             ASSERT_EQ(k, order[k]);
@@ -300,7 +300,7 @@ TEST(Usac_Neighborhood, noPoints)
 {
     const OwnPoints none(HOMOGRAPHY, std::vector<Point2d>(), std::vector<Point2d>());
     const Surroundings around(none.view());
-    EXPECT_TRUE(createGridNeighborhood()->edges(around.context).empty());
+    EXPECT_TRUE(createGridNeighborhood(4)->edges(around.context).empty());
     EXPECT_TRUE(createKnnNeighborhood(5)->edges(around.context).empty());
     EXPECT_TRUE(createRadiusNeighborhood(20)->edges(around.context).empty());
 }

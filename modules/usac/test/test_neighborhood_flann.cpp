@@ -19,7 +19,7 @@ public:
     {
         const Correspondences& p = own.view();
         for (int i = 0; i < p.size; ++i)
-            rows.push_back(Vec4d(p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]));
+            rows.push_back(Vec4d(p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]));
     }
 
     //! Pixels are those of the images.

@@ -81,8 +81,7 @@ TEST_P(Usac_Parameterization, leastSquaresInThreeSteps)
     double cost[2];
     for (int k = 0; k < 2; ++k)
     {
-        usac->components().residual->squaredErrors(k == 0 ? steps : best, points.dx1, points.dy1, points.dx2,
-                                                   points.dy2, points.size, errors.data());
+        usac->components().residual->squaredErrors(k == 0 ? steps : best, points.exact, points.size, errors.data());
         cost[k] = std::accumulate(errors.begin(), errors.end(), 0.);
     }
     EXPECT_LE(cost[0], cost[1] * (1 + 1e-6));

@@ -44,10 +44,9 @@ public:
         residual->squaredErrors(p, model, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
-                       int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
     {
-        residual->squaredErrors(model, x1, y1, x2, y2, count, errors);
+        residual->squaredErrors(model, columns, count, errors);
     }
 
     mutable int64 points;
@@ -94,7 +93,8 @@ public:
         Model fitted = model;
         if (!solver->fit(points, indices, count, weights, fitted, iterations))
             return false;
-        model = part == 1 ? fitted : model + part * (fitted * (fitted.dot(model) < 0 ? -1. : 1.) - model);
+        const Matx33d from = model, to = fitted;
+        model = part == 1 ? to : from + part * (to * (to.dot(from) < 0 ? -1. : 1.) - from);
         return true;
     }
 

@@ -26,7 +26,7 @@ public:
     int sampleSize() const CV_OVERRIDE { return 4; }
     int solve(const Correspondences&, const int*, Model* model) const CV_OVERRIDE
     {
-        *model = Model(1, 0, 1e3, 0, 1, 1e3, 0, 0, 1);
+        *model = Matx33d(1, 0, 1e3, 0, 1, 1e3, 0, 0, 1);
         return models > 0 ? models-- : 0;
     }
 
@@ -92,7 +92,7 @@ class Worsener : public LocalOptimizer
 public:
     bool optimize(const Context&, State&, Model& model, Quality& quality) CV_OVERRIDE
     {
-        model = Model::eye();
+        model = Matx33d::eye();
         quality.cost += 1;
         return true;
     }

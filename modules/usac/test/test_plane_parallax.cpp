@@ -62,8 +62,8 @@ struct Parallax
         std::vector<cv::Point2d> plane1, plane2;
         for (size_t k = 0; k < on.size(); ++k)
         {
-            plane1.push_back(cv::Point2d(p.dx1[on[k]], p.dy1[on[k]]));
-            plane2.push_back(cv::Point2d(p.dx2[on[k]], p.dy2[on[k]]));
+            plane1.push_back(cv::Point2d(p.exact[X1][on[k]], p.exact[Y1][on[k]]));
+            plane2.push_back(cv::Point2d(p.exact[X2][on[k]], p.exact[Y2][on[k]]));
         }
         H = cv::Matx33d((const double*)cv::findHomography(plane1, plane2, 0).ptr());
         truth = toInternal(p, scene.model);
@@ -79,7 +79,7 @@ struct Parallax
         quality = context.rate(model);
         parallax.setPlane(usac->points(), off, H);
     }
-    cv::Matx33d toPixels(const Model& F) const { return usac->points().T2.t() * F * usac->points().T1; }
+    cv::Matx33d toPixels(const Model& F) const { return toInput(usac->points(), F); }
 
     Scene scene;
     Params params;
@@ -134,7 +134,7 @@ TEST(Usac_PlaneParallax, allMotions)
             p.begin(parallax, model, quality);
             EXPECT_EQ((int)p.off.size(), parallax.size());
             EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality));
-            EXPECT_NEAR(1, cv::norm(model), 1e-9);
+            EXPECT_NEAR(1, cv::norm(Matx33d(model)), 1e-9);
             EXPECT_EQ(p.context.rate(model).cost, quality.cost);
             // no optimization of all seven parameters, so a little more than the optimum
             found += quality.cost <= p.context.rate(p.truth).cost + 5;
@@ -231,7 +231,7 @@ TEST(Usac_PlaneParallax, repeatedPoints)
         all.push_back(i);
     PlaneParallax parallax;
     parallax.setPlane(own.view(), all, cv::Matx33d::eye());
-    Model model(0, -1, 0, 1, 0, 0, 0, 0, 0);
+    Model model = Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0);
     Quality quality(50, 0);
     EXPECT_FALSE(parallax.search(context, 0.01, 0, model, quality));
     EXPECT_EQ(50, parallax.lines());

@@ -30,13 +30,6 @@ Scene trueMatches(const Scene& scene)
     return result;
 }
 
-Mat inPixels(const Correspondences& points, const Model& model)
-{
-    return Mat(points.problem->errorDimension() == 2 ? points.T2.inv() * model * points.T1
-                                                     : points.T2.t() * model * points.T1,
-               true);
-}
-
 //! Least squares over all matches.
 Mat leastSquares(const Scene& scene)
 {
@@ -48,7 +41,7 @@ Mat leastSquares(const Scene& scene)
     Model model = toInternal(points, scene.model);
     for (int i = 0; i < 5; ++i)
         EXPECT_TRUE(usac->components().nonMinimalSolver->fit(points, all.data(), points.size, 0, model, 20));
-    return inPixels(points, model);
+    return Mat(toInput(points, model));
 }
 
 //! The exact model, polished.
@@ -58,7 +51,7 @@ Mat polished(const Scene& scene, const Params& params)
     const Context context(usac->points(), usac->components(), params);
     Model model = toInternal(usac->points(), scene.model);
     usac->components().polisher->polish(context, model);
-    return inPixels(usac->points(), model);
+    return Mat(toInput(usac->points(), model));
 }
 
 SceneOptions optionsOf(Motion motion, double noise, uint64 seed)

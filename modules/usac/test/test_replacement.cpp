@@ -116,7 +116,7 @@ TEST(Usac_Replacement, derivativeByDifferences)
     const LineDistance derived(true), plain(false);
     for (int i = 0; i < 100; ++i)
     {
-        Model F;
+        Model F(3, 3);
         for (int k = 0; k < 9; ++k)
             F.val[k] = rng.gaussian(1);
         const double match[] = {rng.gaussian(1), rng.gaussian(1), rng.gaussian(1), rng.gaussian(1)};

@@ -14,7 +14,7 @@ Candidate candidateOf(double cost)
 {
     Sample sample = Sample::all(0);
     sample[0] = (int)cost;
-    return Candidate(sample, Model::eye(), Quality(cost, 10));
+    return Candidate(sample, Matx33d::eye(), Quality(cost, 10));
 }
 
 std::vector<double> costsOf(const std::vector<Candidate>& candidates)

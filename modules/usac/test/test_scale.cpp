@@ -84,11 +84,10 @@ public:
         residual->squaredErrors(points, model, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
-                       int size, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int size, double* errors) const CV_OVERRIDE
     {
         count += size;
-        residual->squaredErrors(model, x1, y1, x2, y2, size, errors);
+        residual->squaredErrors(model, columns, size, errors);
     }
 
     mutable double count;

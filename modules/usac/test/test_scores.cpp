@@ -65,7 +65,7 @@ struct Fixture
             Model model = truth;
             for (int k = 0; k < 9; ++k)
                 model.val[k] += rng.gaussian(0.001 * i * i);
-            models.push_back(model * (i % 2 ? 1 : -1e3));
+            models.push_back(Matx33d(model) * (i % 2 ? 1 : -1e3));
         }
     }
 
@@ -80,9 +80,9 @@ struct Fixture
 };
 
 //! Squared error of a point in double, in the coordinates of the kernels.
-double directError(const Correspondences& p, Residual::Kind kind, const Model& M, int i)
+double directError(const Correspondences& p, Residual::Kind kind, const Matx33d& M, int i)
 {
-    const Vec3d x1(p.x1[i], p.y1[i], 1), x2(p.x2[i], p.y2[i], 1), y = M * x1;
+    const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1), y = M * x1;
     const Vec3d z = M.t() * x2, back = M.inv() * x2;
     const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1], n = x2.dot(y) * x2.dot(y);
     const Vec2d forward(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]),
@@ -187,7 +187,7 @@ TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
         std::vector<float> errors(COUNT);
         std::vector<double> precise(COUNT);
         residual->squaredErrors(p, f.models[k], 0, COUNT, errors.data());
-        residual->squaredErrors(f.models[k], p.dx1, p.dy1, p.dx2, p.dy2, COUNT, precise.data());
+        residual->squaredErrors(f.models[k], p.exact, COUNT, precise.data());
         for (int i = 0; i < COUNT; ++i)
         {
             // of points that are not near the line at infinity
@@ -230,7 +230,8 @@ TEST(Usac_Scores, undefinedErrorsAreOutliers)
 {
     const std::vector<Point2d> points1(40, Point2d(1, 0)), points2(40, Point2d(0, 0));
     const OwnPoints own(HOMOGRAPHY, points1, points2);
-    const Model infinite(1, 0, 0, 0, 1, 0, 1, 0, -1), undefined(0, 0, 0, 0, 0, 0, 1, 0, -1), zero = Model::zeros();
+    const Model infinite = Matx33d(1, 0, 0, 0, 1, 0, 1, 0, -1), undefined = Matx33d(0, 0, 0, 0, 0, 0, 1, 0, -1),
+                zero = Matx33d::zeros();
     const Model* models[] = {&infinite, &undefined, &zero};
     const std::vector<NamedKernels> all = availableKernels();
     for (int k = 0; k < 3; ++k)
@@ -282,10 +283,9 @@ public:
         residual->squaredErrors(points, model, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
-                       int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
     {
-        residual->squaredErrors(model, x1, y1, x2, y2, count, errors);
+        residual->squaredErrors(model, columns, count, errors);
     }
 
 private:

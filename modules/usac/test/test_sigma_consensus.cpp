@@ -56,7 +56,7 @@ struct Bench
     double pixels(const Model& model) const
     {
         const Correspondences& p = usac->points();
-        const Matx33d inInput = scene.problem == HOMOGRAPHY ? p.T2.inv() * model * p.T1 : p.T2.t() * model * p.T1;
+        const Matx33d inInput = toInput(p, model);
         return modelError(scene, Mat(inInput * (1 / cv::norm(inInput))));
     }
 
@@ -91,7 +91,7 @@ std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, in
     const int degrees = p.problem->errorDimension(), m = components.minimalSolver->sampleSize();
     const double sigmaMax = p.threshold / thresholdInSigmas(degrees);
     std::vector<double> initial(p.size), errors(p.size), weights(p.size, 0.);
-    components.residual->squaredErrors(start, p.dx1, p.dy1, p.dx2, p.dy2, p.size, initial.data());
+    components.residual->squaredErrors(start, p.exact, p.size, initial.data());
     for (int part = 1; part <= parts; ++part)
     {
         std::vector<int> near;
@@ -101,7 +101,7 @@ std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, in
         Model fitted = start;
         if ((int)near.size() > m)
             components.nonMinimalSolver->fit(p, near.data(), (int)near.size(), 0, fitted);
-        components.residual->squaredErrors(fitted, p.dx1, p.dy1, p.dx2, p.dy2, p.size, errors.data());
+        components.residual->squaredErrors(fitted, p.exact, p.size, errors.data());
         for (int i = 0; i < p.size; ++i)
             if (std::sqrt(initial[i]) < p.threshold)
                 weights[i] += marginalDensity(degrees, std::max(std::sqrt(errors[i]), p.threshold / std::sqrt(2048.)),
@@ -157,14 +157,14 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
         if (!bench.minimalModel(trial, few, quality) || quality.inliers < 60)
             continue;
         ++count;
-        start += modelDistance(bench.truth, few * (1 / cv::norm(few)));
+        start += modelDistance(bench.truth, normalized(few));
         many = few;
         SigmaConsensus five, hundred(100);
         Rng rng;
         ASSERT_TRUE(five.fit(bench.context(), rng, few));
         ASSERT_TRUE(hundred.fit(bench.context(), rng, many));
-        few *= 1 / cv::norm(few);
-        many *= 1 / cv::norm(many);
+        few = normalized(few);
+        many = normalized(many);
         apart += modelDistance(few, many);
         fromTruth += modelDistance(bench.truth, few);
     }
@@ -196,7 +196,7 @@ TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
             const bool improved = optimizers[o]->optimize(context, state, model, quality);
             EXPECT_EQ(improved, quality.betterThan(qualityBefore));
             EXPECT_EQ(context.rate(model).cost, quality.cost);
-            EXPECT_EQ(improved, cv::norm(before, model, cv::NORM_INF) > 0);
+            EXPECT_EQ(improved, before != model);
             better += improved;
             rightBefore += bench.pixels(before) < 0.4;
             right += bench.pixels(model) < 0.4;
@@ -243,7 +243,7 @@ TEST_P(Usac_Sigma_Consensus, nothingNear)
     EXPECT_FALSE(createSigmaConsensus()->optimize(context, state, model, quality));
     EXPECT_FALSE(createSigmaConsensusPlusPlus()->optimize(context, state, model, quality));
     createReweightedPolisher()->polish(context, model);
-    EXPECT_EQ(0, cv::norm(model, bench.truth, cv::NORM_INF));
+    EXPECT_EQ(bench.truth, model);
     EXPECT_EQ(before.cost, quality.cost);
 }
 
@@ -310,8 +310,8 @@ TEST_P(Usac_Sigma_Consensus, polisherConverges)
     Model twice = once;
     for (int i = 0; i < 5; ++i)
         polisher->polish(context, twice);
-    once *= 1 / cv::norm(once);
-    twice *= 1 / cv::norm(twice);
+    once = normalized(once);
+    twice = normalized(twice);
     const double moved = modelDistance(bench.truth, once);
     EXPECT_GT(moved, 1e-6);
     EXPECT_LT(modelDistance(once, twice), 0.1 * moved);

@@ -25,7 +25,7 @@ std::vector<Model> solve(const MinimalSolver& solver, const Correspondences& poi
     EXPECT_GE(count, 0);
     EXPECT_LE(count, (int)MAX_MODELS);
     for (int i = 0; i < count; ++i)
-        EXPECT_NEAR(1, cv::norm(models[i]), 1e-9);  // also for NaN
+        EXPECT_NEAR(1, cv::norm(Matx33d(models[i])), 1e-9);  // also for NaN
     return std::vector<Model>(models, models + count);
 }
 
@@ -42,17 +42,17 @@ double constraintError(const Correspondences& p, const int* sample, int count, c
     for (int k = 0; k < count; ++k)
     {
         const int i = sample[k];
-        Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1);
+        Vec3d x1(p.exact[X1][i], p.exact[Y1][i], 1), x2(p.exact[X2][i], p.exact[Y2][i], 1);
         x1 *= 1 / cv::norm(x1);
         x2 *= 1 / cv::norm(x2);
-        const Vec3d y = model * x1;
+        const Vec3d y = Matx33d(model) * x1;
         largest = std::max(largest, p.problem->errorDimension() == 2 ? cv::norm(x2.cross(y)) : std::abs(x2.dot(y)));
     }
     return largest;
 }
 
 //! How far a model of unit norm is from rank 2, or from two equal singular values.
-double manifoldError(ProblemType problem, const Model& M)
+double manifoldError(ProblemType problem, const Matx33d& M)
 {
     if (problem == HOMOGRAPHY)
         return 0;
@@ -152,8 +152,9 @@ int countFundamental(const Correspondences& p)
 {
     Eigen::Matrix<double, 7, 9> A;
     for (int i = 0; i < 7; ++i)
-        A.row(i) << p.dx2[i] * p.dx1[i], p.dx2[i] * p.dy1[i], p.dx2[i], p.dy2[i] * p.dx1[i], p.dy2[i] * p.dy1[i],
-            p.dy2[i], p.dx1[i], p.dy1[i], 1;
+        A.row(i) << p.exact[X2][i] * p.exact[X1][i], p.exact[X2][i] * p.exact[Y1][i], p.exact[X2][i],
+            p.exact[Y2][i] * p.exact[X1][i], p.exact[Y2][i] * p.exact[Y1][i], p.exact[Y2][i], p.exact[X1][i],
+            p.exact[Y1][i], 1;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullV);
     Matx33d F[2];
     for (int k = 0; k < 2; ++k)
@@ -328,7 +329,7 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
         for (size_t k = 0; k < models.size(); ++k)
         {
             Mat w;
-            SVD::compute(Mat(models[k]), w, SVD::NO_UV);
+            SVD::compute(Mat(Matx33d(models[k])), w, SVD::NO_UV);
             EXPECT_GT(w.at<double>(1), 1e-8) << "repeat " << repeat;
         }
     }

@@ -30,15 +30,12 @@ void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model
         std::swap(near[i], near[i + rng.uniform(size - i)]);
     near.resize(count);
     std::sort(near.begin(), near.end());
-    const double* const from[4] = {p.dx1, p.dy1, p.dx2, p.dy2};
     indices.resize(count);
-    for (int k = 0; k < 4; ++k)
-        coordinates[k].resize(count);
+    subset.clear();
     for (int i = 0; i < count; ++i)
     {
         indices[i] = near[i].index;
-        for (int k = 0; k < 4; ++k)
-            coordinates[k][i] = from[k][indices[i]];
+        subset.add(p, indices[i]);
     }
 }
 
@@ -46,9 +43,7 @@ void SigmaConsensus::marginalize(const Context& context, const Model& model, int
 {
     const MarginalizedWeights& table = MarginalizedWeights::of(context.points.problem->errorDimension());
     const int count = (int)indices.size();
-    squared.resize(count);
-    context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(),
-                                               coordinates[2].data(), coordinates[3].data(), count, squared.data());
+    const double* const squared = subset.squaredErrors(*context.components.residual, model);
     const double scale = 1 / (context.points.threshold * context.points.threshold);
     const double end = (double)part / partitions, begin = (part - 1.0) / partitions;
     for (int i = 0; i < count; ++i)

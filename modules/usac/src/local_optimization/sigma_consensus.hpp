@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_SIGMA_CONSENSUS_HPP
 #define OPENCV_USACV20_SIGMA_CONSENSUS_HPP
 
-#include "opencv2/usac/components.hpp"
+#include "core/point_subset.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -54,7 +54,8 @@ private:
     std::vector<float> errors;
     std::vector<Near> near;
     std::vector<int> indices;
-    std::vector<double> weights, coordinates[4], squared;
+    std::vector<double> weights;
+    PointSubset subset;  //!< those of `indices`
 };
 
 }  // namespace usacv20

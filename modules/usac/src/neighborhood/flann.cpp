@@ -136,15 +136,17 @@ private:
             return;
         // internal units of a pixel; E: of a pixel of a camera with the mean focal length
         const double unit2 = p.threshold / (context.params.threshold * context.params.reach),
-                     unit1 = unit2 * p.T1(0, 0) / p.T2(0, 0);
+                     unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
         const double LARGEST = 1e18;  // its square is a float
-        const double *from[4] = {p.dx1, p.dy1, p.dx2, p.dy2}, unit[4] = {unit1, unit1, unit2, unit2};
-        coordinates.create(p.size, 4, CV_32F);
+        coordinates.create(p.size, p.columns(), CV_32F);
         for (int i = 0; i < p.size; ++i)
-            for (int k = 0; k < 4; ++k)
-                coordinates.at<float>(i, k) = (float)std::max(-LARGEST, std::min(from[k][i] / unit[k], LARGEST));
+            for (int k = 0; k < p.columns(); ++k)
+            {
+                const double value = p.exact[k][i] / (k < p.coordinates[0] ? unit1 : unit2);
+                coordinates.at<float>(i, k) = (float)std::max(-LARGEST, std::min(value, LARGEST));
+            }
         known.resize(p.size);
-        const cvflann::Matrix<float> rows(coordinates.ptr<float>(), p.size, 4);
+        const cvflann::Matrix<float> rows(coordinates.ptr<float>(), p.size, p.columns());
         tree = makePtr<KdTree>(rows, cvflann::KDTreeSingleIndexParams());
         tree->buildIndex();
     }

@@ -10,21 +10,25 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Multi-layer grid in the joint space of the coordinates (x1, y1, x2, y2) @cite barath2019progressive.
+/** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite
+barath2019progressive.
 
-The finest layer divides each of the four axes into 16 cells, the next ones into 8, 4 and 2. With the bits of the four
-cell numbers interleaved (Morton's code, 16 bits), the points of a cell of any layer are neighbors in the sorted list of
-codes: one sorted list serves all layers. Points outside the range where nearly all points lie fall into the outermost
-cells. O(N) memory and time (radix sort), O(log N) a query; edges link each point to the next #LINKS in its cell. */
+The finest layer divides each of four axes into 16 cells, the next ones into 8, 4 and 2. With the bits of the four cell
+numbers interleaved (Morton's code, 16 bits), the points of a cell of any layer are neighbors in the sorted list of
+codes: one sorted list serves all layers. Less axes have more layers, as the code has 16 bits. Points outside the range
+where nearly all points lie fall into the outermost cells. O(N) memory and time (radix sort), O(log N) a query; edges
+link each point to the next #LINKS in its cell. */
 class GridNeighborhood : public Neighborhood
 {
 public:
-    int layers() const CV_OVERRIDE { return LAYERS; }
+    explicit GridNeighborhood(int columns) : axes(columns), bits(std::min<int>(CODE_BITS / columns, MOST_BITS)) {}
+
+    int layers() const CV_OVERRIDE { return bits; }
 
     int members(const Context& context, int layer, int point, const int*& members) CV_OVERRIDE
     {
         build(context.points);
-        const int shift = 4 * layer, cell = codes[point] >> shift, size = (int)sorted.size();
+        const int shift = axes * layer, cell = codes[point] >> shift, size = (int)sorted.size();
         int first = rank[point], last = first + 1;  // in the cell; bounds double their distance until they are outside
         for (int step = 1; first > 0 && sortedCodes[first - 1] >> shift == cell; step *= 2)
             first = std::max(first - step, 0);
@@ -49,19 +53,25 @@ public:
             links.reserve((size_t)size * LINKS);
             for (int i = 0; i < size; ++i)
                 for (int k = 1; k <= LINKS && i + k < size; ++k)
-                    if (sortedCodes[i] >> LINK_SHIFT == sortedCodes[i + k] >> LINK_SHIFT)
+                    if (sortedCodes[i] >> axes == sortedCodes[i + k] >> axes)
                         links.push_back(Vec2i(sorted[i], sorted[i + k]));
         }
         return links;
     }
 
 private:
-    enum { LAYERS = 4, BITS = 4, LINKS = 3, LINK_SHIFT = 4 };
+    enum { CODE_BITS = 16, MOST_BITS = 8, LINKS = 3 };
 
     static bool lessCode(ushort code, int value) { return code < value; }
 
-    //! Puts the four bits of v at the places 0, 4, 8 and 12.
-    static int spread(int v) { return (v & 1) | (v & 2) << 3 | (v & 4) << 6 | (v & 8) << 9; }
+    //! Puts the bits of v at multiples of `step`.
+    static int spread(int v, int step)
+    {
+        int result = 0;
+        for (int bit = 0; v >> bit; ++bit)
+            result |= (v >> bit & 1) << bit * step;
+        return result;
+    }
 
     void build(const Correspondences& points)
     {
@@ -69,16 +79,19 @@ private:
             return;
         codes.assign(points.size, 0);
         ushort* const to = codes.data();
-        const float* coordinates[4] = {points.x1, points.y1, points.x2, points.y2};
-        for (int axis = 0; axis < 4; ++axis)
+        const int cells = 1 << bits;
+        for (int axis = 0; axis < axes; ++axis)
         {
+            ushort codeOf[1 << MOST_BITS];
+            for (int cell = 0; cell < cells; ++cell)
+                codeOf[cell] = (ushort)(spread(cell, axes) << axis);
             const float low = points.lower[axis], range = points.upper[axis] - low;
-            const float scale = range > 0 ? (1 << BITS) / range : 0;
+            const float scale = range > 0 ? cells / range : 0, last = (float)(cells - 1);
+            const float* const values = points.column[axis];
             for (int i = 0; i < points.size; ++i)
             {
-                const float last = (1 << BITS) - 1, cell = (coordinates[axis][i] - low) * scale,
-                            inside = cell > 0 ? cell : 0;
-                to[i] = (ushort)(to[i] | spread((int)(inside < last ? inside : last)) << axis);
+                const float cell = (values[i] - low) * scale, inside = cell > 0 ? cell : 0;
+                to[i] = (ushort)(to[i] | codeOf[(int)(inside < last ? inside : last)]);
             }
         }
         sort();
@@ -112,6 +125,7 @@ private:
         }
     }
 
+    const int axes, bits;             //!< numbers of columns, and of bits of a cell's number on each
     std::vector<ushort> codes;        //!< of each point
     std::vector<int> sorted;          //!< points by code
     std::vector<int> rank;            //!< of each point in `sorted`
@@ -121,7 +135,7 @@ private:
 
 }  // namespace
 
-Ptr<Neighborhood> createGridNeighborhood() { return makePtr<GridNeighborhood>(); }
+Ptr<Neighborhood> createGridNeighborhood(int columns) { return makePtr<GridNeighborhood>(columns); }
 
 }  // namespace usacv20
 }  // namespace cv

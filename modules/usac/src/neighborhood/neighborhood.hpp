@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Multi-layer grid in the 4-D joint space, see GridNeighborhood.
-Ptr<Neighborhood> createGridNeighborhood();
+//! Multi-layer grid in the joint space of the columns, see GridNeighborhood.
+Ptr<Neighborhood> createGridNeighborhood(int columns);
 //! Nearest neighbors, see FlannNeighborhood. @param neighbors their number in the finest layer
 Ptr<Neighborhood> createKnnNeighborhood(int neighbors);
 //! Points within a radius, see FlannNeighborhood. @param radius pixels, of the finest layer

@@ -59,13 +59,13 @@ void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquation
 //! Of a residual without kernels, point by point.
 void addPoints(const Residual& residual, const PointChunks& points, const Model& model, NormalEquations& equations)
 {
-    double match[4], weight, error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * 9];
+    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * 9];
     equations.JtJ.setZero();
     equations.Jtr.setZero();
     equations.cost = 0;
-    for (int i = 0; points.get(i, match, weight); ++i)
+    for (int i = 0; points.get(i, datum, weight); ++i)
     {
-        const int components = residual.linearize(model, match, error, derivative);
+        const int components = residual.linearize(model, datum, error, derivative);
         for (int k = 0; k < components; ++k)
         {
             const Eigen::Map<const Eigen::Matrix<double, 9, 1>> row(derivative + 9 * k);
@@ -78,10 +78,10 @@ void addPoints(const Residual& residual, const PointChunks& points, const Model&
 
 double costOfPoints(const Residual& residual, const PointChunks& points, const Model& model)
 {
-    double match[4], weight, error[Residual::MAX_COMPONENTS], cost = 0;
-    for (int i = 0; points.get(i, match, weight); ++i)
+    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS], cost = 0;
+    for (int i = 0; points.get(i, datum, weight); ++i)
     {
-        const int components = residual.error(model, match, error);
+        const int components = residual.error(model, datum, error);
         for (int k = 0; k < components; ++k)
             cost += weight * error[k] * error[k];
     }
@@ -110,7 +110,7 @@ void NormalEquations::accumulate(const Residual& residual, const PointChunks& po
     fromTransferSums(sums, *this);
     if (kind == Residual::SYMMETRIC_TRANSFER)
     {
-        const Matx33d G = model.inv();
+        const Matx33d G = Matx33d(model).inv();
         NormalEquations inverse;
         points.sum(kernel, TRANSFER_SUMS, G.val, true, sums);
         fromTransferSums(sums, inverse);
@@ -127,7 +127,7 @@ double NormalEquations::costOf(const Residual& residual, const PointChunks& poin
     double cost, back = 0;
     points.sum(kernel, 1, model.val, false, &cost);
     if (kind == Residual::SYMMETRIC_TRANSFER)
-        points.sum(kernel, 1, model.inv().val, true, &back);
+        points.sum(kernel, 1, Matx33d(model).inv().val, true, &back);
     return cost + back;
 }
 

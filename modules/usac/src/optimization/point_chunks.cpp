@@ -9,36 +9,32 @@ namespace cv {
 namespace usacv20 {
 
 PointChunks::PointChunks(const Correspondences& points, const int* indices, int count, const double* weights)
-    : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK)
+    : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK), columns(points.columns())
 {
     CV_DbgAssert(count > 0);
-    rows.allocate((size_t)chunks * ROWS * SUMS_CHUNK);
+    rows.allocate((size_t)chunks * (columns + 1) * SUMS_CHUNK);
     for (int c = 0; c < chunks; ++c)
     {
-        Row* const chunk = (Row*)rows.data() + c * ROWS;
+        Row* const chunk = (Row*)rows.data() + c * (columns + 1);
         const int first = c * SUMS_CHUNK, here = std::min(count - first, (int)SUMS_CHUNK);
+        for (int column = 0; column < columns; ++column)
+            for (int k = 0; k < here; ++k)
+                chunk[column][k] = points.exact[column][indices[first + k]];
         for (int k = 0; k < here; ++k)
-        {
-            const int i = indices[first + k];
-            chunk[0][k] = points.dx1[i];
-            chunk[1][k] = points.dy1[i];
-            chunk[2][k] = points.dx2[i];
-            chunk[3][k] = points.dy2[i];
-            chunk[4][k] = weights ? weights[first + k] : 1;
-        }
-        for (int row = 0; row < ROWS; ++row)  // the last point again, without weight
-            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK, row < 4 ? chunk[row][here - 1] : 0.);
+            chunk[columns][k] = weights ? weights[first + k] : 1;
+        for (int row = 0; row <= columns; ++row)  // the last point again, without weight
+            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK, row < columns ? chunk[row][here - 1] : 0.);
     }
 }
 
-bool PointChunks::get(int index, double* match, double& weight) const
+bool PointChunks::get(int index, double* datum, double& weight) const
 {
     if (index >= size)
         return false;
-    const Row* const chunk = (const Row*)rows.data() + index / SUMS_CHUNK * ROWS;
-    for (int k = 0; k < 4; ++k)
-        match[k] = chunk[k][index % SUMS_CHUNK];
-    weight = chunk[4][index % SUMS_CHUNK];
+    const Row* const chunk = (const Row*)rows.data() + index / SUMS_CHUNK * (columns + 1);
+    for (int k = 0; k < columns; ++k)
+        datum[k] = chunk[k][index % SUMS_CHUNK];
+    weight = chunk[columns][index % SUMS_CHUNK];
     return true;
 }
 
@@ -49,8 +45,8 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool sw
     std::memcpy(lanes, zeros, count * sizeof(lanes[0]));  // a fill of this size is a slow instruction
     for (int c = 0; c < chunks; ++c)
     {
-        const Row* chunk = (const Row*)rows.data() + c * ROWS;
-        Row exchanged[ROWS];
+        const Row* chunk = (const Row*)rows.data() + c * (columns + 1);
+        Row exchanged[TWO_VIEW_ROWS];
         if (swapped)
         {
             std::memcpy(exchanged, chunk + 2, 2 * sizeof(Row));

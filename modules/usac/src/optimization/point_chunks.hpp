@@ -19,18 +19,18 @@ public:
     //! At least one point; `weights` may be null for ones.
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights);
 
-    //! The first `count` sums of a kernel over all chunks. `swapped`: images 1 and 2 change roles.
+    //! The first `count` sums of a kernel over all chunks. `swapped`: images 1 and 2 of two views change roles.
     void sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const;
 
-    //! A point (x1, y1, x2, y2) and its weight; false beyond the last one.
-    bool get(int index, double* match, double& weight) const;
+    //! A point, #MAX_COLUMNS numbers at most, and its weight; false beyond the last one.
+    bool get(int index, double* datum, double& weight) const;
 
 private:
     typedef double Row[SUMS_CHUNK];
-    enum { ROWS = 5, LOCAL_CHUNKS = 16 };
+    enum { TWO_VIEW_ROWS = 5, LOCAL_CHUNKS = 16 };
 
-    AutoBuffer<double, ROWS * SUMS_CHUNK * LOCAL_CHUNKS> rows;  //!< #ROWS rows a chunk
-    int size, chunks;
+    AutoBuffer<double, TWO_VIEW_ROWS * SUMS_CHUNK * LOCAL_CHUNKS> rows;  //!< columns and weights of each chunk
+    const int size, chunks, columns;
 };
 
 }  // namespace usacv20

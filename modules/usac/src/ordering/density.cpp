@@ -26,8 +26,8 @@ public:
     {
         const Correspondences& p = context.points;
         std::vector<ushort> cells1(p.size), cells2(p.size);
-        assignCells(p.x1, p.y1, p, 0, cells1);
-        assignCells(p.x2, p.y2, p, 2, cells2);
+        assignCells(p, 0, cells1);
+        assignCells(p, 1, cells2);
         std::vector<int> in1(CELLS, 0), in2(CELLS, 0), both(CELLS * CELLS, 0);
         for (int i = 0; i < p.size; ++i)
         {
@@ -60,19 +60,18 @@ private:
         return (int)(inside < DIVISIONS - 1.f ? inside : DIVISIONS - 1.f);
     }
 
-    static void assignCells(const float* x, const float* y, const Correspondences& p, int axis,
-                            std::vector<ushort>& cells)
+    //! Of the first two coordinates of an array; where there are less, there is one row of cells.
+    static void assignCells(const Correspondences& p, int array, std::vector<ushort>& cells)
     {
-        float scale[2];
-        for (int k = 0; k < 2; ++k)
+        const int first = array ? p.coordinates[0] : 0, axes = std::min(p.coordinates[array], 2);
+        for (int k = first; k < first + axes; ++k)
         {
-            const float range = p.upper[axis + k] - p.lower[axis + k];
-            scale[k] = range > 0 ? DIVISIONS / range : 0;
+            const float low = p.lower[k], range = p.upper[k] - low, scale = range > 0 ? DIVISIONS / range : 0;
+            const float* const values = p.column[k];
+            ushort* const to = cells.data();
+            for (int i = 0; i < p.size; ++i)
+                to[i] = (ushort)(to[i] * DIVISIONS + division(values[i], low, scale));
         }
-        const float low[2] = {p.lower[axis], p.lower[axis + 1]};
-        ushort* const to = cells.data();
-        for (int i = 0; i < p.size; ++i)
-            to[i] = (ushort)(division(x[i], low[0], scale[0]) * DIVISIONS + division(y[i], low[1], scale[1]));
     }
 };
 

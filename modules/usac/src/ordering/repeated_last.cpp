@@ -12,17 +12,22 @@ namespace {
 
 uint64 hashOf(const Correspondences& p, int i)
 {
-    const float values[4] = {p.x1[i], p.y1[i], p.x2[i], p.y2[i]};
-    uint64 words[2];
-    std::memcpy(words, values, sizeof(words));
-    uint64 h = words[0] * 0x9e3779b97f4a7c15ULL;
-    h = (h ^ (h >> 32) ^ words[1]) * 0xbf58476d1ce4e5b9ULL;
+    uint64 h = 0;
+    for (int k = 0; k < p.columns(); ++k)
+    {
+        unsigned bits;
+        std::memcpy(&bits, &p.column[k][i], sizeof(bits));
+        h = (h ^ (h >> 32) ^ bits) * 0xbf58476d1ce4e5b9ULL;
+    }
     return h >> 32;
 }
 
 bool same(const Correspondences& p, int i, int k)
 {
-    return p.x1[i] == p.x1[k] && p.y1[i] == p.y1[k] && p.x2[i] == p.x2[k] && p.y2[i] == p.y2[k];
+    for (int c = 0; c < p.columns(); ++c)
+        if (p.column[c][i] != p.column[c][k])
+            return false;
+    return true;
 }
 
 }  // namespace

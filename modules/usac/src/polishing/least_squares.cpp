@@ -25,7 +25,7 @@ public:
         Quality quality = context.rate(model);
         for (int i = 0; i < context.params.polishingSteps; ++i)
         {
-            parts.residual->squaredErrors(model, p.dx1, p.dy1, p.dx2, p.dy2, p.size, errors.data());
+            parts.residual->squaredErrors(model, p.exact, p.size, errors.data());
             inliers.clear();
             for (int k = 0; k < p.size; ++k)
                 if (errors[k] <= limit)

@@ -34,10 +34,10 @@ const Kernels& kernels()
 void toFloat(const Model& model, float* m)
 {
     double largest = 0;
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < model.size(); ++i)
         largest = std::max(largest, std::abs(model.val[i]));
     const double factor = largest > 0 ? 1 / largest : 0;
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < model.size(); ++i)
         m[i] = (float)(model.val[i] * factor);
 }
 

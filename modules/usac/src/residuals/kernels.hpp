@@ -19,7 +19,7 @@ enum { SUMS_CHUNK = 32 };
 enum { SUMS_LANES = 8 };
 /** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors alone; see
 sums.inl.hpp.
-@param chunk x1, y1, x2, y2 and the weight of the points: 5 rows of #SUMS_CHUNK */
+@param chunk the columns and the weight of the points: rows of #SUMS_CHUNK, of two views 5 */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double (*sums)[SUMS_LANES]);
 //! Length of `sums` for the transfer error and the epipolar distances.
 enum { TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55 };
@@ -58,7 +58,7 @@ Kernels avx512Kernels();
 //! The best kernels of this processor, as far as OPENCV_CPU_DISABLE lets them be used.
 const Kernels& kernels();
 
-//! Model in the precision of the kernels, scaled so that no float overflows.
+//! Model::size() numbers in the precision of the kernels, scaled so that no float overflows.
 void toFloat(const Model& model, float* m);
 
 }  // namespace usacv20

@@ -23,7 +23,8 @@ template <class Error>
 void errorKernel(const Correspondences& points, const float* model, int begin, int end, float* errors)
 {
     const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
-    const float *x1 = points.x1 + begin, *y1 = points.y1 + begin, *x2 = points.x2 + begin, *y2 = points.y2 + begin;
+    const float *x1 = points.column[X1] + begin, *y1 = points.column[Y1] + begin, *x2 = points.column[X2] + begin,
+                *y2 = points.column[Y2] + begin;
     USAC_SIMD
     for (int i = 0; i < end - begin; ++i)
         errors[i] = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
@@ -64,7 +65,7 @@ template <class Error, class Cost>
 void scoreKernel(const Correspondences& points, const float* model, float limit, int begin, int end, Quality& sum)
 {
     const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
-    const float *x1 = points.x1, *y1 = points.y1, *x2 = points.x2, *y2 = points.y2;
+    const float *x1 = points.column[X1], *y1 = points.column[Y1], *x2 = points.column[X2], *y2 = points.column[Y2];
     const float scale = 1 / limit;
     float cost[LANES] = {0};
     int inliers[LANES] = {0};

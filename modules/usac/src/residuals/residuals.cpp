@@ -20,14 +20,14 @@ public:
     void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
                        float* errors) const CV_OVERRIDE
     {
-        float m[9];
+        float m[MAX_MODEL_SIZE];
         toFloat(model, m);
         kernels().errors[KIND](points, m, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2, const double* y2,
-                       int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
     {
+        const double *x1 = columns[X1], *y1 = columns[Y1], *x2 = columns[X2], *y2 = columns[Y2];
         for (int i = 0; i < count; ++i)
             errors[i] = Error::squared(model.val, x1[i], y1[i], x2[i], y2[i]);
     }

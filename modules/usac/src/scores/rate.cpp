@@ -45,7 +45,7 @@ private:
     const FusedKernel kernel;
     const float limit;
     const Model& model;
-    float m[9];
+    float m[MAX_MODEL_SIZE];
 };
 
 //! Block after block; false if the model was dropped.

@@ -20,13 +20,13 @@ template <typename T>
 class Pairing
 {
 public:
-    Pairing(const Residual& residual_, const Model& model_, const T* x1, const T* y1, const T* x2, const T* y2,
+    Pairing(const Residual& residual_, const Model& model_, const Correspondences& points_, const T* const* from,
             int count, double threshold)
-        : residual(residual_), model(model_), limit((T)(threshold * threshold)), size(count), stride(2 * count),
-          memory(5 * stride)
+        : residual(residual_), model(model_), points(points_), columns(points.columns()),
+          firstMoved(points.coordinates[1] ? points.coordinates[0] : columns - 1), limit((T)(threshold * threshold)),
+          size(count), stride(2 * count), memory((columns + 1) * stride)
     {
-        const T* const from[4] = {x1, y1, x2, y2};
-        for (int k = 0; k < 4; ++k)
+        for (int k = 0; k < columns; ++k)
             std::copy(from[k], from[k] + count, row(k));
     }
 
@@ -36,33 +36,33 @@ public:
         computeErrors(0);
         int sum = 0;
         for (int i = 0; i < size; ++i)
-            sum += mask[i] = row(4)[i] <= limit;  // false for NaN
+            sum += mask[i] = row(columns)[i] <= limit;  // false for NaN
         return sum;
     }
 
-    //! Leaves out what is marked, and writes image 2 a second time behind the first: the last points have partners,
-    //! too.
+    //! Leaves out what is marked, and writes array 2 a second time behind the first: the last points have partners,
+    //! too. Of a single array it is the last column.
     int drop(const uchar* repeated)
     {
         int kept = 0;
         for (int i = 0; i < size; ++i)
             if (!repeated[i])
             {
-                for (int k = 0; k < 4; ++k)
+                for (int k = 0; k < columns; ++k)
                     row(k)[kept] = row(k)[i];
                 ++kept;
             }
         size = kept;
-        for (int k = 2; k < 4; ++k)
+        for (int k = firstMoved; k < columns; ++k)
             std::copy(row(k), row(k) + size, row(k) + size);
         return size;
     }
 
-    //! How many points of image 1 agree with those that stand `partner` places further in image 2, after drop().
+    //! How many points of array 1 agree with those that stand `partner` places further in array 2, after drop().
     int agreeing(int partner)
     {
         computeErrors(partner);
-        const T* const errors = row(4);
+        const T* const errors = row(columns);
         int sum = 0;
         for (int i = 0; i < size; ++i)
             sum += errors[i] <= limit ? 1 : 0;
@@ -75,28 +75,31 @@ private:
 
     const Residual& residual;
     const Model& model;
+    const Correspondences& points;
+    const int columns, firstMoved;  //!< the columns from this one on are those of the partner
     const T limit;
     int size;
     const int stride;
-    std::vector<T> memory;  //!< x1, y1, x2, y2, errors
+    std::vector<T> memory;  //!< columns, errors
 };
 
 template <>
 void Pairing<double>::computeErrors(int partner)
 {
-    residual.squaredErrors(model, row(0), row(1), row(2) + partner, row(3) + partner, size, row(4));
+    const double* data[MAX_COLUMNS];
+    for (int k = 0; k < columns; ++k)
+        data[k] = row(k) + (k < firstMoved ? 0 : partner);
+    residual.squaredErrors(model, data, size, row(columns));
 }
 
 template <>
 void Pairing<float>::computeErrors(int partner)
 {
-    Correspondences view = Correspondences();
+    Correspondences view = points;
     view.size = size;
-    view.x1 = row(0);
-    view.y1 = row(1);
-    view.x2 = row(2) + partner;
-    view.y2 = row(3) + partner;
-    residual.squaredErrors(view, model, 0, size, row(4));
+    for (int k = 0; k < columns; ++k)
+        view.column[k] = row(k) + (k < firstMoved ? 0 : partner);
+    residual.squaredErrors(view, model, 0, size, row(columns));
 }
 
 template <typename T>
@@ -106,8 +109,7 @@ Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double
     uchar* const repeated = &mask[count];
     Agreement found;
     found.inliers = pairing.inliers(mask.data());
-    markRepeated(p.dx1, p.dy1, 0, mask.data(), count, threshold * p.T1(0, 0) / p.T2(0, 0), repeated);
-    found.inliers -= markRepeated(p.dx2, p.dy2, 0, mask.data(), count, threshold, repeated);
+    found.inliers -= markRepeated(p, 0, mask.data(), count, threshold, repeated);
     found.points = pairing.drop(repeated);
     found.pairs = found.agreeing = 0;
     const int partners = std::min(std::max<int>(PARTNERS, pairs / std::max(found.points, 1)), found.points - 1);
@@ -126,10 +128,10 @@ Agreement countAgreement(const Residual& residual, const Model& model, const Cor
 {
     if (residual.kind() == Residual::CUSTOM)
     {
-        Pairing<double> pairing(residual, model, p.dx1, p.dy1, p.dx2, p.dy2, size, threshold);
+        Pairing<double> pairing(residual, model, p, p.exact, size, threshold);
         return count(pairing, p, size, threshold, pairs);
     }
-    Pairing<float> pairing(residual, model, p.x1, p.y1, p.x2, p.y2, size, threshold);
+    Pairing<float> pairing(residual, model, p, p.column, size, threshold);
     return count(pairing, p, size, threshold, pairs);
 }
 

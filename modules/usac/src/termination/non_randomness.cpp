@@ -66,7 +66,7 @@ double upperTail(int k, int n, double p)
     return std::max(1 - sum, 0.);
 }
 
-//! Cells of a plane that something lies in: a hash table with linear probing.
+//! Cells of a space that something lies in: a hash table with linear probing.
 class Cells
 {
 public:
@@ -74,17 +74,17 @@ public:
     {
         while (mask < 2 * capacity)
             mask *= 2;
-        slots.assign(mask, Vec2d(NAN, NAN));
+        slots.assign(mask, Vec3d(NAN, NAN, NAN));
         --mask;
     }
 
     //! False if the cell is there already. Doubles, as small sides make large numbers.
-    bool insert(const Vec2d& cell)
+    bool insert(const Vec3d& cell)
     {
-        uint64 bits[2];
+        uint64 bits[3];
         std::memcpy(bits, cell.val, sizeof(bits));
         // small whole numbers have zeros but for their highest bits, which a product moves nowhere but up
-        uint64 h = bits[0] ^ (bits[1] << 1 | bits[1] >> 63);
+        uint64 h = bits[0] ^ (bits[1] << 1 | bits[1] >> 63) ^ (bits[2] << 2 | bits[2] >> 62);
         h = (h ^ h >> 32) * 0x9e3779b97f4a7c15ULL;
         int at = (int)(h >> 40) & mask;
         for (; slots[at][0] == slots[at][0]; at = (at + 1) & mask)
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    std::vector<Vec2d> slots;  //!< NaN: free
+    std::vector<Vec3d> slots;  //!< NaN: free
     int mask;
 };
 
@@ -110,30 +110,33 @@ double chanceOf(int inliers, int n, int m, double randomRatio)
     return randomRatio < 1 ? upperTail(inliers - m, n - m, randomRatio) : 1;
 }
 
-int independentInliers(const double* x1, const double* y1, const double* x2, const double* y2, const uchar* mask,
-                       int count, double threshold1, double threshold2)
+int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask, int count,
+                       double threshold1, double threshold2)
 {
     std::vector<uchar> repeated1(count, 0), repeated2(count, 0);
-    const int repetitions = std::max(markRepeated(x1, y1, 0, mask, count, threshold1, repeated1.data()),
-                                     markRepeated(x2, y2, 0, mask, count, threshold2, repeated2.data()));
+    const int repetitions = std::max(
+        markRepeated(columns, coordinates[0], 0, mask, count, threshold1, repeated1.data()),
+        markRepeated(columns + coordinates[0], coordinates[1], 0, mask, count, threshold2, repeated2.data()));
     int inliers = 0;
     for (int i = 0; i < count; ++i)
         inliers += mask[i] != 0;
     return inliers - repetitions;
 }
 
-int markRepeated(const double* x, const double* y, const int* order, const uchar* mask, int count, double side,
-                 uchar* repeated)
+int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask, int count,
+                 double side, uchar* repeated)
 {
     int marked = 0;
     for (int i = 0; i < count; ++i)
         marked += mask[i] != 0;
     Cells cells(marked);
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count && dimensions > 0; ++i)
         if (mask[i])
         {
             const int point = order ? order[i] : i;
-            const Vec2d cell(std::floor(x[point] / side) + 0., std::floor(y[point] / side) + 0.);  // no -0
+            Vec3d cell;
+            for (int k = 0; k < dimensions; ++k)
+                cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) + 0.;  // no -0
             if (!cells.insert(cell))
                 repeated[i] = 1;
         }
@@ -141,6 +144,14 @@ int markRepeated(const double* x, const double* y, const int* order, const uchar
     for (int i = 0; i < count; ++i)
         sum += repeated[i];
     return sum;
+}
+
+int markRepeated(const Correspondences& p, const int* order, const uchar* mask, int count, double threshold,
+                 uchar* repeated)
+{
+    const double threshold1 = p.problem->commonUnit() ? threshold * p.frame[0].scale / p.frame[1].scale : 0;
+    markRepeated(p.exact, p.coordinates[0], order, mask, count, threshold1, repeated);
+    return markRepeated(p.exact + p.coordinates[0], p.coordinates[1], order, mask, count, threshold, repeated);
 }
 
 }  // namespace usacv20

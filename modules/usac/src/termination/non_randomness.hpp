@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_NON_RANDOMNESS_HPP
 #define OPENCV_USACV20_NON_RANDOMNESS_HPP
 
-#include "opencv2/core.hpp"
+#include "opencv2/usac/problem.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -22,15 +22,19 @@ double chanceOf(int inliers, int n, int m, double randomRatio);
 
 /** @brief Number of inliers that are independent of each other: those of one place count once.
 
-A place is a cell of side `threshold1` in image 1 and `threshold2` in image 2; the smaller of the numbers of places
-counts, so that neither repeated matches nor many points that match one give a model support. `mask` marks the inliers
-among the `count` points. O(count). */
-int independentInliers(const double* x1, const double* y1, const double* x2, const double* y2, const uchar* mask,
-                       int count, double threshold1, double threshold2);
+A place is a cell of side `threshold1` in array 1 and `threshold2` in array 2, of `coordinates` numbers each; the
+smaller of the numbers of places counts, so that neither repeated matches nor many points that match one give a model
+support. `mask` marks the inliers among the `count` points. O(count). */
+int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask, int count,
+                       double threshold1, double threshold2);
 
-/** Marks in `repeated` those inliers of one image that lie in a cell of side `side` with an earlier one. `mask` and
-`repeated` are in the order of `order`, null for 0, 1, 2, ... @return their number, those marked before included. */
-int markRepeated(const double* x, const double* y, const int* order, const uchar* mask, int count, double side,
+/** Marks in `repeated` those inliers of one array that lie in a cell of side `side` with an earlier one; 0: that are
+equal to it. `mask` and `repeated` are in the order of `order`, null for 0, 1, 2, ... @return their number, those marked
+before included. */
+int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask, int count,
+                 double side, uchar* repeated);
+//! Those of either array, whose points are the same within the threshold, see Problem::commonUnit.
+int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count, double threshold,
                  uchar* repeated);
 
 }  // namespace usacv20

@@ -94,10 +94,8 @@ private:
     static void markRepeatedInliers(const Correspondences& p, const std::vector<int>& order,
                                     const std::vector<uchar>& inliers, std::vector<uchar>& repeated)
     {
-        const double side1 = p.threshold * p.T1(0, 0) / p.T2(0, 0);
         repeated.assign(p.size, 0);
-        markRepeated(p.dx1, p.dy1, order.data(), inliers.data(), p.size, side1, repeated.data());
-        markRepeated(p.dx2, p.dy2, order.data(), inliers.data(), p.size, p.threshold, repeated.data());
+        markRepeated(p, order.data(), inliers.data(), p.size, p.threshold, repeated.data());
     }
 
     const double randomRatio;

@@ -7,9 +7,8 @@
 
 #ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
 
-#include <limits>
 #include <vector>
-#include "opencv2/core.hpp"
+#include "opencv2/usac/data.hpp"
 #include "opencv2/usac/params.hpp"
 #include "opencv2/usac/report.hpp"
 
@@ -25,84 +24,6 @@ default set and any of them can be replaced before Usac::run. A virtual call cov
 points, never a point. Methods that are `const` are called from several threads at once if Params::threads is not 1;
 the others never are.
 @{ */
-
-//! A homography, fundamental or essential matrix, in the coordinates of Correspondences.
-typedef Matx33d Model;
-
-//! Most points a minimal sample can have.
-enum { MAX_SAMPLE_SIZE = 8 };
-//! Most models a minimal solver can return.
-enum { MAX_MODELS = 10 };
-
-class Problem;
-
-/** @brief The correspondences as the components see them: scaled, shuffled, structure of arrays.
-
-H, F: translated and scaled to about unit size (F, E: the same scale in both images, so that errors scale with it).
-E: coordinates of the normalized image plane. The order is pseudo-random and fixed, so that any run of consecutive
-points is a random sample. Arrays have `size` elements.
-*/
-struct Correspondences
-{
-    const Problem* problem;               //!< what is estimated
-    int size;                             //!< finite correspondences
-    int inputSize;                        //!< rows that the caller gave
-    const float *x1, *y1, *x2, *y2;       //!< for scoring, 64-byte aligned
-    const double *dx1, *dy1, *dx2, *dy2;  //!< for solving and refinement
-    const int* inputIndex;                //!< row of the caller's arrays
-    const float* scores;                  //!< Params::scores in this order, lower is better; null if none were given
-    double threshold;                     //!< Params::threshold times Params::reach in these coordinates, not squared
-    Matx33d T1, T2;                       //!< from the caller's (E: normalized) coordinates to these
-    float lower[4], upper[4];             //!< where nearly all of x1, y1, x2, y2 lie
-};
-
-//! What a model is worth: the lower the cost, the better.
-struct Quality
-{
-    Quality() : cost(std::numeric_limits<double>::infinity()), inliers(0) {}
-    Quality(double cost_, int inliers_) : cost(cost_), inliers(inliers_) {}
-    bool betterThan(const Quality& other) const { return cost < other.cost; }
-
-    double cost;  //!< sum over all points, each between 0 and 1
-    int inliers;  //!< points within the threshold
-};
-
-/** @brief Counter-based pseudo-random generator: the k-th number of a stream depends on seed, stream and k alone.
-
-The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has a stream of its own,
-so the samples do not depend on threads or on what was drawn elsewhere.
-*/
-class Rng
-{
-public:
-    explicit Rng(uint64 seed = 0, uint64 stream = 0) : key(mix(seed + mix(stream))), counter(0) {}
-
-    //! 32 uniformly distributed bits.
-    unsigned next() { return (unsigned)(mix(key + 0x9e3779b97f4a7c15ULL * ++counter) >> 32); }
-    //! Uniform in 0 .. n-1, n > 0.
-    int uniform(int n) { return (int)(((uint64)next() * (unsigned)n) >> 32); }
-    //! Writes `count` distinct numbers of 0 .. n-1 with count <= min(n, MAX_SAMPLE_SIZE).
-    void distinct(int n, int count, int* out)
-    {
-        for (int i = 0; i < count;)
-        {
-            out[i] = uniform(n);
-            int j = 0;
-            while (out[j] != out[i])
-                ++j;
-            i += j == i;
-        }
-    }
-
-private:
-    static uint64 mix(uint64 z)
-    {
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
-    uint64 key, counter;
-};
 
 //! One design of the sequential probability ratio test, and how long it was in use.
 struct SequentialTest
@@ -247,21 +168,21 @@ public:
     //! Squared errors of the points begin .. end-1. Where the error is not defined the value is NaN or infinite.
     virtual void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
                                float* errors) const = 0;
-    //! The same in double, for `count` points in any coordinates.
-    virtual void squaredErrors(const Model& model, const double* x1, const double* y1, const double* x2,
-                               const double* y2, int count, double* errors) const = 0;
-    /** @brief The error of one match as a vector whose squared length is the squared error.
-    @param model, match what, and x1, y1, x2, y2
+    //! The same in double, for `count` points in any coordinates, given as columns.
+    virtual void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const = 0;
+    /** @brief The error of one datum as a vector whose squared length is the squared error.
+    @param model what it is compared with
+    @param datum one number of each column
     @param error output, at most #MAX_COMPONENTS numbers
     @return their number. Default: one, the root of the squared error. That is the distance to a curve but for its sign;
     for an error with two components it is better to write this method: the root has no derivative where the error is 0.
   */
-    virtual int error(const Model& model, const double* match, double* error) const;
+    virtual int error(const Model& model, const double* datum, double* error) const;
     /** @brief The same, with the derivative by the entries of the model: what a model is fitted with.
-    @param model, match, error as above
-    @param derivative output, a row of 9 numbers for each component
-    Default: central differences, 19 calls of error(). */
-    virtual int linearize(const Model& model, const double* match, double* error, double* derivative) const;
+    @param model, datum, error as above
+    @param derivative output, a row of Model::size() numbers for each component
+    Default: central differences, 2 Model::size() + 1 calls of error(). */
+    virtual int linearize(const Model& model, const double* datum, double* error, double* derivative) const;
     //! Names the formula, so that a Score can offer a fused kernel for it. Default: CUSTOM, which has none.
     virtual Kind kind() const;
 };

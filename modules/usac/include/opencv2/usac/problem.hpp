@@ -24,7 +24,7 @@ struct SampleCost
     double models;  //!< that are left to be rated, on average
 };
 
-/** @brief One kind of model of two views: all that is particular to it.
+/** @brief One kind of model: all that is particular to it.
 
 The search, the samplers, the scores, the criteria know nothing else of what is estimated. A program can bring a problem
 of its own, see Usac::create and samples/custom_problem.cpp. All methods are `const`; those that are called during the
@@ -44,6 +44,11 @@ public:
     is for symmetric errors, too: their terms are functions of each other, so the second term changes the scale of the
     error only. */
     virtual int errorDimension() const = 0;
+    //! Numbers of a point in the caller's array 0 or 1: 1 to 3, or 0 if there is no array 1. Default: 2, two images.
+    virtual int coordinates(int array) const;
+    //! True, the default: both arrays have the unit of the threshold, so that points of either that are nearer to each
+    //! other are taken for the same. False: in array 0 only equal points are.
+    virtual bool commonUnit() const;
     //! For the sequential test, and for the size of the batches.
     virtual SampleCost sampleCost() const = 0;
     //! True if two good models can have the same inliers, as the two motions of a plane that E has: then each is
@@ -52,20 +57,20 @@ public:
 
     /** @brief Moves the caller's points to the coordinates of the model, in place; E: from pixels to the normalized
     image plane.
-    @param x1, y1, x2, y2 `count` numbers each
+    @param columns `count` numbers each
     @param count number of points
     @return pixels in a unit of the new coordinates. Default: 1, nothing is moved. */
-    virtual double toModelCoordinates(double* x1, double* y1, double* x2, double* y2, int count) const;
+    virtual double toModelCoordinates(double* const* columns, int count) const;
     /** @brief How the points may be normalized for the search.
     @param residual @ref ResidualType
     Default: #SCALE_NONE. */
     virtual int normalization(int residual) const;
     /** @brief A model of the search in the coordinates of toModelCoordinates(), in the normal form that is documented.
     @param model as components see it
-    @param points their frame, Correspondences::T1 and T2
-    @param result output
+    @param points their Correspondences::frame
+    @param result output, what Usac::run returns
     @return false if it is not finite. */
-    virtual bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const = 0;
+    virtual bool toInput(const Model& model, const Correspondences& points, Model& result) const = 0;
     //! The closest model that fulfills all constraints; what solvers and polishers find may miss them by a bit.
     //! Default: the model itself.
     virtual Model closest(const Model& model) const;
@@ -83,21 +88,21 @@ public:
     virtual void createDegeneracies(int flags, const Correspondences& points,
                                     std::vector<Ptr<Degeneracy>>& degeneracies) const;
 
-    /** @brief Side of the square on which outliers are taken to be uniform, in the coordinates of `points`: the vector
-    of a 2-D error has the density extent^-2, a distance about 1 / extent. Default: the root of the area on which the
-    points of image 2 lie, for errors of dimension 1 that of the mean area of both images. */
+    /** @brief Side of the cube on which outliers are taken to be uniform, in the coordinates of `points`: the vector of
+    an error of d dimensions has the density extent^-d. Default: the geometric mean of the sides of the box in which
+    nearly all points of the last array lie, for errors of dimension 1 of both. */
     virtual double outlierExtent(const Correspondences& points) const;
     /** @brief Probability that a point is an inlier of a wrong model, if wrong matches are everywhere: the part of
-    image 2 that is within the threshold of a point or, for errors of dimension 1, of the longest line, by Sampson's
-    distance. At most 1. */
+    the box of the last array that is within the threshold of a point or, for errors of dimension 1, of the longest
+    line (by Sampson's distance if there are two arrays) or largest plane. At most 1. */
     virtual double randomInlierRatio(const Correspondences& points) const;
 };
 
 //! Values of Problem::normalization.
 enum Normalization {
     SCALE_NONE,    //!< the constraints of the model need the coordinates as they are
-    SCALE_COMMON,  //!< each image is moved to its center, both with one scale, with which the errors scale
-    SCALE_EACH     //!< each image is moved to its center and scaled by itself
+    SCALE_COMMON,  //!< each array is moved to its center, both with one scale, with which the errors scale
+    SCALE_EACH     //!< each array is moved to its center and scaled by itself
 };
 
 //! @}

@@ -72,10 +72,10 @@ Cameras::Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray 
       distortion1(readDistortion(distCoeffs1, "distCoeffs1")), distortion2(readDistortion(distCoeffs2, "distCoeffs2"))
 {}
 
-double Cameras::toImagePlane(double* x1, double* y1, double* x2, double* y2, int count) const
+double Cameras::toImagePlane(double* const* columns, int count) const
 {
-    undistort(K1, distortion1, x1, y1, count);
-    undistort(K2, distortion2, x2, y2, count);
+    undistort(K1, distortion1, columns[X1], columns[Y1], count);
+    undistort(K2, distortion2, columns[X2], columns[Y2], count);
     return (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
 }
 

@@ -20,7 +20,7 @@ public:
     Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
 
     //! From pixels to the normalized image plane, in place. @return mean focal length in pixels
-    double toImagePlane(double* x1, double* y1, double* x2, double* y2, int count) const;
+    double toImagePlane(double* const* columns, int count) const;
 
 private:
     Matx33d K1, K2;

@@ -30,16 +30,19 @@ public:
     //! tell.
     bool ambiguous() const CV_OVERRIDE { return true; }
 
-    double toModelCoordinates(double* x1, double* y1, double* x2, double* y2, int count) const CV_OVERRIDE
+    double toModelCoordinates(double* const* columns, int count) const CV_OVERRIDE
     {
-        return cameras.toImagePlane(x1, y1, x2, y2, count);
+        return cameras.toImagePlane(columns, count);
     }
 
     //! Singular values (1, 1, 0) / sqrt(2).
-    bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const CV_OVERRIDE
+    bool toInput(const Model& model, const Correspondences&, Model& result) const CV_OVERRIDE
     {
-        result = points.T2.t() * model * points.T1;
-        return toUnitNorm(result);
+        Matx33d E = model;
+        if (!toUnitNorm(E))
+            return false;
+        result = E;
+        return true;
     }
 
     Model closest(const Model& model) const CV_OVERRIDE { return EssentialParameterization(model).model(); }

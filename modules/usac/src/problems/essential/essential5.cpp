@@ -333,14 +333,14 @@ public:
             if (!backSubstitute(system.B, z, x, y))
                 continue;
             const double left = correct(system.transposed, length, x, y, z);
+            Matx33d E;
             for (int i = 0; i < 9; ++i)
             {
-                const double e = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
-                models[found].val[i] = e;
-                squares += e * e;
+                E.val[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
+                squares += E.val[i] * E.val[i];
             }
             if (left < VIOLATED * squares * std::sqrt(squares) && squares <= DBL_MAX)  // false for NaN
-                models[found++] *= 1 / std::sqrt(squares);
+                models[found++] = E * (1 / std::sqrt(squares));
         }
         return found;
     }
@@ -352,7 +352,8 @@ private:
         double A[9][6] = {{0}};
         for (int i = 0; i < 5; ++i)
         {
-            const double x1 = p.dx1[sample[i]], y1 = p.dy1[sample[i]], x2 = p.dx2[sample[i]], y2 = p.dy2[sample[i]];
+            const double x1 = p.exact[X1][sample[i]], y1 = p.exact[Y1][sample[i]], x2 = p.exact[X2][sample[i]],
+                         y2 = p.exact[Y2][sample[i]];
             const double row[9] = {x2 * x1, x2 * y1, x2, y2 * x1, y2 * y1, y2, x1, y1, 1};
             for (int k = 0; k < 9; ++k)
                 A[k][i] = row[k];

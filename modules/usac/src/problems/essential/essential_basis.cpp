@@ -43,7 +43,7 @@ Matx33d rotationOf(const Correspondences& p, const int* sample)
     for (int k = 0; k < 5; ++k)
     {
         const int i = sample[k];
-        const Vec3d a(p.dx1[i], p.dy1[i], 1), b(p.dx2[i], p.dy2[i], 1);
+        const Vec3d a(p.exact[X1][i], p.exact[Y1][i], 1), b(p.exact[X2][i], p.exact[Y2][i], 1);
         sum += b * a.t() * (1 / std::sqrt(a.dot(a) * b.dot(b)));
     }
     Vec3d w;

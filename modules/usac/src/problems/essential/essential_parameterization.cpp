@@ -57,7 +57,7 @@ EssentialParameterization EssentialParameterization::plus(const Step& step) cons
 Model EssentialParameterization::model() const
 {
     const Eigen::Matrix2d corner = Eigen::Matrix2d::Identity() * std::sqrt(0.5);
-    Model result;
+    Matx33d result;
     Eigen::Map<RowMajor3>(result.val) = U.leftCols<2>() * corner * V.leftCols<2>().transpose();
     return result;
 }

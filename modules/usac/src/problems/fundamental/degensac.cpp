@@ -122,7 +122,7 @@ private:
 
     static double error(const Correspondences& p, const Matx33d& H, int i)
     {
-        return TransferError::squared(H.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]);
+        return TransferError::squared(H.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]);
     }
 
     static int pointsOn(const Correspondences& p, const Matx33d& H)
@@ -155,12 +155,14 @@ private:
         split(p, H, planeLimit(p));
         if (onPlane.size() < 8 || onPlane.size() < ROUGHLY * least)
             return false;
+        Model fitted = H;
         size_t before = 0;
         for (int k = 0; k < MAX_FITS && onPlane.size() > before; ++k)
         {
             before = onPlane.size();
-            if (!fitter->fit(p, onPlane.data(), std::min((int)before, (int)MAX_FIT), 0, H, FIT_STEPS))
+            if (!fitter->fit(p, onPlane.data(), std::min((int)before, (int)MAX_FIT), 0, fitted, FIT_STEPS))
                 return false;
+            H = fitted;
             split(p, H, planeLimit(p));
         }
         if (onPlane.size() < least)

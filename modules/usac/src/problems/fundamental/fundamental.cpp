@@ -38,12 +38,12 @@ public:
     int normalization(int) const CV_OVERRIDE { return SCALE_COMMON; }
 
     //! Rank 2, unit norm.
-    bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const CV_OVERRIDE
+    bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
     {
-        result = points.T2.t() * model * points.T1;
-        if (!toUnitNorm(result))
+        Matx33d F = points.frame[1].matrix().t() * Matx33d(model) * points.frame[0].matrix();
+        if (!toUnitNorm(F))
             return false;
-        result = toRankTwo(result);
+        result = toRankTwo(F);
         return true;
     }
 

@@ -49,7 +49,8 @@ public:
         double A[9][8] = {{0}}, F[2][9];
         for (int i = 0; i < 7; ++i)
         {
-            const double x1 = p.dx1[sample[i]], y1 = p.dy1[sample[i]], x2 = p.dx2[sample[i]], y2 = p.dy2[sample[i]];
+            const double x1 = p.exact[X1][sample[i]], y1 = p.exact[Y1][sample[i]], x2 = p.exact[X2][sample[i]],
+                         y2 = p.exact[Y2][sample[i]];
             const double row[9] = {x2 * x1, x2 * y1, x2, y2 * x1, y2 * y1, y2, x1, y1, 1};
             for (int k = 0; k < 9; ++k)
                 A[k][i] = row[k];
@@ -75,14 +76,15 @@ public:
         for (int r = 0; r < count; ++r)
         {
             double squares = 0;
+            Matx33d root;
             for (int i = 0; i < 9; ++i)
             {
-                models[found].val[i] = roots[r] * F[s][i] + F[t][i];
-                squares += models[found].val[i] * models[found].val[i];
+                root.val[i] = roots[r] * F[s][i] + F[t][i];
+                squares += root.val[i] * root.val[i];
             }
             if (!(squares > 0 && squares <= DBL_MAX))
                 continue;
-            models[found] *= 1 / std::sqrt(squares);
+            models[found] = root * (1 / std::sqrt(squares));
             double c[9];
             cofactors(models[found].val, c);
             found += dot9(c, c) > LEAST_RATIO * LEAST_RATIO;  // the product of the singular values

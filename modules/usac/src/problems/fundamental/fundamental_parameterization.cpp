@@ -116,7 +116,7 @@ FundamentalParameterization FundamentalParameterization::plus(const Step& step) 
 
 Model FundamentalParameterization::model() const
 {
-    Model result;
+    Matx33d result;
     Eigen::Map<RowMajor3>(result.val) = U.leftCols<2>() * corner * V.leftCols<2>().transpose();
     return result;
 }

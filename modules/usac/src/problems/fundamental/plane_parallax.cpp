@@ -132,7 +132,8 @@ void PlaneParallax::setPlane(const Correspondences& points, const std::vector<in
     const Vec3d h1(H(0, 0), H(1, 0), H(2, 0)), h2(H(0, 1), H(1, 1), H(2, 1));
     for (int i = 0; i < p.size; ++i)
     {
-        const Vec3d x2(p.x2[i], p.y2[i], 1), y = H * Vec3d(p.x1[i], p.y1[i], 1), n = y.cross(x2);
+        const Vec3d x2(p.column[X2][i], p.column[Y2][i], 1), y = H * Vec3d(p.column[X1][i], p.column[Y1][i], 1),
+                                                             n = y.cross(x2);
         const Vec3d forms[4] = {Vec3d(0, y[2], -y[1]), Vec3d(-y[2], 0, y[0]), h1.cross(x2), h2.cross(x2)};
         for (int k = 0; k < 3; ++k)
             numbers[(size_t)(N0 + k) * stride + i] = (float)n[k];
@@ -198,7 +199,7 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
         --change[to[k] + 1];
         change[0] += from[k] > to[k] + 1;
     }
-    const Vec3d x2(p.x2[line], p.y2[line], 1), y = H * Vec3d(p.x1[line], p.y1[line], 1);
+    const Vec3d x2(p.column[X2][line], p.column[Y2][line], 1), y = H * Vec3d(p.column[X1][line], p.column[Y1][line], 1);
     const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))),
                         binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
     int first = 0, last = -1;
@@ -212,7 +213,7 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
 //! points.
 void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Quality& quality)
 {
-    Model F = crossMatrix(e) * H, candidate = F;
+    Matx33d F = crossMatrix(e) * H, candidate = F;
     Quality lowest;
     const size_t steps = sizeof(WIDTHS) / sizeof(WIDTHS[0]);
     for (size_t step = 0; step < steps && fit(F, WIDTHS[step], step < 2 ? (int)FIRST_FIT : (int)MAX_POINTS, e); ++step)

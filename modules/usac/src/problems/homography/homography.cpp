@@ -31,12 +31,12 @@ public:
     }
 
     //! h33 = 1 where that is not nearly 0 against the weights of the other points.
-    bool toInput(const Model& model, const Correspondences& points, Matx33d& result) const CV_OVERRIDE
+    bool toInput(const Model& model, const Correspondences& points, Model& inInput) const CV_OVERRIDE
     {
-        const Matx33d &T1 = points.T1, &T2 = points.T2;
+        const Matx33d T1 = points.frame[0].matrix(), T2 = points.frame[1].matrix();
         const double s = 1 / T2(0, 0);
         const Matx33d inverse(s, 0, -s * T2(0, 2), 0, s, -s * T2(1, 2), 0, 0, 1);  // of a similarity
-        result = inverse * model * T1;
+        Matx33d result = inverse * Matx33d(model) * T1;
         if (!toUnitNorm(result))
             return false;
         const double weights = std::abs(result(2, 0)) * (std::abs(T1(0, 2)) + 1) / T1(0, 0) +
@@ -46,6 +46,7 @@ public:
             result *= 1 / result(2, 2);
             result(2, 2) = 1;  // which the product may miss by a bit
         }
+        inInput = result;
         return true;
     }
 

@@ -55,7 +55,7 @@ public:
     int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
     {
         double B1[9], B2[9];
-        if (!fromBasis(p.dx1, p.dy1, sample, B1) || !fromBasis(p.dx2, p.dy2, sample, B2))
+        if (!fromBasis(p.exact[X1], p.exact[Y1], sample, B1) || !fromBasis(p.exact[X2], p.exact[Y2], sample, B2))
             return 0;
         // rows of adj(B1) are cross products of the columns of B1
         const double adj[9] = {
@@ -63,16 +63,17 @@ public:
             B1[5] * B1[6] - B1[3] * B1[8], B1[0] * B1[8] - B1[2] * B1[6], B1[2] * B1[3] - B1[0] * B1[5],
             B1[3] * B1[7] - B1[4] * B1[6], B1[1] * B1[6] - B1[0] * B1[7], B1[0] * B1[4] - B1[1] * B1[3]};
         double squares = 0;
+        Matx33d H;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
             {
                 const double h = B2[3 * i] * adj[j] + B2[3 * i + 1] * adj[3 + j] + B2[3 * i + 2] * adj[6 + j];
-                models[0](i, j) = h;
+                H(i, j) = h;
                 squares += h * h;
             }
         if (!(squares >= DBL_MIN && squares <= DBL_MAX))
             return 0;
-        models[0] *= 1 / std::sqrt(squares);
+        models[0] = H * (1 / std::sqrt(squares));
         return 1;
     }
 };

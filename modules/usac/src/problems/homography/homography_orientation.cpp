@@ -35,8 +35,8 @@ public:
     {
         const Correspondences& p = context.points;
         double area1[4], area2[4];
-        areas(p.dx1, p.dy1, s, area1);
-        areas(p.dx2, p.dy2, s, area2);
+        areas(p.exact[X1], p.exact[Y1], s, area1);
+        areas(p.exact[X2], p.exact[Y2], s, area2);
         int same = 0;
         for (int t = 0; t < 4; ++t)
             same += area1[t] * area2[t] > 0;
@@ -45,8 +45,9 @@ public:
 
     bool validModel(const Context&, const int*, const Model& model) const CV_OVERRIDE
     {
-        const double size = norm(model);
-        return std::abs(determinant(model)) > 1e-7 * size * size * size;
+        const Matx33d H = model;
+        const double size = norm(H);
+        return std::abs(determinant(H)) > 1e-7 * size * size * size;
     }
 };
 

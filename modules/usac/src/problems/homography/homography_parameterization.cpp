@@ -15,7 +15,10 @@ HomographyParameterization::HomographyParameterization(const Model& model)
     : h(Eigen::Map<const Eigen::Matrix<double, 9, 1>>(model.val).normalized())
 {}
 
-bool HomographyParameterization::hasFullRank() const { return std::abs(determinant(model())) > LEAST_DETERMINANT; }
+bool HomographyParameterization::hasFullRank() const
+{
+    return std::abs(determinant(Matx33d(h.data()))) > LEAST_DETERMINANT;
+}
 
 HomographyParameterization::Basis HomographyParameterization::tangent() const
 {
@@ -53,12 +56,7 @@ HomographyParameterization HomographyParameterization::plus(const Step& step) co
     return result;
 }
 
-Model HomographyParameterization::model() const
-{
-    Model result;
-    Eigen::Map<Eigen::Matrix<double, 9, 1>>(result.val) = h;
-    return result;
-}
+Model HomographyParameterization::model() const { return Matx33d(h.data()); }
 
 }  // namespace usacv20
 }  // namespace cv

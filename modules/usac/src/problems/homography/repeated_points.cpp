@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/point_subset.hpp"
 #include "problems/homography/homography.hpp"
 #include "problems/two_view/share_a_point.hpp"
 
@@ -38,13 +39,11 @@ public:
         const Score& score = *context.components.score;
         if (!searched)
             search(context.points);
-        const int count = (int)coordinates[0].size();
+        const int count = repetitions.size();
         if (count == 0 || score.wholeModel())
             return true;
-        errors.resize(count);
-        context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(),
-                                                   coordinates[2].data(), coordinates[3].data(), count, errors.data());
-        floats.assign(errors.begin(), errors.end());
+        const double* const errors = repetitions.squaredErrors(*context.components.residual, model);
+        floats.assign(errors, errors + count);
         Quality sum(0, 0);
         score.accumulate(floats.data(), count, (float)(context.points.threshold * context.points.threshold), sum);
         quality.cost += count - sum.cost;
@@ -56,7 +55,7 @@ private:
     //! A match that is there so often among the first points, or more often than once in so many of all, is one match.
     enum { FIRST_POINTS = 64, OFTEN = 3, TENTH = 10 };
 
-    //! Fills `coordinates` with the repetitions, but for the first of each.
+    //! Fills `repetitions`, without the first of each.
     void search(const Correspondences& p)
     {
         searched = true;
@@ -78,14 +77,12 @@ private:
                 found.push_back(i);
         if (((int)found.size() + 1) * TENTH <= p.size)
             return;
-        const double* const from[4] = {p.dx1, p.dy1, p.dx2, p.dy2};
         for (size_t i = 0; i < found.size(); ++i)
-            for (int k = 0; k < 4; ++k)
-                coordinates[k].push_back(from[k][found[i]]);
+            repetitions.add(p, found[i]);
     }
 
     bool searched;
-    std::vector<double> coordinates[4], errors;  //!< of the repetitions
+    PointSubset repetitions;
     std::vector<float> floats;
 };
 

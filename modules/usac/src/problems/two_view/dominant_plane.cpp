@@ -21,7 +21,7 @@ bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A,
     for (int k = 0; k < 3; ++k)
     {
         const int i = triple[k];
-        const Vec3d x1(p.dx1[i], p.dy1[i], 1), x2(p.dx2[i], p.dy2[i], 1);
+        const Vec3d x1(p.exact[X1][i], p.exact[Y1][i], 1), x2(p.exact[X2][i], p.exact[Y2][i], 1);
         const Vec3d side = x2.cross(e);
         const double length = side.dot(side);
         if (!(length > 0))
@@ -46,7 +46,7 @@ bool epipolar(const Model& F, Vec3d& e, Matx33d& A)
     if (!(length > 0))
         return false;
     e *= 1 / length;
-    A = crossMatrix(e) * F;
+    A = crossMatrix(e) * Matx33d(F);
     return true;
 }
 
@@ -57,7 +57,8 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
     Matx33d A;
     members.clear();
     for (int i = 0; i < p.size && (int)members.size() < MAX_INLIERS; ++i)
-        if (SampsonError::squared(F.val, p.dx1[i], p.dy1[i], p.dx2[i], p.dy2[i]) <= p.threshold * p.threshold)
+        if (SampsonError::squared(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]) <=
+            p.threshold * p.threshold)
             members.push_back(i);
     const int count = (int)members.size();
     if (count < 8 || !epipolar(F, e, A))

@@ -26,11 +26,11 @@ public:
         for (int k = 0; k < m; ++k)
         {
             const int i = sample[k];
-            const double x = p.dx2[i], y = p.dy2[i];
+            const double x = p.exact[X2][i], y = p.exact[Y2][i];
             // the first two entries of e x x2 and F x1; they determine the sign, as the vectors are parallel
             const double a = e[1] - e[2] * y, b = e[2] * x - e[0];
-            const double c = F(0, 0) * p.dx1[i] + F(0, 1) * p.dy1[i] + F(0, 2);
-            const double d = F(1, 0) * p.dx1[i] + F(1, 1) * p.dy1[i] + F(1, 2);
+            const double c = F(0, 0) * p.exact[X1][i] + F(0, 1) * p.exact[Y1][i] + F(0, 2);
+            const double d = F(1, 0) * p.exact[X1][i] + F(1, 1) * p.exact[Y1][i] + F(1, 2);
             positive += a * c + b * d > 0;
         }
         return positive == 0 || positive == m;

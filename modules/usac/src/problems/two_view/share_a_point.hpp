@@ -15,13 +15,15 @@ namespace usacv20 {
 //! same.
 inline bool shareAPoint(const Correspondences& p, int i, int j)
 {
-    return (p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j]) || (p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j]);
+    return (p.column[X1][i] == p.column[X1][j] && p.column[Y1][i] == p.column[Y1][j]) ||
+           (p.column[X2][i] == p.column[X2][j] && p.column[Y2][i] == p.column[Y2][j]);
 }
 
 //! True if two matches are the same.
 inline bool sameMatch(const Correspondences& p, int i, int j)
 {
-    return p.x1[i] == p.x1[j] && p.y1[i] == p.y1[j] && p.x2[i] == p.x2[j] && p.y2[i] == p.y2[j];
+    return p.column[X1][i] == p.column[X1][j] && p.column[Y1][i] == p.column[Y1][j] &&
+           p.column[X2][i] == p.column[X2][j] && p.column[Y2][i] == p.column[Y2][j];
 }
 
 //! True if `share(i, k)` is, for two points i and k of a sample of m.
@@ -75,7 +77,8 @@ struct TargetLimits
 an image, but FAR_APART times as far from each other in the other image: at most one of them is right. */
 inline bool shareATarget(const Correspondences& p, const TargetLimits& limits, int i, int j)
 {
-    const float dx1 = p.x1[i] - p.x1[j], dy1 = p.y1[i] - p.y1[j], dx2 = p.x2[i] - p.x2[j], dy2 = p.y2[i] - p.y2[j];
+    const float dx1 = p.column[X1][i] - p.column[X1][j], dy1 = p.column[Y1][i] - p.column[Y1][j],
+                dx2 = p.column[X2][i] - p.column[X2][j], dy2 = p.column[Y2][i] - p.column[Y2][j];
     const float first = dx1 * dx1 + dy1 * dy1, second = dx2 * dx2 + dy2 * dy2;
     return (first <= limits.near[0] && second > limits.far[1]) || (second <= limits.near[1] && first > limits.far[0]) ||
            shareAPoint(p, i, j);

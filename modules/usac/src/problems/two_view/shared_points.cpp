@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/point_subset.hpp"
 #include "problems/two_view/two_view.hpp"
 #include "problems/two_view/share_a_point.hpp"
 #include "residuals/kernels.hpp"
@@ -64,7 +65,7 @@ public:
     explicit SharedPoints(const Correspondences& p)
     {
         const int count = std::min<int>(p.size, LOOKED_AT);
-        const float* const rows[4] = {p.x1, p.y1, p.x2, p.y2};
+        const float* const rows[4] = {p.column[X1], p.column[Y1], p.column[X2], p.column[Y2]};
         float first[2] = {FLT_MIN, FLT_MIN};
         sizes[0] = sizes[1] = FLT_MIN;
         for (int k = 0; k < 4 && count > 0; ++k)
@@ -109,15 +110,13 @@ public:
         const OneEnd one(model, sizes[1] / sizes[0]);
         int seen = 0;
         for (int i = 0; i < std::min<int>(p.size, LOOKED_AT); ++i)
-            seen += one.counts(p.x1[i], p.y1[i], p.x2[i], p.y2[i]);
+            seen += one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]);
         if (seen < FEW)
             return true;
         find(p, one);
-        const int count = (int)coordinates[0].size();
-        errors.resize(count);
-        context.components.residual->squaredErrors(model, coordinates[0].data(), coordinates[1].data(),
-                                                   coordinates[2].data(), coordinates[3].data(), count, errors.data());
-        floats.assign(errors.begin(), errors.end());
+        const int count = silent.size();
+        const double* const errors = silent.squaredErrors(*context.components.residual, model);
+        floats.assign(errors, errors + count);
         Quality sum(0, 0);
         score.accumulate(floats.data(), count, (float)(p.threshold * p.threshold), sum);
         if (sum.inliers < 2)
@@ -136,18 +135,15 @@ private:
 
     void find(const Correspondences& p, const OneEnd& one)
     {
-        const double* const from[4] = {p.dx1, p.dy1, p.dx2, p.dy2};
-        for (int k = 0; k < 4; ++k)
-            coordinates[k].clear();
+        silent.clear();
         for (int i = 0; i < p.size; ++i)
-            if (one.counts(p.x1[i], p.y1[i], p.x2[i], p.y2[i]))
-                for (int k = 0; k < 4; ++k)
-                    coordinates[k].push_back(from[k][i]);
+            if (one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]))
+                silent.add(p, i);
     }
 
-    float sizes[2];                              //!< of the images
-    bool targets;                                //!< many matches share points
-    std::vector<double> coordinates[4], errors;  //!< of the matches that tell nothing
+    float sizes[2];      //!< of the images
+    bool targets;        //!< many matches share points
+    PointSubset silent;  //!< the matches that tell nothing
     std::vector<float> floats;
 };
 

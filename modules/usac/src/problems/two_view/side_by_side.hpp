@@ -21,16 +21,16 @@ public:
 
     void gather(const Correspondences& p, const std::vector<int>& indices)
     {
-        const float* const from[4] = {p.x1, p.y1, p.x2, p.y2};
+        const float* const from[4] = {p.column[X1], p.column[Y1], p.column[X2], p.column[Y2]};
         points = p;
         points.size = std::min((int)indices.size(), (int)MOST);
         for (int k = 0; k < 4; ++k)
             for (int i = 0; i < points.size; ++i)
                 coordinates[k][i] = from[k][indices[i]];
-        points.x1 = coordinates[0];
-        points.y1 = coordinates[1];
-        points.x2 = coordinates[2];
-        points.y2 = coordinates[3];
+        points.column[X1] = coordinates[0];
+        points.column[Y1] = coordinates[1];
+        points.column[X2] = coordinates[2];
+        points.column[Y2] = coordinates[3];
     }
 
     int size() const { return points.size; }

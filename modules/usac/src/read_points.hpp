@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_READ_POINTS_HPP
+#define OPENCV_USACV20_READ_POINTS_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief The points of one of the caller's arrays, in any layout and depth that OpenCV's functions take.
+@param array N points
+@param coordinates of each, 1 to 3; points with 2 may also be given by 3, which are homogeneous
+@param name of the argument, for messages
+@return N x coordinates, CV_64F, continuous. It may be the memory of the caller. */
+Mat readPoints(InputArray array, int coordinates, const char* name);
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
