@@ -48,6 +48,7 @@ private:
     //! Sorts the points into cells and forgets the empty ones.
     void assign(const cv::usacv20::Correspondences& p)
     {
+        using namespace cv::usacv20;
         std::vector<std::vector<int>> all(DIVISIONS * DIVISIONS);
         for (int i = 0; i < p.size; ++i)
             all[division(p.column[Y1][i], p.lower[1], p.upper[1]) * DIVISIONS +
