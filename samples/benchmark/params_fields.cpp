@@ -8,73 +8,48 @@
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+#include "opencv2/usac/params_fields.hpp"
 
 namespace benchmark {
 
+using cv::usacv20::FieldValues;
 using cv::usacv20::Params;
 
 namespace {
 
-struct IntField
+//! Gives the field of that name, if it is a numeric one, its value.
+struct Assignment
 {
-    const char* name;
-    int Params::*member;
-};
+    Params& params;
+    const Field& assigned;
+    bool done;
 
-struct DoubleField
-{
-    const char* name;
-    double Params::*member;
-};
+    void operator()(const char* name, double Params::*member, const FieldValues&)
+    {
+        if (isIt(name))
+            params.*member = assigned.value;
+    }
+    void operator()(const char* name, int Params::*member, const FieldValues&)
+    {
+        if (isIt(name))
+            params.*member = assigned.integer();
+    }
+    void operator()(const char*, std::vector<float> Params::*, const FieldValues&) {}
 
-const IntField INT_FIELDS[] = {
-    {"maxIterations", &Params::maxIterations},
-    {"seed", &Params::seed},
-    {"threads", &Params::threads},
-    {"sampler", &Params::sampler},
-    {"ordering", &Params::ordering},
-    {"scoreOrder", &Params::scoreOrder},
-    {"neighborhood", &Params::neighborhood},
-    {"neighbors", &Params::neighbors},
-    {"residual", &Params::residual},
-    {"quality", &Params::quality},
-    {"verification", &Params::verification},
-    {"tddPoints", &Params::tddPoints},
-    {"localOptimization", &Params::localOptimization},
-    {"localIterations", &Params::localIterations},
-    {"localSampleMultiple", &Params::localSampleMultiple},
-    {"localSamples", &Params::localSamples},
-    {"termination", &Params::termination},
-    {"runnersUp", &Params::runnersUp},
-    {"orderedEvery", &Params::orderedEvery},
-    {"persistence", &Params::persistence},
-    {"degeneracy", &Params::degeneracy},
-    {"polishing", &Params::polishing},
-    {"polishingSteps", &Params::polishingSteps},
-};
-
-const DoubleField DOUBLE_FIELDS[] = {
-    {"threshold", &Params::threshold},           {"confidence", &Params::confidence},
-    {"neighborRadius", &Params::neighborRadius}, {"reach", &Params::reach},
-    {"widestReach", &Params::widestReach},       {"spatialWeight", &Params::spatialWeight},
-    {"relaxation", &Params::relaxation},         {"significance", &Params::significance},
+    bool isIt(const char* name)
+    {
+        const bool is = assigned.name == name;
+        done = done || is;
+        return is;
+    }
 };
 
 void setField(Params& params, const Field& assigned)
 {
-    for (const DoubleField& field : DOUBLE_FIELDS)
-        if (assigned.name == field.name)
-        {
-            params.*field.member = assigned.value;
-            return;
-        }
-    for (const IntField& field : INT_FIELDS)
-        if (assigned.name == field.name)
-        {
-            params.*field.member = assigned.integer();
-            return;
-        }
-    assigned.fail("cv::usacv20::Params has no such numeric field");
+    Assignment assignment = {params, assigned, false};
+    cv::usacv20::visitFields(assignment);
+    if (!assignment.done)
+        assigned.fail("cv::usacv20::Params has no such numeric field");
 }
 
 }  // namespace

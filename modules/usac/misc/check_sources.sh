@@ -36,10 +36,15 @@ if command -v clang-format > /dev/null && clang-format --version | grep -q 'vers
     done > "$mistakes"
     report "not as .clang-format has it"
 fi
-grep -ohE '`src/[A-Za-z0-9_/*.]+`' doc/paper_map.md doc/design.md | tr -d '`' | sort -u | while read -r path; do
+grep -ohE '`(src|test)/[A-Za-z0-9_/*.]+`' doc/paper_map.md doc/design.md | tr -d '`' | sort -u | while read -r path; do
     compgen -G "modules/usac/$path" > /dev/null || echo "$path"
 done > "$mistakes"
 report "files that doc/ names and that are not there"
+# contracts: any input; fuzz: the fuzzer and its kept inputs; runs: what only whole estimations show
+(cd modules/usac/test && find . -mindepth 1 -type d | sed 's|^\./||') | grep -vE '^(contracts|fuzz|runs)$' | while read -r dir; do
+    [ -d "$src/$dir" ] || echo "modules/usac/test/$dir"
+done > "$mistakes"
+report "folders of the tests that $src does not have"
 rm "$mistakes"
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

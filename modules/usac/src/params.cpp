@@ -3,28 +3,45 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "opencv2/usac/params_fields.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-Params::Params()
-    : threshold(1.5), confidence(0.99), maxIterations(5000), seed(0), threads(1), sampler(SAMPLER_P_NAPSAC),
-      ordering(ORDERING_AUTO), scoreOrder(SCORES_LOWER_IS_BETTER), neighborhood(NEIGHBORHOOD_GRID), neighbors(10),
-      neighborRadius(40), residual(RESIDUAL_STANDARD), quality(QUALITY_MSAC), reach(1), widestReach(1),
-      verification(VERIFICATION_SPRT), tddPoints(1), localOptimization(LOCAL_OPTIMIZATION_GRAPH_CUT),
-      localIterations(5), localSampleMultiple(3), localSamples(4), spatialWeight(0.14), runnersUp(16), orderedEvery(8),
-      termination(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT), relaxation(0.05), persistence(1),
-      degeneracy(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED), polishing(POLISHING_ROBUST),
-      polishingSteps(6), significance(0)
-{}
-
 namespace {
 
-void checkRange(const char* name, double value, double low, double high)
+struct FieldInitializer
 {
-    if (!(value >= low && value <= high))  // also for NaN
-        CV_Error_(Error::StsOutOfRange, ("%s: %g .. %g is expected, not %g", name, low, high, value));
+    Params& params;
+    template <class T>
+    void operator()(const char*, T Params::*field, const FieldValues& values)
+    {
+        params.*field = (T)values.initial;
+    }
+    void operator()(const char*, std::vector<float> Params::*, const FieldValues&) {}
+};
+
+void checkRange(const char* name, double value, const FieldValues& values)
+{
+    if (values.contain(value))
+        return;
+    if (values.kind == FIELD_PIXELS)
+        CV_Error_(Error::StsOutOfRange, ("%s: a positive number of pixels is expected, not %g", name, value));
+    if (values.kind == FIELD_PROBABILITY)
+        CV_Error_(Error::StsOutOfRange, ("%s: a number between 0 and 1 is expected, not %g", name, value));
+    CV_Error_(Error::StsOutOfRange, ("%s: %g .. %g is expected, not %g", name, values.low, values.high, value));
 }
+
+struct FieldChecker
+{
+    const Params& params;
+    template <class T>
+    void operator()(const char* name, T Params::*field, const FieldValues& values)
+    {
+        checkRange(name, params.*field, values);
+    }
+    void operator()(const char*, std::vector<float> Params::*, const FieldValues&) {}  // see checkScores
+};
 
 //! Refuses options that contradict each other.
 void checkCombination(bool impossible, const char* message)
@@ -83,104 +100,42 @@ void checkScores(const Params& p, int count)
 
 }  // namespace
 
+Params::Params()
+{
+    FieldInitializer initialize = {*this};
+    visitFields(initialize);
+}
+
 void Params::check(int count) const
 {
-    if (!(threshold > 0 && threshold <= DBL_MAX))
-        CV_Error_(Error::StsOutOfRange, ("threshold: a positive number of pixels is expected, not %g", threshold));
-    if (!(confidence > 0 && confidence < 1))
-        CV_Error_(Error::StsOutOfRange, ("confidence: a number between 0 and 1 is expected, not %g", confidence));
-    checkRange("maxIterations", maxIterations, 1, INT_MAX);
-    checkRange("threads", threads, 0, 1024);
-    checkRange("sampler", sampler, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE);
-    checkRange("ordering", ordering, ORDERING_AUTO, ORDERING_NONE);
-    checkRange("scoreOrder", scoreOrder, SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER);
-    checkRange("neighborhood", neighborhood, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS);
-    checkRange("neighbors", neighbors, 1, 1000);
-    if (!(neighborRadius > 0 && neighborRadius <= DBL_MAX))
-        CV_Error_(Error::StsOutOfRange,
-                  ("neighborRadius: a positive number of pixels is expected, not %g", neighborRadius));
-    checkRange("residual", residual, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC);
-    checkRange("quality", quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS);
-    checkRange("reach", reach, 1, 10);
-    checkRange("widestReach", widestReach, 1, 1e6);
-    checkRange("verification", verification, VERIFICATION_NONE, VERIFICATION_TDD);
-    checkRange("tddPoints", tddPoints, 1, 100);
-    checkRange("localOptimization", localOptimization, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC);
-    checkRange("localIterations", localIterations, 1, 1000);
-    checkRange("localSampleMultiple", localSampleMultiple, 2, 100);
-    checkRange("localSamples", localSamples, 0, 1000);
-    checkRange("spatialWeight", spatialWeight, 0, 10);
-    checkRange("runnersUp", runnersUp, 0, 100);
-    checkRange("orderedEvery", orderedEvery, 1, 1000);
-    checkRange("termination", termination, 0, 2 * TERMINATION_EXACT - 1);
-    checkRange("relaxation", relaxation, 0, 1);
-    checkRange("persistence", persistence, 1, 100);
-    checkRange("degeneracy", degeneracy, 0, DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED);
-    checkRange("polishing", polishing, POLISHING_NONE, POLISHING_ROBUST);
-    checkRange("polishingSteps", polishingSteps, 1, 100);
-    checkRange("significance", significance, 0, 1);
+    FieldChecker checkField = {*this};
+    visitFields(checkField);
     checkCombinations(*this);
     checkScores(*this, count);
 }
 
 namespace {
 
-//! Calls visit(name, field) for every field but the scores: one list for writing and reading.
-template <class P, class Visitor>
-void visitFields(P& params, Visitor& visit)
-{
-    visit("threshold", params.threshold);
-    visit("confidence", params.confidence);
-    visit("maxIterations", params.maxIterations);
-    visit("seed", params.seed);
-    visit("threads", params.threads);
-    visit("sampler", params.sampler);
-    visit("ordering", params.ordering);
-    visit("scores", params.scores);
-    visit("scoreOrder", params.scoreOrder);
-    visit("neighborhood", params.neighborhood);
-    visit("neighbors", params.neighbors);
-    visit("neighborRadius", params.neighborRadius);
-    visit("residual", params.residual);
-    visit("quality", params.quality);
-    visit("reach", params.reach);
-    visit("widestReach", params.widestReach);
-    visit("verification", params.verification);
-    visit("tddPoints", params.tddPoints);
-    visit("localOptimization", params.localOptimization);
-    visit("localIterations", params.localIterations);
-    visit("localSampleMultiple", params.localSampleMultiple);
-    visit("localSamples", params.localSamples);
-    visit("spatialWeight", params.spatialWeight);
-    visit("runnersUp", params.runnersUp);
-    visit("orderedEvery", params.orderedEvery);
-    visit("termination", params.termination);
-    visit("relaxation", params.relaxation);
-    visit("persistence", params.persistence);
-    visit("degeneracy", params.degeneracy);
-    visit("polishing", params.polishing);
-    visit("polishingSteps", params.polishingSteps);
-    visit("significance", params.significance);
-}
-
 struct FieldWriter
 {
+    const Params& params;
     FileStorage& fs;
     template <class T>
-    void operator()(const char* name, const T& value)
+    void operator()(const char* name, T Params::*field, const FieldValues&)
     {
-        fs << name << value;
+        fs << name << params.*field;
     }
 };
 
 struct FieldReader
 {
+    Params& params;
     const FileNode& node;
     template <class T>
-    void operator()(const char* name, T& value)
+    void operator()(const char* name, T Params::*field, const FieldValues&)
     {
         if (!node[name].empty())
-            node[name] >> value;
+            node[name] >> params.*field;
     }
 };
 
@@ -188,14 +143,14 @@ struct FieldReader
 
 void Params::write(FileStorage& fs) const
 {
-    FieldWriter writer = {fs};
-    visitFields(*this, writer);
+    FieldWriter writer = {*this, fs};
+    visitFields(writer);
 }
 
 void Params::read(const FileNode& node)
 {
-    FieldReader reader = {node};
-    visitFields(*this, reader);
+    FieldReader reader = {*this, node};
+    visitFields(reader);
 }
 
 void write(FileStorage& fs, const String&, const Params& params)

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_CONTRACTS_HPP
 #define OPENCV_USACV20_TEST_CONTRACTS_HPP
 
-// What test_contracts*.cpp, test_flags.cpp, test_params.cpp and test_real.cpp share; in contracts.cpp.
+// What contracts/, test_find*.cpp, test_params*.cpp and some of the other tests share; in contracts.cpp.
 
 #include "test_precomp.hpp"
 #include "result_oracle.hpp"

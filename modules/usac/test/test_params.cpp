@@ -16,64 +16,40 @@ struct Check
     Params params;
 };
 
+//! Right values of other fields, so that no value of the field contradicts them.
+void permitAll(const std::string& field, Params& params)
+{
+    if (field == "verification")
+        params.termination = TERMINATION_STANDARD;
+    if (field == "termination")
+        params.ordering = ORDERING_INPUT_ORDER;
+    if (field == "sampler")
+    {
+        params.scores.assign(1, 1.f);
+        params.scoreOrder = SCORES_HIGHER_IS_BETTER;
+    }
+}
+
 TEST(Usac_Params, ranges_of_integers)
 {
-    const struct
+    for (const NamedField<int>& tested : Fields().ints)
     {
-        const char* name;
-        int low, high;
-    } ranges[] = {{"maxIterations", 1, INT_MAX},
-                  {"seed", INT_MIN, INT_MAX},
-                  {"threads", 0, 1024},
-                  {"sampler", SAMPLER_UNIFORM, SAMPLER_IMPORTANCE},
-                  {"ordering", ORDERING_AUTO, ORDERING_NONE},
-                  {"scoreOrder", SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER},
-                  {"neighborhood", NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS},
-                  {"neighbors", 1, 1000},
-                  {"residual", RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC},
-                  {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
-                  {"verification", VERIFICATION_NONE, VERIFICATION_TDD},
-                  {"tddPoints", 1, 100},
-                  {"localOptimization", LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC},
-                  {"localIterations", 1, 1000},
-                  {"localSampleMultiple", 2, 100},
-                  {"localSamples", 0, 1000},
-                  {"termination", 0, 63},
-                  {"runnersUp", 0, 100},
-                  {"orderedEvery", 1, 1000},
-                  {"persistence", 1, 100},
-                  {"degeneracy", 0, 7},
-                  {"polishing", POLISHING_NONE, POLISHING_ROBUST},
-                  {"polishingSteps", 1, 100}};
-    ASSERT_EQ(Fields::ints().size(), sizeof(ranges) / sizeof(ranges[0]));
-    for (size_t i = 0; i < Fields::ints().size(); ++i)
-    {
-        SCOPED_TRACE(ranges[i].name);
-        ASSERT_EQ(Fields::ints()[i].first, ranges[i].name);
+        SCOPED_TRACE(tested.name);
+        const int low = (int)tested.values.low, high = (int)tested.values.high;
         Check check;
-        int& field = check.params.*Fields::ints()[i].second;
-        if (std::string("verification") == ranges[i].name)
-            check.params.termination = TERMINATION_STANDARD;
-        if (std::string("termination") == ranges[i].name)
-            check.params.ordering = ORDERING_INPUT_ORDER;
-        if (std::string("sampler") == ranges[i].name)
+        int& field = check.params.*tested.member;
+        permitAll(tested.name, check.params);
+        for (int right : {low, high})
         {
-            check.params.scores.assign(1, 1.f);
-            check.params.scoreOrder = SCORES_HIGHER_IS_BETTER;
-        }
-        const int right[] = {ranges[i].low, ranges[i].high};
-        for (int k = 0; k < 2; ++k)
-        {
-            field = right[k];
+            field = right;
             EXPECT_NO_THROW(check());
         }
-        if (ranges[i].low == INT_MIN)
+        if (low == INT_MIN)
             continue;
-        const int wrong[] = {ranges[i].low - 1, INT_MIN, ranges[i].high < INT_MAX ? ranges[i].high + 1 : -2};
-        for (int k = 0; k < 3; ++k)
+        for (int wrong : {low - 1, INT_MIN, high < INT_MAX ? high + 1 : -2})
         {
-            field = wrong[k];
-            expectException(check, ranges[i].name);
+            field = wrong;
+            expectException(check, std::string(tested.name) + ": ");
         }
     }
 }
@@ -81,41 +57,43 @@ TEST(Usac_Params, ranges_of_integers)
 TEST(Usac_Params, ranges_of_reals)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-    const struct
+    for (const NamedField<double>& tested : Fields().doubles)
     {
-        const char* name;
-        double right[2], wrong[3];
-    } ranges[] = {{"threshold", {1e-300, 1e300}, {0, -1, inf}},      {"confidence", {1e-300, 1 - 1e-15}, {0, 1, 2}},
-                  {"neighborRadius", {1e-300, 1e300}, {0, -1, inf}}, {"reach", {1, 10}, {0.99, 10.1, -inf}},
-                  {"widestReach", {1, 1e6}, {0.99, 1.001e6, inf}},   {"spatialWeight", {0, 10}, {-1e-9, 10.001, inf}},
-                  {"relaxation", {0, 1}, {-1e-9, 1.001, -inf}},      {"significance", {0, 1}, {-1e-9, 1.001, -inf}}};
-    ASSERT_EQ(Fields::doubles().size(), sizeof(ranges) / sizeof(ranges[0]));
-    for (size_t i = 0; i < Fields::doubles().size(); ++i)
-    {
-        SCOPED_TRACE(ranges[i].name);
-        ASSERT_EQ(Fields::doubles()[i].first, ranges[i].name);
+        SCOPED_TRACE(tested.name);
+        double low = tested.values.low, high = tested.values.high;
+        if (tested.values.kind == FIELD_PIXELS || tested.values.kind == FIELD_PROBABILITY)
+            low = std::nextafter(low, inf);
+        if (tested.values.kind == FIELD_PROBABILITY)
+            high = std::nextafter(high, -inf);
         Check check;
-        double& field = check.params.*Fields::doubles()[i].second;
-        for (int k = 0; k < 2; ++k)
+        double& field = check.params.*tested.member;
+        for (double right : {low, high})
         {
-            field = ranges[i].right[k];
+            field = right;
             EXPECT_NO_THROW(check());
         }
-        for (int k = 0; k < 3; ++k)
+        for (double wrong : {std::nextafter(low, -inf), std::nextafter(high, inf), -inf, inf, nan})
         {
-            field = ranges[i].wrong[k];
-            expectException(check, ranges[i].name);
+            field = wrong;
+            expectException(check, std::string(tested.name) + ": ");
         }
-        field = nan;
-        expectException(check, ranges[i].name);
     }
 }
 
-TEST(Usac_Params, message_has_the_value)
+TEST(Usac_Params, messages)
 {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
     Check check;
-    check.params.localIterations = 4711;
-    expectException(check, "4711");
+    check.params.neighborRadius = -2;
+    expectException(check, "neighborRadius: a positive number of pixels is expected, not -2");
+    check.params.quality = 7;
+    expectException(check, "neighborRadius");  // the first of several
+    check.params.neighborRadius = 1;
+    expectException(check, "quality: 0 .. 5 is expected, not 7");
+    check.params.confidence = 1;
+    expectException(check, "confidence: a number between 0 and 1 is expected, not 1");
+    check.params.threshold = nan;
+    expectException(check, "threshold: a positive number of pixels is expected, not nan");
 }
 
 //! Options that contradict each other raise an exception that names the field and says why.
@@ -204,81 +182,37 @@ TEST(Usac_Params, number_of_scores)
     EXPECT_NO_THROW(params.check(9));
 }
 
-TEST(Usac_Params, defaults_as_documented)
+//! Gives each field another value than its default, of the interval but for sums of flags and the scores.
+struct Changer
 {
-    const Params p;
-    EXPECT_EQ(1.5, p.threshold);
-    EXPECT_EQ(0.99, p.confidence);
-    EXPECT_EQ(5000, p.maxIterations);
-    EXPECT_EQ(0, p.seed);
-    EXPECT_EQ(1, p.threads);
-    EXPECT_EQ((int)SAMPLER_P_NAPSAC, p.sampler);
-    EXPECT_EQ((int)ORDERING_AUTO, p.ordering);
-    EXPECT_TRUE(p.scores.empty());
-    EXPECT_EQ((int)SCORES_LOWER_IS_BETTER, p.scoreOrder);
-    EXPECT_EQ((int)NEIGHBORHOOD_GRID, p.neighborhood);
-    EXPECT_EQ(10, p.neighbors);
-    EXPECT_EQ(40, p.neighborRadius);
-    EXPECT_EQ((int)RESIDUAL_STANDARD, p.residual);
-    EXPECT_EQ((int)QUALITY_MSAC, p.quality);
-    EXPECT_EQ(1, p.reach);
-    EXPECT_EQ(1, p.widestReach);
-    EXPECT_EQ((int)VERIFICATION_SPRT, p.verification);
-    EXPECT_EQ(1, p.tddPoints);
-    EXPECT_EQ((int)LOCAL_OPTIMIZATION_GRAPH_CUT, p.localOptimization);
-    EXPECT_EQ(5, p.localIterations);
-    EXPECT_EQ(3, p.localSampleMultiple);
-    EXPECT_EQ(4, p.localSamples);
-    EXPECT_EQ(0.14, p.spatialWeight);
-    EXPECT_EQ(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, p.termination);
-    EXPECT_EQ(0.05, p.relaxation);
-    EXPECT_EQ(16, p.runnersUp);
-    EXPECT_EQ(8, p.orderedEvery);
-    EXPECT_EQ(1, p.persistence);
-    EXPECT_EQ(DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED, p.degeneracy);
-    EXPECT_EQ((int)POLISHING_ROBUST, p.polishing);
-    EXPECT_EQ(6, p.polishingSteps);
-    EXPECT_EQ(0, p.significance);
-}
+    Params& params;
+    void operator()(const char*, int Params::*member, const FieldValues& values)
+    {
+        params.*member = (int)(values.initial < values.high ? values.initial + 1 : values.initial - 1);
+    }
+    void operator()(const char*, double Params::*member, const FieldValues& values)
+    {
+        const double end = values.initial < 1 ? std::min(values.high, 1.) : values.initial == 1 ? 2 : 0;
+        params.*member = (2 * values.initial + end) / 3;  // with no end in binary
+    }
+    void operator()(const char*, std::vector<float> Params::*member, const FieldValues&)
+    {
+        params.*member = {0.1f, -1e-20f, 3e20f};
+    }
+};
 
 //! All fields different from their defaults and right.
 Params unusual()
 {
     Params p;
-    p.threshold = 1. / 3;
-    p.confidence = 0.123456789012345678;
+    Changer changer = {p};
+    visitFields(changer);
     p.maxIterations = 2000000001;
     p.seed = -5;
-    p.threads = 3;
-    p.sampler = SAMPLER_PROSAC;
-    p.ordering = ORDERING_DENSITY;
-    p.scores.push_back(0.1f);
-    p.scores.push_back(-1e-20f);
-    p.scores.push_back(3e20f);
     p.scoreOrder = SCORES_HIGHER_IS_BETTER;
-    p.neighborhood = NEIGHBORHOOD_KNN;
-    p.neighbors = 17;
-    p.neighborRadius = 3.3;
-    p.residual = RESIDUAL_SYMMETRIC;
-    p.quality = QUALITY_INLIERS;
-    p.reach = 1.7;
-    p.widestReach = 33.3;
+    p.sampler = SAMPLER_PROSAC;
     p.verification = VERIFICATION_NONE;
-    p.tddPoints = 2;
-    p.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    p.localIterations = 9;
-    p.localSampleMultiple = 11;
-    p.localSamples = 13;
-    p.spatialWeight = 0.7;
     p.termination = TERMINATION_STANDARD;
-    p.relaxation = 0.3;
-    p.runnersUp = 5;
-    p.orderedEvery = 3;
-    p.persistence = 7;
-    p.degeneracy = DEGENERACY_DEGENSAC;
-    p.polishing = POLISHING_NONE;
-    p.polishingSteps = 9;
-    p.significance = 0.001;
     return p;
 }
 
@@ -286,8 +220,10 @@ TEST(Usac_Params, storage_keeps_every_field)
 {
     const Params written = unusual();
     EXPECT_NO_THROW(written.check());
-    for (size_t i = 0; i < Fields::ints().size(); ++i)
-        EXPECT_NE(Params().*Fields::ints()[i].second, written.*Fields::ints()[i].second) << Fields::ints()[i].first;
+    std::string all;
+    for (const std::string& name : Fields().names)
+        all += name + " ";
+    EXPECT_EQ(all, Fields::difference(Params(), written));
     const char* names[] = {"p.yml", "p.xml", "p.json"};
     for (int i = 0; i < 3; ++i)
     {
@@ -315,7 +251,7 @@ TEST(Usac_Params, storage_of_some_fields)
     EXPECT_EQ((size_t)2, params.scores.size());
     EXPECT_EQ("threshold scores ", Fields::difference(unusual(), params));
     in["usac"] >> params;  // the others get their defaults
-    EXPECT_EQ("sampler threshold scores ", Fields::difference(Params(), params));
+    EXPECT_EQ("threshold sampler scores ", Fields::difference(Params(), params));
     in["missing"] >> params;
     EXPECT_EQ("", Fields::difference(Params(), params));
 }

@@ -15,7 +15,7 @@ struct Expected
 {
     const char* name;
     Params preset, from;
-    const char* changed;  //!< in the order of Fields
+    const char* changed;  //!< in the order of visitFields
 };
 
 TEST(Usac_Presets, change_what_they_say)
@@ -24,26 +24,26 @@ TEST(Usac_Presets, change_what_they_say)
     const Expected all[] = {
         {"usacV20", Params::usacV20(), v20, ""},
         {"fast", Params::fast(), v20,
-         "localIterations localSamples runnersUp polishingSteps spatialWeight relaxation "},
+         "localIterations localSamples spatialWeight runnersUp relaxation polishingSteps "},
         {"accurate", Params::accurate(), v20,
-         "localIterations localSamples termination runnersUp persistence polishingSteps "},
+         "localIterations localSamples runnersUp termination persistence polishingSteps "},
         {"sorted", Params::sorted(), v20, "sampler ordering "},
         {"parallel", Params::parallel(), v20, "threads "},
         {"ransac", ransac, v20,
-         "sampler quality verification localOptimization termination runnersUp degeneracy polishing "},
+         "sampler quality verification localOptimization runnersUp termination degeneracy polishing "},
         {"msac", Params::msac(), ransac, "quality "},
         {"lmeds", Params::lmeds(), ransac, "quality "},
         {"mlesac", Params::mlesac(), ransac, "quality "},
-        {"prosac", Params::prosac(), ransac, "sampler ordering termination orderedEvery "},
+        {"prosac", Params::prosac(), ransac, "sampler ordering orderedEvery termination "},
         {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
         {"gcRansac", Params::gcRansac(), Params::msac(),
-         "neighborhood localOptimization localIterations localSampleMultiple localSamples neighborRadius "},
-        {"usac2013", Params::usac2013(), lo, "sampler ordering verification termination orderedEvery degeneracy "},
+         "neighborhood neighborRadius localOptimization localIterations localSampleMultiple localSamples "},
+        {"usac2013", Params::usac2013(), lo, "sampler ordering verification orderedEvery termination degeneracy "},
         {"magsac", Params::magsac(), ransac,
-         "quality localOptimization termination polishing polishingSteps reach widestReach "},
+         "quality reach widestReach localOptimization termination polishing polishingSteps "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20,
-         "quality localOptimization polishing polishingSteps reach widestReach "}};
+         "quality reach widestReach localOptimization polishing polishingSteps "}};
     const int count = sizeof(all) / sizeof(all[0]);
     for (int i = 0; i < count; ++i)
     {

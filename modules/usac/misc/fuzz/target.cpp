@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdint.h>
-#include "fuzz_contracts.hpp"
+#include "fuzz/fuzz_contracts.hpp"
 
 // The fuzzer's target, and with USAC_FUZZ_REPLAY a program that runs the files of its command line.
 

@@ -189,7 +189,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int maxIterations;
     //! Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.
     CV_PROP_RW int seed;
-    //! Number of threads that test hypotheses, 0 for cv::getNumThreads(); the result does not depend on it. Default 1.
+    //! Number of threads that test hypotheses, 0 for cv::getNumThreads(); 0..1024. The result does not depend on it.
+    //! Default 1.
     CV_PROP_RW int threads;
 
     //! @ref SamplerType. Default #SAMPLER_P_NAPSAC.

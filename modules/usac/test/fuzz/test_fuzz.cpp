@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "fuzz_contracts.hpp"
+#include "fuzz/fuzz_contracts.hpp"
 
 #include <fstream>
 #include <iterator>

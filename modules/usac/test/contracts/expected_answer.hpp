@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 #define OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 
-// What test_contracts_input.cpp and test_contracts_layouts.cpp share.
+// What test_input.cpp and test_layouts.cpp share.
 
 #include "test_contracts.hpp"
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
-#include "expected_answer.hpp"
+#include "contracts/expected_answer.hpp"
 
 // Any layout and depth of points, masks and camera matrices gives the identical answer.
 

@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_TEST_FUZZ_CONTRACTS_HPP
 
 #include <string>
-#include "fuzz_input.hpp"
+#include "fuzz/fuzz_input.hpp"
 
 namespace opencv_test {
 

@@ -2,11 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "fuzz_contracts.hpp"
+#include "fuzz/fuzz_contracts.hpp"
 
 #include <cfloat>
 #include <cmath>
 #include <cstring>
+#include "params_fields.hpp"
 
 using namespace cv::usacv20;
 using cv::Mat;
@@ -87,17 +88,13 @@ int wrongArguments(const FuzzInput& input)
 
 bool namesAnArgument(const std::string& message)
 {
-    static const char* const names[] = {
-        "threshold",      "confidence",    "maxIterations",     "threads",         "sampler",
-        "ordering",       "scores",        "scoreOrder",        "neighborhood",    "neighbors",
-        "neighborRadius", "residual",      "quality",           "reach",           "widestReach",
-        "verification",   "tddPoints",     "localOptimization", "localIterations", "localSampleMultiple",
-        "localSamples",   "spatialWeight", "runnersUp",         "orderedEvery",    "termination",
-        "relaxation",     "persistence",   "degeneracy",        "polishing",       "polishingSteps",
-        "significance",   "points1",       "points2",           "cameraMatrix1",   "cameraMatrix2",
-        "distCoeffs1",    "distCoeffs2"};
-    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); ++i)
-        if (message.compare(0, std::strlen(names[i]), names[i]) == 0)
+    static const Fields fields;
+    static const char* const others[] = {"points1",       "points2",     "cameraMatrix1",
+                                         "cameraMatrix2", "distCoeffs1", "distCoeffs2"};
+    std::vector<std::string> names = fields.names;
+    names.insert(names.end(), others, others + sizeof(others) / sizeof(others[0]));
+    for (size_t i = 0; i < names.size(); ++i)
+        if (message.compare(0, names[i].size(), names[i]) == 0)
             return true;
     return false;
 }

@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "expected_answer.hpp"
+#include "contracts/expected_answer.hpp"
 
 // Whatever OpenCV's functions take for a list of points, with any of their flags, is taken, and read in the same way.
 

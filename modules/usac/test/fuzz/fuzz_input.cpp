@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "fuzz_input.hpp"
+#include "fuzz/fuzz_input.hpp"
 
 #include <algorithm>
 #include <cfloat>
@@ -120,15 +120,15 @@ Params readParams(Bytes& bytes)
 {
     Params params = preset(bytes.byte());
     params.maxIterations = 20;
-    static const std::vector<std::pair<std::string, int Params::*>> ints = Fields::ints();
-    static const std::vector<std::pair<std::string, double Params::*>> doubles = Fields::doubles();
+    static const Fields fields;
+    const int ints = (int)fields.ints.size();
     for (int changes = bytes.below(8); changes > 0; --changes)
     {
-        const int field = bytes.below((int)(ints.size() + doubles.size()));
-        if (field < (int)ints.size())
-            params.*ints[field].second = bytes.integer();
+        const int field = bytes.below(ints + (int)fields.doubles.size());
+        if (field < ints)
+            params.*fields.ints[field].member = bytes.integer();
         else
-            params.*doubles[field - ints.size()].second = bytes.number();
+            params.*fields.doubles[field - ints].member = bytes.number();
     }
     reduce(params.maxIterations, 1, INT_MAX, 100);
     reduce(params.localIterations, 1, 1000, 10);

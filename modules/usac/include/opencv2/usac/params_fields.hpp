@@ -1,0 +1,116 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PARAMS_FIELDS_HPP
+#define OPENCV_USACV20_PARAMS_FIELDS_HPP
+
+#include <cfloat>
+#include <climits>
+#include <vector>
+#include "opencv2/usac/params.hpp"
+
+#ifndef OPENCV_BINDING_PARSER
+
+namespace cv {
+namespace usacv20 {
+
+//! @addtogroup usacv20
+//! @{
+
+//! What the value of a field of Params is.
+enum FieldKind {
+    FIELD_OPTION,       //!< one enumerator
+    FIELD_FLAGS,        //!< a set of bits
+    FIELD_NUMBER,       //!< a number of a closed interval
+    FIELD_PIXELS,       //!< a positive and finite number of pixels
+    FIELD_PROBABILITY,  //!< a number between 0 and 1, neither of them
+    FIELD_SCORES        //!< a number for each correspondence
+};
+
+//! Default and range of a field of Params; a `double` holds the integers exactly.
+struct FieldValues
+{
+    FieldKind kind;
+    double initial;    //!< the default; FIELD_SCORES: not used, there are none
+    double low, high;  //!< smallest and largest value; ends of an open interval for FIELD_PROBABILITY, the lower one
+                       //!< for FIELD_PIXELS, too; not used for FIELD_SCORES
+
+    //! Of FIELD_SCORES any value is right: what is depends on other fields and on the points.
+    bool contain(double value) const
+    {
+        if (kind == FIELD_SCORES)
+            return true;
+        const bool openBelow = kind == FIELD_PIXELS || kind == FIELD_PROBABILITY, openAbove = kind == FIELD_PROBABILITY;
+        return (openBelow ? value > low : value >= low) && (openAbove ? value < high : value <= high);  // NaN: never
+    }
+
+    static FieldValues option(int initial, int low, int high) { return of(FIELD_OPTION, initial, low, high); }
+    static FieldValues flags(int initial, int all) { return of(FIELD_FLAGS, initial, 0, all); }
+    static FieldValues number(double initial, double low, double high) { return of(FIELD_NUMBER, initial, low, high); }
+    static FieldValues pixels(double initial) { return of(FIELD_PIXELS, initial, 0, DBL_MAX); }
+    static FieldValues probability(double initial) { return of(FIELD_PROBABILITY, initial, 0, 1); }
+    static FieldValues scores() { return of(FIELD_SCORES, 0, 0, 0); }
+
+private:
+    static FieldValues of(FieldKind kind, double initial, double low, double high)
+    {
+        const FieldValues values = {kind, initial, low, high};
+        return values;
+    }
+};
+
+/** @brief Calls `visit(name, &Params::field, values)` for each field of Params: `const char*`, a pointer to a member of
+type `int`, `double` or `std::vector<float>`, FieldValues.
+
+The one list of the fields: their defaults, Params::check, storage, tests, the fuzzer and the options of the benchmark
+are made of it. For programs that set fields by name, too. */
+template <class Visitor>
+void visitFields(Visitor& visit)
+{
+    typedef FieldValues V;
+    visit("threshold", &Params::threshold, V::pixels(1.5));
+    visit("confidence", &Params::confidence, V::probability(0.99));
+    visit("maxIterations", &Params::maxIterations, V::number(5000, 1, INT_MAX));
+    visit("seed", &Params::seed, V::number(0, INT_MIN, INT_MAX));
+    visit("threads", &Params::threads, V::number(1, 0, 1024));
+    visit("sampler", &Params::sampler, V::option(SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE));
+    visit("ordering", &Params::ordering, V::option(ORDERING_AUTO, ORDERING_AUTO, ORDERING_NONE));
+    visit("scores", &Params::scores, V::scores());
+    visit("scoreOrder", &Params::scoreOrder,
+          V::option(SCORES_LOWER_IS_BETTER, SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER));
+    visit("neighborhood", &Params::neighborhood, V::option(NEIGHBORHOOD_GRID, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS));
+    visit("neighbors", &Params::neighbors, V::number(10, 1, 1000));
+    visit("neighborRadius", &Params::neighborRadius, V::pixels(40));
+    visit("residual", &Params::residual, V::option(RESIDUAL_STANDARD, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC));
+    visit("quality", &Params::quality, V::option(QUALITY_MSAC, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS));
+    visit("reach", &Params::reach, V::number(1, 1, 10));
+    visit("widestReach", &Params::widestReach, V::number(1, 1, 1e6));
+    visit("verification", &Params::verification, V::option(VERIFICATION_SPRT, VERIFICATION_NONE, VERIFICATION_TDD));
+    visit("tddPoints", &Params::tddPoints, V::number(1, 1, 100));
+    visit("localOptimization", &Params::localOptimization,
+          V::option(LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC));
+    visit("localIterations", &Params::localIterations, V::number(5, 1, 1000));
+    visit("localSampleMultiple", &Params::localSampleMultiple, V::number(3, 2, 100));
+    visit("localSamples", &Params::localSamples, V::number(4, 0, 1000));
+    visit("spatialWeight", &Params::spatialWeight, V::number(0.14, 0, 10));
+    visit("runnersUp", &Params::runnersUp, V::number(16, 0, 100));
+    visit("orderedEvery", &Params::orderedEvery, V::number(8, 1, 1000));
+    visit("termination", &Params::termination,
+          V::flags(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, 2 * TERMINATION_EXACT - 1));
+    visit("relaxation", &Params::relaxation, V::number(0.05, 0, 1));
+    visit("persistence", &Params::persistence, V::number(1, 1, 100));
+    visit("degeneracy", &Params::degeneracy, V::flags(2 * DEGENERACY_REPEATED - 1, 2 * DEGENERACY_REPEATED - 1));
+    visit("polishing", &Params::polishing, V::option(POLISHING_ROBUST, POLISHING_NONE, POLISHING_ROBUST));
+    visit("polishingSteps", &Params::polishingSteps, V::number(6, 1, 100));
+    visit("significance", &Params::significance, V::number(0, 0, 1));
+}
+
+//! @}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
+
+#endif

@@ -1,0 +1,39 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "problem_objects.hpp"
+
+namespace opencv_test {
+namespace {
+
+TEST(Usac_Orientation, homographySamples)
+{
+    std::vector<Point2d> square, mirrored, crossed;
+    const double corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < 4; ++i)
+    {
+        square.push_back(Point2d(corners[i][0], corners[i][1]));
+        mirrored.push_back(Point2d(-corners[i][0], corners[i][1]));
+        crossed.push_back(square[i]);
+    }
+    std::swap(crossed[0], crossed[1]);
+    const Ptr<Degeneracy> check = createHomographyOrientation();
+    const Params params;
+    const Components none;
+    const int sample[] = {0, 1, 2, 3};
+    const OwnPoints same(HOMOGRAPHY, square, square), mirror(HOMOGRAPHY, square, mirrored),
+        cross(HOMOGRAPHY, square, crossed);
+    EXPECT_TRUE(check->validSample(Context(same.view(), none, params), sample));
+    EXPECT_TRUE(check->validSample(Context(mirror.view(), none, params), sample)) << "a mirror is a homography";
+    EXPECT_FALSE(check->validSample(Context(cross.view(), none, params), sample));
+    const Context context(same.view(), none, params);
+    EXPECT_TRUE(check->validModel(context, sample, Matx33d::eye()));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d(1, 0, 0, 1, 0, 0, 0, 0, 1)));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d::zeros()));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d(1, 2, 3, 4, 5, 6, 7, 8, 9)));
+}
+
+}
+}  // namespace

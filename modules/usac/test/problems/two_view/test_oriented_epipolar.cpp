@@ -1,0 +1,64 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "problem_objects.hpp"
+
+namespace opencv_test {
+namespace {
+
+TEST(Usac_Orientation, trueModelsAreKept)
+{
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        SceneOptions options;
+        options.noise = 0;
+        options.outliers = 0;
+        const Scene scene = makeScene((ProblemType)problem, options);
+        const Params params;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const Model truth = toInternal(usac->points(), scene.model);
+        const Ptr<Degeneracy> check = problem == 0 ? createHomographyOrientation() : createOrientedEpipolar();
+        for (int i = 0; i < 500; ++i)
+        {
+            int sample[MAX_SAMPLE_SIZE];
+            Rng(1, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
+            EXPECT_TRUE(check->validSample(context, sample));
+            EXPECT_TRUE(check->validModel(context, sample, truth));
+            EXPECT_TRUE(check->validModel(context, sample, Matx33d(truth) * -3.)) << "the sign of a model means nothing";
+        }
+    }
+}
+
+//! Most models of samples with outliers violate the constraint, and no good model does.
+TEST(Usac_Orientation, wrongModelsAreRefused)
+{
+    for (int problem = 1; problem < 3; ++problem)
+    {
+        SceneOptions options;
+        options.inliers = 10;
+        options.outliers = 400;
+        const Scene scene = makeScene((ProblemType)problem, options);
+        const Params params;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Context context(usac->points(), usac->components(), params);
+        const Ptr<Degeneracy> check = createOrientedEpipolar();
+        int total = 0, refused = 0;
+        for (int i = 0; i < 500; ++i)
+        {
+            int sample[MAX_SAMPLE_SIZE];
+            Model models[MAX_MODELS];
+            Rng(2, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
+            const int count = usac->components().minimalSolver->solve(usac->points(), sample, models);
+            for (int k = 0; k < count; ++k, ++total)
+                refused += !check->validModel(context, sample, models[k]);
+        }
+        EXPECT_GT(refused, total / 2);
+        EXPECT_LT(refused, total);
+    }
+}
+
+}
+}  // namespace

@@ -1,0 +1,102 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "draw.hpp"
+#include "samplers/samplers.hpp"
+
+namespace opencv_test {
+namespace {
+
+//! Of the next samples, the fraction whose points all share a cell of the coarsest layer.
+double localFraction(Draw& draw, int samples)
+{
+    Neighborhood& grid = *draw.usac->components().neighborhood;
+    int together = 0;
+    for (int i = 0; i < samples; ++i)
+    {
+        draw.next();
+        EXPECT_TRUE(draw.valid());
+        const int* members = 0;
+        const int count = grid.members(draw.context, grid.layers() - 1, draw.sample[0], members);
+        bool all = true;
+        for (int k = 1; k < draw.m; ++k)
+            all = all && std::find(members, members + count, draw.sample[k]) != members + count;
+        together += all;
+    }
+    return together / (double)samples;
+}
+
+TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
+{
+    const int N = 1000, WINDOW = 20000;
+    for (int problem = 0; problem < 3; ++problem)
+    {
+        Draw draw((ProblemType)problem, N, createPNapsacSampler());
+        Draw prosac((ProblemType)problem, N, createProsacSampler());
+        Draw uniform((ProblemType)problem, N, createUniformSampler());
+        const double early = localFraction(draw, 200), global = localFraction(uniform, WINDOW);
+        EXPECT_GT(early, localFraction(prosac, 200) + 0.1) << "problem " << problem;
+        EXPECT_GT(early, global + 0.1) << "problem " << problem;
+        while (draw.state.iteration < 260000)
+            draw.next();
+        EXPECT_NEAR(global, localFraction(draw, WINDOW), 0.01) << "problem " << problem;
+        std::vector<int> singles(N, 0);
+        for (int i = 0; i < WINDOW; ++i)
+        {
+            draw.next();
+            ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
+            for (int k = 0; k < 2; ++k)
+                ++singles[draw.sample[k]];
+        }
+        EXPECT_LT(std::abs(deviation(singles, 2. * WINDOW)), 4.5) << "problem " << problem;
+    }
+}
+
+//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new.
+//! This holds for one sample in Params::orderedEvery, but none of the first eight if the order is a guess; the others
+//! are uniform, and they count.
+void expectGrowth(int ordering, int period)
+{
+    const int N = 300, first = ordering == ORDERING_DENSITY ? 8 : 0;
+    Draw draw(FUNDAMENTAL, N, createPNapsacSampler());
+    draw.params.ordering = ordering;
+    draw.params.orderedEvery = period;
+    const std::vector<double> limit = publishedGrowth(N, draw.m);
+    int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0;
+    for (int t = 1; t <= 20000; ++t)
+    {
+        while (n < N && t > limit[n])
+            ++n;
+        draw.next();
+        ASSERT_TRUE(draw.valid());
+        wrongSize += draw.sampler->subsetSize(draw.context) != n;
+        const std::vector<int>::const_iterator end = draw.state.order.begin() + draw.sampler->subsetSize(draw.context);
+        const bool out = std::find(draw.state.order.cbegin(), end, draw.sample[0]) == end;
+        const bool ordered = (t - 1) % period == 0 && (t > first || period == 1);
+        EXPECT_EQ(!ordered || period == 1, draw.state.counts) << t;
+        if (!ordered)
+        {
+            early += out;
+            continue;
+        }
+        if (draw.sampler->subsetSize(draw.context) < N)
+            notNewest += draw.sample[0] != draw.state.order[draw.sampler->subsetSize(draw.context) - 1];
+        outside += out;
+    }
+    EXPECT_LE(wrongSize, 30);
+    EXPECT_EQ(0, notNewest);
+    EXPECT_EQ(0, outside);
+    EXPECT_EQ(period > 1, early > 1000) << early;
+}
+
+TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
+{
+    expectGrowth(ORDERING_INPUT_ORDER, 1);
+    expectGrowth(ORDERING_INPUT_ORDER, 3);
+    expectGrowth(ORDERING_DENSITY, 4);
+}
+
+}
+}  // namespace

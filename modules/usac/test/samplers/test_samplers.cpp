@@ -1,0 +1,68 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "draw.hpp"
+#include "samplers/samplers.hpp"
+
+namespace opencv_test {
+namespace {
+
+TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
+{
+    for (int problem = 0; problem < 3; ++problem)
+        for (int kind = 0; kind < 3; ++kind)
+            for (int more = 0; more < 3; ++more)
+            {
+                const int N = (problem == 0 ? 4 : problem == 1 ? 7 : 5) + more;
+                Draw draw((ProblemType)problem, N,
+                          kind == 0   ? createUniformSampler()
+                          : kind == 1 ? createProsacSampler()
+                                      : createPNapsacSampler());
+                for (int i = 0; i < 300; ++i)
+                {
+                    draw.next();
+                    ASSERT_TRUE(draw.valid()) << problem << " " << kind << " " << more;
+                    ASSERT_LE(draw.sampler->subsetSize(draw.context), N);
+                    ASSERT_GE(draw.sampler->subsetSize(draw.context), draw.m);
+                }
+            }
+}
+
+//! Counts the calls.
+class CountingOrdering : public Ordering
+{
+public:
+    CountingOrdering() : calls(0) {}
+    void sort(const Context&, std::vector<int>&) CV_OVERRIDE { ++calls; }
+    int calls;
+};
+
+int sortings(ProblemType problem, int ordering, int outliers)
+{
+    SceneOptions options;
+    options.outliers = outliers;
+    const Scene scene = makeScene(problem, options);
+    Params params;
+    params.ordering = ordering;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<CountingOrdering> counting = makePtr<CountingOrdering>();
+    usac->components().ordering = counting;
+    EXPECT_FALSE(usac->run().empty());
+    return counting->calls;
+}
+
+//! Where the order is a guess, easy problems end before it is needed; one that is known serves from the first sample.
+TEST(Usac_Samplers, pointsAreSortedOnceAndOnlyIfNeeded)
+{
+    for (int problem = FUNDAMENTAL; problem <= ESSENTIAL; ++problem)
+    {
+        EXPECT_EQ(0, sortings((ProblemType)problem, ORDERING_DENSITY, 0)) << problem;
+        EXPECT_EQ(1, sortings((ProblemType)problem, ORDERING_DENSITY, 150)) << problem;
+        EXPECT_EQ(1, sortings((ProblemType)problem, ORDERING_INPUT_ORDER, 0)) << problem;
+    }
+}
+
+}
+}  // namespace
