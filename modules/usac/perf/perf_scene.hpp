@@ -14,9 +14,11 @@ struct PerfScene
 {
     PerfScene(ProblemType problem, int size, const Params& params_ = Params())
         : params(params_), scene(makeScene(problem, optionsOf(size))), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params),
+          context(usac->points(), usac->components(), params, arena),
           model(problem == ESSENTIAL ? scene.model : toInternal(usac->points(), scene.model))
-    {}
+    {
+        usac->components().start(context);
+    }
 
     //! The i-th point is a right match.
     bool isRight(int i) const { return scene.truth[usac->points().inputIndex[i]] != 0; }
@@ -24,6 +26,7 @@ struct PerfScene
     const Params params;
     const Scene scene;
     const Ptr<Usac> usac;
+    Arena arena;
     const Context context;
     const Model model;  //!< the true one, in the coordinates of the components
 

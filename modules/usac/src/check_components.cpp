@@ -25,6 +25,8 @@ void checkEntries(const std::vector<Ptr<T>>& parts, const char* name)
             CV_Error_(Error::StsNullPtr, ("components().%s[%d]: it is empty", name, (int)i));
 }
 
+}  // namespace
+
 //! Points without error, and points as far away as can be.
 void checkScore(const Score& score)
 {
@@ -43,8 +45,6 @@ void checkScore(const Score& score)
                        (int)COUNT, far ? "far from the model" : "without error", sum.cost, sum.inliers));
     }
 }
-
-}  // namespace
 
 void checkProblem(const Problem& problem, int residual)
 {
@@ -71,7 +71,7 @@ void checkProblem(const Problem& problem, int residual)
                                          name.c_str(), cost.time, cost.models));
 }
 
-void checkComponents(const Components& parts, const Components& made)
+void checkComponents(const Components& parts)
 {
     checkPresent(parts.residual, "residual");
     checkPresent(parts.score, "score");
@@ -84,8 +84,6 @@ void checkComponents(const Components& parts, const Components& made)
         CV_Error_(
             Error::StsOutOfRange,
             ("components().minimalSolver: samples of 1 to %d points are expected, not of %d", (int)MAX_SAMPLE_SIZE, m));
-    if (parts.score != made.score)
-        checkScore(*parts.score);
 }
 
 void checkSample(const int* sample, int m, int size)

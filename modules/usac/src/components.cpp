@@ -8,6 +8,7 @@ namespace cv {
 namespace usacv20 {
 
 // The destructors are here so that each class has one home for its virtual table, also in the libraries of users.
+Component::~Component() {}
 Ordering::~Ordering() {}
 Neighborhood::~Neighborhood() {}
 Sampler::~Sampler() {}
@@ -24,11 +25,49 @@ Usac::~Usac() {}
 
 void State::sort(const Context& context)
 {
-    order.resize(context.points.size);
-    for (size_t i = 0; i < order.size(); ++i)
-        order[i] = (int)i;
+    const int size = context.points.size;
+    int* const sorted = context.arena.take<int>(size);
+    for (int i = 0; i < size; ++i)
+        sorted[i] = i;
     if (context.components.ordering)
-        context.components.ordering->sort(context, order);
+        context.components.ordering->sort(context, sorted);
+    order = sorted;
+}
+
+namespace {
+
+template <class T>
+void startPart(const Ptr<T>& part, const Context& context)
+{
+    if (part)
+        part->start(context);
+}
+
+template <class T>
+void startParts(const std::vector<Ptr<T>>& parts, const Context& context)
+{
+    for (size_t i = 0; i < parts.size(); ++i)
+        startPart(parts[i], context);
+}
+
+}  // namespace
+
+void Component::start(const Context&) {}
+
+void Components::start(const Context& context) const
+{
+    startPart(residual, context);
+    startPart(score, context);
+    startPart(ordering, context);
+    startPart(neighborhood, context);
+    startPart(sampler, context);
+    startPart(minimalSolver, context);
+    startPart(nonMinimalSolver, context);
+    startParts(degeneracies, context);
+    startPart(verifier, context);
+    startPart(localOptimizer, context);
+    startParts(terminations, context);
+    startPart(polisher, context);
 }
 
 Neighborhood& Context::neighborhood() const

@@ -51,15 +51,15 @@ Ptr<Neighborhood> createNeighborhood(const Params& params, int columns)
     }
 }
 
-Ptr<Score> createScore(int type, const Correspondences& points)
+Ptr<Score> createScore(int type, const Problem& problem)
 {
     switch (type)
     {
     case QUALITY_INLIERS: return createInlierScore();
-    case QUALITY_MLESAC: return createMlesacScore(points);
-    case QUALITY_LMEDS: return createLmedsScore(points);
-    case QUALITY_MAGSAC: return createMagsacScore(points);
-    case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(points.problem->errorDimension());
+    case QUALITY_MLESAC: return createMlesacScore();
+    case QUALITY_LMEDS: return createLmedsScore();
+    case QUALITY_MAGSAC: return createMagsacScore(problem.errorDimension());
+    case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(problem.errorDimension());
     default: return createMsacScore();
     }
 }
@@ -88,7 +88,7 @@ Ptr<LocalOptimizer> createLocalOptimizer(int type)
     }
 }
 
-void createTerminations(int flags, const Correspondences& points, std::vector<Ptr<Termination>>& terminations)
+void createTerminations(int flags, std::vector<Ptr<Termination>>& terminations)
 {
     if (flags & TERMINATION_STANDARD)
         terminations.push_back(createStandardTermination());
@@ -99,7 +99,7 @@ void createTerminations(int flags, const Correspondences& points, std::vector<Pt
     if (flags & TERMINATION_MAGSAC)
         terminations.push_back(createMagsacTermination());
     if (flags & TERMINATION_PROSAC)
-        terminations.push_back(createProsacTermination(points));
+        terminations.push_back(createProsacTermination());
 }
 
 Ptr<Polisher> createPolisher(int type)
@@ -113,58 +113,23 @@ Ptr<Polisher> createPolisher(int type)
     }
 }
 
-template <class T>
-void replaceMade(Ptr<T>& part, const Ptr<T>& made, const Ptr<T>& fresh)
-{
-    if (part == made)
-        part = fresh;
-}
-
-template <class T>
-void replaceMade(std::vector<Ptr<T>>& parts, const std::vector<Ptr<T>>& made, const std::vector<Ptr<T>>& fresh)
-{
-    for (size_t i = 0; i < parts.size(); ++i)
-    {
-        const size_t at = std::find(made.begin(), made.end(), parts[i]) - made.begin();
-        if (at < made.size())
-            parts[i] = fresh[at];
-    }
-}
-
 }  // namespace
 
-void replaceComponents(Components& parts, const Components& made, const Components& fresh)
+Components createComponents(const Problem& problem, const Params& params)
 {
-    replaceMade(parts.residual, made.residual, fresh.residual);
-    replaceMade(parts.score, made.score, fresh.score);
-    replaceMade(parts.ordering, made.ordering, fresh.ordering);
-    replaceMade(parts.neighborhood, made.neighborhood, fresh.neighborhood);
-    replaceMade(parts.sampler, made.sampler, fresh.sampler);
-    replaceMade(parts.minimalSolver, made.minimalSolver, fresh.minimalSolver);
-    replaceMade(parts.nonMinimalSolver, made.nonMinimalSolver, fresh.nonMinimalSolver);
-    replaceMade(parts.degeneracies, made.degeneracies, fresh.degeneracies);
-    replaceMade(parts.verifier, made.verifier, fresh.verifier);
-    replaceMade(parts.localOptimizer, made.localOptimizer, fresh.localOptimizer);
-    replaceMade(parts.terminations, made.terminations, fresh.terminations);
-    replaceMade(parts.polisher, made.polisher, fresh.polisher);
-}
-
-Components createComponents(const Correspondences& points, const Params& params)
-{
-    const Problem& problem = *points.problem;
     Components parts;
     parts.residual = problem.createResidual(params.residual);
     parts.minimalSolver = problem.createMinimalSolver();
-    parts.score = createScore(params.quality, points);
+    parts.score = createScore(params.quality, problem);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
-        parts.ordering = createOrdering(params.ordering, points.scores != 0);
-    parts.neighborhood = createNeighborhood(params, points.columns());
+        parts.ordering = createOrdering(params.ordering, !params.scores.empty());
+    parts.neighborhood = createNeighborhood(params, problem.coordinates(0) + problem.coordinates(1));
     parts.sampler = createSampler(params.sampler);
     parts.nonMinimalSolver = problem.createNonMinimalSolver(parts.residual);
-    problem.createDegeneracies(params.degeneracy, points, parts.degeneracies);
+    problem.createDegeneracies(params.degeneracy, parts.degeneracies);
     parts.verifier = createVerifier(params, problem.sampleCost());
     parts.localOptimizer = createLocalOptimizer(params.localOptimization);
-    createTerminations(params.termination, points, parts.terminations);
+    createTerminations(params.termination, parts.terminations);
     parts.polisher = createPolisher(params.polishing);
     return parts;
 }

@@ -5,17 +5,13 @@
 #ifndef OPENCV_USACV20_FACTORY_HPP
 #define OPENCV_USACV20_FACTORY_HPP
 
-#include "opencv2/usac/components.hpp"
+#include "opencv2/usac/problem.hpp"
 
 namespace cv {
 namespace usacv20 {
 
 //! The components that the parameters name. To add a variant: its file, its enumerator and one line here.
-Components createComponents(const Correspondences& points, const Params& params);
-
-//! Replaces those of `parts` that are in `made`, in the same place, by those of `fresh`; what a program has put there
-//! stays.
-void replaceComponents(Components& parts, const Components& made, const Components& fresh);
+Components createComponents(const Problem& problem, const Params& params);
 
 }  // namespace usacv20
 }  // namespace cv

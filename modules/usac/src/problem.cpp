@@ -54,7 +54,7 @@ bool Problem::ambiguous() const { return false; }
 double Problem::toModelCoordinates(double* const*, int) const { return 1; }
 int Problem::normalization(int) const { return SCALE_NONE; }
 Model Problem::closest(const Model& model) const { return model; }
-void Problem::createDegeneracies(int, const Correspondences&, std::vector<Ptr<Degeneracy>>&) const {}
+void Problem::createDegeneracies(int, std::vector<Ptr<Degeneracy>>&) const {}
 
 double Problem::outlierExtent(const Correspondences& points) const
 {

@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "problem_data.hpp"
 #include "read_points.hpp"
+#include "run_memory.hpp"
 #include "residuals/simd.hpp"
 #include "statistics/robust_frame.hpp"
 #include "termination/non_randomness.hpp"
@@ -41,22 +42,27 @@ bool allFinite(const double* values, int count)
 
 }  // namespace
 
-ProblemData::ProblemData(const Problem& problem, InputArray points1, InputArray points2, const Params& params)
+ProblemData::ProblemData()
+    : view(), givenThreshold(), inputThreshold(0), pixelThreshold(0), pixels(1), input(), doubles(), floats()
+{}
+
+void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2, const Params& params,
+                       Arena& arena)
 {
-    view = Correspondences();
+    view = Correspondences();  // none, if there is a mistake
     view.problem = &problem;
     for (int array = 0; array < 2; ++array)
         view.coordinates[array] = problem.coordinates(array);
-    read(points1, points2);
-    params.check(view.inputSize);
+    readRows(points1, points2, params, arena);
     pixelThreshold = params.threshold;
     pixels = problem.toModelCoordinates(input, view.inputSize);
     inputThreshold = std::min(pixelThreshold / pixels, DBL_MAX);
-    shuffle(params);
-    scale(params);
+    shuffle(params, arena);
+    scale(params, arena);
     givenThreshold[0] = view.threshold;
     givenThreshold[1] = inputThreshold;
     givenThreshold[2] = pixelThreshold;
+    arena.keep();
 }
 
 void ProblemData::restoreThreshold()
@@ -66,24 +72,30 @@ void ProblemData::restoreThreshold()
     pixelThreshold = givenThreshold[2];
 }
 
-void ProblemData::read(InputArray points1, InputArray points2)
+void ProblemData::readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena)
 {
     const bool two = view.coordinates[1] > 0;
     if (!two && !points2.empty())
         CV_Error_(Error::StsBadArg, ("points2: problem %s has only one list of points", view.problem->name().c_str()));
-    const Mat lists[] = {readPoints(points1, view.coordinates[0], "points1"),
-                         two ? readPoints(points2, view.coordinates[1], "points2") : Mat()};
+    const Mat given[] = {points1.getMat(), two ? points2.getMat() : Mat()};
+    size_t most = 0;
+    for (int array = 0; array < 2; ++array)
+        most = std::max(most, given[array].total() * given[array].channels() / std::max(view.coordinates[array], 1));
+    arena.reset(runMemory((int)std::min<size_t>(most, INT_MAX), params));
+    Arena::Scope scope(arena);
+    const Mat lists[] = {readPoints(given[0], view.coordinates[0], "points1", scope),
+                         two ? readPoints(given[1], view.coordinates[1], "points2", scope) : Mat()};
     const int count = lists[0].rows;
     if (two && count != lists[1].rows)
         CV_Error_(
             Error::StsUnmatchedSizes,
             ("points1 and points2: lists of the same length are expected, not of %d and %d", count, lists[1].rows));
+    params.check(count);
     view.inputSize = count;
-    inputRows.create(view.columns(), std::max(count, 1), CV_64F);
     for (int array = 0, k = 0; array < 2; ++array)
         for (int c = 0; c < view.coordinates[array]; ++c, ++k)
         {
-            input[k] = inputRows.ptr<double>(k);
+            input[k] = arena.take<double>(count);
             const double* const from = lists[array].ptr<double>();
             for (int i = 0; i < count; ++i)
                 input[k][i] = from[(size_t)i * view.coordinates[array] + c];
@@ -99,10 +111,10 @@ bool ProblemData::finiteRow(int row) const
 }
 
 /** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. */
-void ProblemData::shuffle(const Params& params)
+void ProblemData::shuffle(const Params& params, Arena& arena)
 {
     const int count = view.inputSize;
-    indices.resize(count);
+    int* const indices = arena.take<int>(count);
     for (int i = 0; i < count; ++i)
         indices[i] = i;
     int size = count;
@@ -116,26 +128,25 @@ void ProblemData::shuffle(const Params& params)
         for (int i = 0; i < count; ++i)
             if (finiteRow(i))
                 indices[size++] = i;
-        indices.resize(size);
     }
     Rng rng(0x5c3a9d1e, (uint64)size);
     for (int i = size - 1; i > 0; --i)
         std::swap(indices[i], indices[rng.uniform(i + 1)]);
 
     const int padded = alignSize(std::max(size, 1), 16);
-    doubles.create(columns, padded, CV_64F);
-    floats.create(columns, padded, CV_32F);
     for (int k = 0; k < columns; ++k)
     {
-        double* const shuffled = doubles.ptr<double>(k);
+        double* const shuffled = doubles[k] = arena.take<double>(padded);
+        floats[k] = arena.take<float>(padded);
         for (int i = 0; i < size; ++i)
             shuffled[i] = input[k][indices[i]];
         std::fill(shuffled + size, shuffled + padded, 0.);
-        std::fill(floats.ptr<float>(k) + size, floats.ptr<float>(k) + padded, 0.f);
+        std::fill(floats[k] + size, floats[k] + padded, 0.f);
     }
-    if (!params.scores.empty())
+    float* scores = 0;
+    if (!params.scores.empty() && size > 0)
     {
-        scores.resize(size);
+        scores = arena.take<float>(size);
         const float sign = params.scoreOrder == SCORES_HIGHER_IS_BETTER ? -1.f : 1.f;
         for (int i = 0; i < size; ++i)
         {
@@ -144,18 +155,18 @@ void ProblemData::shuffle(const Params& params)
         }
     }
     view.size = size;
-    view.inputIndex = indices.data();
-    view.scores = scores.empty() ? 0 : scores.data();
+    view.inputIndex = indices;
+    view.scores = scores;
 }
 
 //! Moves the points to the center and to unit scale, as far as the problem allows.
-void ProblemData::scale(const Params& params)
+void ProblemData::scale(const Params& params, Arena& arena)
 {
     const int normalization = view.problem->normalization(params.residual), columns = view.columns();
     const int begin[] = {0, view.coordinates[0], columns};
     double center[MAX_COLUMNS], deviation[MAX_COLUMNS], low[MAX_COLUMNS], high[MAX_COLUMNS];
     for (int k = 0; k < columns; ++k)
-        robustFrame(doubles.ptr<double>(k), view.size, center[k], deviation[k], low[k], high[k]);
+        robustFrame(doubles[k], view.size, center[k], deviation[k], low[k], high[k], arena);
     for (int array = 0; array < 2; ++array)
     {
         Frame& frame = view.frame[array] = Frame();
@@ -188,8 +199,8 @@ void ProblemData::scale(const Params& params)
 
 void ProblemData::scaleColumn(int k, double shift, double factor)
 {
-    double* const values = doubles.ptr<double>(k);
-    float* const single = floats.ptr<float>(k);
+    double* const values = doubles[k];
+    float* const single = floats[k];
     for (int i = 0; i < view.size; ++i)
     {
         values[i] = (values[i] - shift) * factor;
@@ -209,18 +220,18 @@ void ProblemData::setThreshold(double threshold)
     pixelThreshold = inputThreshold * pixels;
 }
 
-int ProblemData::independentInliers(const std::vector<uchar>& mask) const
+int ProblemData::independentInliers(const uchar* mask, Arena& arena) const
 {
-    return usacv20::independentInliers(input, view.coordinates, mask.data(), view.inputSize,
-                                       view.problem->commonUnit() ? inputThreshold : 0, inputThreshold);
+    return usacv20::independentInliers(input, view.coordinates, mask, view.inputSize,
+                                       view.problem->commonUnit() ? inputThreshold : 0, inputThreshold, arena);
 }
 
-int ProblemData::mask(const Residual& residual, const Model& model, std::vector<uchar>& mask) const
+int ProblemData::mask(const Residual& residual, const Model& model, uchar* mask, Arena& arena) const
 {
     const int count = view.inputSize;
-    std::vector<double> errors(count);
-    residual.squaredErrors(model, input, count, errors.data());
-    mask.assign(count, 0);
+    Arena::Scope scope(arena);
+    double* const errors = scope.take<double>(count);
+    residual.squaredErrors(model, input, count, errors);
     int inliers = 0;
     for (int i = 0; i < count; ++i)
         inliers += mask[i] = std::sqrt(errors[i]) <= inputThreshold;  // false for NaN

@@ -15,8 +15,14 @@ finite ones scaled, shuffled and as structure of arrays (Correspondences). O(N) 
 class ProblemData
 {
 public:
-    //! `problem` must outlive this object.
-    ProblemData(const Problem& problem, InputArray points1, InputArray points2, const Params& params);
+    //! Of no points.
+    ProblemData();
+
+    /** @brief Other points.
+    @param problem must outlive this object
+    @param points1, points2, params as Usac::create takes them; if there is a mistake, there are no points
+    @param arena memory, which is freed before and has room for a run then; what is read stays there */
+    void read(const Problem& problem, InputArray points1, InputArray points2, const Params& params, Arena& arena);
 
     const Correspondences& points() const { return view; }
 
@@ -29,29 +35,27 @@ public:
     //! So many times as large a Correspondences::threshold for the rest of the run; the mask has that of before.
     void scaleReach(double factor) { view.threshold *= factor; }
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.
-    int mask(const Residual& residual, const Model& model, std::vector<uchar>& mask) const;
+    int mask(const Residual& residual, const Model& model, uchar* mask, Arena& arena) const;
     //! Of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
     //! Those of a mask that are not the same as another one in either array, see Problem::commonUnit.
-    int independentInliers(const std::vector<uchar>& mask) const;
+    int independentInliers(const uchar* mask, Arena& arena) const;
 
 private:
-    void read(InputArray points1, InputArray points2);
+    void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
     bool finiteRow(int row) const;
-    void scale(const Params& params);
+    void scale(const Params& params, Arena& arena);
     void scaleColumn(int k, double shift, double factor);
-    void shuffle(const Params& params);
+    void shuffle(const Params& params, Arena& arena);
 
     Correspondences view;
-    double givenThreshold[3];    //!< that of points(), of the mask and in pixels before the run
-    double inputThreshold;       //!< of the mask, in the coordinates of `input`
-    double pixelThreshold;       //!< the same in pixels
-    double pixels;               //!< in one unit of `input`
-    Mat inputRows;               //!< memory of `input`
-    double* input[MAX_COLUMNS];  //!< all rows, a column each (E: on the normalized image plane)
-    Mat floats, doubles;         //!< a row each column; cv::Mat aligns them
-    std::vector<int> indices;
-    std::vector<float> scores;
+    double givenThreshold[3];      //!< that of points(), of the mask and in pixels before the run
+    double inputThreshold;         //!< of the mask, in the coordinates of `input`
+    double pixelThreshold;         //!< the same in pixels
+    double pixels;                 //!< in one unit of `input`
+    double* input[MAX_COLUMNS];    //!< all rows, a column each (E: on the normalized image plane)
+    double* doubles[MAX_COLUMNS];  //!< those of Correspondences
+    float* floats[MAX_COLUMNS];
 
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);

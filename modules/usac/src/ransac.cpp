@@ -47,10 +47,11 @@ int exhaustiveSamples(const Context& context)
 }  // namespace
 
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
-    : context(context_), parts(context_.components), state(state_),
-      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0),
-      threads(context_.params.threads > 0 ? context_.params.threads : getNumThreads()), firstOfBatch(0),
-      exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+    : context(context_), parts(context_.components), state(state_), samples(context_.arena.take<Sample>(LARGEST_BATCH)),
+      counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0), hypotheses(0),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
+      threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
+      firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)
 {}
 
@@ -70,18 +71,17 @@ bool Ransac::run(int pause)
             break;
         drawBatch();  // 3
         const bool first = state.iteration == 0;
-        const bool together = threads > 1 &&
-                              samples.size() * context.points.problem->sampleCost().time >= PARALLEL_WORK;
-        batch.resize(together ? samples.size() : 1);
+        const bool together = threads > 1 && size * context.points.problem->sampleCost().time >= PARALLEL_WORK;
+        reserve(together ? (int)LARGEST_BATCH : 1, together ? threads : 1);
         if (together)
             hypothesizeBatch();
         Candidate best;
         bool found = false;
-        for (size_t i = 0; i < samples.size() && !terminate(); ++i)
+        for (int i = 0; i < size && !terminate(); ++i)
         {
             Hypotheses& h = batch[together ? i : 0];
             if (!together)
-                hypothesize((int)i, h);
+                hypothesize(i, h, errorRows);
             ++state.iteration;
             state.counts = counts[i] != 0;
             account(h);
@@ -106,7 +106,7 @@ bool Ransac::run(int pause)
         }
         if (first && found)
             improve(best, Quality());
-        const size_t tests = state.tests.size();
+        const int tests = state.tests.size();
         const bool repeated = state.repeatedSamples != repeatedBefore;
         repeatedBefore = state.repeatedSamples;
         if (parts.verifier)
@@ -164,12 +164,14 @@ void Ransac::drawBatch()
 {
     const int left = context.params.maxIterations - state.iteration;
     const bool expensive = context.points.problem->sampleCost().time > EXPENSIVE;
-    const int size = samples.empty() ? (expensive ? FIRST_BATCH / 2 : (int)FIRST_BATCH)
-                                     : std::min<int>(2 * (int)samples.size(), LARGEST_BATCH);
-    samples.resize(std::min(size, left));
-    counts.resize(samples.size());
+    const int before = size;
+    const int wanted = size == 0 ? (expensive ? FIRST_BATCH / 2 : (int)FIRST_BATCH)
+                                 : std::min<int>(2 * size, LARGEST_BATCH);
+    size = std::min(wanted, left);
+    for (int i = before; i < size; ++i)
+        new (samples + i) Sample();
     firstOfBatch = state.iteration;
-    for (size_t i = 0; i < samples.size(); ++i, ++state.iteration)
+    for (int i = 0; i < size; ++i, ++state.iteration)
     {
         state.rng = Rng(context.params.seed, state.iteration);
         state.counts = true;
@@ -181,19 +183,36 @@ void Ransac::drawBatch()
     state.iteration = firstOfBatch;
 }
 
+void Ransac::reserve(int wanted, int rows)
+{
+    if (hypotheses >= wanted)
+        return;
+    hypotheses = wanted;
+    batch = context.arena.take<Hypotheses>(wanted);
+    for (int i = 0; i < wanted; ++i)
+        new (batch + i) Hypotheses;
+    if (parts.score->wholeModel())
+        errorRows = context.arena.take<float>((size_t)rows * context.points.size);
+}
+
+//! A part of the batch for each thread, as each has memory of its own.
 void Ransac::hypothesizeBatch()
 {
     parallel_for_(
-        Range(0, (int)batch.size()),
+        Range(0, threads),
         [this](const Range& range) {
-            for (int i = range.start; i < range.end; ++i)
-                hypothesize(i, batch[i]);
+            for (int t = range.start; t < range.end; ++t)
+            {
+                float* const row = errorRows ? errorRows + (size_t)t * context.points.size : 0;
+                for (int i = (int)((int64)size * t / threads); i < (int)((int64)size * (t + 1) / threads); ++i)
+                    hypothesize(i, batch[i], row);
+            }
         },
         threads);
 }
 
 //! Called by several threads at once: writes to its own hypotheses only.
-void Ransac::hypothesize(int index, Hypotheses& h) const
+void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
 {
     const int* sample = samples[index].val;
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
@@ -229,7 +248,7 @@ void Ransac::hypothesize(int index, Hypotheses& h) const
             ++h.refused;
             continue;  // 11
         }
-        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start, h.errors);  // 10, 12
+        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start, row);  // 10, 12
         if (tested == 0)  // else only models that have passed would count
         {
             h.firstInliers += rating.firstInliers;
@@ -277,21 +296,22 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
 
 double Ransac::uselessCost() const
 {
-    const double best = state.sampleQuality.cost, size = context.points.size;
+    const double best = state.sampleQuality.cost, points = context.points.size;
     // runners-up may be better than the best one, where a check has lowered the quality of theirs when they were the
     // best
-    return std::max(best, std::min(runnersUp.uselessCost(best), size - WORTHWHILE * (size - best)));
+    return std::max(best, std::min(runnersUp.uselessCost(best), points - WORTHWHILE * (points - best)));
 }
 
 //! A model whose inliers are those of the best one leads to the same optimum, if the problem is not ambiguous.
 bool Ransac::improveRunnersUp()
 {
-    const int size = context.points.size;
-    const std::vector<Candidate> candidates = runnersUp.take();
-    for (size_t i = 0; i < candidates.size(); ++i)
+    const int points = context.points.size;
+    const Candidate* candidates;
+    const int count = runnersUp.take(candidates);
+    for (int i = 0; i < count; ++i)
     {
         const Candidate& candidate = candidates[i];
-        if (size - candidate.quality.cost < WORTHWHILE * (size - state.sampleQuality.cost))
+        if (points - candidate.quality.cost < WORTHWHILE * (points - state.sampleQuality.cost))
             break;
         if (context.points.problem->ambiguous() || !sameInliers(candidate.model, state.best))
             improve(candidate, state.sampleQuality);

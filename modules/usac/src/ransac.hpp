@@ -22,7 +22,6 @@ struct Hypotheses
     int firstInliers, firstTested;             //!< of their first blocks, for the verifier
     int stopped;                               //!< models that the verifier dropped while they were rated
     double costs[MAX_MODELS];                  //!< theirs before their last block
-    std::vector<float> errors;                 //!< memory, see rate()
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
@@ -48,9 +47,11 @@ public:
 private:
     bool terminate();
     void drawBatch();
-    //! @param index of the sample in the batch
-    void hypothesize(int index, Hypotheses& hypotheses) const;
+    //! @param index of the sample in the batch @param row memory for errors, see rate()
+    void hypothesize(int index, Hypotheses& h, float* row) const;
     void hypothesizeBatch();
+    //! Memory for the hypotheses of so many samples, and so many rows of errors.
+    void reserve(int wanted, int rows);
     //! Cost from which on the model of a sample is of no use.
     double uselessCost() const;
     void improve(const Candidate& candidate, const Quality& before);
@@ -67,9 +68,12 @@ private:
     const Context& context;
     const Components& parts;
     State& state;
-    std::vector<Sample> samples;    //!< of the batch
-    std::vector<uchar> counts;      //!< State::counts of each
-    std::vector<Hypotheses> batch;  //!< theirs, or those of the present sample
+    Sample* samples;    //!< of the batch
+    uchar* counts;      //!< State::counts of each
+    Hypotheses* batch;  //!< theirs, or those of the present sample
+    float* errorRows;   //!< one for each thread that rates models; null: the score wants none
+    int size;           //!< of the batch
+    int hypotheses;     //!< that there is room for
     RunnersUp runnersUp;
     const int threads;
     int firstOfBatch;  //!< number of its first sample

@@ -10,10 +10,28 @@ namespace usacv20 {
 
 namespace {
 
+//! The same, CV_64F and continuous.
+Mat toDouble(const Mat& points, Arena::Scope& scope)
+{
+    if (points.depth() == CV_64F && points.isContinuous())
+        return points;
+    Mat values(points.dims, points.size.p, CV_64FC(points.channels()),
+               scope.take<double>(points.total() * points.channels()));
+    points.convertTo(values, CV_64F);
+    return values;
+}
+
+Mat transposed(const Mat& values, Arena::Scope& scope)
+{
+    Mat columns(values.cols, values.rows, CV_64F, scope.take<double>(values.total()));
+    transpose(values, columns);
+    return columns;
+}
+
 /** Any list of points that OpenCV's functions take with one flag or another; one point a row, one coordinate a column,
 CV_64F. A matrix with one channel has its points along the longer side (as for OpenCV's USAC flags), with equal sides in
-the rows; a single row or column is one point. */
-Mat readCoordinates(const Mat& points, const char* name)
+the rows; a single row or column is one point. What is converted is in memory of the scope. */
+Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();
     const bool solid = points.dims == 3 && channels == 1 && (points.size[0] == 1 || points.size[1] == 1);
@@ -26,35 +44,35 @@ Mat readCoordinates(const Mat& points, const char* name)
                   ("%s: N points are expected as Nx2, Nx3, 2xN or 3xN with 1 channel or with 2 or 3 channels, "
                    "not as %dx%d with %d channel(s) and %d dimensions",
                    name, rows, cols, channels, points.dims));
-    Mat values;  // continuous
-    if (points.depth() == CV_64F && points.isContinuous())
-        values = points;
-    else
-        points.convertTo(values, CV_64F);
+    const Mat values = toDouble(points, scope);
     if (perColumn)
-        return values.t();
+        return transposed(values, scope);
     return values.reshape(1, (int)(points.total() * channels / coordinates));
 }
 
 /** Points of a plane. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two are the point, as
 for OpenCV's USAC flags. */
-Mat readPlanePoints(const Mat& points, const char* name)
+Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
 {
-    const Mat values = readCoordinates(points, name);
+    const Mat values = readCoordinates(points, name, scope);
     if (values.cols == 2)
         return values;
+    Mat plane(values.rows, 2, CV_64F, scope.take<double>(2 * (size_t)values.rows));
     if (values.cols > 3)
-        return values.colRange(0, 2).clone();
-    Mat plane;
-    convertPointsFromHomogeneous(values, plane);
+    {
+        values.colRange(0, 2).copyTo(plane);
+        return plane;
+    }
+    Mat points2 = plane.reshape(2);
+    convertPointsFromHomogeneous(values, points2);
     for (int i = 0; i < plane.rows; ++i)
         if (values.at<double>(i, 2) == 0)
-            plane.at<Vec2d>(i) = Vec2d(INFINITY, INFINITY);  // which OpenCV takes for a finite point
-    return plane.reshape(1);
+            points2.at<Vec2d>(i) = Vec2d(INFINITY, INFINITY);  // which OpenCV takes for a finite point
+    return plane;
 }
 
 //! Points of a line or of space.
-Mat readOtherPoints(const Mat& points, int coordinates, const char* name)
+Mat readOtherPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope)
 {
     const bool perColumn = points.dims == 2 && points.channels() == 1 && points.cols != coordinates &&
                            points.rows == coordinates;
@@ -66,19 +84,17 @@ Mat readOtherPoints(const Mat& points, int coordinates, const char* name)
                                      "not as %dx%d with %d channel(s) and %d dimensions",
                                      name, coordinates, coordinates, coordinates, points.rows, points.cols,
                                      points.channels(), points.dims));
-    Mat values;
-    (perColumn ? Mat(points.t()) : points).convertTo(values, CV_64F);
-    return values.reshape(1, numbers / coordinates);
+    const Mat values = toDouble(points, scope);
+    return perColumn ? transposed(values, scope) : values.reshape(1, numbers / coordinates);
 }
 
 }  // namespace
 
-Mat readPoints(InputArray array, int coordinates, const char* name)
+Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope)
 {
-    const Mat points = array.getMat();
     if (points.empty())
         return Mat(0, coordinates, CV_64F);
-    return coordinates == 2 ? readPlanePoints(points, name) : readOtherPoints(points, coordinates, name);
+    return coordinates == 2 ? readPlanePoints(points, name, scope) : readOtherPoints(points, coordinates, name, scope);
 }
 
 }  // namespace usacv20

@@ -5,17 +5,18 @@
 #ifndef OPENCV_USACV20_READ_POINTS_HPP
 #define OPENCV_USACV20_READ_POINTS_HPP
 
-#include "opencv2/core.hpp"
+#include "opencv2/usac/arena.hpp"
 
 namespace cv {
 namespace usacv20 {
 
 /** @brief The points of one of the caller's arrays, in any layout and depth that OpenCV's functions take.
-@param array N points
+@param points N points
 @param coordinates of each, 1 to 3; points with 2 may also be given by 3, which are homogeneous
 @param name of the argument, for messages
-@return N x coordinates, CV_64F, continuous. It may be the memory of the caller. */
-Mat readPoints(InputArray array, int coordinates, const char* name);
+@param scope memory
+@return N x coordinates, CV_64F, continuous. It is in memory of the scope or of the caller. */
+Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -38,38 +38,43 @@ class UsacImpl : public Usac
 {
 public:
     UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2, const Params& params_)
-        : params(params_), problem(problem_), givenReach(params_.reach), used(false)
+        : params(params_), problem(problem_), givenReach(params_.reach)
     {
         setPoints(points1, points2);
         checkProblem(*problem, params.residual);
-        parts = made = createComponents(data->points(), params);
-        used = false;
+        parts = made = createComponents(*problem, params);
+        fitted = made.residual;
     }
 
     Components& components() CV_OVERRIDE { return parts; }
-    const Correspondences& points() const CV_OVERRIDE { return data->points(); }
+    const Correspondences& points() const CV_OVERRIDE { return data.points(); }
 
     void setPoints(InputArray points1, InputArray points2) CV_OVERRIDE
     {
         created = getTickCount();
         params.reach = givenReach;
-        data = makePtr<ProblemData>(*problem, points1, points2, params);
-        used = true;  // what the components know is of other points
+        data.read(*problem, points1, points2, params, arena);
     }
 
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
     {
         if (created == 0)  // the same points again
             created = getTickCount();
-        if (used)
-            renew();
-        used = true;
-        if (parts.residual != made.residual && parts.nonMinimalSolver == made.nonMinimalSolver)
+        params.reach = givenReach;
+        data.restoreThreshold();
+        if (parts.residual != fitted && parts.nonMinimalSolver == made.nonMinimalSolver)
+        {
             parts.nonMinimalSolver = made.nonMinimalSolver = problem->createNonMinimalSolver(parts.residual);
-        checkComponents(parts, made);
-        const Context context(data->points(), parts, params);
+            fitted = parts.residual;
+        }
+        checkComponents(parts);
+        arena.clear();
+        const Context context(data.points(), parts, params, arena);
+        parts.start(context);
+        if (parts.score != made.score)
+            checkScore(*parts.score);
         State state;
-        if (data->points().size >= parts.minimalSolver->sampleSize())
+        if (data.points().size >= parts.minimalSolver->sampleSize())
             search(context, state);
         else
             state.report.stop = STOP_TOO_FEW_POINTS;
@@ -78,16 +83,6 @@ public:
     }
 
 private:
-    //! Components as new, but for those of the caller.
-    void renew()
-    {
-        params.reach = givenReach;
-        data->restoreThreshold();
-        const Components fresh = createComponents(data->points(), params);
-        replaceComponents(parts, made, fresh);
-        made = fresh;
-    }
-
     void search(const Context& context, State& state)
     {
         state.report.setupMs = milliseconds(created);
@@ -122,7 +117,7 @@ private:
 
     void setReach(double reach, Ransac& ransac)
     {
-        data->scaleReach(reach / params.reach);
+        data.scaleReach(reach / params.reach);
         params.reach = reach;
         ransac.thresholdChanged();
     }
@@ -134,17 +129,18 @@ private:
         const Correspondences& p = context.points;
         if (!(state.bestQuality.cost <= DBL_MAX))
             return params.reach;
-        std::vector<float> errors(std::min<int>(p.size, SignificantScale::MOST));
-        parts.residual->squaredErrors(p, state.best, 0, (int)errors.size(), errors.data());
+        const int size = std::min<int>(p.size, SignificantScale::MOST);
+        Arena::Scope scope(context.arena);
+        float* const errors = scope.take<float>(size);
+        parts.residual->squaredErrors(p, state.best, 0, size, errors);
         const int m = parts.minimalSolver->sampleSize();
-        const double sigma = SignificantScale::estimate(errors.data(), (int)errors.size(), p.threshold,
-                                                        p.problem->randomInlierRatio(p), p.problem->errorDimension(),
-                                                        m);
+        const double sigma = SignificantScale::estimate(errors, size, p.threshold, p.problem->randomInlierRatio(p),
+                                                        p.problem->errorDimension(), m);
         return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 
     //! Could random matches have given this model? @return false if it is to be refused
-    bool significant(const Model& model, Report& learned) const
+    bool significant(const Model& model, Report& learned)
     {
         const bool automatic = params.significance == 0;
         const double limit = automatic ? LIMIT : params.significance;
@@ -153,7 +149,7 @@ private:
                                      params.quality == QUALITY_INLIERS && parts.localOptimizer,
                                      params.quality == QUALITY_LMEDS};
         const double grown = std::max(params.reach / givenReach, 1.);  // as far as the threshold is below the noise
-        Significance test(*parts.residual, model, data->points(), data->maskThreshold() * grown, effort);
+        Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown, effort, arena);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
         return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
     }
@@ -180,16 +176,18 @@ private:
     {
         const int64 start = getTickCount();
         Report& learned = state.report;
-        std::vector<uchar> inliers(context.points.inputSize, 0);
+        const int rows = context.points.inputSize;
+        uchar* const inliers = arena.take<uchar>(rows);
+        std::fill(inliers, inliers + rows, (uchar)0);
         Mat result;
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
-            data->setThreshold(parts.score->threshold(context, state.best));
+            data.setThreshold(parts.score->threshold(context, state.best));
             learned.cost = polish(context, state.best).cost / context.points.size;
             Model model;
             if (problem->toInput(state.best, context.points, model))
             {
-                learned.inliers = data->mask(*parts.residual, model, inliers);
+                learned.inliers = data.mask(*parts.residual, model, inliers, arena);
                 if (learned.inliers > 0 || params.reach > givenReach)
                     result = Mat(model.rows, model.cols, CV_64F, model.val).clone();
             }
@@ -200,28 +198,29 @@ private:
         {
             learned.stop = STOP_NOT_SIGNIFICANT;
             learned.inliers = 0;
-            std::fill(inliers.begin(), inliers.end(), (uchar)0);
+            std::fill(inliers, inliers + rows, (uchar)0);
             result.release();
         }
         if (mask.needed())
-            Mat(inliers, false).reshape(1, context.points.inputSize).copyTo(mask);
-        learned.threshold = data->threshold();
+            Mat(rows, 1, CV_8U, inliers).copyTo(mask);
+        learned.threshold = data.threshold();
         if (report && !result.empty())
-            learned.independentInliers = data->independentInliers(inliers);
+            learned.independentInliers = data.independentInliers(inliers, arena);
         learned.polishMs = milliseconds(start);
         if (report)
             *report = learned;
         return result;
     }
 
+    Arena arena;    //!< memory of the runs
     int64 created;  //!< when the points came; 0: they have been used
     Params params;  //!< `reach` is the present one
     const Ptr<Problem> problem;
-    Ptr<ProblemData> data;
+    ProblemData data;
     Components parts;
-    Components made;  //!< for `params`, some of which the caller may have replaced
+    Components made;       //!< for `params`, some of which the caller may have replaced
+    Ptr<Residual> fitted;  //!< that made.nonMinimalSolver fits
     const double givenReach;
-    bool used;  //!< the components have been used, or made for other points
 };
 
 }  // namespace

@@ -16,12 +16,15 @@ public:
     Draw(ProblemType problem, int count, const Ptr<Sampler>& sampler_, uint64 seed_ = 0,
          const Params& params_ = ordered())
         : params(params_), sampler(sampler_), scene(makeScene(problem, optionsOf(count))),
-          usac(createUsac(scene, params)), context(usac->points(), usac->components(), params),
+          usac(createUsac(scene, params)), context(usac->points(), usac->components(), params, arena),
           m(usac->components().minimalSolver->sampleSize()), seed(seed_)
     {
-        state.order.resize(count);
+        order.resize(count);
         for (int i = 0; i < count; ++i)  // any permutation
-            state.order[i] = (i * 11 + 3) % count;
+            order[i] = (i * 11 + 3) % count;
+        state.order = order.data();
+        usac->components().start(context);
+        sampler->start(context);
     }
 
     //! All samples are drawn as the sampler prefers, none from all points.
@@ -67,9 +70,11 @@ public:
     Ptr<Sampler> sampler;
     const Scene scene;
     const Ptr<Usac> usac;
+    Arena arena;
     const Context context;
     const int m;
     State state;
+    std::vector<int> order;
     int sample[MAX_SAMPLE_SIZE];
 
 private:

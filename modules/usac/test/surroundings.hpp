@@ -33,11 +33,12 @@ inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1, std
 struct Surroundings
 {
     explicit Surroundings(const Correspondences& points, const Params& params_ = Params())
-        : params(params_), context(points, components, params)
+        : params(params_), context(points, components, params, arena)
     {}
 
     Params params;
     Components components;
+    Arena arena;
     Context context;
 };
 

@@ -88,7 +88,8 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
     Components parts;
     parts.minimalSolver = createUsac(sceneOf(HOMOGRAPHY, 20, 5), Params())->components().minimalSolver;
     const Params params;
-    const Context context(points.view(), parts, params);
+    Arena arena;
+    const Context context(points.view(), parts, params, arena);
     const int different[] = {0, 1, 2, 3}, twice[] = {0, 1, 3, 4}, shared[] = {0, 1, 2, 5}, both[] = {0, 5, 3, 4};
     const Ptr<Degeneracy> repeated = createRepeatedPoints();
     EXPECT_TRUE(repeated->validSample(context, different));
@@ -107,7 +108,9 @@ TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
         const Scene scene = sceneOf((ProblemType)problem, 90, 60);
         const Params params;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         const int m = usac->components().minimalSolver->sampleSize();
         State state;
         EXPECT_NEAR(subsets(90, 150, m), goodSampleProbability(context, state, 90), 1e-9) << problem;
@@ -148,7 +151,9 @@ TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
             const Scene scene = makeScene(ESSENTIAL, options);
             const Params params;
             const Ptr<Usac> usac = createUsac(scene, params);
-            const Context context(usac->points(), usac->components(), params);
+            Arena arena;
+            const Context context(usac->points(), usac->components(), params, arena);
+            usac->components().start(context);
             State state;
             Model model = scene.model;
             Quality quality = context.rate(model);

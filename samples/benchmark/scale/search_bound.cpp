@@ -77,7 +77,9 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
     Report expected;
     counted->run(cv::noArray(), &expected);
 
-    const Context context(counted->points(), original, params);
+    Arena arena;
+    const Context context(counted->points(), original, params, arena);
+    original.start(context);
     const double never = std::numeric_limits<double>::infinity();
     double search = never, solving = never, kernel = never;
     int found = 0;

@@ -10,37 +10,38 @@
 namespace cv {
 namespace usacv20 {
 
-//! Some of the points, copied as the columns that a residual takes.
+//! Some of the points, copied as the columns that a residual takes, in memory of a scope.
 class PointSubset
 {
 public:
-    void clear()
-    {
-        for (int k = 0; k < MAX_COLUMNS; ++k)
-            columns[k].clear();
-    }
-
-    void add(const Correspondences& points, int index)
+    //! Room for `capacity` points.
+    PointSubset(const Correspondences& points_, int capacity, Arena::Scope& scope)
+        : points(points_), count(0), columns(), errors(scope.take<double>(capacity))
     {
         for (int k = 0; k < points.columns(); ++k)
-            columns[k].push_back(points.exact[k][index]);
+            columns[k] = scope.take<double>(capacity);
     }
 
-    int size() const { return (int)columns[0].size(); }
+    void add(int index)
+    {
+        for (int k = 0; k < points.columns(); ++k)
+            columns[k][count] = points.exact[k][index];
+        ++count;
+    }
+
+    int size() const { return count; }
 
     //! size() numbers, which the next call overwrites.
-    double* squaredErrors(const Residual& residual, const Model& model)
+    const double* squaredErrors(const Residual& residual, const Model& model)
     {
-        const double* data[MAX_COLUMNS];
-        for (int k = 0; k < MAX_COLUMNS; ++k)
-            data[k] = columns[k].data();
-        errors.resize(size());
-        residual.squaredErrors(model, data, size(), errors.data());
-        return errors.data();
+        residual.squaredErrors(model, columns, count, errors);
+        return errors;
     }
 
 private:
-    std::vector<double> columns[MAX_COLUMNS], errors;
+    const Correspondences& points;
+    int count;
+    double *columns[MAX_COLUMNS], *const errors;
 };
 
 }  // namespace usacv20

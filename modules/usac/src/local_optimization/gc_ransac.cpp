@@ -22,14 +22,18 @@ Params::localSamples. */
 class GcRansacOptimizer : public LocalOptimizer
 {
 public:
+    void start(const Context&) CV_OVERRIDE { labeling.start(); }
+
     bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
     {
         const Params& params = context.params;
         const int m = context.components.minimalSolver->sampleSize();
+        Arena::Scope scope(context.arena);
+        inliers.allocate(scope, context.points.size);
         bool improved = false, better = true;
         for (int i = 0; i < params.localIterations && better; ++i)
         {
-            labeling.cut(context, model, inliers.members);
+            inliers.count = labeling.cut(context, model, inliers.members);
             if (inliers.size() <= m)
                 break;
             better = false;

@@ -23,9 +23,13 @@ first alternation without a clear gain is the last, and their number is bounded.
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
+    void start(const Context&) CV_OVERRIDE { labeling.start(); }
+
     bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
+        Arena::Scope scope(context.arena);
+        inliers.allocate(scope, context.points.size);
         bool improved = shrink(context, state, m, model, quality);
         double before = state.bestQuality.cost;
         for (int i = 0; i < context.params.localIterations && quality.cost < WORTHWHILE * before; ++i)
@@ -34,7 +38,7 @@ public:
             if (i > 0)
                 improved |= shrink(context, state, m, model, quality);
             if (context.params.spatialWeight > 0)
-                labeling.cut(context, model, inliers.members);
+                inliers.count = labeling.cut(context, model, inliers.members);
             else
                 inliers.within(context, model, LABELED);
             if (inliers.size() > m)

@@ -12,35 +12,33 @@ void InlierSet::within(const Context& context, const Model& model, double multip
 {
     const Correspondences& points = context.points;
     const float limit = (float)(multiple * multiple * points.threshold * points.threshold);
-    errors.resize(points.size);
-    context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
-    members.resize(points.size);
-    size_t count = 0;
+    context.components.residual->squaredErrors(points, model, 0, points.size, errors);
+    int found = 0;
     for (int i = 0; i < points.size; ++i)  // no branches, which could not be foretold
     {
-        members[count] = i;
-        count += errors[i] <= limit;
+        members[found] = i;
+        found += errors[i] <= limit;
     }
-    members.resize(count);
+    count = found;
 }
 
-int InlierSet::select(Rng& rng, int count)
+int InlierSet::select(Rng& rng, int most)
 {
-    count = std::min(count, size());
-    for (int i = 0; i < count && count < size(); ++i)
-        std::swap(members[i], members[i + rng.uniform(size() - i)]);
-    return count;
+    most = std::min(most, count);
+    for (int i = 0; i < most && most < count; ++i)
+        std::swap(members[i], members[i + rng.uniform(count - i)]);
+    return most;
 }
 
-bool InlierSet::fit(const Context& context, int count, Model& model, int iterations) const
+bool InlierSet::fit(const Context& context, int first, Model& model, int iterations) const
 {
-    return context.nonMinimalSolver().fit(context.points, members.data(), count, 0, model, iterations);
+    return context.nonMinimalSolver().fit(context.points, members, first, 0, model, iterations);
 }
 
-bool InlierSet::improve(const Context& context, int count, Model& model, Quality& quality, int iterations) const
+bool InlierSet::improve(const Context& context, int first, Model& model, Quality& quality, int iterations) const
 {
     Model fitted = model;
-    return fit(context, count, fitted, iterations) && keepBetter(context, fitted, model, quality);
+    return fit(context, first, fitted, iterations) && keepBetter(context, fitted, model, quality);
 }
 
 bool keepBetter(const Context& context, const Model& candidate, Model& model, Quality& quality)

@@ -15,21 +15,31 @@ namespace usacv20 {
 class InlierSet
 {
 public:
+    InlierSet() : members(0), count(0), errors(0) {}
+
+    //! Memory for so many points, before anything else.
+    void allocate(Arena::Scope& scope, int points)
+    {
+        members = scope.take<int>(points);
+        errors = scope.take<float>(points);
+        count = 0;
+    }
     //! Takes the points with errors up to a multiple of the threshold.
     void within(const Context& context, const Model& model, double multiple);
-    //! Brings `count` random members to the front, all if there are not as many. @return their number
-    int select(Rng& rng, int count);
-    //! Least squares over the first `count` members from `model`; false if they determine none.
-    bool fit(const Context& context, int count, Model& model, int iterations = 10) const;
+    //! Brings `most` random members to the front, all if there are not as many. @return their number
+    int select(Rng& rng, int most);
+    //! Least squares over the `first` members from `model`; false if they determine none.
+    bool fit(const Context& context, int first, Model& model, int iterations = 10) const;
     //! The same; the fit replaces the model if its quality is better.
-    bool improve(const Context& context, int count, Model& model, Quality& quality, int iterations = 10) const;
+    bool improve(const Context& context, int first, Model& model, Quality& quality, int iterations = 10) const;
 
-    int size() const { return (int)members.size(); }
+    int size() const { return count; }
 
-    std::vector<int> members;
+    int* members;
+    int count;  //!< of the members
 
 private:
-    std::vector<float> errors;
+    float* errors;
 };
 
 //! Puts `candidate` in the place of a model that is worse.

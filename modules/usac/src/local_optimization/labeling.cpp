@@ -18,11 +18,9 @@ const float NEGLIGIBLE = 0.005f;
 void Labeling::weigh(const Context& context, const Model& model)
 {
     const Correspondences& points = context.points;
-    const int size = points.size;
-    errors.resize(size);
-    K.resize(size);
-    unary.resize(size);
-    context.components.residual->squaredErrors(points, model, 0, size, errors.data());
+    Arena::Scope scope(context.arena);
+    float* const errors = scope.take<float>(size);
+    context.components.residual->squaredErrors(points, model, 0, size, errors);
     const float factor = (float)(-0.5 / (points.threshold * points.threshold));
     const float reach = std::log(NEGLIGIBLE) / factor;
     for (int i = 0; i < size; ++i)
@@ -33,11 +31,11 @@ void Labeling::weigh(const Context& context, const Model& model)
 }
 
 //! Most edges of a point.
-int Labeling::degreeOf(const std::vector<Vec2i>& edges)
+int Labeling::degreeOf(const Vec2i* edges, int count)
 {
-    node.assign(K.size(), 0);
+    std::fill(node, node + size, 0);
     int most = 0;
-    for (size_t e = 0; e < edges.size(); ++e)
+    for (int e = 0; e < count; ++e)
         most = std::max(most, std::max(++node[edges[e][0]], ++node[edges[e][1]]));
     return most;
 }
@@ -45,21 +43,20 @@ int Labeling::degreeOf(const std::vector<Vec2i>& edges)
 /* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier and by lambda (1 -
 a) if q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets its label before any cut: most points
 at first sight, as lambda times the number of edges is not enough. */
-void Labeling::fix(const std::vector<Vec2i>& edges, float lambda)
+void Labeling::fix(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
-    const size_t size = unary.size();
     if (degree < 0)
-        degree = degreeOf(edges);
+        degree = degreeOf(edges, count);
     const float turn = lambda * degree;
-    node.resize(size);
-    lowest.resize(size);
-    highest.resize(size);
-    for (size_t i = 0; i < size; ++i)
+    // the same as unary with the edges, whatever the labels of the neighbors
+    Arena::Scope scope(arena);
+    float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
+    for (int i = 0; i < size; ++i)
     {
         node[i] = unary[i] + turn < 0 ? INLIER : unary[i] >= turn || K[i] == 0 ? OUTLIER : 0;
         lowest[i] = highest[i] = unary[i];
     }
-    for (size_t e = 0; e < edges.size(); ++e)
+    for (int e = 0; e < count; ++e)
     {
         const int p = edges[e][0], q = edges[e][1];
         if (node[p] < 0 && node[q] < 0)
@@ -70,36 +67,46 @@ void Labeling::fix(const std::vector<Vec2i>& edges, float lambda)
         highest[p] += lambda * (1 - a);
         highest[q] += lambda * (1 - a);
     }
-    open.clear();
-    for (size_t i = 0; i < size; ++i)
+    openCount = 0;
+    for (int i = 0; i < size; ++i)
         if (node[i] == 0)
         {
-            node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 ? OUTLIER : (int)open.size();
+            node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 ? OUTLIER : openCount;
             if (node[i] >= 0)
-                open.push_back((int)i);
+                open[openCount++] = i;
         }
 }
 
-void Labeling::cut(const Context& context, const Model& model, std::vector<int>& inliers)
+int Labeling::cut(const Context& context, const Model& model, int* inliers)
 {
+    size = context.points.size;
+    Arena::Scope scope(context.arena);
+    K = scope.take<float>(size);
+    unary = scope.take<float>(size);
+    node = scope.take<int>(size);
+    open = scope.take<int>(size);
     weigh(context, model);
     const float lambda = (float)context.params.spatialWeight;
-    const std::vector<Vec2i>& edges = context.neighborhood().edges(context);
-    fix(edges, lambda);
-    label(edges, lambda);
-    inliers.clear();
-    for (size_t i = 0; i < node.size(); ++i)
+    const Vec2i* edges;
+    const int count = context.neighborhood().edges(context, edges);
+    fix(context.arena, edges, count, lambda);
+    label(context.arena, edges, count, lambda);
+    int found = 0;
+    for (int i = 0; i < size; ++i)
         if (node[i] == INLIER)
-            inliers.push_back((int)i);
+            inliers[found++] = i;
+    return found;
 }
 
 /* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the last term being one arc
 of the graph. */
-void Labeling::label(const std::vector<Vec2i>& edges, float lambda)
+void Labeling::label(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
-    const int nodes = (int)open.size();
-    arcs.clear();
-    for (size_t e = 0; e < edges.size(); ++e)
+    const int nodes = openCount;
+    Arena::Scope scope(arena);
+    Vec2i* const arcs = scope.take<Vec2i>(count);  // between nodes
+    int arcCount = 0;
+    for (int e = 0; e < count; ++e)
     {
         const int p = edges[e][0], q = edges[e][1];
         if (node[p] < 0 && node[q] < 0)
@@ -109,21 +116,25 @@ void Labeling::label(const std::vector<Vec2i>& edges, float lambda)
         {
             unary[p] += lambda * (1 - a);
             unary[q] -= lambda * a;
-            arcs.push_back(Vec2i(node[q], node[p]));
+            arcs[arcCount++] = Vec2i(node[q], node[p]);
         }
         else if (node[p] >= 0)
             unary[p] += lambda * (node[q] == INLIER ? -a : 1 - a);
         else
             unary[q] += lambda * (node[p] == INLIER ? -a : 1 - a);
     }
-    const bool linked = !arcs.empty();  // GCGraph does not accept a graph without edges
-    detail::GCGraph<float> graph(linked ? (unsigned)nodes : 0, (unsigned)arcs.size());
+    const bool linked = arcCount > 0;  // GCGraph does not accept a graph without edges
+    if (linked)
+    {
+        graph = detail::GCGraph<float>();  // empties it; a copied vector keeps its memory
+        graph.create((unsigned)nodes, 2 * (unsigned)arcCount);
+    }
     for (int v = 0; linked && v < nodes; ++v)  // the source side are the inliers
     {
         graph.addVtx();
         graph.addTermWeights(v, std::max(-unary[open[v]], 0.f), std::max(unary[open[v]], 0.f));
     }
-    for (size_t k = 0; k < arcs.size(); ++k)
+    for (int k = 0; k < arcCount; ++k)
         graph.addEdges(arcs[k][0], arcs[k][1], lambda, 0);
     if (linked)
         graph.maxFlow();

@@ -23,29 +23,32 @@ linear in practice. */
 class Labeling
 {
 public:
-    Labeling() : degree(-1) {}
+    Labeling() : K(0), unary(0), node(0), open(0), size(0), openCount(0), degree(-1) {}
 
-    //! Writes the inliers to `inliers`.
-    void cut(const Context& context, const Model& model, std::vector<int>& inliers);
+    //! A new run, with other edges.
+    void start() { degree = -1; }
+    //! Writes the inliers to `inliers`, which has room for all points. @return their number
+    int cut(const Context& context, const Model& model, int* inliers);
 
 private:
     enum { INLIER = -1, OUTLIER = -2 };
 
-    int degreeOf(const std::vector<Vec2i>& edges);
+    int degreeOf(const Vec2i* edges, int count);
     void weigh(const Context& context, const Model& model);
     //! Labels the points that the edges cannot turn; the others become nodes.
-    void fix(const std::vector<Vec2i>& edges, float lambda);
+    void fix(Arena& arena, const Vec2i* edges, int count, float lambda);
     //! Labels the nodes.
-    void label(const std::vector<Vec2i>& edges, float lambda);
+    void label(Arena& arena, const Vec2i* edges, int count, float lambda);
 
-    std::vector<float> errors;
-    std::vector<float> K;
-    std::vector<float> unary;            //!< cost of being an inlier minus that of being an outlier
-    std::vector<float> lowest, highest;  //!< the same with the edges, whatever the labels of the neighbors
-    std::vector<int> node;               //!< of each point in the graph, or its label
-    std::vector<int> open;               //!< point of each node
-    std::vector<Vec2i> arcs;             //!< between nodes
-    int degree;                          //!< most edges of a point
+    // during a cut
+    float* K;
+    float* unary;                  //!< cost of being an inlier minus that of being an outlier
+    int* node;                     //!< of each point in the graph, or its label
+    int* open;                     //!< point of each node
+    int size, openCount;           //!< points, nodes
+    detail::GCGraph<float> graph;  //!< keeps its memory
+
+    int degree;  //!< most edges of a point; -1: not yet known
 };
 
 }  // namespace usacv20

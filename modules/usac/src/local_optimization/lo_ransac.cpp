@@ -32,6 +32,9 @@ public:
     {
         const int m = context.components.minimalSolver->sampleSize();
         const int largest = fitMultiple < INT_MAX / m ? fitMultiple * m : INT_MAX;
+        Arena::Scope scope(context.arena);
+        base.allocate(scope, context.points.size);
+        inliers.allocate(scope, context.points.size);
         Model start = model;
         inliers.within(context, model, WIDE);
         if (inliers.size() <= m || !inliers.fit(context, inliers.select(state.rng, largest), start))

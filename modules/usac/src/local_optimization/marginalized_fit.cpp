@@ -14,10 +14,8 @@ double MarginalizedFit::weigh(const Context& context, double threshold, const Mo
     const Correspondences& points = context.points;
     const MarginalizedWeights& table = MarginalizedWeights::of(points.problem->errorDimension());
     const float scale = (float)(1 / (threshold * threshold));
-    errors.resize(points.size);
-    context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
-    indices.clear();
-    weights.clear();
+    context.components.residual->squaredErrors(points, model, 0, points.size, errors);
+    count = 0;
     double loss = 0;
     for (int i = 0; i < points.size; ++i)
     {
@@ -25,8 +23,8 @@ double MarginalizedFit::weigh(const Context& context, double threshold, const Mo
         loss += table.tabulatedLoss(u);
         if (!(u < 1))  // also for NaN
             continue;
-        indices.push_back(i);
-        weights.push_back(table.tabulatedWeight(u));
+        indices[count] = i;
+        weights[count++] = table.tabulatedWeight(u);
     }
     return loss;
 }
@@ -41,14 +39,13 @@ void MarginalizedFit::reduce(int most, Rng& rng)
         std::swap(indices[i], indices[other]);
         std::swap(weights[i], weights[other]);
     }
-    indices.resize(most);
-    weights.resize(most);
+    count = most;
 }
 
 bool MarginalizedFit::fit(const Context& context, Model& model) const
 {
     return size() > context.components.minimalSolver->sampleSize() &&
-           context.nonMinimalSolver().fit(context.points, indices.data(), size(), weights.data(), model);
+           context.nonMinimalSolver().fit(context.points, indices, size(), weights, model);
 }
 
 }  // namespace usacv20

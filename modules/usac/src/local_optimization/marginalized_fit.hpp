@@ -16,19 +16,30 @@ As the weights fall with the error, a fit to all weighted points never raises th
 class MarginalizedFit
 {
 public:
+    MarginalizedFit() : errors(0), indices(0), weights(0), count(0) {}
+
+    //! Memory for so many points, before anything else.
+    void allocate(Arena::Scope& scope, int points)
+    {
+        errors = scope.take<float>(points);
+        indices = scope.take<int>(points);
+        weights = scope.take<double>(points);
+        count = 0;
+    }
     //! Weighs the points within the threshold of the model. @return the loss of all points, see MarginalizedWeights
     double weigh(const Context& context, double threshold, const Model& model);
     //! Points with a weight.
-    int size() const { return (int)indices.size(); }
+    int size() const { return count; }
     //! Keeps `most` of the weighted points, a random choice.
     void reduce(int most, Rng& rng);
     //! Fits to the weighted points, starting from `model`. False if they are too few or determine none.
     bool fit(const Context& context, Model& model) const;
 
 private:
-    std::vector<float> errors;
-    std::vector<int> indices;
-    std::vector<double> weights;
+    float* errors;
+    int* indices;
+    double* weights;
+    int count;  //!< of points with a weight
 };
 
 }  // namespace usacv20

@@ -8,32 +8,37 @@
 namespace cv {
 namespace usacv20 {
 
-RunnersUp::RunnersUp(int most_) : most(most_), limit(std::numeric_limits<double>::infinity()) {}
+RunnersUp::RunnersUp(int most_, Arena& arena)
+    : most(most_), limit(std::numeric_limits<double>::infinity()), kept(arena.take<Candidate>(most + 1)), count(0)
+{
+    for (int i = 0; i <= most; ++i)
+        new (kept + i) Candidate();
+}
 
 void RunnersUp::add(const Candidate& candidate)
 {
     if (most == 0 || candidate.quality.cost >= limit)
         return;
-    size_t place = kept.size();
-    while (place > 0 && candidate.quality.betterThan(kept[place - 1].quality))
-        --place;
-    kept.insert(kept.begin() + place, candidate);
-    if (kept.size() > most)
-        kept.pop_back();
-    if (kept.size() == most)
-        limit = kept.back().quality.cost;
+    int place = count;
+    for (; place > 0 && candidate.quality.betterThan(kept[place - 1].quality); --place)
+        kept[place] = kept[place - 1];
+    kept[place] = candidate;
+    count = std::min(count + 1, most);
+    if (count == most)
+        limit = kept[most - 1].quality.cost;
 }
 
 void RunnersUp::clear()
 {
-    kept.clear();
+    count = 0;
     limit = std::numeric_limits<double>::infinity();
 }
 
-std::vector<Candidate> RunnersUp::take()
+int RunnersUp::take(const Candidate*& candidates)
 {
-    std::vector<Candidate> taken;
-    taken.swap(kept);
+    const int taken = count;
+    candidates = kept;
+    count = 0;
     return taken;
 }
 

@@ -33,22 +33,23 @@ is given once. */
 class RunnersUp
 {
 public:
-    //! @param most models that are kept, not negative
-    explicit RunnersUp(int most);
+    //! @param most models that are kept, not negative @param arena memory
+    RunnersUp(int most, Arena& arena);
 
     //! A model that costs as much is of no use any more. @param best cost of the best model of all samples
     double uselessCost(double best) const { return most > 0 ? limit : best; }
     //! Keeps the model if it is one of the best.
     void add(const Candidate& candidate);
-    //! Gives those kept since the last call, best first.
-    std::vector<Candidate> take();
+    //! Gives those kept since the last call, best first; valid until the next add(). @return their number
+    int take(const Candidate*& candidates);
     //! Forgets all, also those that it has given.
     void clear();
 
 private:
-    const size_t most;
-    double limit;                 //!< of the cost
-    std::vector<Candidate> kept;  //!< best first
+    const int most;
+    double limit;     //!< of the cost
+    Candidate* kept;  //!< best first, with room for one more
+    int count;        //!< of those kept
 };
 
 }  // namespace usacv20

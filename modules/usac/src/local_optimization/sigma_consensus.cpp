@@ -12,37 +12,32 @@ namespace cv {
 namespace usacv20 {
 
 //! The points within the threshold, nearest first, at most #MAX_FIT.
-void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model)
+void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model, Near* all)
 {
     const Correspondences& p = context.points;
     const float scale = (float)(1 / (p.threshold * p.threshold));
-    errors.resize(p.size);
-    context.components.residual->squaredErrors(p, model, 0, p.size, errors.data());
-    near.clear();
+    Arena::Scope scope(context.arena);
+    float* const errors = scope.take<float>(p.size);
+    context.components.residual->squaredErrors(p, model, 0, p.size, errors);
+    int size = 0;
     for (int i = 0; i < p.size; ++i)
     {
         const Near point = {errors[i] * scale, i};
         if (point.error < 1)  // false for NaN
-            near.push_back(point);
+            all[size++] = point;
     }
-    const int size = (int)near.size(), count = std::min<int>(size, MAX_FIT);
+    count = std::min<int>(size, MAX_FIT);
     for (int i = 0; i < count && count < size; ++i)
-        std::swap(near[i], near[i + rng.uniform(size - i)]);
-    near.resize(count);
-    std::sort(near.begin(), near.end());
-    indices.resize(count);
-    subset.clear();
+        std::swap(all[i], all[i + rng.uniform(size - i)]);
+    std::copy(all, all + count, near);
+    std::sort(near, near + count);
     for (int i = 0; i < count; ++i)
-    {
         indices[i] = near[i].index;
-        subset.add(p, indices[i]);
-    }
 }
 
-void SigmaConsensus::marginalize(const Context& context, const Model& model, int part)
+void SigmaConsensus::marginalize(const Context& context, PointSubset& subset, const Model& model, int part)
 {
     const MarginalizedWeights& table = MarginalizedWeights::of(context.points.problem->errorDimension());
-    const int count = (int)indices.size();
     const double* const squared = subset.squaredErrors(*context.components.residual, model);
     const double scale = 1 / (context.points.threshold * context.points.threshold);
     const double end = (double)part / partitions, begin = (part - 1.0) / partitions;
@@ -57,22 +52,29 @@ void SigmaConsensus::marginalize(const Context& context, const Model& model, int
 
 bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
 {
-    select(context, rng, model);
-    const int size = (int)indices.size(), m = context.components.minimalSolver->sampleSize();
+    {
+        Arena::Scope scope(context.arena);
+        select(context, rng, model, scope.take<Near>(context.points.size));
+    }
+    const int size = count, m = context.components.minimalSolver->sampleSize();
     if (size <= m)
         return false;
     const NonMinimalSolver& solver = context.nonMinimalSolver();
-    weights.assign(size, 0.0);
+    std::fill(weights, weights + size, 0.);
+    Arena::Scope scope(context.arena);
+    PointSubset subset(context.points, size, scope);
+    for (int i = 0; i < size; ++i)
+        subset.add(indices[i]);
     Model fitted = model;
-    for (int part = 1, count = 0, last = 0; part <= partitions; ++part, last = count)
+    for (int part = 1, within = 0, last = 0; part <= partitions; ++part, last = within)
     {
         const double reach = (double)part / partitions;
-        while (count < size && near[count].error < reach * reach)
-            ++count;
+        while (within < size && near[within].error < reach * reach)
+            ++within;
         Model next = model;
-        if (count > m && count != last && solver.fit(context.points, indices.data(), count, 0, next))
+        if (within > m && within != last && solver.fit(context.points, indices, within, 0, next))
             fitted = next;
-        marginalize(context, fitted, part);
+        marginalize(context, subset, fitted, part);
     }
     int kept = 0;
     for (int i = 0; i < size; ++i)
@@ -81,9 +83,8 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
             indices[kept] = indices[i];
             weights[kept++] = weights[i];
         }
-    indices.resize(kept);
-    weights.resize(kept);
-    return kept > m && solver.fit(context.points, indices.data(), kept, weights.data(), model);
+    count = kept;
+    return kept > m && solver.fit(context.points, indices, kept, weights, model);
 }
 
 namespace {

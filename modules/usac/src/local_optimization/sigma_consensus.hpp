@@ -25,14 +25,15 @@ class SigmaConsensus
 public:
     enum { PARTITIONS = 5, MAX_FIT = 500 };
 
-    explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_) {}
+    explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}
 
     //! Replaces the model by the marginalized fit; false if the points do not determine one.
     bool fit(const Context& context, Rng& rng, Model& model);
 
     //! Of the last fit: points of positive weight, nearest first, and their weights.
-    const std::vector<int>& points() const { return indices; }
-    const std::vector<double>& pointWeights() const { return weights; }
+    int size() const { return count; }
+    const int* points() const { return indices; }
+    const double* pointWeights() const { return weights; }
 
 private:
     //! A point and its squared error in units of the squared threshold.
@@ -46,16 +47,16 @@ private:
         }
     };
 
-    void select(const Context& context, Rng& rng, const Model& model);
+    //! @param all memory for all points
+    void select(const Context& context, Rng& rng, const Model& model, Near* all);
     //! Adds the likelihoods under the model for the scales of a part.
-    void marginalize(const Context& context, const Model& model, int part);
+    void marginalize(const Context& context, PointSubset& subset, const Model& model, int part);
 
     const int partitions;
-    std::vector<float> errors;
-    std::vector<Near> near;
-    std::vector<int> indices;
-    std::vector<double> weights;
-    PointSubset subset;  //!< those of `indices`
+    int count;  //!< of those selected, then of those of positive weight
+    Near near[MAX_FIT];
+    int indices[MAX_FIT];
+    double weights[MAX_FIT];
 };
 
 }  // namespace usacv20

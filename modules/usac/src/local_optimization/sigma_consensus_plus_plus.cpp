@@ -23,6 +23,8 @@ class SigmaConsensusPlusPlus : public LocalOptimizer
 public:
     bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
     {
+        Arena::Scope scope(context.arena);
+        reweighted.allocate(scope, context.points.size);
         bool improved = false;
         Model fitted = model;
         int failures = 0;

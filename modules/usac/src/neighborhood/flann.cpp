@@ -74,7 +74,16 @@ class FlannNeighborhood : public Neighborhood
 public:
     enum { LAYERS = 4, WIDEST = 512, LINKS = 8 };
 
-    explicit FlannNeighborhood(const Reach* reach_) : reach(reach_, reach_ + LAYERS), linked(false) {}
+    explicit FlannNeighborhood(const Reach* reach_) : coordinates(0), size(0), known(0), links(0), linkCount(0)
+    {
+        std::copy(reach_, reach_ + LAYERS, reach);
+    }
+
+    void start(const Context&) CV_OVERRIDE
+    {
+        tree.release();
+        links = 0;
+    }
 
     int layers() const CV_OVERRIDE { return LAYERS; }
 
@@ -86,67 +95,73 @@ public:
         {
             find(point, reach[layer]);
             around.layers = layer + 1;
-            around.members.resize(found.size());
+            around.members = context.arena.take<int>(found.size());
             for (size_t i = 0; i < found.size(); ++i)
                 around.members[i] = found[i].second;
             for (int l = 0; l <= layer; ++l)
                 around.counts[l] = countWithin(reach[l]);
         }
-        members = around.members.data();
+        members = around.members;
         return around.counts[layer];
     }
 
-    const std::vector<Vec2i>& edges(const Context& context) CV_OVERRIDE
+    int edges(const Context& context, const Vec2i*& edges) CV_OVERRIDE
     {
         build(context);
-        if (linked)
-            return links;
-        linked = true;
-        const Reach nearest = {std::min<int>(reach[0].neighbors, LINKS), reach[0].squaredRadius};
-        std::vector<std::pair<int, int>> pairs;
-        for (int i = 0; i < coordinates.rows; ++i)
-        {
-            find(i, nearest);
-            const int count = countWithin(nearest);
-            for (int k = 1; k < count; ++k)
-                pairs.push_back(std::minmax(i, found[k].second));
-        }
-        std::sort(pairs.begin(), pairs.end());
-        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-        for (size_t e = 0; e < pairs.size(); ++e)
-            links.push_back(Vec2i(pairs[e].first, pairs[e].second));
-        return links;
+        if (!links)
+            link(context.arena);
+        edges = links;
+        return linkCount;
     }
 
 private:
     //! What is known about a point.
     struct Surroundings
     {
-        Surroundings() : layers(0) {}
-
-        std::vector<int> members;  //!< the point itself, then its neighbors, nearest first
-        int layers;                //!< how many have been asked for
-        int counts[LAYERS];        //!< members of each of them
+        int* members;        //!< the point itself, then its neighbors, nearest first
+        int layers;          //!< how many have been asked for
+        int counts[LAYERS];  //!< members of each of them
     };
+
+    static bool isLess(const Vec2i& a, const Vec2i& b) { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); }
+
+    void link(Arena& arena)
+    {
+        const Reach nearest = {std::min<int>(reach[0].neighbors, LINKS), reach[0].squaredRadius};
+        links = arena.take<Vec2i>((size_t)size * LINKS);
+        Vec2i* end = links;
+        for (int i = 0; i < size; ++i)
+        {
+            find(i, nearest);
+            const int count = countWithin(nearest);
+            for (int k = 1; k < count; ++k)
+                *end++ = Vec2i(std::min(i, found[k].second), std::max(i, found[k].second));
+        }
+        std::sort(links, end, isLess);
+        linkCount = (int)(std::unique(links, end) - links);
+    }
 
     void build(const Context& context)
     {
         const Correspondences& p = context.points;
-        if (tree || p.size == 0)
+        size = p.size;
+        if (tree || size == 0)
             return;
         // internal units of a pixel; E: of a pixel of a camera with the mean focal length
         const double unit2 = p.threshold / (context.params.threshold * context.params.reach),
                      unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
         const double LARGEST = 1e18;  // its square is a float
-        coordinates.create(p.size, p.columns(), CV_32F);
-        for (int i = 0; i < p.size; ++i)
-            for (int k = 0; k < p.columns(); ++k)
+        const int columns = p.columns();
+        coordinates = context.arena.take<float>((size_t)columns * size);
+        for (int i = 0; i < size; ++i)
+            for (int k = 0; k < columns; ++k)
             {
                 const double value = p.exact[k][i] / (k < p.coordinates[0] ? unit1 : unit2);
-                coordinates.at<float>(i, k) = (float)std::max(-LARGEST, std::min(value, LARGEST));
+                coordinates[columns * i + k] = (float)std::max(-LARGEST, std::min(value, LARGEST));
             }
-        known.resize(p.size);
-        const cvflann::Matrix<float> rows(coordinates.ptr<float>(), p.size, p.columns());
+        known = context.arena.take<Surroundings>(size);
+        std::fill(known, known + size, Surroundings());
+        const cvflann::Matrix<float> rows(coordinates, size, columns);
         tree = makePtr<KdTree>(rows, cvflann::KDTreeSingleIndexParams());
         tree->buildIndex();
     }
@@ -154,9 +169,9 @@ private:
     //! Writes the point itself and then its neighbors, sorted, to `found`.
     void find(int point, const Reach& wanted)
     {
-        const int capacity = (int)std::min<int64>((int64)wanted.neighbors + 1, coordinates.rows);
+        const int capacity = (int)std::min<int64>((int64)wanted.neighbors + 1, size);
         NearestWithin result(capacity, (float)std::min<double>(wanted.squaredRadius, FLT_MAX), found);
-        tree->findNeighbors(result, coordinates.ptr<float>(point), cvflann::SearchParams());
+        tree->findNeighbors(result, coordinates + 4 * (size_t)point, exact);
         std::sort(found.begin(), found.end());
         size_t self = 0;  // which many equal points may have kept out
         while (self + 1 < found.size() && found[self].second != point)
@@ -173,13 +188,15 @@ private:
         return count;
     }
 
-    const std::vector<Reach> reach;
-    Mat coordinates;  //!< pixels, one point a row
+    Reach reach[LAYERS];
+    float* coordinates;  //!< pixels, one point a row
+    int size;            //!< points
     Ptr<KdTree> tree;
-    std::vector<Surroundings> known;
-    std::vector<Found> found;  //!< by the last search
-    std::vector<Vec2i> links;
-    bool linked;
+    const cvflann::SearchParams exact;
+    Surroundings* known;       //!< of each point
+    std::vector<Found> found;  //!< by the last search; keeps its memory, bounded by the members of a point
+    Vec2i* links;              //!< null: nobody has asked for them
+    int linkCount;
 };
 
 }  // namespace

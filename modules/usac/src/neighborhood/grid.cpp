@@ -21,42 +21,50 @@ link each point to the next #LINKS in its cell. */
 class GridNeighborhood : public Neighborhood
 {
 public:
-    explicit GridNeighborhood(int columns) : axes(columns), bits(std::min<int>(CODE_BITS / columns, MOST_BITS)) {}
+    explicit GridNeighborhood(int columns)
+        : axes(columns), bits(std::min<int>(CODE_BITS / columns, MOST_BITS)), size(0), codes(0), sorted(0), rank(0),
+          sortedCodes(0), links(0), linkCount(0)
+    {}
+
+    void start(const Context&) CV_OVERRIDE
+    {
+        codes = 0;
+        links = 0;
+    }
 
     int layers() const CV_OVERRIDE { return bits; }
 
     int members(const Context& context, int layer, int point, const int*& members) CV_OVERRIDE
     {
-        build(context.points);
-        const int shift = axes * layer, cell = codes[point] >> shift, size = (int)sorted.size();
+        build(context);
+        const int shift = axes * layer, cell = codes[point] >> shift;
         int first = rank[point], last = first + 1;  // in the cell; bounds double their distance until they are outside
         for (int step = 1; first > 0 && sortedCodes[first - 1] >> shift == cell; step *= 2)
             first = std::max(first - step, 0);
-        first = (int)(std::lower_bound(sortedCodes.begin() + first, sortedCodes.begin() + rank[point], cell << shift,
-                                       lessCode) -
-                      sortedCodes.begin());
+        first = (int)(std::lower_bound(sortedCodes + first, sortedCodes + rank[point], cell << shift, lessCode) -
+                      sortedCodes);
         for (int step = 1; last < size && sortedCodes[last] >> shift == cell; step *= 2)
             last = std::min(last + step, size);
-        last = (int)(std::lower_bound(sortedCodes.begin() + rank[point], sortedCodes.begin() + last,
-                                      (cell + 1) << shift, lessCode) -
-                     sortedCodes.begin());
-        members = sorted.data() + first;
+        last = (int)(std::lower_bound(sortedCodes + rank[point], sortedCodes + last, (cell + 1) << shift, lessCode) -
+                     sortedCodes);
+        members = sorted + first;
         return last - first;
     }
 
-    const std::vector<Vec2i>& edges(const Context& context) CV_OVERRIDE
+    int edges(const Context& context, const Vec2i*& edges) CV_OVERRIDE
     {
-        build(context.points);
-        const int size = (int)sorted.size();
-        if (links.empty() && size > 1)
+        build(context);
+        if (!links)
         {
-            links.reserve((size_t)size * LINKS);
+            links = context.arena.take<Vec2i>((size_t)size * LINKS);
+            linkCount = 0;
             for (int i = 0; i < size; ++i)
                 for (int k = 1; k <= LINKS && i + k < size; ++k)
                     if (sortedCodes[i] >> axes == sortedCodes[i + k] >> axes)
-                        links.push_back(Vec2i(sorted[i], sorted[i + k]));
+                        links[linkCount++] = Vec2i(sorted[i], sorted[i + k]);
         }
-        return links;
+        edges = links;
+        return linkCount;
     }
 
 private:
@@ -73,12 +81,15 @@ private:
         return result;
     }
 
-    void build(const Correspondences& points)
+    void build(const Context& context)
     {
-        if (!codes.empty() || points.size == 0)
+        if (codes)
             return;
-        codes.assign(points.size, 0);
-        ushort* const to = codes.data();
+        const Correspondences& points = context.points;
+        size = points.size;
+        codes = context.arena.take<ushort>(size);
+        std::fill(codes, codes + size, (ushort)0);
+        ushort* const to = codes;
         const int cells = 1 << bits;
         for (int axis = 0; axis < axes; ++axis)
         {
@@ -94,15 +105,17 @@ private:
                 to[i] = (ushort)(to[i] | codeOf[(int)(inside < last ? inside : last)]);
             }
         }
-        sort();
+        sort(context.arena);
     }
 
     //! Radix sort by two digits of eight bits; points of equal code stay in their order.
-    void sort()
+    void sort(Arena& arena)
     {
-        const int size = (int)codes.size();
-        std::vector<int> half(size);
-        sorted.resize(size);
+        sorted = arena.take<int>(size);
+        rank = arena.take<int>(size);
+        sortedCodes = arena.take<ushort>(size);
+        Arena::Scope scope(arena);
+        int *from = sorted, *to = scope.take<int>(size);
         for (int i = 0; i < size; ++i)
             sorted[i] = i;
         for (int shift = 0; shift < 16; shift += 8)
@@ -113,11 +126,9 @@ private:
             for (int d = 0; d < 256; ++d)
                 start[d + 1] += start[d];
             for (int i = 0; i < size; ++i)
-                half[start[(codes[sorted[i]] >> shift) & 255]++] = sorted[i];
-            sorted.swap(half);
+                to[start[(codes[from[i]] >> shift) & 255]++] = from[i];
+            std::swap(from, to);  // twice: the result is in `sorted`
         }
-        sortedCodes.resize(size);
-        rank.resize(size);
         for (int i = 0; i < size; ++i)
         {
             sortedCodes[i] = codes[sorted[i]];
@@ -125,12 +136,14 @@ private:
         }
     }
 
-    const int axes, bits;             //!< numbers of columns, and of bits of a cell's number on each
-    std::vector<ushort> codes;        //!< of each point
-    std::vector<int> sorted;          //!< points by code
-    std::vector<int> rank;            //!< of each point in `sorted`
-    std::vector<ushort> sortedCodes;  //!< their codes
-    std::vector<Vec2i> links;
+    const int axes, bits;  //!< numbers of columns, and of bits of a cell's number on each
+    int size;              //!< of the arrays
+    ushort* codes;         //!< of each point; null: nothing is built
+    int* sorted;           //!< points by code
+    int* rank;             //!< of each point in `sorted`
+    ushort* sortedCodes;   //!< their codes
+    Vec2i* links;          //!< null: nobody has asked for them
+    int linkCount;
 };
 
 }  // namespace

@@ -27,8 +27,10 @@ class LeastSquaresSolver : public NonMinimalSolver
 public:
     //! `errorDimension_`: Problem::errorDimension()
     LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_)
-        : residual(residual_), errorDimension(errorDimension_)
+        : residual(residual_), errorDimension(errorDimension_), arena(0)
     {}
+
+    void start(const Context& context) CV_OVERRIDE { arena = &context.arena; }
 
     bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
              int iterations) const CV_OVERRIDE
@@ -36,7 +38,7 @@ public:
         if (errorDimension * count < DIMENSION)
             return false;
         Parameterization here(model);
-        const PointChunks chunks(points, indices, count, weights);
+        const PointChunks chunks(points, indices, count, weights, arena);
         NormalEquations sums, trialSums;
         sums.accumulate(*residual, chunks, here.model());
         if (!(sums.cost <= DBL_MAX))
@@ -122,6 +124,7 @@ private:
 
     const Ptr<Residual> residual;
     const int errorDimension;
+    Arena* arena;  //!< of the run; null: none has begun
 };
 
 template <class Parameterization>

@@ -8,14 +8,17 @@
 namespace cv {
 namespace usacv20 {
 
-PointChunks::PointChunks(const Correspondences& points, const int* indices, int count, const double* weights)
-    : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK), columns(points.columns())
+PointChunks::PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
+                         Arena* arena)
+    : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK), columns(points.columns()),
+      scope(arena ? *arena : own), rows(few)
 {
     CV_DbgAssert(count > 0);
-    rows.allocate((size_t)chunks * (columns + 1) * SUMS_CHUNK);
+    if (chunks * (columns + 1) > LOCAL_ROWS)
+        rows = scope.take<Row>((size_t)chunks * (columns + 1));
     for (int c = 0; c < chunks; ++c)
     {
-        Row* const chunk = (Row*)rows.data() + c * (columns + 1);
+        Row* const chunk = rows + c * (columns + 1);
         const int first = c * SUMS_CHUNK, here = std::min(count - first, (int)SUMS_CHUNK);
         for (int column = 0; column < columns; ++column)
             for (int k = 0; k < here; ++k)
@@ -31,7 +34,7 @@ bool PointChunks::get(int index, double* datum, double& weight) const
 {
     if (index >= size)
         return false;
-    const Row* const chunk = (const Row*)rows.data() + index / SUMS_CHUNK * (columns + 1);
+    const Row* const chunk = rows + index / SUMS_CHUNK * (columns + 1);
     for (int k = 0; k < columns; ++k)
         datum[k] = chunk[k][index % SUMS_CHUNK];
     weight = chunk[columns][index % SUMS_CHUNK];
@@ -45,7 +48,7 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool sw
     std::memcpy(lanes, zeros, count * sizeof(lanes[0]));  // a fill of this size is a slow instruction
     for (int c = 0; c < chunks; ++c)
     {
-        const Row* chunk = (const Row*)rows.data() + c * (columns + 1);
+        const Row* chunk = rows + c * (columns + 1);
         Row exchanged[TWO_VIEW_ROWS];
         if (swapped)
         {

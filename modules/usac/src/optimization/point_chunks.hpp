@@ -16,8 +16,9 @@ namespace usacv20 {
 class PointChunks
 {
 public:
-    //! At least one point; `weights` may be null for ones.
-    PointChunks(const Correspondences& points, const int* indices, int count, const double* weights);
+    //! At least one point; `weights` may be null for ones. More than a few points take memory from the arena, or from
+    //! the heap if it is null.
+    PointChunks(const Correspondences& points, const int* indices, int count, const double* weights, Arena* arena = 0);
 
     //! The first `count` sums of a kernel over all chunks. `swapped`: images 1 and 2 of two views change roles.
     void sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const;
@@ -27,10 +28,16 @@ public:
 
 private:
     typedef double Row[SUMS_CHUNK];
-    enum { TWO_VIEW_ROWS = 5, LOCAL_CHUNKS = 16 };
+    enum { TWO_VIEW_ROWS = 5, LOCAL_ROWS = 16 * TWO_VIEW_ROWS };
 
-    AutoBuffer<double, TWO_VIEW_ROWS * SUMS_CHUNK * LOCAL_CHUNKS> rows;  //!< columns and weights of each chunk
     const int size, chunks, columns;
+    Arena own;  //!< empty where there is another one
+    Arena::Scope scope;
+    Row* rows;  //!< columns and weights of each chunk
+    Row few[LOCAL_ROWS];
+
+    PointChunks(const PointChunks&);
+    PointChunks& operator=(const PointChunks&);
 };
 
 }  // namespace usacv20

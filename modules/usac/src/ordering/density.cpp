@@ -22,20 +22,23 @@ last. O(N). */
 class DensityOrdering : public Ordering
 {
 public:
-    void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
+    void sort(const Context& context, int* order) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
-        std::vector<ushort> cells1(p.size), cells2(p.size);
+        Arena::Scope scope(context.arena);
+        ushort *const cells1 = scope.take<ushort>(p.size), *const cells2 = scope.take<ushort>(p.size);
         assignCells(p, 0, cells1);
         assignCells(p, 1, cells2);
-        std::vector<int> in1(CELLS, 0), in2(CELLS, 0), both(CELLS * CELLS, 0);
+        int in1[CELLS] = {0}, in2[CELLS] = {0};
+        int* const both = scope.take<int>(CELLS * CELLS);
+        std::fill(both, both + CELLS * CELLS, 0);
         for (int i = 0; i < p.size; ++i)
         {
             ++in1[cells1[i]];
             ++in2[cells2[i]];
             ++both[cells1[i] * CELLS + cells2[i]];
         }
-        std::vector<uchar> bucket(p.size);
+        uchar* const bucket = scope.take<uchar>(p.size);
         int start[BUCKETS + 1] = {0};
         for (int i = 0; i < p.size; ++i)
         {
@@ -48,7 +51,7 @@ public:
             start[b + 1] += start[b];
         for (int i = 0; i < p.size; ++i)
             order[start[bucket[i]]++] = i;
-        repeatedLast(p, order);
+        repeatedLast(context, order);
     }
 
 private:
@@ -61,16 +64,16 @@ private:
     }
 
     //! Of the first two coordinates of an array; where there are less, there is one row of cells.
-    static void assignCells(const Correspondences& p, int array, std::vector<ushort>& cells)
+    static void assignCells(const Correspondences& p, int array, ushort* cells)
     {
         const int first = array ? p.coordinates[0] : 0, axes = std::min(p.coordinates[array], 2);
+        std::fill(cells, cells + p.size, (ushort)0);
         for (int k = first; k < first + axes; ++k)
         {
             const float low = p.lower[k], range = p.upper[k] - low, scale = range > 0 ? DIVISIONS / range : 0;
             const float* const values = p.column[k];
-            ushort* const to = cells.data();
             for (int i = 0; i < p.size; ++i)
-                to[i] = (ushort)(to[i] * DIVISIONS + division(values[i], low, scale));
+                cells[i] = (ushort)(cells[i] * DIVISIONS + division(values[i], low, scale));
         }
     }
 };

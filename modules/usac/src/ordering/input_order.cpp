@@ -14,15 +14,17 @@ namespace {
 class InputOrderOrdering : public Ordering
 {
 public:
-    void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
+    void sort(const Context& context, int* order) CV_OVERRIDE
     {
-        std::vector<int> place(context.points.inputSize, -1);
+        const int rows = context.points.inputSize;
+        Arena::Scope scope(context.arena);
+        int* const place = scope.take<int>(rows);
+        std::fill(place, place + rows, -1);
         for (int i = 0; i < context.points.size; ++i)
             place[context.points.inputIndex[i]] = i;
-        order.clear();
-        for (size_t i = 0; i < place.size(); ++i)
+        for (int i = 0; i < rows; ++i)
             if (place[i] >= 0)
-                order.push_back(place[i]);
+                *order++ = place[i];
     }
 };
 

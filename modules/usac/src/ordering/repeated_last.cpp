@@ -32,15 +32,18 @@ bool same(const Correspondences& p, int i, int k)
 
 }  // namespace
 
-void repeatedLast(const Correspondences& points, std::vector<int>& order)
+void repeatedLast(const Context& context, int* order)
 {
+    const Correspondences& points = context.points;
     int mask = 1;
-    while (mask < 2 * (int)order.size())
+    while (mask < 2 * points.size)
         mask *= 2;
-    std::vector<int> table(mask, -1), repeated;
+    Arena::Scope scope(context.arena);
+    int *const table = scope.take<int>(mask), *const repeated = scope.take<int>(points.size);
+    std::fill(table, table + mask, -1);
     --mask;
-    size_t kept = 0;
-    for (size_t i = 0; i < order.size(); ++i)
+    int kept = 0, repetitions = 0;
+    for (int i = 0; i < points.size; ++i)
     {
         const int point = order[i];
         int at = (int)hashOf(points, point) & mask;
@@ -48,13 +51,13 @@ void repeatedLast(const Correspondences& points, std::vector<int>& order)
             at = (at + 1) & mask;
         if (table[at] >= 0)
         {
-            repeated.push_back(point);
+            repeated[repetitions++] = point;
             continue;
         }
         table[at] = point;
         order[kept++] = point;
     }
-    std::copy(repeated.begin(), repeated.end(), order.begin() + kept);
+    std::copy(repeated, repeated + repetitions, order + kept);
 }
 
 }  // namespace usacv20

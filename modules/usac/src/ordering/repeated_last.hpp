@@ -12,7 +12,7 @@ namespace usacv20 {
 
 /** Moves matches that are the same as an earlier one of the order to its end: they say nothing new, and a growing set
 of nothing but one match repeated has no sample. The others keep their order. O(N), a hash table. */
-void repeatedLast(const Correspondences& points, std::vector<int>& order);
+void repeatedLast(const Context& context, int* order);
 
 }  // namespace usacv20
 }  // namespace cv

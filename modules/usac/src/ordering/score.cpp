@@ -23,12 +23,13 @@ last. O(N log N). */
 class ScoreOrdering : public Ordering
 {
 public:
-    void sort(const Context& context, std::vector<int>& order) CV_OVERRIDE
+    void sort(const Context& context, int* order) CV_OVERRIDE
     {
-        for (size_t i = 0; i < order.size(); ++i)
-            order[i] = (int)i;
-        std::sort(order.begin(), order.end(), ByValue(context.points.scores));
-        repeatedLast(context.points, order);
+        const int size = context.points.size;
+        for (int i = 0; i < size; ++i)
+            order[i] = i;
+        std::sort(order, order + size, ByValue(context.points.scores));
+        repeatedLast(context, order);
     }
 };
 

@@ -20,18 +20,19 @@ public:
         const Correspondences& p = context.points;
         const Components& parts = context.components;
         const double limit = p.threshold * p.threshold;
-        std::vector<double> errors(p.size);
-        std::vector<int> inliers;
+        Arena::Scope scope(context.arena);
+        double* const errors = scope.take<double>(p.size);
+        int* const inliers = scope.take<int>(p.size);
         Quality quality = context.rate(model);
         for (int i = 0; i < context.params.polishingSteps; ++i)
         {
-            parts.residual->squaredErrors(model, p.exact, p.size, errors.data());
-            inliers.clear();
+            parts.residual->squaredErrors(model, p.exact, p.size, errors);
+            int count = 0;
             for (int k = 0; k < p.size; ++k)
                 if (errors[k] <= limit)
-                    inliers.push_back(k);
+                    inliers[count++] = k;
             Model fitted = model;
-            if (!parts.nonMinimalSolver->fit(p, inliers.data(), (int)inliers.size(), 0, fitted))
+            if (!parts.nonMinimalSolver->fit(p, inliers, count, 0, fitted))
                 return;
             const Quality fittedQuality = context.rate(fitted, quality.cost);
             if (!fittedQuality.betterThan(quality))

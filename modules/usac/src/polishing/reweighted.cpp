@@ -19,7 +19,9 @@ class ReweightedPolisher : public Polisher
 public:
     void polish(const Context& context, Model& model) CV_OVERRIDE
     {
+        Arena::Scope scope(context.arena);
         MarginalizedFit reweighted;
+        reweighted.allocate(scope, context.points.size);
         const double threshold = context.components.score->threshold(context, model);
         double loss = reweighted.weigh(context, threshold, model);
         for (int i = 0; i < context.params.polishingSteps; ++i)

@@ -29,9 +29,10 @@ public:
         const int steps = context.params.polishingSteps, degrees = p.problem->errorDimension();
         double sigma = 0, lossBefore = DBL_MAX;
         int wanted = FEW, lookedBefore = 0;
-        errors.resize(p.size);
-        near.resize(p.size);
-        weights.resize(p.size);
+        Arena::Scope scope(context.arena);
+        errors = scope.take<float>(p.size);
+        near = scope.take<int>(p.size);
+        weights = scope.take<double>(p.size);
         for (int i = 0; i < steps; ++i)
         {
             int looked = look(context, model, i + 2 < steps ? wanted : p.size);
@@ -43,14 +44,14 @@ public:
             if (i == 0 || i == steps / 2 || settled || decrease > MARKED * lossNear)
             {
                 const double before = sigma;
-                sigma = std::min(NoiseScale::estimate(errors.data(), looked, p.threshold, degrees), MOST_SIGMA);
+                sigma = std::min(NoiseScale::estimate(errors, looked, p.threshold, degrees), MOST_SIGMA);
                 if (settled && lookedBefore == p.size && std::abs(sigma - before) < SAME_SCALE * sigma)
                     return;
                 loss = weigh(p, sigma, looked);
             }
             lossBefore = loss;
             lookedBefore = looked;
-            if (!context.nonMinimalSolver().fit(p, near.data(), count, weights.data(), model, i + 1 < steps ? 1 : LAST))
+            if (!context.nonMinimalSolver().fit(p, near, count, weights, model, i + 1 < steps ? 1 : LAST))
                 return;
         }
     }
@@ -81,8 +82,8 @@ private:
     {
         const double support = SUPPORT * sigma * p.threshold, scale = 1 / (support * support);
         const float limit = (float)(support * support);
-        const float* const e = errors.data();
-        int* const members = near.data();
+        const float* const e = errors;
+        int* const members = near;
         int size = 0;
         for (int i = 0; i < looked; ++i)  // no branches, which could not be foretold
         {
@@ -114,11 +115,12 @@ private:
     //! Decrease of the loss, a part of that of the points near, after which the noise is estimated again.
     static const double MARKED;
 
-    std::vector<float> errors;
-    std::vector<int> near;        //!< the points within the support come first
-    std::vector<double> weights;  //!< theirs
-    int count;                    //!< of both
-    double lossNear;              //!< of the points near
+    // while it polishes
+    float* errors;
+    int* near;        //!< the points within the support come first
+    double* weights;  //!< theirs
+    int count;        //!< of both
+    double lossNear;  //!< of the points near
 };
 
 const double RobustPolisher::SUPPORT = 5.3;

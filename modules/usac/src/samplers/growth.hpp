@@ -38,6 +38,8 @@ private:
 class GrowingSet
 {
 public:
+    //! That of no points.
+    GrowingSet() : growth(0, 1), total(0), drawn(0) {}
     GrowingSet(int sampleSize, int pointCount) : growth(sampleSize, pointCount), total(pointCount), drawn(0) {}
 
     //! Moves on to the next sample.

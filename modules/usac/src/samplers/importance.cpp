@@ -23,22 +23,25 @@ after #TRIES of them the next point is found by a pass over the other weights, O
 class ImportanceSampler : public Sampler
 {
 public:
+    ImportanceSampler() : positive(0), points(0), rest(0), weights(0), height(0), alias(0) {}
+
+    void start(const Context&) CV_OVERRIDE { points = 0; }
+
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
         if (!isOrdered(context, state, sample))
             return;
-        if (points.empty() && rest.empty())
+        if (!points)
             build(context);
-        const int positive = (int)points.size();
         if (positive > m)
         {
             for (int k = 0; k < m; ++k)
                 sample[k] = draw(state.rng, sample, k);
             return;
         }
-        std::copy(points.begin(), points.end(), sample);
-        state.rng.distinct((int)rest.size(), m - positive, sample + positive);
+        std::copy(points, points + positive, sample);
+        state.rng.distinct(context.points.size - positive, m - positive, sample + positive);
         for (int k = positive; k < m; ++k)
             sample[k] = rest[sample[k]];
     }
@@ -53,33 +56,39 @@ private:
     {
         const float* scores = context.points.scores;  // negated, lower is better
         CV_Assert(scores != 0);
-        for (int i = 0; i < context.points.size; ++i)
-            (scores[i] < 0 ? points : rest).push_back(i);
+        const int size = context.points.size;
+        points = context.arena.take<int>(size);
+        rest = context.arena.take<int>(size);
+        weights = context.arena.take<double>(size);
+        height = context.arena.take<double>(size);
+        alias = context.arena.take<int>(size);
+        positive = 0;
+        for (int i = 0; i < size; ++i)
+            (scores[i] < 0 ? points[positive++] : rest[i - positive]) = i;
         double sum = 0;
-        for (size_t c = 0; c < points.size(); ++c)
+        for (int c = 0; c < positive; ++c)
         {
-            weights.push_back(-(double)scores[points[c]]);
+            weights[c] = -(double)scores[points[c]];
             sum += weights[c];
         }
-        height.resize(points.size());
-        alias.resize(points.size());
-        std::vector<int> low, high;
-        for (size_t c = 0; c < points.size(); ++c)
+        Arena::Scope scope(context.arena);
+        int *const low = scope.take<int>(positive), *const high = scope.take<int>(positive);
+        int lows = 0, highs = 0;
+        for (int c = 0; c < positive; ++c)
         {
-            height[c] = weights[c] / sum * points.size();
-            alias[c] = (int)c;
-            (height[c] < 1 ? low : high).push_back((int)c);
+            height[c] = weights[c] / sum * positive;
+            alias[c] = c;
+            (height[c] < 1 ? low[lows++] : high[highs++]) = c;
         }
-        while (!low.empty() && !high.empty())  // the gap above a low column is filled from a high one
+        while (lows > 0 && highs > 0)  // the gap above a low column is filled from a high one
         {
-            const int c = low.back(), giver = high.back();
-            low.pop_back();
+            const int c = low[--lows], giver = high[highs - 1];
             alias[c] = giver;
             height[giver] -= 1 - height[c];
             if (height[giver] < 1)
             {
-                high.pop_back();
-                low.push_back(giver);
+                --highs;
+                low[lows++] = giver;
             }
         }
     }
@@ -89,7 +98,7 @@ private:
     {
         for (int i = 0; i < TRIES; ++i)
         {
-            const int column = rng.uniform((int)points.size());
+            const int column = rng.uniform(positive);
             const int point = points[fraction(rng) < height[column] ? column : alias[column]];
             if (std::find(sample, sample + count, point) == sample + count)
                 return point;
@@ -101,12 +110,12 @@ private:
     int drawOther(Rng& rng, const int* sample, int count) const
     {
         double sum = 0;
-        for (size_t c = 0; c < points.size(); ++c)
+        for (int c = 0; c < positive; ++c)
             if (std::find(sample, sample + count, points[c]) == sample + count)
                 sum += weights[c];
         double left = fraction(rng) * sum;
         int last = -1;
-        for (size_t c = 0; c < points.size() && left >= 0; ++c)
+        for (int c = 0; c < positive && left >= 0; ++c)
             if (std::find(sample, sample + count, points[c]) == sample + count)
             {
                 last = points[c];
@@ -115,11 +124,12 @@ private:
         return last;
     }
 
-    std::vector<int> points;      //!< of positive weight, one a column
-    std::vector<int> rest;        //!< of weight 0
-    std::vector<double> weights;  //!< of `points`
-    std::vector<double> height;   //!< up to where a column belongs to its own point
-    std::vector<int> alias;       //!< the column of the other point
+    int positive;     //!< number of
+    int* points;      //!< those of positive weight, one a column; null before the first sample
+    int* rest;        //!< of weight 0
+    double* weights;  //!< of `points`
+    double* height;   //!< up to where a column belongs to its own point
+    int* alias;       //!< the column of the other point
 };
 
 }  // namespace

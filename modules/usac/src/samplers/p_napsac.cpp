@@ -30,30 +30,30 @@ the order instead: they come from the few densest points, and four right ones am
 class PNapsacSampler : public Sampler
 {
 public:
+    PNapsacSampler() : centers(0) {}
+
+    void start(const Context& context) CV_OVERRIDE
+    {
+        growth = GrowingSet(context.components.minimalSolver->sampleSize(), context.points.size);
+        centers = 0;
+    }
+
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
-        if (!growth)
-        {
-            growth = makePtr<GrowingSet>(m, context.points.size);
-            centers.resize(context.points.size);
-        }
-        growth->next();
-        const int n = growth->size();
+        growth.next();
+        const int n = growth.size();
         const bool guess = isGuess(context);
         if (!(guess ? isOrderedGuess(context, state, sample) : isOrdered(context, state, sample)))
             return;
-        const int center = state.bestFirst(context)[growth->newest() ? n - 1 : state.rng.uniform(n)];
+        const int center = state.bestFirst(context)[growth.newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = center;
         const int turn = state.iteration / context.params.orderedEvery, every = localEvery(context);
         if (turn % every != every - 1 || !local(context, state, m, sample))
             global(state, m, n, sample);
     }
 
-    int subsetSize(const Context& context) const CV_OVERRIDE
-    {
-        return growth ? growth->size() : context.components.minimalSolver->sampleSize();
-    }
+    int subsetSize(const Context&) const CV_OVERRIDE { return growth.size(); }
 
     double growingShare(const Context& context) const CV_OVERRIDE
     {
@@ -89,7 +89,6 @@ private:
     //! How often a point was the center of a local sample, and the finest layer with enough neighbors.
     struct Center
     {
-        Center() : chosen(0), layer(0) {}
         int chosen, layer;
     };
 
@@ -97,6 +96,11 @@ private:
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighborhood& neighborhood = context.neighborhood();
+        if (!centers)
+        {
+            centers = context.arena.take<Center>(context.points.size);
+            std::fill(centers, centers + context.points.size, Center());
+        }
         Center& center = centers[sample[0]];
         const int wanted = 2 * m << std::min(center.chosen++, 16);
         for (; center.layer < neighborhood.layers(); ++center.layer)  // finer ones will never do again
@@ -112,10 +116,10 @@ private:
         return false;
     }
 
-    void global(State& state, int m, int n, int* sample) { drawOthers(state.rng, state.order.data(), n, m, sample); }
+    void global(State& state, int m, int n, int* sample) { drawOthers(state.rng, state.order, n, m, sample); }
 
-    Ptr<GrowingSet> growth;
-    std::vector<Center> centers;  //!< for each point
+    GrowingSet growth;
+    Center* centers;  //!< for each point; null before the first local sample
 };
 
 }  // namespace

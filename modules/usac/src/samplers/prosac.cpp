@@ -15,36 +15,36 @@ uniform once n is everything @cite chum2005matching. */
 class ProsacSampler : public Sampler
 {
 public:
+    void start(const Context& context) CV_OVERRIDE
+    {
+        growth = GrowingSet(context.components.minimalSolver->sampleSize(), context.points.size);
+    }
+
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
-        if (!growth)
-            growth = makePtr<GrowingSet>(m, context.points.size);
-        growth->next();
-        const int n = growth->size();
+        growth.next();
+        const int n = growth.size();
         if (!isOrdered(context, state, sample))
             return;
-        if (growth->newest())
+        if (growth.newest())
         {
             state.rng.distinct(n - 1, m - 1, sample);
             sample[m - 1] = n - 1;
         }
         else
             state.rng.distinct(n, m, sample);
-        const std::vector<int>& order = state.bestFirst(context);
+        const int* const order = state.bestFirst(context);
         for (int k = 0; k < m; ++k)
             sample[k] = order[sample[k]];
     }
 
-    int subsetSize(const Context& context) const CV_OVERRIDE
-    {
-        return growth ? growth->size() : context.components.minimalSolver->sampleSize();
-    }
+    int subsetSize(const Context&) const CV_OVERRIDE { return growth.size(); }
 
     double growingShare(const Context& context) const CV_OVERRIDE { return 1. / context.params.orderedEvery; }
 
 private:
-    Ptr<GrowingSet> growth;
+    GrowingSet growth;
 };
 
 }  // namespace

@@ -25,10 +25,14 @@ as unlikely for two (H). It does not fall below the rounding of the errors. Line
 class LmedsScore : public Score
 {
 public:
-    explicit LmedsScore(const Correspondences& points)
-        : extent(std::max(points.problem->outlierExtent(points), (double)FLT_MIN)),
-          sigmas(sigmasInMedian(points.problem->errorDimension()))
-    {}
+    LmedsScore() : extent(1), sigmas(1) {}
+
+    void start(const Context& context) CV_OVERRIDE
+    {
+        const Problem& problem = *context.points.problem;
+        extent = std::max(problem.outlierExtent(context.points), (double)FLT_MIN);
+        sigmas = sigmasInMedian(problem.errorDimension());
+    }
 
     void accumulate(float* squaredErrors, int count, float, Quality& sum) const CV_OVERRIDE
     {
@@ -53,10 +57,11 @@ public:
         const int count = context.points.size;
         if (count == 0)
             return 0;
-        std::vector<float> errors(count);
-        context.components.residual->squaredErrors(context.points, model, 0, count, errors.data());
+        Arena::Scope scope(context.arena);
+        float* const errors = scope.take<float>(count);
+        context.components.residual->squaredErrors(context.points, model, 0, count, errors);
         const int beside = count - context.components.minimalSolver->sampleSize();
-        return std::sqrt(squaredLimit(median(errors.data(), count), beside));
+        return std::sqrt(squaredLimit(median(errors, count), beside));
     }
 
 private:
@@ -83,13 +88,13 @@ private:
         return values[count / 2];
     }
 
-    const double extent;
-    const double sigmas;
+    double extent;
+    double sigmas;
 };
 
 }  // namespace
 
-Ptr<Score> createLmedsScore(const Correspondences& points) { return makePtr<LmedsScore>(points); }
+Ptr<Score> createLmedsScore() { return makePtr<LmedsScore>(); }
 
 }  // namespace usacv20
 }  // namespace cv

@@ -32,9 +32,8 @@ divides is tabulated over u with linear interpolation: a root and a look-up for 
 class MagsacScore : public Score
 {
 public:
-    explicit MagsacScore(const Correspondences& points)
-        : degrees(points.problem->errorDimension()), k(thresholdInSigmas(degrees)),
-          extent(points.problem->outlierExtent(points)), bends(SIZE + 2, 0.f)
+    explicit MagsacScore(int errorDimension)
+        : degrees(errorDimension), k(thresholdInSigmas(degrees)), extent(1), bends()
     {
         const double curvature = 0.5 * k * k / degrees;
         for (int i = 1; i < SIZE; ++i)
@@ -43,6 +42,8 @@ public:
             bends[i] = (float)(u * (curvature * (1 - u) - std::log(u)));
         }
     }
+
+    void start(const Context& context) CV_OVERRIDE { extent = context.points.problem->outlierExtent(context.points); }
 
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
@@ -57,20 +58,21 @@ public:
         }
         const double scale = 1 / (1 + logDensityRatio(extent, std::sqrt((double)squaredThreshold) / k, degrees));
         sum.inliers += near;
-        sum.cost += count - near + line + scale * sumOfLookUps(bends.data(), squaredErrors, near);
+        sum.cost += count - near + line + scale * sumOfLookUps(bends, squaredErrors, near);
     }
 
 private:
     enum { SIZE = 1024 };
 
     const int degrees;
-    const double k, extent;
-    std::vector<float> bends;
+    const double k;
+    double extent;
+    float bends[SIZE + 2];
 };
 
 }  // namespace
 
-Ptr<Score> createMagsacScore(const Correspondences& points) { return makePtr<MagsacScore>(points); }
+Ptr<Score> createMagsacScore(int errorDimension) { return makePtr<MagsacScore>(errorDimension); }
 
 }  // namespace usacv20
 }  // namespace cv

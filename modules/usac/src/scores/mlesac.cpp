@@ -26,9 +26,13 @@ One pass over the points, with an exponential for those near the model, and some
 class MlesacScore : public Score
 {
 public:
-    explicit MlesacScore(const Correspondences& points)
-        : degrees(points.problem->errorDimension()), extent(points.problem->outlierExtent(points))
-    {}
+    MlesacScore() : degrees(1), extent(1) {}
+
+    void start(const Context& context) CV_OVERRIDE
+    {
+        degrees = context.points.problem->errorDimension();
+        extent = context.points.problem->outlierExtent(context.points);
+    }
 
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
@@ -63,15 +67,15 @@ private:
     enum { GROUP = 4 };  // so many factors of any float do not overflow a double
     static const double NEGLIGIBLE;
 
-    const int degrees;
-    const double extent;
+    int degrees;
+    double extent;
 };
 
 const double MlesacScore::NEGLIGIBLE = 1e-6;
 
 }  // namespace
 
-Ptr<Score> createMlesacScore(const Correspondences& points) { return makePtr<MlesacScore>(points); }
+Ptr<Score> createMlesacScore() { return makePtr<MlesacScore>(); }
 
 }  // namespace usacv20
 }  // namespace cv

@@ -76,7 +76,7 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
 
 //! All points at once. A verifier looks at the numbers of inliers before.
 void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
-               Rating& rating, std::vector<float>& errors)
+               Rating& rating, float* errors)
 {
     const Correspondences& points = context.points;
     const InlierScore counter;
@@ -85,18 +85,17 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
         rating.costBefore = 0;  // that was the counter's
         return;
     }
-    errors.resize(points.size);
-    context.components.residual->squaredErrors(points, model, 0, points.size, errors.data());
+    context.components.residual->squaredErrors(points, model, 0, points.size, errors);
     rating.quality = Quality(0, 0);
     const float limit = (float)(points.threshold * points.threshold);
-    context.components.score->accumulate(errors.data(), points.size, limit, rating.quality);
+    context.components.score->accumulate(errors, points.size, limit, rating.quality);
     rating.complete = rating.quality.cost < bound;
 }
 
 }  // namespace
 
 Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
-            std::vector<float>& errors)
+            float* errors)
 {
     Rating rating = {Quality(0, 0), false, false, 0, 0, 0};
     const Score& score = *context.components.score;
@@ -109,7 +108,8 @@ Rating rate(const Context& context, const Verifier* verifier, const Model& model
 
 Quality Context::rate(const Model& model, double bound) const
 {
-    std::vector<float> errors;
+    Arena::Scope scope(arena);
+    float* const errors = components.score->wholeModel() ? scope.take<float>(points.size) : 0;
     return usacv20::rate(*this, 0, model, bound, 0, errors).quality;
 }
 

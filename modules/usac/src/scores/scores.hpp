@@ -15,11 +15,11 @@ Ptr<Score> createInlierScore();
 //! MSAC @cite torr2000mlesac; the cost of a point is min(error^2 / threshold^2, 1).
 Ptr<Score> createMsacScore();
 //! See MlesacScore.
-Ptr<Score> createMlesacScore(const Correspondences& points);
-//! See LmedsScore. @param points, sampleSize the correspondences, and how many of them the minimal solver takes
-Ptr<Score> createLmedsScore(const Correspondences& points);
+Ptr<Score> createMlesacScore();
+//! See LmedsScore.
+Ptr<Score> createLmedsScore();
 //! See MagsacScore.
-Ptr<Score> createMagsacScore(const Correspondences& points);
+Ptr<Score> createMagsacScore(int errorDimension);
 //! See MagsacPlusPlusScore.
 Ptr<Score> createMagsacPlusPlusScore(int errorDimension);
 
@@ -36,10 +36,10 @@ struct Rating
 
 /** Rates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points. After each block the
 verifier may drop the model, and it is dropped when its cost reaches the bound. The blocks start at point `start`
-and wrap around, so that no point is always the first to be asked. `errors` is memory for scores that want all errors at
-once. */
+and wrap around, so that no point is always the first to be asked. `errors` is memory for as many numbers as there are
+points, for scores that want all errors at once (Score::wholeModel); else it may be null. */
 Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
-            std::vector<float>& errors);
+            float* errors);
 
 }  // namespace usacv20
 }  // namespace cv

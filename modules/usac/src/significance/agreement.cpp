@@ -21,10 +21,10 @@ class Pairing
 {
 public:
     Pairing(const Residual& residual_, const Model& model_, const Correspondences& points_, const T* const* from,
-            int count, double threshold)
+            int count, double threshold, Arena::Scope& scope)
         : residual(residual_), model(model_), points(points_), columns(points.columns()),
           firstMoved(points.coordinates[1] ? points.coordinates[0] : columns - 1), limit((T)(threshold * threshold)),
-          size(count), stride(2 * count), memory((columns + 1) * stride)
+          size(count), stride(2 * count), memory(scope.take<T>((columns + 1) * (size_t)stride))
     {
         for (int k = 0; k < columns; ++k)
             std::copy(from[k], from[k] + count, row(k));
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    T* row(int k) { return &memory[k * stride]; }
+    T* row(int k) { return memory + (size_t)k * stride; }
     void computeErrors(int partner);
 
     const Residual& residual;
@@ -80,7 +80,7 @@ private:
     const T limit;
     int size;
     const int stride;
-    std::vector<T> memory;  //!< columns, errors
+    T* const memory;  //!< columns, errors
 };
 
 template <>
@@ -103,13 +103,14 @@ void Pairing<float>::computeErrors(int partner)
 }
 
 template <typename T>
-Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double threshold, int pairs)
+Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double threshold, int pairs, Arena& arena)
 {
-    std::vector<uchar> mask(2 * count);
-    uchar* const repeated = &mask[count];
+    Arena::Scope scope(arena);
+    uchar *const mask = scope.take<uchar>(count), *const repeated = scope.take<uchar>(count);
+    std::fill(repeated, repeated + count, (uchar)0);
     Agreement found;
-    found.inliers = pairing.inliers(mask.data());
-    found.inliers -= markRepeated(p, 0, mask.data(), count, threshold, repeated);
+    found.inliers = pairing.inliers(mask);
+    found.inliers -= markRepeated(p, 0, mask, count, threshold, repeated, arena);
     found.points = pairing.drop(repeated);
     found.pairs = found.agreeing = 0;
     const int partners = std::min(std::max<int>(PARTNERS, pairs / std::max(found.points, 1)), found.points - 1);
@@ -124,15 +125,16 @@ Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double
 }  // namespace
 
 Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& p, int size,
-                         double threshold, int pairs)
+                         double threshold, int pairs, Arena& arena)
 {
+    Arena::Scope scope(arena);
     if (residual.kind() == Residual::CUSTOM)
     {
-        Pairing<double> pairing(residual, model, p, p.exact, size, threshold);
-        return count(pairing, p, size, threshold, pairs);
+        Pairing<double> pairing(residual, model, p, p.exact, size, threshold, scope);
+        return count(pairing, p, size, threshold, pairs, arena);
     }
-    Pairing<float> pairing(residual, model, p, p.column, size, threshold);
-    return count(pairing, p, size, threshold, pairs);
+    Pairing<float> pairing(residual, model, p, p.column, size, threshold, scope);
+    return count(pairing, p, size, threshold, pairs, arena);
 }
 
 }  // namespace usacv20

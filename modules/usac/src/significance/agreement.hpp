@@ -28,7 +28,7 @@ everything to one place, or an epipole amid the points, too), and right matches 
 Inliers in one place of an image, see #markRepeated, count once: the others are left out. Each point is paired with 4
 others, or with as many more as make `pairs` wrong matches, if there are so many. O(count + pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& points, int count,
-                         double threshold, int pairs);
+                         double threshold, int pairs, Arena& arena);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -33,9 +33,9 @@ double trialsOf(const SearchEffort& effort, int points)
 const double Significance::MAIN_SHARE = 0.8, Significance::WIDE_SHARE = 0.1;
 
 Significance::Significance(const Residual& residual_, const Model& model_, const Correspondences& points_,
-                           double threshold_, const SearchEffort& effort)
+                           double threshold_, const SearchEffort& effort, Arena& arena_)
     : residual(residual_), model(model_), points(points_), threshold(threshold_), sampleSize(effort.sampleSize),
-      trials(trialsOf(effort, points_.size)), last()
+      trials(trialsOf(effort, points_.size)), arena(arena_), last()
 {}
 
 double Significance::chance(int inliers, double clear)
@@ -67,7 +67,7 @@ bool Significance::decisive(double inlierRatio, double limit) const
 
 Agreement Significance::look(int count, double scale, int pairs) const
 {
-    return countAgreement(residual, model, points, count, scale * threshold, pairs);
+    return countAgreement(residual, model, points, count, scale * threshold, pairs, arena);
 }
 
 double Significance::chanceOf(const Agreement& found, double share) const

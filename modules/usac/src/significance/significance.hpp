@@ -43,9 +43,9 @@ O(n); where a few points settle it, O(1): they are a random sample of all, so wh
 class Significance
 {
 public:
-    //! @param threshold in the coordinates of `points`
+    //! @param threshold in the coordinates of `points` @param arena memory
     Significance(const Residual& residual, const Model& model, const Correspondences& points, double threshold,
-                 const SearchEffort& effort);
+                 const SearchEffort& effort, Arena& arena);
 
     /** Probability that the search finds such a model in random matches.
     @param inliers about as many inliers has the model
@@ -70,6 +70,7 @@ private:
     const double threshold;
     const int sampleSize;
     const double trials;
+    Arena& arena;
     Agreement last;  //!< with the threshold itself
 };
 

@@ -38,7 +38,7 @@ double MarginalizedWeights::sumOfLosses(float* u, int count) const
 {
     for (int i = 0; i < count; ++i)
         u[i] = (u[i] < 1 ? u[i] : 1.f) * SIZE;
-    return sumOfLookUps(losses.data(), u, count);
+    return sumOfLookUps(losses, u, count);
 }
 
 const MarginalizedWeights& MarginalizedWeights::of(int degrees)
@@ -47,7 +47,7 @@ const MarginalizedWeights& MarginalizedWeights::of(int degrees)
     return degrees == 1 ? one : two;
 }
 
-MarginalizedWeights::MarginalizedWeights(int degrees) : a(0.5 * (degrees - 1)), losses(SIZE + 2), weights(SIZE + 2)
+MarginalizedWeights::MarginalizedWeights(int degrees) : a(0.5 * (degrees - 1))
 {
     const double k = thresholdInSigmas(degrees);
     K = 0.5 * k * k;

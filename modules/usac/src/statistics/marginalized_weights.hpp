@@ -6,7 +6,6 @@
 #define OPENCV_USACV20_MARGINALIZED_WEIGHTS_HPP
 
 #include <cmath>
-#include <vector>
 #include "opencv2/usac/params.hpp"
 
 namespace cv {
@@ -60,8 +59,8 @@ public:
     double weight(double u) const;
 
     //! From the tables. 0 <= u, also infinite; NaN is taken as infinite.
-    float tabulatedLoss(float u) const { return interpolate(losses.data(), u < 1 ? u : 1.f); }
-    float tabulatedWeight(float u) const { return interpolate(weights.data(), std::sqrt(u < 1 ? u : 1.f)); }
+    float tabulatedLoss(float u) const { return interpolate(losses, u < 1 ? u : 1.f); }
+    float tabulatedWeight(float u) const { return interpolate(weights, std::sqrt(u < 1 ? u : 1.f)); }
     //! Sum of tabulatedLoss(u[i]); u is changed.
     double sumOfLosses(float* u, int count) const;
 
@@ -69,7 +68,7 @@ private:
     static float interpolate(const float* table, float at) { return lookUp(table, at * SIZE); }
 
     double a, K, scale, atEnd;
-    std::vector<float> losses, weights;
+    float losses[SIZE + 2], weights[SIZE + 2];
 };
 
 }  // namespace usacv20

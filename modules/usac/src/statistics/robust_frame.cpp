@@ -18,10 +18,10 @@ double median(double* values, int count)
 }
 
 //! Median of values and median of their distances from it, but for those that are equal to it.
-void medianFrame(const double* values, int count, double& center, double& deviation)
+void medianFrame(const double* values, int count, double& center, double& deviation, Arena& arena)
 {
-    AutoBuffer<double> buffer(count);
-    double* const copy = buffer.data();
+    Arena::Scope scope(arena);
+    double* const copy = scope.take<double>(count);
     std::copy(values, values + count, copy);
     center = median(copy, count);
     int others = 0;
@@ -83,7 +83,8 @@ double meanDistance(const double* values, int count, double center)
 
 }  // namespace
 
-void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high)
+void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high,
+                 Arena& arena)
 {
     enum { SAMPLE = 31 };
     center = deviation = low = high = 0;
@@ -92,10 +93,10 @@ void robustFrame(const double* values, int count, double& center, double& deviat
     center = meanAndExtremes(values, count, low, high);
     deviation = meanDistance(values, count, center);
     double sampleCenter, sampleDeviation;
-    medianFrame(values, std::min<int>(count, SAMPLE), sampleCenter, sampleDeviation);
+    medianFrame(values, std::min<int>(count, SAMPLE), sampleCenter, sampleDeviation, arena);
     const double largest = std::max(high - center, center - low);
     if (!(largest <= 20 * deviation) || (sampleDeviation > 0 && deviation > 100 * sampleDeviation))
-        medianFrame(values, count, center, deviation);
+        medianFrame(values, count, center, deviation, arena);
 }
 
 }  // namespace usacv20

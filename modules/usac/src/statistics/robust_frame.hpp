@@ -5,13 +5,16 @@
 #ifndef OPENCV_USACV20_ROBUST_FRAME_HPP
 #define OPENCV_USACV20_ROBUST_FRAME_HPP
 
+#include "opencv2/usac/arena.hpp"
+
 namespace cv {
 namespace usacv20 {
 
 /** Center and mean deviation of values in random order, and their range. Mean values where the data are sane, medians
 where points lie so far out that they would dominate the means: single points, or so many of the first ones that most
 points are next to nothing. */
-void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high);
+void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high,
+                 Arena& arena);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -54,8 +54,9 @@ private:
     {
         const Correspondences& p = context.points;
         const float scale = (float)(PARTITIONS / p.threshold);
-        std::vector<float> errors(p.size);
-        context.components.residual->squaredErrors(p, model, 0, p.size, errors.data());
+        Arena::Scope scope(context.arena);
+        float* const errors = scope.take<float>(p.size);
+        context.components.residual->squaredErrors(p, model, 0, p.size, errors);
         for (int i = 0; i < p.size; ++i)
         {
             const float error = std::sqrt(errors[i]) * scale;

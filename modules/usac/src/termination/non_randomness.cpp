@@ -70,11 +70,12 @@ double upperTail(int k, int n, double p)
 class Cells
 {
 public:
-    explicit Cells(int capacity) : mask(1)
+    Cells(int capacity, Arena& arena) : scope(arena), mask(1)
     {
         while (mask < 2 * capacity)
             mask *= 2;
-        slots.assign(mask, Vec3d(NAN, NAN, NAN));
+        slots = scope.take<Vec3d>(mask);
+        std::fill(slots, slots + mask, Vec3d(NAN, NAN, NAN));
         --mask;
     }
 
@@ -95,7 +96,8 @@ public:
     }
 
 private:
-    std::vector<Vec3d> slots;  //!< NaN: free
+    Arena::Scope scope;
+    Vec3d* slots;  //!< NaN: free
     int mask;
 };
 
@@ -111,12 +113,15 @@ double chanceOf(int inliers, int n, int m, double randomRatio)
 }
 
 int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask, int count,
-                       double threshold1, double threshold2)
+                       double threshold1, double threshold2, Arena& arena)
 {
-    std::vector<uchar> repeated1(count, 0), repeated2(count, 0);
+    Arena::Scope scope(arena);
+    uchar *const repeated1 = scope.take<uchar>(count), *const repeated2 = scope.take<uchar>(count);
+    std::fill(repeated1, repeated1 + count, (uchar)0);
+    std::fill(repeated2, repeated2 + count, (uchar)0);
     const int repetitions = std::max(
-        markRepeated(columns, coordinates[0], 0, mask, count, threshold1, repeated1.data()),
-        markRepeated(columns + coordinates[0], coordinates[1], 0, mask, count, threshold2, repeated2.data()));
+        markRepeated(columns, coordinates[0], 0, mask, count, threshold1, repeated1, arena),
+        markRepeated(columns + coordinates[0], coordinates[1], 0, mask, count, threshold2, repeated2, arena));
     int inliers = 0;
     for (int i = 0; i < count; ++i)
         inliers += mask[i] != 0;
@@ -124,12 +129,12 @@ int independentInliers(const double* const* columns, const int* coordinates, con
 }
 
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask, int count,
-                 double side, uchar* repeated)
+                 double side, uchar* repeated, Arena& arena)
 {
     int marked = 0;
     for (int i = 0; i < count; ++i)
         marked += mask[i] != 0;
-    Cells cells(marked);
+    Cells cells(marked, arena);
     for (int i = 0; i < count && dimensions > 0; ++i)
         if (mask[i])
         {
@@ -147,11 +152,11 @@ int markRepeated(const double* const* columns, int dimensions, const int* order,
 }
 
 int markRepeated(const Correspondences& p, const int* order, const uchar* mask, int count, double threshold,
-                 uchar* repeated)
+                 uchar* repeated, Arena& arena)
 {
     const double threshold1 = p.problem->commonUnit() ? threshold * p.frame[0].scale / p.frame[1].scale : 0;
-    markRepeated(p.exact, p.coordinates[0], order, mask, count, threshold1, repeated);
-    return markRepeated(p.exact + p.coordinates[0], p.coordinates[1], order, mask, count, threshold, repeated);
+    markRepeated(p.exact, p.coordinates[0], order, mask, count, threshold1, repeated, arena);
+    return markRepeated(p.exact + p.coordinates[0], p.coordinates[1], order, mask, count, threshold, repeated, arena);
 }
 
 }  // namespace usacv20

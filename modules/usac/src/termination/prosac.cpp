@@ -10,17 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& repeated, int m, double kept,
-                  double randomRatio, double logFailure, bool exact, int& length)
+int prosacSamples(const uchar* inliers, const uchar* repeated, int size, int m, double kept, double randomRatio,
+                  double logFailure, bool exact, int& length)
 {
     const double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;  // T_n may be an integer
-    const int size = (int)inliers.size();
     int support = 0, repetitions = 0;
     Growth growth(m, size);
     for (int i = 0; i < size; ++i)
     {
         support += inliers[i];
-        repetitions += !repeated.empty() && repeated[i];
+        repetitions += repeated && repeated[i];
         length = i + 1;
         if (length > m)
             growth.grow();
@@ -62,51 +61,53 @@ O(N) an update, O(N log N) once the rest is fulfilled. */
 class ProsacTermination : public Termination
 {
 public:
-    explicit ProsacTermination(double randomRatio_) : randomRatio(randomRatio_) {}
+    ProsacTermination() : randomRatio(1) {}
+
+    void start(const Context& context) CV_OVERRIDE
+    {
+        randomRatio = context.points.problem->randomInlierRatio(context.points);
+    }
 
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
         const double share = context.components.sampler->growingShare(context);
-        if (state.bestQuality.inliers <= m || state.order.empty() || !(share > 0))
+        if (state.bestQuality.inliers <= m || !state.order || !(share > 0))
             return INT_MAX;
-        std::vector<float> errors(size);
-        context.components.residual->squaredErrors(context.points, state.best, 0, size, errors.data());
+        Arena::Scope scope(context.arena);
+        float* const errors = scope.take<float>(size);
+        context.components.residual->squaredErrors(context.points, state.best, 0, size, errors);
         const float limit = (float)(context.points.threshold * context.points.threshold);
-        std::vector<uchar> inliers(size);
+        uchar *const inliers = scope.take<uchar>(size), *const repeated = scope.take<uchar>(size);
         for (int i = 0; i < size; ++i)
             inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
         const double kept = share * keptProbability(context, state.bestQuality.inliers);
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
         const double logFailure = std::log(1 - context.params.confidence);
         int length;
-        std::vector<uchar> repeated;
-        const int samples = prosacSamples(inliers, repeated, m, kept, randomRatio, logFailure, exact, length);
+        const int samples = prosacSamples(inliers, 0, size, m, kept, randomRatio, logFailure, exact, length);
         if (samples == INT_MAX)
             return INT_MAX;
-        markRepeatedInliers(context.points, state.order, inliers, repeated);
-        return prosacSamples(inliers, repeated, m, kept, randomRatio, logFailure, exact, length);
+        markRepeatedInliers(context, state.order, inliers, repeated);
+        return prosacSamples(inliers, repeated, size, m, kept, randomRatio, logFailure, exact, length);
     }
 
     int reason() const CV_OVERRIDE { return STOP_PROSAC; }
 
 private:
-    static void markRepeatedInliers(const Correspondences& p, const std::vector<int>& order,
-                                    const std::vector<uchar>& inliers, std::vector<uchar>& repeated)
+    static void markRepeatedInliers(const Context& context, const int* order, const uchar* inliers, uchar* repeated)
     {
-        repeated.assign(p.size, 0);
-        markRepeated(p, order.data(), inliers.data(), p.size, p.threshold, repeated.data());
+        const Correspondences& p = context.points;
+        std::fill(repeated, repeated + p.size, (uchar)0);
+        markRepeated(p, order, inliers, p.size, p.threshold, repeated, context.arena);
     }
 
-    const double randomRatio;
+    double randomRatio;
 };
 
 }  // namespace
 
-Ptr<Termination> createProsacTermination(const Correspondences& points)
-{
-    return makePtr<ProsacTermination>(points.problem->randomInlierRatio(points));
-}
+Ptr<Termination> createProsacTermination() { return makePtr<ProsacTermination>(); }
 
 }  // namespace usacv20
 }  // namespace cv

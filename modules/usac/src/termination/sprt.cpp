@@ -24,7 +24,7 @@ public:
         const double good = goodSampleProbability(context, state, state.bestQuality.inliers);
         const double epsilon = (double)state.bestQuality.inliers / n;
         double logFailure = std::log(1 - context.params.confidence), tested = 0;
-        for (size_t l = 0; l + 1 < state.tests.size(); ++l)
+        for (int l = 0; l + 1 < state.tests.size(); ++l)
         {
             const SequentialTest& test = state.tests[l];
             const double kept = good * (1 - std::pow(test.A, -exponent(test, epsilon)));

@@ -20,7 +20,7 @@ Ptr<Termination> createPNapsacTermination();
 //! See MagsacTermination.
 Ptr<Termination> createMagsacTermination();
 //! See ProsacTermination.
-Ptr<Termination> createProsacTermination(const Correspondences& points);
+Ptr<Termination> createProsacTermination();
 
 /** Probability that the model of a good sample is not dropped before it is rated, if it has `inliers` of all points:
 what the verifier says, see Verifier::keptProbability(). So T(d,d) needs epsilon^-d times as many samples @cite
@@ -46,16 +46,17 @@ exp(`logFailure`);
 5 %.
 
 As all points are drawn from once the set has grown to them, the samples that T_N lacks are added to T'_N.
-@param inliers which points are inliers, best point first
-@param repeated which of the inliers repeat an earlier one and are no evidence; empty: none
+@param inliers which of the `size` points are inliers, best point first
+@param repeated which of the inliers repeat an earlier one and are no evidence; null: none
+@param size number of points
 @param m size of a sample
 @param kept probability that a sample comes from the growing set and a good model is kept
 @param randomRatio probability that a point is an inlier of a wrong model
 @param logFailure logarithm of 1 - confidence
 @param exact points are drawn without repetition, see goodSampleProbability
 @param length output: n*, 0 if there is none; the result is then INT_MAX */
-int prosacSamples(const std::vector<uchar>& inliers, const std::vector<uchar>& repeated, int m, double kept,
-                  double randomRatio, double logFailure, bool exact, int& length);
+int prosacSamples(const uchar* inliers, const uchar* repeated, int size, int m, double kept, double randomRatio,
+                  double logFailure, bool exact, int& length);
 
 }  // namespace usacv20
 }  // namespace cv

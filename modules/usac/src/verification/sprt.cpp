@@ -23,9 +23,9 @@ best model nothing is dropped. The test changes only between batches of samples,
 class SprtVerifier : public Verifier
 {
 public:
-    explicit SprtVerifier(const SampleCost& cost_)
-        : cost(cost_), current(), inlierStep(0), outlierStep(0), logA(0), inliersSeen(0), pointsSeen(0)
-    {}
+    explicit SprtVerifier(const SampleCost& cost_) : cost(cost_) { forget(); }
+
+    void start(const Context&) CV_OVERRIDE { forget(); }
 
     int nextBlock(int tested) const CV_OVERRIDE { return tested < 64 ? 32 : tested < 256 ? 64 : 256; }
 
@@ -53,10 +53,16 @@ public:
             std::abs(delta - current.delta) <= 0.05 * current.delta)
             return;
         design(epsilon, delta);
-        state.tests.push_back(current);
+        state.tests.push(context.arena, current);
     }
 
 private:
+    void forget()
+    {
+        current = SequentialTest();
+        inlierStep = outlierStep = logA = inliersSeen = pointsSeen = 0;
+    }
+
     void design(double epsilon, double delta)
     {
         inlierStep = std::log(delta / epsilon);

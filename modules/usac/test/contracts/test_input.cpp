@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "test_contracts.hpp"
 #include "contracts/expected_answer.hpp"
 
@@ -247,8 +248,10 @@ TEST_P(UsacInput, hundred_thousand_points)
     Mat mask;
     Report report;
     Ptr<Usac> usac = createUsac(scene, Params());
-    const Context context(usac->points(), usac->components(), Params());
-    EXPECT_LE(usac->components().neighborhood->edges(context).size(), (size_t)16 * scene.size());
+    Arena arena;
+    const Context context(usac->points(), usac->components(), Params(), arena);
+    usac->components().start(context);
+    EXPECT_LE(edgesOf(*usac->components().neighborhood, context).size(), (size_t)16 * scene.size());
     const Mat model = usac->run(mask, &report);
     EXPECT_LT(modelError(scene, model), 0.2);
     checkResult(scene, Params().threshold, model, mask, report);
@@ -269,8 +272,10 @@ TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
     Mat mask;
     Report report;
     Ptr<Usac> usac = createUsac(scene, Params());
-    const Context context(usac->points(), usac->components(), Params());
-    EXPECT_LE(usac->components().neighborhood->edges(context).size(), (size_t)16 * scene.size());
+    Arena arena;
+    const Context context(usac->points(), usac->components(), Params(), arena);
+    usac->components().start(context);
+    EXPECT_LE(edgesOf(*usac->components().neighborhood, context).size(), (size_t)16 * scene.size());
     const Mat model = usac->run(mask, &report);
     checkResult(problem(), scene.points1, scene.points2, Params().threshold, model, mask, report);
 }

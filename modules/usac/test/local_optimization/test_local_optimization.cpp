@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "test_precomp.hpp"
 #include "given_residual.hpp"
 #include "local_optimization/labeling.hpp"
@@ -18,7 +19,11 @@ class GivenEdges : public Neighborhood
 public:
     int layers() const CV_OVERRIDE { return 0; }
     int members(const Context&, int, int, const int*&) CV_OVERRIDE { return 0; }
-    const std::vector<Vec2i>& edges(const Context&) CV_OVERRIDE { return given; }
+    int edges(const Context&, const Vec2i*& edges) CV_OVERRIDE
+    {
+        edges = given.data();
+        return (int)given.size();
+    }
 
     std::vector<Vec2i> given;
 };
@@ -61,7 +66,8 @@ struct Graph
 {
     Graph(int size_, double lambda, double inlierThreshold)
         : size(size_), points(HOMOGRAPHY, std::vector<Point2d>(size_), std::vector<Point2d>(size_), inlierThreshold),
-          residual(makePtr<GivenResidual>()), neighborhood(makePtr<GivenEdges>()), context(points.view(), parts, params)
+          residual(makePtr<GivenResidual>()), neighborhood(makePtr<GivenEdges>()),
+          context(points.view(), parts, params, arena)
     {
         params.spatialWeight = lambda;
         parts.residual = residual;
@@ -94,8 +100,8 @@ struct Graph
     std::vector<uchar> cut()
     {
         Labeling labeling;
-        std::vector<int> inliers(3, 1);  // what was there is forgotten
-        labeling.cut(context, Matx33d::eye(), inliers);
+        std::vector<int> inliers(size, 1);  // what was there is forgotten
+        inliers.resize(labeling.cut(context, Matx33d::eye(), inliers.data()));
         return labelsOf(inliers, size);
     }
 
@@ -119,6 +125,7 @@ struct Graph
     Components parts;
     Ptr<GivenResidual> residual;
     Ptr<GivenEdges> neighborhood;
+    Arena arena;
     const Context context;
 };
 
@@ -210,13 +217,15 @@ TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
         Params params;
         params.spatialWeight = 0.3;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
-        const std::vector<Vec2i>& edges = usac->components().neighborhood->edges(context);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
+        const std::vector<Vec2i> edges = edgesOf(*usac->components().neighborhood, context);
         ASSERT_GT(edges.size(), 50u);
         const Model truth = toInternal(usac->points(), scene.model);
         Labeling labeling;
-        std::vector<int> inliers;
-        labeling.cut(context, truth, inliers);
+        std::vector<int> inliers(scene.size());
+        inliers.resize(labeling.cut(context, truth, inliers.data()));
         EXPECT_GT(inliers.size(), 100u);
         std::vector<uchar> labels = labelsOf(inliers, scene.size()), plain(scene.size());
         std::vector<float> errors(scene.size());
@@ -256,7 +265,9 @@ TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
             params.quality = quality;
             params.localOptimization = std::get<1>(GetParam());
             const Ptr<Usac> usac = createUsac(scene, params);
-            const Context context(usac->points(), usac->components(), params);
+            Arena arena;
+            const Context context(usac->points(), usac->components(), params, arena);
+            usac->components().start(context);
             const Ptr<LocalOptimizer> optimizer = usac->components().localOptimizer;
             State state;
             for (int i = 0; i < 50; ++i)
@@ -304,7 +315,9 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
             params.quality = QUALITY_MAGSAC_PLUS_PLUS;
         }
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         const Quality truth = context.rate(toInternal(usac->points(), scene.model));
         RNG rng(seed);
         Model model = toInternal(usac->points(), scene.model);

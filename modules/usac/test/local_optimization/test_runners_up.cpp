@@ -28,13 +28,21 @@ std::vector<double> costsOf(const std::vector<Candidate>& candidates)
     return costs;
 }
 
+std::vector<Candidate> taken(RunnersUp& kept)
+{
+    const Candidate* candidates;
+    const int count = kept.take(candidates);
+    return std::vector<Candidate>(candidates, candidates + count);
+}
+
 TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
 {
     RNG rng(5);
     for (int most = 1; most <= 12; most += 5)
     {
         std::vector<double> costs;
-        RunnersUp kept(most);
+        Arena arena;
+        RunnersUp kept(most, arena);
         for (int i = 0; i < 100; ++i)
         {
             costs.push_back(rng.uniform(0, 60));  // also equal ones
@@ -43,31 +51,33 @@ TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
         std::sort(costs.begin(), costs.end());
         costs.resize(most);
         EXPECT_EQ(costs.back(), kept.uselessCost(0));
-        EXPECT_EQ(costs, costsOf(kept.take()));
+        EXPECT_EQ(costs, costsOf(taken(kept)));
     }
 }
 
 TEST(Usac_RunnersUp, givesEachOnce)
 {
-    RunnersUp kept(2);
-    EXPECT_TRUE(kept.take().empty());
+    Arena arena;
+    RunnersUp kept(2, arena);
+    EXPECT_TRUE(taken(kept).empty());
     EXPECT_GT(kept.uselessCost(3), 1e300) << "all are welcome as long as there is room";
     const double first[] = {5, 3, 4};
     for (int i = 0; i < 3; ++i)
         kept.add(candidateOf(first[i]));
-    EXPECT_EQ(2u, kept.take().size());
-    EXPECT_TRUE(kept.take().empty());
+    EXPECT_EQ(2u, taken(kept).size());
+    EXPECT_TRUE(taken(kept).empty());
     kept.add(candidateOf(9));  // two better ones have been given
-    EXPECT_TRUE(kept.take().empty());
+    EXPECT_TRUE(taken(kept).empty());
     kept.add(candidateOf(2));
-    EXPECT_EQ(std::vector<double>(1, 2.), costsOf(kept.take()));
+    EXPECT_EQ(std::vector<double>(1, 2.), costsOf(taken(kept)));
 }
 
 TEST(Usac_RunnersUp, noneAreKeptIfNoneAreAskedFor)
 {
-    RunnersUp kept(0);
+    Arena arena;
+    RunnersUp kept(0, arena);
     kept.add(candidateOf(1));
-    EXPECT_TRUE(kept.take().empty());
+    EXPECT_TRUE(taken(kept).empty());
     EXPECT_EQ(7, kept.uselessCost(7)) << "only what beats the best one is of use";
 }
 

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "test_precomp.hpp"
 #include <set>
 #include "local_optimization/local_optimization.hpp"
@@ -22,13 +23,14 @@ struct Bench
         params.threshold = inlierThreshold;
         params.quality = QUALITY_MAGSAC_PLUS_PLUS;
         usac = createUsac(scene, params);
+        run = makePtr<RunContext>(usac->points(), usac->components(), params);
         truth = toInternal(usac->points(), scene.model);
         for (int i = 0; i < usac->points().size; ++i)
             if (scene.truth[usac->points().inputIndex[i]])
                 inliers.push_back(i);
     }
 
-    Context context() const { return Context(usac->points(), usac->components(), params); }
+    const Context& context() const { return *run; }
 
     //! A model from a random minimal sample of true matches: the best of the solver's.
     bool minimalModel(int trial, Model& model, Quality& quality) const
@@ -63,6 +65,7 @@ struct Bench
     Scene scene;
     Params params;
     Ptr<Usac> usac;
+    Ptr<RunContext> run;
     Model truth;
     std::vector<int> inliers;
 };
@@ -130,7 +133,7 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
     std::vector<double> ratios;
     const double most = *std::max_element(expected.begin(), expected.end());
     std::vector<uchar> seen(expected.size(), 0);
-    for (size_t i = 0; i < consensus.points().size(); ++i)
+    for (int i = 0; i < consensus.size(); ++i)
     {
         const int point = consensus.points()[i];
         seen[point] = 1;
@@ -177,7 +180,7 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {
     const Bench bench((ProblemType)GetParam(), 5);
-    const Context context = bench.context();
+    const Context& context = bench.context();
     const Ptr<LocalOptimizer> optimizers[] = {createSigmaConsensus(), createSigmaConsensusPlusPlus()};
     for (int o = 0; o < 2; ++o)
     {
@@ -236,7 +239,7 @@ TEST_P(Usac_Sigma_Consensus, nothingNear)
 {
     const Bench bench((ProblemType)GetParam(), 1e-9);
     Model model = bench.truth;
-    const Context context = bench.context();
+    const Context& context = bench.context();
     Quality quality = context.rate(model);
     const Quality before = quality;
     State state;
@@ -258,7 +261,9 @@ TEST_P(Usac_Sigma_Consensus, reweightingDescends)
         Quality quality;
         if (!bench.minimalModel(trial, model, quality) || quality.inliers < 30)
             continue;
+        Arena::Scope scope(bench.context().arena);
         MarginalizedFit fit;
+        fit.allocate(scope, bench.usac->points().size);
         double loss = fit.weigh(bench.context(), inlierThreshold, model);
         EXPECT_NEAR(quality.cost, loss, 1e-6 * loss);
         for (int i = 0; i < 6; ++i)
@@ -277,7 +282,9 @@ TEST_P(Usac_Sigma_Consensus, boundedFits)
     SceneOptions options;
     options.inliers = 2000;
     const Bench bench((ProblemType)GetParam(), 3, options);
+    Arena::Scope scope(bench.context().arena);
     MarginalizedFit fit;
+    fit.allocate(scope, bench.usac->points().size);
     fit.weigh(bench.context(), bench.usac->points().threshold, bench.truth);
     const int all = fit.size();
     ASSERT_GT(all, 1500);
@@ -292,9 +299,9 @@ TEST_P(Usac_Sigma_Consensus, boundedFits)
     SigmaConsensus consensus;
     model = bench.truth;
     ASSERT_TRUE(consensus.fit(bench.context(), rng, model));
-    EXPECT_LE((int)consensus.points().size(), (int)SigmaConsensus::MAX_FIT);
-    const std::set<int> distinct(consensus.points().begin(), consensus.points().end());
-    EXPECT_EQ(consensus.points().size(), distinct.size());
+    EXPECT_LE((int)consensus.size(), (int)SigmaConsensus::MAX_FIT);
+    const std::set<int> distinct(consensus.points(), consensus.points() + consensus.size());
+    EXPECT_EQ((size_t)consensus.size(), distinct.size());
     EXPECT_LT(bench.pixels(model), 0.3);
 }
 
@@ -302,7 +309,7 @@ TEST_P(Usac_Sigma_Consensus, boundedFits)
 TEST_P(Usac_Sigma_Consensus, polisherConverges)
 {
     const Bench bench((ProblemType)GetParam(), 3);
-    const Context context = bench.context();
+    const Context& context = bench.context();
     const Ptr<Polisher> polisher = createReweightedPolisher();
     Model once = bench.truth;
     polisher->polish(context, once);

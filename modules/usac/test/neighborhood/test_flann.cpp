@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "surroundings.hpp"
 #include "neighborhood/neighborhood.hpp"
 
@@ -168,13 +169,13 @@ TEST(Usac_NeighborhoodFlann, boundedMemory)
             EXPECT_EQ(1001, (int)listOf(pixels, *knn, layer, point).size());
             EXPECT_EQ(std::min(100 << layer, (int)WIDEST) + 1, (int)listOf(pixels, *some, layer, point).size());
         }
-    EXPECT_LE(radius->edges(pixels.context()).size(), (size_t)LINKS * 1500);
-    EXPECT_LE(knn->edges(pixels.context()).size(), (size_t)LINKS * 1500);
+    EXPECT_LE(edgesOf(*radius, pixels.context()).size(), (size_t)LINKS * 1500);
+    EXPECT_LE(edgesOf(*knn, pixels.context()).size(), (size_t)LINKS * 1500);
 }
 
 void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
 {
-    const std::vector<Vec2i> edges = neighborhood.edges(pixels.context());
+    const std::vector<Vec2i> edges = edgesOf(neighborhood, pixels.context());
     std::set<std::pair<int, int>> seen;
     std::vector<double> reach(pixels.size());
     for (int i = 0; i < pixels.size(); ++i)
@@ -196,7 +197,7 @@ void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
     }
     EXPECT_EQ(0, missing);
     EXPECT_LE(edges.size(), (size_t)links * pixels.size());
-    EXPECT_EQ(edges, neighborhood.edges(pixels.context()));
+    EXPECT_EQ(edges, edgesOf(neighborhood, pixels.context()));
 }
 
 TEST(Usac_NeighborhoodFlann, edges)
@@ -222,7 +223,7 @@ TEST(Usac_NeighborhoodFlann, edgesWithinTheRadius)
     for (double radius = 1; radius < 200; radius *= 3)
     {
         const Ptr<Neighborhood> within = createRadiusNeighborhood(radius);
-        const std::vector<Vec2i>& edges = within->edges(pixels.context());
+        const std::vector<Vec2i> edges = edgesOf(*within, pixels.context());
         std::vector<int> degree(pixels.size(), 0);
         for (size_t e = 0; e < edges.size(); ++e)
         {
@@ -255,7 +256,7 @@ TEST(Usac_NeighborhoodFlann, equalAndFarPoints)
     }
     EXPECT_EQ(1u, membersOf(*radius, around.context, 3, 37).size());
     EXPECT_EQ(38u, membersOf(*knn, around.context, 3, 37).size());
-    EXPECT_GE(knn->edges(around.context).size(), 37u * 5 / 2);
+    EXPECT_GE(edgesOf(*knn, around.context).size(), 37u * 5 / 2);
 }
 
 //! The same each time, and without OpenCV's random numbers.
@@ -264,10 +265,10 @@ TEST(Usac_NeighborhoodFlann, reproducible)
     const Pixels pixels(makeScene(FUNDAMENTAL), Params());
     const Ptr<Neighborhood> first = createKnnNeighborhood(7), second = createKnnNeighborhood(7);
     const uint64 before = theRNG().state;
-    const std::vector<Vec2i> edges = first->edges(pixels.context());
+    const std::vector<Vec2i> edges = edgesOf(*first, pixels.context());
     EXPECT_EQ(before, theRNG().state);
     theRNG().state = 12345;
-    EXPECT_EQ(edges, second->edges(pixels.context()));
+    EXPECT_EQ(edges, edgesOf(*second, pixels.context()));
     for (int i = pixels.size() - 1; i >= 0; --i)
         EXPECT_EQ(listOf(pixels, *first, 2, i), listOf(pixels, *second, 2, i));
 }
@@ -359,7 +360,9 @@ TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
         params.neighborhood = NEIGHBORHOOD_RADIUS;
         params.reach = r == 0 ? 1 : 4;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         for (int i = 0; i < scene.size(); ++i)
         {
             const int* members;

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "run_context.hpp"
 #include "surroundings.hpp"
 #include "neighborhood/neighborhood.hpp"
 
@@ -102,15 +103,15 @@ TEST(Usac_Neighborhood, equalPointsAreAllNeighbors)
     const Ptr<Neighborhood> grid = createGridNeighborhood(4);
     for (int layer = 0; layer < grid->layers(); ++layer)
         EXPECT_EQ(37u, membersOf(*grid, around.context, layer, layer).size());
-    EXPECT_LE(grid->edges(around.context).size(), 4u * 37);
-    EXPECT_GE(grid->edges(around.context).size(), 36u);  // enough to link all of them
+    EXPECT_LE(edgesOf(*grid, around.context).size(), 4u * 37);
+    EXPECT_GE(edgesOf(*grid, around.context).size(), 36u);  // enough to link all of them
 }
 
 void checkEdges(const Correspondences& points, size_t least)
 {
     const Surroundings around(points);
     const Ptr<Neighborhood> grid = createGridNeighborhood(4);
-    const std::vector<Vec2i> edges = grid->edges(around.context);
+    const std::vector<Vec2i> edges = edgesOf(*grid, around.context);
     std::set<std::pair<int, int>> seen;
     for (size_t e = 0; e < edges.size(); ++e)
     {
@@ -122,7 +123,7 @@ void checkEdges(const Correspondences& points, size_t least)
     }
     EXPECT_LE(edges.size(), 4 * (size_t)points.size);
     EXPECT_GE(edges.size(), least);
-    EXPECT_EQ(edges, grid->edges(around.context));
+    EXPECT_EQ(edges, edgesOf(*grid, around.context));
 }
 
 TEST(Usac_Neighborhood, edges)
@@ -144,7 +145,7 @@ TEST(Usac_Neighborhood, noPointIsForgotten)
     const Surroundings around(usac->points());
     const Ptr<Neighborhood> grid = createGridNeighborhood(4);
     std::vector<int> degree(usac->points().size, 0);
-    const std::vector<Vec2i>& edges = grid->edges(around.context);
+    const std::vector<Vec2i> edges = edgesOf(*grid, around.context);
     for (size_t e = 0; e < edges.size(); ++e)
     {
         ++degree[edges[e][0]];
@@ -164,9 +165,9 @@ TEST(Usac_Neighborhood, noPoints)
 {
     const OwnPoints none(HOMOGRAPHY, std::vector<Point2d>(), std::vector<Point2d>());
     const Surroundings around(none.view());
-    EXPECT_TRUE(createGridNeighborhood(4)->edges(around.context).empty());
-    EXPECT_TRUE(createKnnNeighborhood(5)->edges(around.context).empty());
-    EXPECT_TRUE(createRadiusNeighborhood(20)->edges(around.context).empty());
+    EXPECT_TRUE(edgesOf(*createGridNeighborhood(4), around.context).empty());
+    EXPECT_TRUE(edgesOf(*createKnnNeighborhood(5), around.context).empty());
+    EXPECT_TRUE(edgesOf(*createRadiusNeighborhood(20), around.context).empty());
 }
 
 }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "run_context.hpp"
 #include "surroundings.hpp"
 #include "ordering/ordering.hpp"
 
@@ -17,7 +18,7 @@ std::vector<int> sortBy(const Ptr<Ordering>& ordering, const Correspondences& po
     std::vector<int> order(points.size);
     for (int i = 0; i < points.size; ++i)
         order[i] = i;
-    ordering->sort(around.context, order);
+    ordering->sort(around.context, order.data());
     EXPECT_EQ(points.size, (int)order.size());
     std::vector<uchar> seen(points.size, 0);
     for (size_t i = 0; i < order.size(); ++i)
@@ -136,7 +137,7 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
         std::vector<int> order(p.size);
         for (int k = 0; k < p.size; ++k)
             order[k] = k;
-        usac->components().ordering->sort(Context(p, usac->components(), params), order);
+        usac->components().ordering->sort(RunContext(p, usac->components(), params), order.data());
         std::set<std::pair<double, double>> seen;
         for (int k = 0; k < p.size; ++k)
             EXPECT_EQ(k < size, seen.insert(std::make_pair(p.exact[X1][order[k]], p.exact[Y1][order[k]])).second) << k;

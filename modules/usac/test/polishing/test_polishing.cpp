@@ -48,7 +48,9 @@ TEST(Usac_Polishing, reweightedIsAFixedPoint)
     const Scene scene = makeScene(HOMOGRAPHY, options);
     Ptr<Usac> usac = createUsac(scene, Params());
     const Params params;
-    const Context context(usac->points(), usac->components(), params);
+    Arena arena;
+    const Context context(usac->points(), usac->components(), params, arena);
+    usac->components().start(context);
     const Ptr<Polisher> polisher = createRobustPolisher();
     Model once = toInternal(usac->points(), scene.model);
     polisher->polish(context, once);
@@ -71,7 +73,9 @@ TEST(Usac_Polishing, nothingNear)
     const Scene scene = makeScene(HOMOGRAPHY);
     Ptr<Usac> usac = createUsac(scene, Params());
     const Params params;
-    const Context context(usac->points(), usac->components(), params);
+    Arena arena;
+    const Context context(usac->points(), usac->components(), params, arena);
+    usac->components().start(context);
     const Model far = Matx33d(1, 0, 1e4, 0, 1, 1e4, 0, 0, 1);
     const Ptr<Polisher> polishers[] = {createLeastSquaresPolisher(), createRobustPolisher()};
     for (int k = 0; k < 2; ++k)

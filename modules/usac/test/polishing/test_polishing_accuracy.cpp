@@ -48,7 +48,9 @@ Mat leastSquares(const Scene& scene)
 Mat polished(const Scene& scene, const Params& params)
 {
     const Ptr<Usac> usac = createUsac(scene, params);
-    const Context context(usac->points(), usac->components(), params);
+    Arena arena;
+    const Context context(usac->points(), usac->components(), params, arena);
+    usac->components().start(context);
     Model model = toInternal(usac->points(), scene.model);
     usac->components().polisher->polish(context, model);
     return Mat(toInput(usac->points(), model));

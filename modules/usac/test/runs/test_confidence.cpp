@@ -236,9 +236,12 @@ TEST(Usac_Confidence, prosac)
         const double ratio = usac->points().problem->randomInlierRatio(usac->points());
         int samples[2], length[2];
         for (int right = 0; right < 2; ++right)
-            samples[right] = prosacSamples(rivals.inliers(right != 0, params.threshold), std::vector<uchar>(), 4,
+        {
+            const std::vector<uchar> inliers = rivals.inliers(right != 0, params.threshold);
+            samples[right] = prosacSamples(inliers.data(), 0, (int)inliers.size(), 4,
                                            sampler == SAMPLER_PROSAC ? 1 : 0.75, ratio, std::log(0.1), true,
                                            length[right]);
+        }
         const Runs runs(rivals, params);
         int asComputed = 0;
         for (int i = 0; i < RUNS; ++i)

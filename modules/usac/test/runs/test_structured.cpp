@@ -72,7 +72,9 @@ TEST(Usac_Structured, any_order_of_scores)
                 const Scene scene = makeScene((ProblemType)problem, options);
                 const Ptr<Usac> usac = createUsac(scene, Params());
                 const Params params;
-                const Context context(usac->points(), usac->components(), params);
+                Arena arena;
+                const Context context(usac->points(), usac->components(), params, arena);
+                usac->components().start(context);
                 const double truth = context.rate(toInternal(usac->points(), scene.model)).cost;
                 Params sorted = Params::sorted();
                 sorted.ordering = ORDERING_AUTO;

@@ -72,8 +72,8 @@ void expectGrowth(int ordering, int period)
         draw.next();
         ASSERT_TRUE(draw.valid());
         wrongSize += draw.sampler->subsetSize(draw.context) != n;
-        const std::vector<int>::const_iterator end = draw.state.order.begin() + draw.sampler->subsetSize(draw.context);
-        const bool out = std::find(draw.state.order.cbegin(), end, draw.sample[0]) == end;
+        const std::vector<int>::const_iterator end = draw.order.begin() + draw.sampler->subsetSize(draw.context);
+        const bool out = std::find(draw.order.cbegin(), end, draw.sample[0]) == end;
         const bool ordered = (t - 1) % period == 0 && (t > first || period == 1);
         EXPECT_EQ(!ordered || period == 1, draw.state.counts) << t;
         if (!ordered)
@@ -82,7 +82,7 @@ void expectGrowth(int ordering, int period)
             continue;
         }
         if (draw.sampler->subsetSize(draw.context) < N)
-            notNewest += draw.sample[0] != draw.state.order[draw.sampler->subsetSize(draw.context) - 1];
+            notNewest += draw.sample[0] != draw.order[draw.sampler->subsetSize(draw.context) - 1];
         outside += out;
     }
     EXPECT_LE(wrongSize, 30);

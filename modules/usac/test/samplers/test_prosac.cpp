@@ -29,12 +29,11 @@ TEST(Usac_Samplers, prosacGrowsAsPublished)
                 // while
                 wrongSize += draw.sampler->subsetSize(draw.context) != n;
                 if (draw.sampler->subsetSize(draw.context) < N)
-                    withoutNewest += !draw.contains(draw.state.order[draw.sampler->subsetSize(draw.context) - 1]);
+                    withoutNewest += !draw.contains(draw.order[draw.sampler->subsetSize(draw.context) - 1]);
                 for (int i = 0; i < draw.m; ++i)
-                    outside += std::find(draw.state.order.begin(),
-                                         draw.state.order.begin() + draw.sampler->subsetSize(draw.context),
-                                         draw.sample[i]) ==
-                               draw.state.order.begin() + draw.sampler->subsetSize(draw.context);
+                    outside += std::find(draw.order.begin(),
+                                         draw.order.begin() + draw.sampler->subsetSize(draw.context),
+                                         draw.sample[i]) == draw.order.begin() + draw.sampler->subsetSize(draw.context);
             }
             EXPECT_LE(wrongSize, 30) << "N " << N << " m " << draw.m;
             EXPECT_EQ(0, withoutNewest);

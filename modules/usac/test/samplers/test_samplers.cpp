@@ -35,7 +35,7 @@ class CountingOrdering : public Ordering
 {
 public:
     CountingOrdering() : calls(0) {}
-    void sort(const Context&, std::vector<int>&) CV_OVERRIDE { ++calls; }
+    void sort(const Context&, int*) CV_OVERRIDE { ++calls; }
     int calls;
 };
 

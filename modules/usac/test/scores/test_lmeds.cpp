@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
 #include "given_residual.hpp"
@@ -42,14 +43,15 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
         std::vector<Point2d> corners(count, Point2d(0, 0));
         corners.back() = Point2d(side, side);
         const OwnPoints points(problem, corners, corners);
-        const Ptr<Score> score = createLmedsScore(points.view());
+        const Ptr<Score> score = started(createLmedsScore(), points.view());
         EXPECT_TRUE(score->wholeModel());
         Components parts;
         const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
         parts.residual = residual;
         parts.minimalSolver = problemObject(problem).createMinimalSolver();
         const Params params;
-        const Context context(points.view(), parts, params);
+        Arena arena;
+        const Context context(points.view(), parts, params, arena);
         for (int i = 0; i < count; ++i)
             residual->given.push_back((float)rng.uniform(0., 9.));
         std::vector<float> sorted = residual->given, errors = sorted;
@@ -76,14 +78,15 @@ TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
     parts.residual = residual;
     parts.minimalSolver = problemObject(problem).createMinimalSolver();
     const Params params;
-    const Context context(points.view(), parts, params);
+    Arena arena;
+    const Context context(points.view(), parts, params, arena);
     RNG rng(13);
     for (int i = 0; i < COUNT; ++i)
     {
         const double a = rng.gaussian(3), b = problem == HOMOGRAPHY ? rng.gaussian(3) : 0;
         residual->given.push_back((float)(a * a + b * b));
     }
-    const double limit = createLmedsScore(points.view())->threshold(context, Matx33d::eye());
+    const double limit = started(createLmedsScore(), points.view())->threshold(context, Matx33d::eye());
     int within = 0;
     for (int i = 0; i < COUNT; ++i)
         within += residual->given[i] <= limit * limit;
@@ -96,7 +99,7 @@ TEST_P(Usac_Lmeds_Problem, undefinedErrors)
     std::vector<Point2d> corners(1, Point2d(0, 0));
     corners.push_back(Point2d(1, 1));
     const OwnPoints points(problem, corners, corners);
-    const Ptr<Score> score = createLmedsScore(points.view());
+    const Ptr<Score> score = started(createLmedsScore(), points.view());
     std::vector<float> most(21, std::numeric_limits<float>::quiet_NaN()), some(21, 0.25f), zero(21, 0.f);
     std::fill(most.begin(), most.begin() + 10, 0.25f);
     std::fill(some.begin(), some.begin() + 10, std::numeric_limits<float>::quiet_NaN());
@@ -150,7 +153,9 @@ TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
         const Scene scene = makeScene(problem, options);
         const Params params = searchParams();
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         const double found = usac->components().score->threshold(context, toInternal(usac->points(), scene.model));
         const double inPixels = found / usac->points().threshold * params.threshold;
         // H: the noise of both images; outliers make the median a little larger
@@ -164,13 +169,13 @@ TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
 TEST_P(Usac_Lmeds_Problem, noPoints)
 {
     const OwnPoints none((ProblemType)GetParam(), std::vector<Point2d>(), std::vector<Point2d>());
-    const Ptr<Score> score = createLmedsScore(none.view());
+    const Ptr<Score> score = started(createLmedsScore(), none.view());
     const Components parts;
     const Params params;
     Quality quality(0, 0);
     score->accumulate(0, 0, 1, quality);
     EXPECT_EQ(0, quality.cost);
-    EXPECT_EQ(0, score->threshold(Context(none.view(), parts, params), Matx33d::eye()));
+    EXPECT_EQ(0, score->threshold(RunContext(none.view(), parts, params), Matx33d::eye()));
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Lmeds_Problem, testing::Values(0, 1, 2));

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
 #include "scores/scores.hpp"
@@ -57,7 +58,7 @@ TEST_P(Usac_Magsac_Problem, magsacAgainstItsDefinition)
     {
         const double sigmaMax = inlierThreshold / thresholdInSigmas(degrees);
         const Ptr<OwnPoints> points(spanning(problem, inlierThreshold));
-        const Ptr<Score> score = createMagsacScore(points->view());
+        const Ptr<Score> score = started(createMagsacScore(degrees), points->view());
         EXPECT_FALSE(score->wholeModel());
         const double best = meanLogLikelihood(0, sigmaMax, degrees), worst = meanLogLikelihood(1e9, sigmaMax, degrees);
         for (double u = 0; u < 1.2; u += 0.061)
@@ -87,8 +88,9 @@ TEST_P(Usac_Magsac_Problem, bounds)
     for (int t = 0; t < 2; ++t)
     {
         const Ptr<OwnPoints> points(spanning(problem, thresholds[t]));
-        const Ptr<Score> scores[] = {createMagsacScore(points->view()),
-                                     createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
+        const Ptr<Score> scores[] = {
+            started(createMagsacScore(problemObject(problem).errorDimension()), points->view()),
+            createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
         for (int s = 0; s < 2; ++s)
         {
             EXPECT_EQ(0, costOf(*scores[s], 0, thresholds[t]));
@@ -111,7 +113,7 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const Ptr<OwnPoints> points(spanning(problem, 2));
-    const Ptr<Score> scores[] = {createMagsacScore(points->view()),
+    const Ptr<Score> scores[] = {started(createMagsacScore(problemObject(problem).errorDimension()), points->view()),
                                  createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
     for (int s = 0; s < 2; ++s)
     {
@@ -137,7 +139,9 @@ TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
         params.quality = quality;
         params.threshold = 3;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         const MinimalSolver& solver = *usac->components().minimalSolver;
         Quality best;
         int cut = 0;

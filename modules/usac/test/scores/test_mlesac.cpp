@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
 #include "scores/scores.hpp"
@@ -80,7 +81,7 @@ TEST_P(Usac_Mlesac_Problem, costAgainstGrid)
     const int degrees = problemObject(problem).errorDimension();
     const double side = 300, k = thresholdInSigmas(degrees);
     const Ptr<OwnPoints> points(spanning(problem, side, k));
-    const Ptr<Score> score = createMlesacScore(points->view());
+    const Ptr<Score> score = started(createMlesacScore(), points->view());
     EXPECT_TRUE(score->wholeModel());
     RNG rng(5);
     for (int trial = 0; trial < 5; ++trial)
@@ -103,7 +104,7 @@ TEST_P(Usac_Mlesac_Problem, bounds)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const Ptr<OwnPoints> points(spanning(problem, 300, 1));
-    const Ptr<Score> score = createMlesacScore(points->view());
+    const Ptr<Score> score = started(createMlesacScore(), points->view());
     std::vector<float> perfect(50, 0.f), far(50, 1e6f), undefined(50, std::numeric_limits<float>::quiet_NaN());
     far[7] = std::numeric_limits<float>::infinity();
     Quality none(0, 0), all(0, 0), nan(0, 0), empty(0, 0);
@@ -123,7 +124,7 @@ TEST_P(Usac_Mlesac_Problem, bounds)
 TEST_P(Usac_Mlesac_Problem, noExtent)
 {
     const Ptr<OwnPoints> points(spanning((ProblemType)GetParam(), 0, 1));
-    const Ptr<Score> score = createMlesacScore(points->view());
+    const Ptr<Score> score = started(createMlesacScore(), points->view());
     for (float error = 0; error < 4; error += 0.1f)
     {
         std::vector<float> errors(20, error);

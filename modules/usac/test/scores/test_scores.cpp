@@ -303,7 +303,9 @@ TEST(Usac_Scores, customResidual)
             const Scene scene = makeScene((ProblemType)problem);
             const Ptr<Usac> usac = createUsac(scene, params);
             const Model model = toInternal(usac->points(), scene.model);
-            const Context context(usac->points(), usac->components(), params);
+            Arena arena;
+            const Context context(usac->points(), usac->components(), params, arena);
+            usac->components().start(context);
             const Quality known = context.rate(model);
             usac->components().residual = makePtr<CustomResidual>(usac->components().residual);
             EXPECT_TRUE(usac->components().score->fused(*usac->components().residual) == 0);
@@ -326,7 +328,9 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
         Params params;
         params.quality = quality;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         const int m = usac->components().minimalSolver->sampleSize();
         Quality best, bestBounded;
         int winner = -1, winnerBounded = -1, count = 0, cut = 0, won = 0;
@@ -369,7 +373,8 @@ TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
 {
     const Residual::Kind kind = GetParam() == 0 ? Residual::TRANSFER : Residual::SAMPSON;
     const Fixture f(kind, 5);
-    const Context context(f.points(), f.usac->components(), f.params);
+    const RunContext run(f.points(), f.usac->components(), f.params);
+    const Context& context = run;
     for (size_t k = 0; k < f.models.size(); ++k)
     {
         const Direct expected = directScore(f, f.models[k], 0, COUNT);

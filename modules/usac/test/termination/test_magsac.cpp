@@ -13,8 +13,9 @@ struct Found
 {
     Found(ProblemType problem, const Params& params_, const SceneOptions& options = SceneOptions())
         : params(params_), scene(makeScene(problem, options)), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params)
+          context(usac->points(), usac->components(), params, arena)
     {
+        usac->components().start(context);
         state.best = toInternal(usac->points(), scene.model);
         state.bestQuality = context.rate(state.best);
     }
@@ -33,6 +34,7 @@ struct Found
     Params params;
     Scene scene;
     Ptr<Usac> usac;
+    Arena arena;
     Context context;
     State state;
 };

@@ -111,9 +111,10 @@ struct Points
 
     int independent(double threshold1 = 1, double threshold2 = 1) const
     {
+        Arena arena;
         const double* const columns[] = {x1.data(), y1.data(), x2.data(), y2.data()};
         const int coordinates[] = {2, 2};
-        return independentInliers(columns, coordinates, mask.data(), (int)mask.size(), threshold1, threshold2);
+        return independentInliers(columns, coordinates, mask.data(), (int)mask.size(), threshold1, threshold2, arena);
     }
 
     std::vector<double> x1, y1, x2, y2;
@@ -179,8 +180,9 @@ TEST(Usac_NonRandomness, firstOfACellIsNotRepeated)
         mask[i] = i % 4 != 1;
     }
     repeated[5] = 1;  // of the other image
+    Arena arena;
     const double* const columns[] = {x.data(), y.data()};
-    const int sum = markRepeated(columns, 2, order.data(), mask.data(), N, 2, repeated.data());
+    const int sum = markRepeated(columns, 2, order.data(), mask.data(), N, 2, repeated.data(), arena);
     std::set<std::pair<int, int>> seen;
     int expectedSum = 0;
     for (int i = 0; i < N; ++i)

@@ -36,7 +36,8 @@ struct Case
 
     int samples(int& length) const
     {
-        return prosacSamples(inliers, repeated, m, kept, randomRatio, std::log(1 - confidence), exact, length);
+        return prosacSamples(inliers.data(), repeated.empty() ? 0 : repeated.data(), (int)inliers.size(), m, kept,
+                             randomRatio, std::log(1 - confidence), exact, length);
     }
 
     //! All lengths, one after the other, from the definitions.
@@ -139,7 +140,7 @@ TEST(Usac_TerminationProsac, minimalSupport)
                     std::vector<uchar> inliers(n, 0);
                     std::fill(inliers.end() - I, inliers.end(), 1);
                     int length;
-                    prosacSamples(inliers, std::vector<uchar>(), 4, 1, ratio, std::log(0.999), true, length);
+                    prosacSamples(inliers.data(), 0, n, 4, 1, ratio, std::log(0.999), true, length);
                     EXPECT_EQ(I >= quantile && I > 4, length > 0) << n << " " << ratio << " " << I;
                 }
             }
@@ -160,19 +161,19 @@ int firstEvidence(int N, int repeated, double ratio)
 //! Nothing but inliers: a sample suffices once there are as many more points as chance would not make agree.
 TEST(Usac_TerminationProsac, allInliers)
 {
-    const std::vector<uchar> inliers(100, 1), none;
+    const std::vector<uchar> inliers(100, 1);
     int length;
-    const int samples = prosacSamples(inliers, none, 4, 1, 0.01, std::log(0.01), true, length);
+    const int samples = prosacSamples(inliers.data(), 0, 100, 4, 1, 0.01, std::log(0.01), true, length);
     EXPECT_EQ(firstEvidence(100, 0, 0.01), length);
     EXPECT_EQ((int)publishedGrowth(100, 4)[length], samples);
-    prosacSamples(inliers, none, 4, 1, 0.3, std::log(0.01), true, length);
+    prosacSamples(inliers.data(), 0, 100, 4, 1, 0.3, std::log(0.01), true, length);
     EXPECT_EQ(firstEvidence(100, 0, 0.3), length);
     std::vector<uchar> twins(100, 0);
     std::fill(twins.begin() + 4, twins.begin() + 30, 1);
-    prosacSamples(inliers, twins, 4, 1, 0.01, std::log(0.01), true, length);
+    prosacSamples(inliers.data(), twins.data(), 100, 4, 1, 0.01, std::log(0.01), true, length);
     EXPECT_EQ(firstEvidence(100, 26, 0.01), length) << "points that repeat others are no evidence";
     EXPECT_GT(length, 30);
-    EXPECT_EQ(INT_MAX, prosacSamples(inliers, none, 4, 1, 1, std::log(0.01), true, length));
+    EXPECT_EQ(INT_MAX, prosacSamples(inliers.data(), 0, 100, 4, 1, 1, std::log(0.01), true, length));
     EXPECT_EQ(0, length);
 }
 
@@ -189,7 +190,9 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
         params.threshold = 8;
         const Ptr<Usac> usac = createUsac(scene, params);
         const double ratio = usac->points().problem->randomInlierRatio(usac->points());
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         RNG rng(3);
         double inliers = 0, models = 0;
         for (int i = 0; i < 200; ++i)
@@ -253,11 +256,12 @@ TEST(Usac_TerminationProsac, endsARun)
 int iterationsFor(const Scene& scene, const Params& params, double kept)
 {
     const Ptr<Usac> usac = createUsac(scene, params);
-    const Context context(usac->points(), usac->components(), params);
+    Arena arena;
+    const Context context(usac->points(), usac->components(), params, arena);
+    usac->components().start(context);
     const Termination& termination = *usac->components().terminations[0];
     State state;
-    state.order.resize(usac->points().size);
-    usac->components().ordering->sort(context, state.order);
+    state.bestFirst(context);
     state.best = toInternal(usac->points(), scene.model);
     state.bestQuality = context.rate(state.best);
     Case c;
@@ -279,7 +283,7 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     state.bestQuality.inliers = 4;
     EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sample is no support";
     state.bestQuality.inliers = 40;
-    state.order.clear();
+    state.order = 0;
     EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sampler that asks for no order";
     return iterations;
 }
@@ -301,7 +305,9 @@ TEST(Usac_TerminationProsac, heedsTheOptions)
         tdd.tddPoints = 3;
         local.sampler = SAMPLER_P_NAPSAC;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         const int inliers = context.rate(toInternal(usac->points(), scene.model)).inliers;
         sums[0] += iterationsFor(scene, params, 1);
         sums[1] += iterationsFor(scene, exact, 1);

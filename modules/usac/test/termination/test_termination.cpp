@@ -13,7 +13,7 @@ struct Counts
 {
     Counts(ProblemType problem, int count, const Params& params_ = Params())
         : params(params_), scene(makeScene(problem, optionsOf(count))), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params), m(usac->components().minimalSolver->sampleSize()),
+          context(usac->points(), usac->components(), params, arena), m(usac->components().minimalSolver->sampleSize()),
           n(count)
     {}
 
@@ -52,6 +52,7 @@ struct Counts
     const Params params;
     const Scene scene;
     const Ptr<Usac> usac;
+    Arena arena;
     const Context context;
     const int m, n;
     State state;
@@ -156,7 +157,7 @@ TEST(Usac_Termination, sprtWithOneTest)
     {
         Counts counts((ProblemType)problem, 60);
         EXPECT_EQ(INT_MAX, counts.iterations(createSprtTermination(), 30)) << "nothing has been tested";
-        counts.state.tests.push_back(makeTest(0.5, 0.1, 20, 0));
+        counts.state.tests.push(counts.arena, makeTest(0.5, 0.1, 20, 0));
         for (int inliers = 0; inliers <= 60; ++inliers)
             EXPECT_EQ(counts.needed(counts.good(inliers) * (1 - 1 / 20.)),
                       counts.iterations(createSprtTermination(), inliers))
@@ -184,9 +185,9 @@ TEST(Usac_Termination, sprtWithEarlierTests)
             const double epsilon = inliers / 60., good = counts.good(inliers);
             const SequentialTest first = makeTest(0.25, 0.05, 3, 1), second = makeTest(0.3, 0.1, 8, 2),
                                  last = makeTest(epsilon, 0.1, 30, 5);
-            counts.state.tests.push_back(first);
-            counts.state.tests.push_back(second);
-            counts.state.tests.push_back(last);
+            counts.state.tests.push(counts.arena, first);
+            counts.state.tests.push(counts.arena, second);
+            counts.state.tests.push(counts.arena, last);
             const double kept1 = good * (1 - std::pow(first.A, -exponentByScan(first, epsilon)));
             const double kept2 = good * (1 - std::pow(second.A, -exponentByScan(second, epsilon)));
             const double failure = std::log(1 - counts.params.confidence) - std::log1p(-kept1) - 2 * std::log1p(-kept2);
@@ -201,9 +202,9 @@ TEST(Usac_Termination, sprtWithEarlierTests)
 TEST(Usac_Termination, sprtWithEqualTests)
 {
     Counts one(HOMOGRAPHY, 60), two(HOMOGRAPHY, 60);
-    one.state.tests.push_back(makeTest(0.5, 0.1, 20, 12));
-    two.state.tests.push_back(makeTest(0.5, 0.1, 20, 7));
-    two.state.tests.push_back(makeTest(0.5, 0.1, 20, 5));
+    one.state.tests.push(one.arena, makeTest(0.5, 0.1, 20, 12));
+    two.state.tests.push(two.arena, makeTest(0.5, 0.1, 20, 7));
+    two.state.tests.push(two.arena, makeTest(0.5, 0.1, 20, 5));
     EXPECT_EQ(one.iterations(createSprtTermination(), 30), two.iterations(createSprtTermination(), 30));
 }
 
@@ -211,8 +212,8 @@ TEST(Usac_Termination, sprtWithEqualTests)
 TEST(Usac_Termination, sprtOfAWrongTest)
 {
     Counts counts(HOMOGRAPHY, 60);
-    counts.state.tests.push_back(makeTest(0.9, 0.8, 20, 1000));
-    counts.state.tests.push_back(makeTest(0.2, 0.1, 20, 5));
+    counts.state.tests.push(counts.arena, makeTest(0.9, 0.8, 20, 1000));
+    counts.state.tests.push(counts.arena, makeTest(0.2, 0.1, 20, 5));
     EXPECT_EQ(1000 + counts.needed(counts.good(12) * (1 - 1 / 20.)), counts.iterations(createSprtTermination(), 12));
 }
 
@@ -220,8 +221,8 @@ TEST(Usac_Termination, sprtOfAWrongTest)
 TEST(Usac_Termination, sprtOfInliersOnly)
 {
     Counts counts(HOMOGRAPHY, 60);
-    counts.state.tests.push_back(makeTest(0.5, 0.1, 20, 12));
-    counts.state.tests.push_back(makeTest(0.6, 0.1, 20, 5));
+    counts.state.tests.push(counts.arena, makeTest(0.5, 0.1, 20, 12));
+    counts.state.tests.push(counts.arena, makeTest(0.6, 0.1, 20, 5));
     EXPECT_GE(12, counts.iterations(createSprtTermination(), 60));
     EXPECT_LT(12, counts.iterations(createSprtTermination(), 40));
 }

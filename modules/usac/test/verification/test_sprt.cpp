@@ -17,7 +17,7 @@ class Trained
 public:
     Trained(ProblemType problem, double epsilon, double delta)
         : scene(makeScene(problem, optionsOf())), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params),
+          context(usac->points(), usac->components(), params, arena),
           verifier(createSprtVerifier(problemObject(problem).sampleCost()))
     {
         verifier->adapt(context, state);
@@ -47,6 +47,7 @@ public:
     const Params params;
     const Scene scene;
     const Ptr<Usac> usac;
+    Arena arena;
     const Context context;
     const Ptr<Verifier> verifier;
     State state;
@@ -102,7 +103,7 @@ TEST_P(Usac_Sprt, learnsBothRatios)
     for (size_t k = 0; k < sizeof(RATIOS) / sizeof(RATIOS[0]); ++k)
     {
         const Trained sprt((ProblemType)GetParam(), RATIOS[k][0], RATIOS[k][1]);
-        ASSERT_EQ(1u, sprt.state.tests.size());
+        ASSERT_EQ(1, sprt.state.tests.size());
         EXPECT_NEAR(RATIOS[k][0], sprt.test().epsilon, 1e-3);
         EXPECT_NEAR(RATIOS[k][1], sprt.test().delta, 0.002 + 0.01 * RATIOS[k][1]);
         EXPECT_GT(sprt.test().A, 2);
@@ -175,20 +176,20 @@ TEST(Usac_SprtAdaptation, followsTheBestModelAndTheBadOnes)
     Trained sprt(HOMOGRAPHY, 0.2, 0.05);
     const SequentialTest first = sprt.test();
     sprt.verifier->adapt(sprt.context, sprt.state);
-    EXPECT_EQ(1u, sprt.state.tests.size()) << "nothing new was learned";
+    EXPECT_EQ(1, sprt.state.tests.size()) << "nothing new was learned";
     sprt.verifier->sampleTested(sprt.state, 1, 16);
     sprt.verifier->sampleTested(sprt.state, 0, 16);
     EXPECT_EQ(2, sprt.test().samples);
     sprt.best(0.6);
     sprt.verifier->adapt(sprt.context, sprt.state);
-    ASSERT_EQ(2u, sprt.state.tests.size());
+    ASSERT_EQ(2, sprt.state.tests.size());
     EXPECT_EQ(2, sprt.state.tests[0].samples);
     EXPECT_EQ(0, sprt.test().samples);
     EXPECT_NEAR(0.6, sprt.test().epsilon, 1e-3);
     EXPECT_NEAR(first.delta, sprt.test().delta, 1e-4);
     sprt.learn(0.5, 200000);
     sprt.verifier->adapt(sprt.context, sprt.state);
-    ASSERT_EQ(3u, sprt.state.tests.size());
+    ASSERT_EQ(3, sprt.state.tests.size());
     EXPECT_NEAR(0.35, sprt.test().delta, 0.01);
     EXPECT_NEAR(0.6, sprt.test().epsilon, 1e-3);
 }

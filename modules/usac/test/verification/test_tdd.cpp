@@ -14,7 +14,7 @@ struct Exact
 {
     Exact(ProblemType problem, int inliers, int outliers, const Params& params_ = Params())
         : params(params_), scene(makeScene(problem, optionsOf(inliers, outliers))), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params), truth(toInternal(usac->points(), scene.model))
+          context(usac->points(), usac->components(), params, arena), truth(toInternal(usac->points(), scene.model))
     {}
 
     static SceneOptions optionsOf(int inliers, int outliers)
@@ -29,6 +29,7 @@ struct Exact
     const Params params;
     const Scene scene;
     const Ptr<Usac> usac;
+    Arena arena;
     const Context context;
     const Model truth;
 };

@@ -8,6 +8,7 @@
 #ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
 
 #include <vector>
+#include "opencv2/usac/arena.hpp"
 #include "opencv2/usac/data.hpp"
 #include "opencv2/usac/params.hpp"
 #include "opencv2/usac/report.hpp"
@@ -21,8 +22,11 @@ namespace usacv20 {
 /** @name Components
 The parts of Algorithm 1 of @cite ivashechkin2021usacv20. Each is a small abstract class; Usac::create makes the
 default set and any of them can be replaced before Usac::run. A virtual call covers a sample, a model or a block of
-points, never a point. Methods that are `const` are called from several threads at once if Params::threads is not 1;
-the others never are.
+points, never a point.
+
+If Params::threads is not 1, several threads call at once the methods of Residual and MinimalSolver, Score::accumulate,
+Verifier::preTest, nextBlock and proceed, and Degeneracy::validSample, mayBeGood and validModel. These are `const`, and
+must take no memory from Context::arena. All others are called by one thread.
 @{ */
 
 //! One design of the sequential probability ratio test, and how long it was in use.
@@ -39,12 +43,12 @@ struct Context;
 //! All that changes during a run.
 struct CV_EXPORTS State
 {
-    State() : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0) {}
+    State() : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0), order(0) {}
 
     //! The points, best first, as the Ordering says; sorted at the first call.
-    const std::vector<int>& bestFirst(const Context& context)
+    const int* bestFirst(const Context& context)
     {
-        if (order.empty())
+        if (!order)
             sort(context);
         return order;
     }
@@ -53,13 +57,13 @@ struct CV_EXPORTS State
     int iteration;  //!< samples drawn so far
     bool counts;    //!< the present sample is as good as a uniform one of all points; true unless the sampler says no
     double yield;   //!< part of the samples of inliers only that lead to the best model; 1, but for degenerate scenes
-    int countedSamples;                 //!< samples so far that count: what the confidence rests on
-    int repeatedSamples;                //!< samples that do not count only because a match was in them twice
-    std::vector<int> order;             //!< what bestFirst() has returned; empty before
-    Model best;                         //!< the best model so far
-    Quality bestQuality;                //!< and what it is worth
-    Quality sampleQuality;              //!< the best of a model as it came from its sample, before any optimization
-    std::vector<SequentialTest> tests;  //!< those of the verifier so far, the last one is in use
+    int countedSamples;               //!< samples so far that count: what the confidence rests on
+    int repeatedSamples;              //!< samples that do not count only because a match was in them twice
+    const int* order;                 //!< what bestFirst() has returned; null before
+    Model best;                       //!< the best model so far
+    Quality bestQuality;              //!< and what it is worth
+    Quality sampleQuality;            //!< the best of a model as it came from its sample, before any optimization
+    ArenaList<SequentialTest> tests;  //!< those of the verifier so far, the last one is in use
     Report report;
 
 private:
@@ -73,12 +77,13 @@ class NonMinimalSolver;
 //! What does not change during a run; handed to the components that need more than their own data.
 struct CV_EXPORTS Context
 {
-    Context(const Correspondences& points_, const Components& components_, const Params& params_)
-        : points(points_), components(components_), params(params_)
+    Context(const Correspondences& points_, const Components& components_, const Params& params_, Arena& arena_)
+        : points(points_), components(components_), params(params_), arena(arena_)
     {}
 
     /** @brief Quality of a model over all points.
-    @param bound stop as soon as the cost reaches it; the result is then only known not to be better. */
+    @param bound stop as soon as the cost reaches it; the result is then only known not to be better.
+    For one thread at a time, as it takes memory from the arena. */
     Quality rate(const Model& model, double bound = std::numeric_limits<double>::infinity()) const;
 
     //! Those of Components; raise cv::Exception that names what is missing.
@@ -88,19 +93,33 @@ struct CV_EXPORTS Context
     const Correspondences& points;
     const Components& components;
     const Params& params;
+    Arena& arena;  //!< memory of the run
+};
+
+//! What all components have in common.
+class CV_EXPORTS Component
+{
+public:
+    virtual ~Component();
+    /** @brief A run begins. Called once a run, before anything else, also if there are too few points for a model.
+
+    A component that knows something of a run (of its points, say, or what it has learned) begins anew here: the same
+    object is used again for the next run, which may have other points of another number. What it has taken from
+    Context::arena in the run before is gone. Other components may not have begun yet. Default: nothing. */
+    virtual void start(const Context& context);
 };
 
 //! Order of the points, best first (paper, section "Other features").
-class CV_EXPORTS Ordering
+class CV_EXPORTS Ordering : public Component
 {
 public:
     virtual ~Ordering();
-    //! Writes a permutation of 0 .. size-1 to `order`.
-    virtual void sort(const Context& context, std::vector<int>& order) = 0;
+    //! Writes a permutation of 0 .. size-1 to `order`, which has room for as many as there are points.
+    virtual void sort(const Context& context, int* order) = 0;
 };
 
 //! Sparse neighborhood graph of the points, O(N) memory, built at first use.
-class CV_EXPORTS Neighborhood
+class CV_EXPORTS Neighborhood : public Component
 {
 public:
     virtual ~Neighborhood();
@@ -108,12 +127,13 @@ public:
     virtual int layers() const = 0;
     //! Neighbors of a point in a layer, the point itself among them. @return their number, `members` points to them.
     virtual int members(const Context& context, int layer, int point, const int*& members) = 0;
-    //! Undirected edges of the graph, each once, at most a constant times N.
-    virtual const std::vector<Vec2i>& edges(const Context& context) = 0;
+    //! Undirected edges of the graph, each once, at most a constant times N. @return their number, `edges` points to
+    //! them.
+    virtual int edges(const Context& context, const Vec2i*& edges) = 0;
 };
 
 //! Draws minimal samples (paper, section "Sampling").
-class CV_EXPORTS Sampler
+class CV_EXPORTS Sampler : public Component
 {
 public:
     virtual ~Sampler();
@@ -130,7 +150,7 @@ public:
 };
 
 //! From a minimal sample to models.
-class CV_EXPORTS MinimalSolver
+class CV_EXPORTS MinimalSolver : public Component
 {
 public:
     virtual ~MinimalSolver();
@@ -140,7 +160,7 @@ public:
 };
 
 //! From many points to one model.
-class CV_EXPORTS NonMinimalSolver
+class CV_EXPORTS NonMinimalSolver : public Component
 {
 public:
     virtual ~NonMinimalSolver();
@@ -157,7 +177,7 @@ public:
 };
 
 //! Error of points under a model.
-class CV_EXPORTS Residual
+class CV_EXPORTS Residual : public Component
 {
 public:
     enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, CUSTOM };
@@ -192,7 +212,7 @@ typedef void (*FusedKernel)(const Correspondences& points, const float* model, f
                             int end, Quality& sum);
 
 //! What errors are worth (paper, section "Quality").
-class CV_EXPORTS Score
+class CV_EXPORTS Score : public Component
 {
 public:
     virtual ~Score();
@@ -209,7 +229,7 @@ public:
 };
 
 //! Drops bad models early (paper, section "Pre-emptive verification").
-class CV_EXPORTS Verifier
+class CV_EXPORTS Verifier : public Component
 {
 public:
     virtual ~Verifier();
@@ -237,7 +257,7 @@ public:
 
 //! Degenerate configurations (paper, section "Degeneracy"). Members of Components::degeneracies are asked in turn,
 //! until one says no.
-class CV_EXPORTS Degeneracy
+class CV_EXPORTS Degeneracy : public Component
 {
 public:
     virtual ~Degeneracy();
@@ -257,7 +277,7 @@ public:
 };
 
 //! Improves each so-far-the-best model (paper, section "Local optimization").
-class CV_EXPORTS LocalOptimizer
+class CV_EXPORTS LocalOptimizer : public Component
 {
 public:
     virtual ~LocalOptimizer();
@@ -266,7 +286,7 @@ public:
 };
 
 //! When to stop (paper, section "Termination criterion").
-class CV_EXPORTS Termination
+class CV_EXPORTS Termination : public Component
 {
 public:
     virtual ~Termination();
@@ -282,7 +302,7 @@ public:
 };
 
 //! Last step: a better model from all inliers.
-class CV_EXPORTS Polisher
+class CV_EXPORTS Polisher : public Component
 {
 public:
     virtual ~Polisher();
@@ -291,8 +311,11 @@ public:
 };
 
 //! The parts of one estimator.
-struct Components
+struct CV_EXPORTS Components
 {
+    //! Component::start of all.
+    void start(const Context& context) const;
+
     Ptr<Residual> residual;                  //!< required
     Ptr<Score> score;                        //!< required
     Ptr<Ordering> ordering;                  //!< empty: State::order is 0, 1, 2, ...

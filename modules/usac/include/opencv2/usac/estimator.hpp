@@ -55,10 +55,12 @@ public:
     virtual const Correspondences& points() const = 0;
     /** @brief Other points for the next #run, of any number, in the place of those of #create.
     @param points1, points2 as there. Params::scores, if there are any, are those of the new points: of the same number
-  */
+    The object keeps its memory, as much as the largest run so far has needed: a tracker allocates once. After a
+    cv::Exception it has no points. */
     virtual void setPoints(InputArray points1, InputArray points2) = 0;
-    /** @brief Runs the estimation. May be called again, with the same result for the same points: the components that
-    #create has made begin anew, those of the caller are used as they are.
+    /** @brief Runs the estimation. May be called again, with the same result for the same points: Component::start
+    tells all components, also those of the caller, that a run begins. From the second run of a size on only what is
+    returned is allocated.
     @param mask output, N x 1, CV_8U
     @param report output, may be null
     @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it, empty if there is

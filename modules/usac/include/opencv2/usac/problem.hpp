@@ -83,10 +83,8 @@ public:
     /** @brief Adds the checks that a set of @ref DegeneracyFlags names, in the order in which they are asked. Default:
     none.
     @param flags set of @ref DegeneracyFlags
-    @param points the correspondences
     @param degeneracies output, to be appended to */
-    virtual void createDegeneracies(int flags, const Correspondences& points,
-                                    std::vector<Ptr<Degeneracy>>& degeneracies) const;
+    virtual void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const;
 
     /** @brief Side of the cube on which outliers are taken to be uniform, in the coordinates of `points`: the vector of
     an error of d dimensions has the density extent^-d. Default: the geometric mean of the sides of the box in which

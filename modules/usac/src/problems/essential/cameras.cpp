@@ -49,14 +49,18 @@ taken off before. */
 void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, int count)
 {
     const Matx33d inverse = K.inv();
-    std::vector<Point2d> points(count);
     for (int i = 0; i < count; ++i)
     {
         const Vec3d p = inverse * Vec3d(x[i], y[i], 1);
-        points[i] = Point2d(p[0] / p[2], p[1] / p[2]);
+        x[i] = p[0] / p[2];
+        y[i] = p[1] / p[2];
     }
-    if (count > 0 && !distCoeffs.empty())
-        undistortPoints(points, points, Matx33d::eye(), distCoeffs);
+    if (count == 0 || distCoeffs.empty())
+        return;
+    std::vector<Point2d> points(count);
+    for (int i = 0; i < count; ++i)
+        points[i] = Point2d(x[i], y[i]);
+    undistortPoints(points, points, Matx33d::eye(), distCoeffs);
     for (int i = 0; i < count; ++i)
     {
         x[i] = points[i].x;

@@ -59,8 +59,7 @@ public:
         return createEssentialFit(residual);
     }
 
-    void createDegeneracies(int flags, const Correspondences& points,
-                            std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
+    void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
     {
         if (flags & DEGENERACY_ORIENTATION)
             degeneracies.push_back(createOrientedEpipolar());
@@ -68,7 +67,7 @@ public:
             degeneracies.push_back(createPlanarMotion());
         if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of
                                           // their own models
-            degeneracies.push_back(createSharedPoints(points));
+            degeneracies.push_back(createSharedPoints());
     }
 
 private:

@@ -32,8 +32,16 @@ class Degensac : public Degeneracy
 public:
     Degensac()
         : fitter(createHomographyFit(createTransferResidual())), known(Matx33d::zeros()), knownThreshold(0),
-          knownPoints(0)
+          knownPoints(0), onPlane(0), offPlane(0), errors(0), onCount(0), offCount(0), parallax(0)
     {}
+
+    void start(const Context& context) CV_OVERRIDE
+    {
+        fitter->start(context);
+        knownThreshold = 0;
+        errors = 0;
+        parallax = 0;
+    }
 
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {
@@ -53,7 +61,7 @@ public:
             if (pointsOn(context.points, H) <= CLEARLY * knownPoints)
                 return true;
         }
-        if (!fitPlane(context.points, std::max(DOMINANT * before.inliers, SEEN * context.points.size), H))
+        if (!fitPlane(context, std::max(DOMINANT * before.inliers, SEEN * context.points.size), H))
             return true;
         known = H;
         knownThreshold = context.points.threshold;
@@ -85,8 +93,8 @@ private:
         if (sample)
             return mapped(p, known, sample, 7) >= 5;
         int both = 0, here = 0;
-        const std::vector<int>& inliers = plane.inliers();
-        for (size_t k = 0; k < inliers.size(); ++k)
+        const int* const inliers = plane.inliers();
+        for (int k = 0; k < plane.inlierCount(); ++k)
         {
             const bool on = error(p, H, inliers[k]) <= planeLimit(p);
             here += on;
@@ -139,33 +147,38 @@ private:
     {
         float m[9];
         toFloat(H, m);
-        errors.resize(p.size);
-        kernels().errors[Residual::TRANSFER](p, m, 0, p.size, errors.data());
-        onPlane.clear();
-        offPlane.clear();
+        kernels().errors[Residual::TRANSFER](p, m, 0, p.size, errors);
+        onCount = offCount = 0;
         for (int i = 0; i < p.size; ++i)
-            (errors[i] <= (float)most ? onPlane : offPlane).push_back(i);
+            (errors[i] <= (float)most ? onPlane[onCount++] : offPlane[offCount++]) = i;
     }
 
     /** Least squares over the points on the plane until these are no more: the homography of three noisy points has
     often only a part of them.
     @return false if they are fewer than `least`; else onPlane and offPlane are those for the parallax */
-    bool fitPlane(const Correspondences& p, double least, Matx33d& H)
+    bool fitPlane(const Context& context, double least, Matx33d& H)
     {
+        const Correspondences& p = context.points;
+        if (!errors)
+        {
+            errors = context.arena.take<float>(p.size);
+            onPlane = context.arena.take<int>(p.size);
+            offPlane = context.arena.take<int>(p.size);
+        }
         split(p, H, planeLimit(p));
-        if (onPlane.size() < 8 || onPlane.size() < ROUGHLY * least)
+        if (onCount < 8 || onCount < ROUGHLY * least)
             return false;
         Model fitted = H;
-        size_t before = 0;
-        for (int k = 0; k < MAX_FITS && onPlane.size() > before; ++k)
+        int before = 0;
+        for (int k = 0; k < MAX_FITS && onCount > before; ++k)
         {
-            before = onPlane.size();
-            if (!fitter->fit(p, onPlane.data(), std::min((int)before, (int)MAX_FIT), 0, fitted, FIT_STEPS))
+            before = onCount;
+            if (!fitter->fit(p, onPlane, std::min(before, (int)MAX_FIT), 0, fitted, FIT_STEPS))
                 return false;
             H = fitted;
             split(p, H, planeLimit(p));
         }
-        if (onPlane.size() < least)
+        if (onCount < least)
             return false;
         split(p, H, OFF_PLANE * p.threshold * p.threshold);
         return true;
@@ -174,12 +187,12 @@ private:
     //! The best F = [e]x H of the points off the plane replaces a worse model.
     void planeAndParallax(const Context& context, const State& state, const Matx33d& H, Model& model, Quality& quality)
     {
-        const double off = (double)offPlane.size(), wanted = OF_INTEREST * state.bestQuality.inliers - onPlane.size();
+        const double off = offCount, wanted = OF_INTEREST * state.bestQuality.inliers - onCount;
         if (off < 2 || wanted > off)
             return;
         if (!parallax)
-            parallax = makePtr<PlaneParallax>();
-        parallax->setPlane(context.points, offPlane, H);
+            parallax = new (context.arena.take<PlaneParallax>(1)) PlaneParallax();
+        parallax->setPlane(context, offPlane, offCount, H);
         parallax->search(context, 1 - context.params.confidence, wanted * parallax->size() / off, model, quality);
     }
 
@@ -190,9 +203,10 @@ private:
     Model knownModel;       //!< the F found with it
     Quality knownQuality;   //!< infinite cost: none better than what was known
     DominantPlane plane;
-    std::vector<int> onPlane, offPlane;
-    std::vector<float> errors;    //!< of all points under a plane
-    Ptr<PlaneParallax> parallax;  //!< from the first plane on
+    int *onPlane, *offPlane;
+    float* errors;            //!< of all points under a plane; null before the first one
+    int onCount, offCount;    //!< of the points on and off the plane
+    PlaneParallax* parallax;  //!< from the first plane on
 };
 
 const double Degensac::CLEARLY = 1.05;

@@ -112,19 +112,23 @@ bool smallestEigenvector(const Matx33d& M, Vec3d& e)
 
 }  // namespace
 
-PlaneParallax::PlaneParallax() : H(Matx33d::zeros()), limit(0), stride(0), next(0), fitted(0) {}
+PlaneParallax::PlaneParallax() : H(Matx33d::zeros()), limit(0), numbers(0), stride(0), next(0), fitted(0) {}
 
 /* With y = H x1 and h1, h2 the first two columns of H, the numerator of Sampson's error of F = [e]x H is (e n)^2 with
 n = y x x2, its denominator |F x1|^2 + |F^T x2|^2 (first two entries) the sum of the squares of four products of e with
 (0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G is that sum times the squared threshold: the error is below it if
 (e n)^2 <= e^T G e. */
-void PlaneParallax::setPlane(const Correspondences& points, const std::vector<int>& offPlane, const Matx33d& homography)
+void PlaneParallax::setPlane(const Context& context, const int* offPlane, int count, const Matx33d& homography)
 {
+    const Correspondences& points = context.points;
     H = homography * (1 / norm(homography));
     limit = points.threshold * points.threshold;
-    voters.gather(points, offPlane);
+    voters.gather(points, offPlane, count);
     stride = (size() + ARCS_BLOCK - 1) / ARCS_BLOCK * ARCS_BLOCK;
-    numbers.resize((size_t)ARCS_ROWS * stride);
+    if (!numbers)
+        numbers = context.arena.take<float>((size_t)ARCS_ROWS * MAX_POINTS);
+    for (int k = 0; k < ARCS_ROWS; ++k)
+        std::fill(numbers + (size_t)k * stride + size(), numbers + (size_t)(k + 1) * stride, 0.f);
     best = Quality();
     lastFit = Vec3d(0, 0, 0);
     next = fitted = 0;
@@ -192,7 +196,7 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     formWeights(u, v, weights + 12);
     formWeights(v, v, weights + 18);
     int change[ARCS_BINS + 1] = {0}, from[MAX_POINTS], to[MAX_POINTS];
-    kernels().arcs(numbers.data(), stride, weights, from, to);
+    kernels().arcs(numbers, stride, weights, from, to);
     for (int k = 0; k < p.size; ++k)
     {
         ++change[from[k]];

@@ -32,8 +32,8 @@ public:
 
     PlaneParallax();
 
-    //! Another plane. @param offPlane the points off it, in random order
-    void setPlane(const Correspondences& points, const std::vector<int>& offPlane, const Matx33d& homography);
+    //! Another plane. @param context the points, and memory @param offPlane, count those off it, in random order
+    void setPlane(const Context& context, const int* offPlane, int count, const Matx33d& homography);
 
     /** @brief Replaces a model by a better [e]x H.
     @param context rates models over all points
@@ -67,10 +67,10 @@ private:
     Matx33d H;     //!< unit Frobenius norm
     double limit;  //!< squared threshold
     SideBySide<MAX_POINTS> voters;
-    std::vector<float> numbers;  //!< ARCS_ROWS rows of `stride`
-    int stride;                  //!< size(), rounded up to whole blocks
-    Quality best;                //!< lowest cost of the voters
-    Vec3d lastFit;               //!< the last epipole that was fitted
+    float* numbers;  //!< ARCS_ROWS rows of `stride`; memory for the most, once there was a plane
+    int stride;      //!< size(), rounded up to whole blocks
+    Quality best;    //!< lowest cost of the voters
+    Vec3d lastFit;   //!< the last epipole that was fitted
     int next, fitted;
 };
 

@@ -62,8 +62,7 @@ public:
         return createHomographyFit(residual);
     }
 
-    void createDegeneracies(int flags, const Correspondences&,
-                            std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
+    void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
     {
         if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples
             degeneracies.push_back(createHomographyOrientation());

@@ -20,7 +20,9 @@ best model: any model fitted to it would have that tenth, and no sample of right
 class RepeatedPoints : public Degeneracy
 {
 public:
-    RepeatedPoints() : searched(false) {}
+    RepeatedPoints() : searched(false), repetitions(0), count(0) {}
+
+    void start(const Context&) CV_OVERRIDE { searched = false; }
 
     bool validSample(const Context& context, const int* sample) const CV_OVERRIDE
     {
@@ -38,14 +40,19 @@ public:
     {
         const Score& score = *context.components.score;
         if (!searched)
-            search(context.points);
-        const int count = repetitions.size();
+            search(context);
         if (count == 0 || score.wholeModel())
             return true;
-        const double* const errors = repetitions.squaredErrors(*context.components.residual, model);
-        floats.assign(errors, errors + count);
+        const Correspondences& p = context.points;
+        Arena::Scope scope(context.arena);
+        PointSubset subset(p, count, scope);
+        for (int i = 0; i < count; ++i)
+            subset.add(repetitions[i]);
+        const double* const errors = subset.squaredErrors(*context.components.residual, model);
+        float* const floats = scope.take<float>(count);
+        std::copy(errors, errors + count, floats);
         Quality sum(0, 0);
-        score.accumulate(floats.data(), count, (float)(context.points.threshold * context.points.threshold), sum);
+        score.accumulate(floats, count, (float)(p.threshold * p.threshold), sum);
         quality.cost += count - sum.cost;
         quality.inliers = std::max(quality.inliers - sum.inliers, 0);
         return true;
@@ -55,35 +62,40 @@ private:
     //! A match that is there so often among the first points, or more often than once in so many of all, is one match.
     enum { FIRST_POINTS = 64, OFTEN = 3, TENTH = 10 };
 
-    //! Fills `repetitions`, without the first of each.
-    void search(const Correspondences& p)
+    //! Finds the repetitions, but for the first of each.
+    void search(const Context& context)
     {
+        const Correspondences& p = context.points;
         searched = true;
+        count = 0;
+        repetitions = 0;
         for (int i = 0; i < std::min<int>(p.size, FIRST_POINTS); ++i)
         {
             int same = 1;
             for (int k = 0; k < i; ++k)
                 same += sameMatch(p, i, k);
             if (same == OFTEN)
-                addRepetitions(p, i);
+                addRepetitions(context, i);
         }
     }
 
-    void addRepetitions(const Correspondences& p, int of)
+    //! Different matches have different repetitions, so that together they are no more than there are points.
+    void addRepetitions(const Context& context, int of)
     {
-        std::vector<int> found;
+        const Correspondences& p = context.points;
+        if (!repetitions)
+            repetitions = context.arena.take<int>(p.size);
+        int found = count;
         for (int i = 0; i < p.size; ++i)
             if (i != of && sameMatch(p, i, of))
-                found.push_back(i);
-        if (((int)found.size() + 1) * TENTH <= p.size)
-            return;
-        for (size_t i = 0; i < found.size(); ++i)
-            repetitions.add(p, found[i]);
+                repetitions[found++] = i;
+        if ((found - count + 1) * TENTH > p.size)
+            count = found;
     }
 
     bool searched;
-    PointSubset repetitions;
-    std::vector<float> floats;
+    int* repetitions;
+    int count;  //!< of them
 };
 
 }  // namespace

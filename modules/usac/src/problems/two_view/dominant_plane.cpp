@@ -55,15 +55,14 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
     const Correspondences& p = context.points;
     Vec3d e;
     Matx33d A;
-    members.clear();
-    for (int i = 0; i < p.size && (int)members.size() < MAX_INLIERS; ++i)
+    count = 0;
+    for (int i = 0; i < p.size && count < MAX_INLIERS; ++i)
         if (SampsonError::squared(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]) <=
             p.threshold * p.threshold)
-            members.push_back(i);
-    const int count = (int)members.size();
+            members[count++] = i;
     if (count < 8 || !epipolar(F, e, A))
         return false;
-    someInliers.gather(p, members);
+    someInliers.gather(p, members, count);
     int most = (int)(least * count);
     bool found = false;
     for (int t = 0; t < MAX_TRIPLES; ++t)

@@ -24,6 +24,8 @@ inline double planeLimit(const Correspondences& p) { return 9 * p.threshold * p.
 class DominantPlane
 {
 public:
+    DominantPlane() : count(0) {}
+
     /** @brief The homography of three random inliers that maps most of (a part of) the inliers.
     @param context the points
     @param rng draws the triples
@@ -34,12 +36,14 @@ public:
     bool find(const Context& context, Rng& rng, const Model& F, double least, Matx33d& H);
 
     //! Those that have been looked at.
-    const std::vector<int>& inliers() const { return members; }
+    const int* inliers() const { return members; }
+    int inlierCount() const { return count; }
 
 private:
     enum { MAX_TRIPLES = 20, MAX_INLIERS = 128 };
 
-    std::vector<int> members;
+    int members[MAX_INLIERS];
+    int count;
     SideBySide<MAX_INLIERS> someInliers;
 };
 

@@ -59,11 +59,14 @@ points are left. */
 class SharedPoints : public Degeneracy
 {
 public:
+    SharedPoints() : targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
+
     /** How large the images are, as far as there are points: by the frame of the points, which some that are far out do
     not change, or by the first points, of which the matches of one target are not all; the images are most often of one
     size. */
-    explicit SharedPoints(const Correspondences& p)
+    void start(const Context& context) CV_OVERRIDE
     {
+        const Correspondences& p = context.points;
         const int count = std::min<int>(p.size, LOOKED_AT);
         const float* const rows[4] = {p.column[X1], p.column[Y1], p.column[X2], p.column[Y2]};
         float first[2] = {FLT_MIN, FLT_MIN};
@@ -113,12 +116,17 @@ public:
             seen += one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]);
         if (seen < FEW)
             return true;
-        find(p, one);
+        Arena::Scope scope(context.arena);
+        PointSubset silent(p, p.size, scope);
+        for (int i = 0; i < p.size; ++i)
+            if (one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]))
+                silent.add(i);
         const int count = silent.size();
         const double* const errors = silent.squaredErrors(*context.components.residual, model);
-        floats.assign(errors, errors + count);
+        float* const floats = scope.take<float>(count);
+        std::copy(errors, errors + count, floats);
         Quality sum(0, 0);
-        score.accumulate(floats.data(), count, (float)(p.threshold * p.threshold), sum);
+        score.accumulate(floats, count, (float)(p.threshold * p.threshold), sum);
         if (sum.inliers < 2)
             return true;
         quality.cost += (count - sum.cost) * (sum.inliers - 1) / sum.inliers;
@@ -133,23 +141,13 @@ private:
     //! matches each a fifth of the pairs do.
     enum { FIRST_PAIRS = 32, SHARED_PAIRS = 16 };
 
-    void find(const Correspondences& p, const OneEnd& one)
-    {
-        silent.clear();
-        for (int i = 0; i < p.size; ++i)
-            if (one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]))
-                silent.add(p, i);
-    }
-
-    float sizes[2];      //!< of the images
-    bool targets;        //!< many matches share points
-    PointSubset silent;  //!< the matches that tell nothing
-    std::vector<float> floats;
+    float sizes[2];  //!< of the images
+    bool targets;    //!< many matches share points
 };
 
 }  // namespace
 
-Ptr<Degeneracy> createSharedPoints(const Correspondences& points) { return makePtr<SharedPoints>(points); }
+Ptr<Degeneracy> createSharedPoints() { return makePtr<SharedPoints>(); }
 
 }  // namespace usacv20
 }  // namespace cv

@@ -19,11 +19,11 @@ class SideBySide
 public:
     SideBySide() : points(), coordinates() {}
 
-    void gather(const Correspondences& p, const std::vector<int>& indices)
+    void gather(const Correspondences& p, const int* indices, int count)
     {
         const float* const from[4] = {p.column[X1], p.column[Y1], p.column[X2], p.column[Y2]};
         points = p;
-        points.size = std::min((int)indices.size(), (int)MOST);
+        points.size = std::min(count, (int)MOST);
         for (int k = 0; k < 4; ++k)
             for (int i = 0; i < points.size; ++i)
                 coordinates[k][i] = from[k][indices[i]];

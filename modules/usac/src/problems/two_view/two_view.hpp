@@ -14,7 +14,7 @@ namespace usacv20 {
 //! F, E: see OrientedEpipolar.
 Ptr<Degeneracy> createOrientedEpipolar();
 //! F, E: see SharedPoints.
-Ptr<Degeneracy> createSharedPoints(const Correspondences& points);
+Ptr<Degeneracy> createSharedPoints();
 
 //! A model of normalized points, as x2^T F x1 = 0 has it, in the coordinates before; unit norm, false if it is not
 //! finite.

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
 
@@ -109,7 +110,9 @@ TEST(Usac_Degensac, neverRaisesTheCost)
         const Scene scene = makeScene(FUNDAMENTAL, options);
         const Params params;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         const Ptr<Degeneracy> degensac = createDegensac();
         std::vector<int> good;  // samples of inliers only
         for (int i = 0; i < scene.size(); ++i)
@@ -166,7 +169,9 @@ TEST(Usac_Degensac, detectsFiveOfSeven)
         Params params;
         params.threshold = 0.1;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         const Ptr<Degeneracy> degensac = createDegensac();
         const Model truth = toInternal(usac->points(), scene.model);
         std::vector<int> on, off;
@@ -209,7 +214,9 @@ TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
         const Scene scene = makeScene(FUNDAMENTAL, options);
         Ptr<Usac> usac = createUsac(scene, Params());
         const Params params;
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         // F = [e]x H of the plane with an epipole that is not the scene's
         std::vector<cv::Point2d> plane1, plane2;
         for (int k = 0; k < scene.size(); ++k)
@@ -245,7 +252,8 @@ void expectNoPlane(const Model& F, double threshold)
     const OwnPoints own(FUNDAMENTAL, points1, points2, threshold);
     const Params params;
     const Components components;
-    const Context context(own.view(), components, params);
+    Arena arena;
+    const Context context(own.view(), components, params, arena);
     const int samples[2][7] = {{0, 1, 2, 3, 4, 5, 6}, {1, 2, 0, 4, 5, 6, 3}};
     for (int k = 0; k < 3; ++k)
     {

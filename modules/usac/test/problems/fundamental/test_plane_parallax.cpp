@@ -46,7 +46,7 @@ struct Parallax
 {
     explicit Parallax(const SceneOptions& options)
         : scene(makeScene(FUNDAMENTAL, options)), params(paramsOf(Params())), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params)
+          context(usac->points(), usac->components(), params, arena)
     {
         const Correspondences& p = usac->points();
         std::vector<int> on, right;
@@ -77,13 +77,14 @@ struct Parallax
     {
         model = wrong();
         quality = context.rate(model);
-        parallax.setPlane(usac->points(), off, H);
+        parallax.setPlane(context, off.data(), (int)off.size(), H);
     }
     cv::Matx33d toPixels(const Model& F) const { return toInput(usac->points(), F); }
 
     Scene scene;
     Params params;
     Ptr<Usac> usac;
+    Arena arena;
     Context context;
     std::vector<int> off;
     cv::Matx33d H;
@@ -225,12 +226,13 @@ TEST(Usac_PlaneParallax, repeatedPoints)
     const OwnPoints own(FUNDAMENTAL, same1, same2, 0.01);
     const Params params;
     const Components none;
-    const Context context(own.view(), none, params);
+    Arena arena;
+    const Context context(own.view(), none, params, arena);
     std::vector<int> all;
     for (int i = 0; i < 50; ++i)
         all.push_back(i);
     PlaneParallax parallax;
-    parallax.setPlane(own.view(), all, cv::Matx33d::eye());
+    parallax.setPlane(context, all.data(), 50, cv::Matx33d::eye());
     Model model = Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0);
     Quality quality(50, 0);
     EXPECT_FALSE(parallax.search(context, 0.01, 0, model, quality));
@@ -248,7 +250,8 @@ TEST(Usac_PlaneParallax, fewPoints)
         Model model = p.wrong();
         const Quality before = p.context.rate(model);
         Quality quality = before;
-        parallax.setPlane(p.usac->points(), std::vector<int>(count, 7), p.H);
+        const int off = 7;
+        parallax.setPlane(p.context, &off, count, p.H);
         EXPECT_FALSE(parallax.search(p.context, 0.01, 0, model, quality));
         EXPECT_EQ(p.wrong(), model);
         EXPECT_EQ(before.cost, quality.cost);

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "run_context.hpp"
 #include "problem_objects.hpp"
 
 namespace opencv_test {
@@ -25,10 +26,10 @@ TEST(Usac_Orientation, homographySamples)
     const int sample[] = {0, 1, 2, 3};
     const OwnPoints same(HOMOGRAPHY, square, square), mirror(HOMOGRAPHY, square, mirrored),
         cross(HOMOGRAPHY, square, crossed);
-    EXPECT_TRUE(check->validSample(Context(same.view(), none, params), sample));
-    EXPECT_TRUE(check->validSample(Context(mirror.view(), none, params), sample)) << "a mirror is a homography";
-    EXPECT_FALSE(check->validSample(Context(cross.view(), none, params), sample));
-    const Context context(same.view(), none, params);
+    EXPECT_TRUE(check->validSample(RunContext(same.view(), none, params), sample));
+    EXPECT_TRUE(check->validSample(RunContext(mirror.view(), none, params), sample)) << "a mirror is a homography";
+    EXPECT_FALSE(check->validSample(RunContext(cross.view(), none, params), sample));
+    const RunContext context(same.view(), none, params);
     EXPECT_TRUE(check->validModel(context, sample, Matx33d::eye()));
     EXPECT_FALSE(check->validModel(context, sample, Matx33d(1, 0, 0, 1, 0, 0, 0, 0, 1)));
     EXPECT_FALSE(check->validModel(context, sample, Matx33d::zeros()));

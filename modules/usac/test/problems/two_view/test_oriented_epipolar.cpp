@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "run_context.hpp"
 #include "problem_objects.hpp"
 
 namespace opencv_test {
@@ -18,7 +19,7 @@ TEST(Usac_Orientation, trueModelsAreKept)
         const Scene scene = makeScene((ProblemType)problem, options);
         const Params params;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        const RunContext context(usac->points(), usac->components(), params);
         const Model truth = toInternal(usac->points(), scene.model);
         const Ptr<Degeneracy> check = problem == 0 ? createHomographyOrientation() : createOrientedEpipolar();
         for (int i = 0; i < 500; ++i)
@@ -43,7 +44,7 @@ TEST(Usac_Orientation, wrongModelsAreRefused)
         const Scene scene = makeScene((ProblemType)problem, options);
         const Params params;
         const Ptr<Usac> usac = createUsac(scene, params);
-        const Context context(usac->points(), usac->components(), params);
+        const RunContext context(usac->points(), usac->components(), params);
         const Ptr<Degeneracy> check = createOrientedEpipolar();
         int total = 0, refused = 0;
         for (int i = 0; i < 500; ++i)

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "run_context.hpp"
 #include "test_contracts.hpp"
 #include "problem_objects.hpp"
 #include "problems/two_view/share_a_point.hpp"
@@ -77,12 +78,14 @@ struct Checked
         params.threshold = inlierThreshold;
         const Mat K = scene.problem == ESSENTIAL ? Mat(scene.K) : Mat();
         const Ptr<Usac> usac = Usac::create(scene.problem, points1, points2, params, K);
-        const Context context(usac->points(), usac->components(), params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
         Model model = toInternal(usac->points(), given);
         const Model same = model;
         State state;
         before = after = context.rate(model);
-        EXPECT_TRUE(createSharedPoints(context.points)->recover(context, state, 0, model, after));
+        EXPECT_TRUE(started(createSharedPoints(), context.points)->recover(context, state, 0, model, after));
         EXPECT_EQ(same, model);
     }
 

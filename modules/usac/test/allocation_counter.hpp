@@ -1,0 +1,25 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_ALLOCATION_COUNTER_HPP
+#define OPENCV_USACV20_TEST_ALLOCATION_COUNTER_HPP
+
+#include <cstdlib>
+
+namespace opencv_test {
+
+#ifdef __GLIBC__
+//! Of any size, by malloc and its kin, in the whole process so far. Weak: a program is linked without it where
+//! something else, a sanitizer or valgrind, takes the place of malloc.
+long allocationsSoFar() __attribute__((weak));
+
+inline bool allocationsAreCounted() { return allocationsSoFar != 0; }
+#else
+inline long allocationsSoFar() { return 0; }
+inline bool allocationsAreCounted() { return false; }
+#endif
+
+}  // namespace opencv_test
+
+#endif
