@@ -17,11 +17,12 @@ count for the criteria of termination (State::counts stays true): any point can 
 class SpreadSampler : public cv::usacv20::Sampler
 {
 public:
+    //! A run begins, with points that may be others than those of the last one.
+    void start(const cv::usacv20::Context& context) CV_OVERRIDE { assign(context.points); }
+
     void sample(const cv::usacv20::Context& context, cv::usacv20::State& state, int* sample) CV_OVERRIDE
     {
         const int wanted = context.components.minimalSolver->sampleSize();
-        if (cells.empty())
-            assign(context.points);
         if ((int)cells.size() < wanted)
         {
             state.rng.distinct(context.points.size, wanted, sample);
@@ -54,6 +55,7 @@ private:
             all[division(p.column[Y1][i], p.lower[1], p.upper[1]) * DIVISIONS +
                 division(p.column[X1][i], p.lower[0], p.upper[0])]
                 .push_back(i);
+        cells.clear();
         for (size_t c = 0; c < all.size(); ++c)
             if (!all[c].empty())
                 cells.push_back(all[c]);

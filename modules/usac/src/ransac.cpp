@@ -24,25 +24,12 @@ const uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 <<
 
 //! So many samples without a single model: the points are degenerate.
 const int HOPELESS = 1000000;
-//! Each sample has been drawn but for this probability.
-const double MISSED = 1e-6;
 
 //! A runner-up is worth the time if what it gains over no model at all is at least so much of what the best one gained,
 const double WORTHWHILE = 0.6;
 //! and if less of its inliers than this are inliers of the best model, looked at on so many points.
 const double SAME = 0.9;
 enum { LOOKED_AT = 1024 };
-
-/** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where
-no model has more inliers than its own sample. */
-int exhaustiveSamples(const Context& context)
-{
-    const int n = context.points.size, m = context.components.minimalSolver->sampleSize();
-    if (context.components.terminations.empty())
-        return INT_MAX;
-    return std::max(samplesNeeded(goodSampleProbability(m, n, m, true) * keptProbability(context, m), std::log(MISSED)),
-                    100);
-}
 
 }  // namespace
 

@@ -101,6 +101,8 @@ class SampleRecorder : public Sampler
 public:
     explicit SampleRecorder(const Ptr<Sampler>& sampler_) : sampler(sampler_) {}
 
+    void start(const Context& context) CV_OVERRIDE { sampler->start(context); }
+
     void sample(const Context& context, State& state, int* out) CV_OVERRIDE
     {
         sampler->sample(context, state, out);

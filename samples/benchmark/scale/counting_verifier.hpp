@@ -21,6 +21,12 @@ public:
         : verifier(verifier_), before(0), count(0)
     {}
 
+    void start(const cv::usacv20::Context& context) CV_OVERRIDE
+    {
+        if (verifier)
+            verifier->start(context);
+    }
+
     bool preTest(const cv::usacv20::Context& context, const cv::usacv20::Model& model, cv::usacv20::Rng& rng,
                  int& inliers, int& tested) const CV_OVERRIDE
     {

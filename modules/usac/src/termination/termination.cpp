@@ -40,5 +40,15 @@ double goodModelProbability(const Context& context, const State& state, double i
     return goodSampleProbability(context, state, inliers) * keptProbability(context, inliers);
 }
 
+int exhaustiveSamples(const Context& context)
+{
+    const double MISSED = 1e-6;  // the probability that a sample has not been drawn
+    const int n = context.points.size, m = context.components.minimalSolver->sampleSize();
+    if (context.components.terminations.empty())
+        return INT_MAX;
+    return std::max(samplesNeeded(goodSampleProbability(m, n, m, true) * keptProbability(context, m), std::log(MISSED)),
+                    100);
+}
+
 }  // namespace usacv20
 }  // namespace cv

@@ -37,6 +37,10 @@ double goodModelProbability(const Context& context, const State& state, double i
  * matches. */
 double goodSampleProbability(const Context& context, const State& state, double inliers);
 
+/** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where
+no model has more inliers than its own sample. */
+int exhaustiveSamples(const Context& context);
+
 /** @brief PROSAC's criterion for a model, see ProsacTermination. @return the smallest T'_n, see Growth, of a length n*
 such that
 

@@ -4,6 +4,7 @@
 
 #include "run_context.hpp"
 #include "test_precomp.hpp"
+#include "given_edges.hpp"
 #include "given_residual.hpp"
 #include "local_optimization/labeling.hpp"
 #include "local_optimization/local_optimization.hpp"
@@ -12,21 +13,6 @@
 
 namespace opencv_test {
 namespace {
-
-//! Edges as given.
-class GivenEdges : public Neighborhood
-{
-public:
-    int layers() const CV_OVERRIDE { return 0; }
-    int members(const Context&, int, int, const int*&) CV_OVERRIDE { return 0; }
-    int edges(const Context&, const Vec2i*& edges) CV_OVERRIDE
-    {
-        edges = given.data();
-        return (int)given.size();
-    }
-
-    std::vector<Vec2i> given;
-};
 
 //! K of a point: 1 on the model, 0 far away.
 double closeness(double squaredError, double inlierThreshold)

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "run_context.hpp"
 #include "residuals/kernels.hpp"
 #include "residuals/residuals.hpp"
 #include "scores/scores.hpp"

@@ -12,6 +12,7 @@
 #include "opencv2/usac/data.hpp"
 #include "opencv2/usac/params.hpp"
 #include "opencv2/usac/report.hpp"
+#include "opencv2/usac/rng.hpp"
 
 namespace cv {
 namespace usacv20 {

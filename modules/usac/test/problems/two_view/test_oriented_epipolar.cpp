@@ -28,7 +28,8 @@ TEST(Usac_Orientation, trueModelsAreKept)
             Rng(1, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
             EXPECT_TRUE(check->validSample(context, sample));
             EXPECT_TRUE(check->validModel(context, sample, truth));
-            EXPECT_TRUE(check->validModel(context, sample, Matx33d(truth) * -3.)) << "the sign of a model means nothing";
+            EXPECT_TRUE(check->validModel(context, sample, Matx33d(truth) * -3.))
+                << "the sign of a model means nothing";
         }
     }
 }
