@@ -45,6 +45,20 @@ report "files that doc/ names and that are not there"
     [ -d "$src/$dir" ] || echo "modules/usac/test/$dir"
 done > "$mistakes"
 report "folders of the tests that $src does not have"
+# A folder includes from those above it only; the folders of one line know nothing of each other.
+layers='core
+scoring
+optimization
+problems
+samplers ordering neighborhood verification local_optimization polishing termination significance'
+grep -rnoE '#include "[a-z_]+/' --include='*.[ch]pp' "$src"/*/ | grep -v opencv2 | sed -E "s|^$src/||; s|:#include \"| |; s|/\$||" | while read -r place to; do
+    from=${place%%/*}
+    [ "$from" = "$to" ] && continue
+    lower=$(echo "$layers" | grep -nw "$to" | cut -d: -f1)
+    upper=$(echo "$layers" | grep -nw "$from" | cut -d: -f1)
+    [ "${lower:-9}" -lt "${upper:-0}" ] || echo "$place includes from $to/"
+done > "$mistakes"
+report "folders that include from those below them"
 rm "$mistakes"
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

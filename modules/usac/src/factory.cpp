@@ -9,7 +9,7 @@
 #include "polishing/polishing.hpp"
 #include "ordering/ordering.hpp"
 #include "samplers/samplers.hpp"
-#include "scores/scores.hpp"
+#include "scoring/scores.hpp"
 #include "termination/termination.hpp"
 #include "verification/verification.hpp"
 

@@ -6,9 +6,9 @@
 #include "problem_data.hpp"
 #include "read_points.hpp"
 #include "run_memory.hpp"
-#include "residuals/simd.hpp"
-#include "statistics/robust_frame.hpp"
-#include "termination/non_randomness.hpp"
+#include "core/simd.hpp"
+#include "core/robust_frame.hpp"
+#include "core/repetitions.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "check_components.hpp"
 #include "ransac.hpp"
-#include "scores/scores.hpp"
+#include "scoring/scores.hpp"
 #include "termination/termination.hpp"
 
 namespace cv {

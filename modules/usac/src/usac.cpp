@@ -9,8 +9,8 @@
 #include "problem_data.hpp"
 #include "ransac.hpp"
 #include "significance/significance.hpp"
-#include "statistics/chi_square.hpp"
-#include "statistics/significant_scale.hpp"
+#include "core/chi_square.hpp"
+#include "optimization/significant_scale.hpp"
 #include "termination/termination.hpp"
 
 namespace cv {

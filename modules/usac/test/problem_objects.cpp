@@ -7,7 +7,7 @@
 #include "problems/essential/essential_parameterization.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"
 #include "problems/homography/homography_parameterization.hpp"
-#include "residuals/residuals.hpp"
+#include "scoring/residuals.hpp"
 
 namespace opencv_test {
 

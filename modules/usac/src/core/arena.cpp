@@ -30,9 +30,18 @@ enum { ALIGNMENT = 64 };
 /** Bytes of a block, unless a single array is larger. At the end of its life glibc gives memory back to the system,
 and then each page that the next Usac writes to is a page fault, a quarter of the time of a call; but not if a block
 that it has taken from the system by itself (128 kB and more, up to 32 MB) was freed before, and no more than twice as
-much is free now. So the least is above the first bound, and the largest below the second one. Pages that nobody writes
-to cost nothing. */
-const size_t SMALLEST = 160 << 10, LARGEST = 31 << 20;
+much is free now. So the least is above the first bound, and the largest below the second one; in between blocks double,
+so that not each call with a few more points is the first of its size. Pages that nobody writes to cost nothing. */
+const size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
+
+//! The size of a block of so many bytes.
+size_t blockSize(size_t bytes)
+{
+    size_t size = SMALLEST;
+    while (size < bytes && size < LARGEST)
+        size *= 2;
+    return std::max(bytes, std::min(size, LARGEST));
+}
 
 size_t rounded(size_t bytes) { return (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT; }
 size_t sizeOf(size_t bytes) { return rounded(bytes) + USAC_GAP; }
@@ -74,7 +83,7 @@ void Arena::release()
 Arena::Block* Arena::add(size_t bytes)
 {
     const size_t header = rounded(sizeof(Block)),
-                 size = std::max(rounded(bytes), std::min(std::max(SMALLEST, capacity()), LARGEST));
+                 size = blockSize(std::max(rounded(bytes), std::min(capacity(), LARGEST)));
     char* const memory = (char*)fastMalloc(header + size);  // 64-byte aligned
     Block* const block = (Block*)memory;
     block->next = 0;

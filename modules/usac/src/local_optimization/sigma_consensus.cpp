@@ -6,7 +6,7 @@
 #include "local_optimization/inlier_set.hpp"
 #include "local_optimization/local_optimization.hpp"
 #include "local_optimization/sigma_consensus.hpp"
-#include "statistics/marginalized_weights.hpp"
+#include "scoring/marginalized_weights.hpp"
 
 namespace cv {
 namespace usacv20 {

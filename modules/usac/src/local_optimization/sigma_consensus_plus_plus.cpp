@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "local_optimization/inlier_set.hpp"
 #include "local_optimization/local_optimization.hpp"
-#include "local_optimization/marginalized_fit.hpp"
+#include "optimization/marginalized_fit.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "residuals/kernels.hpp"
+#include "scoring/kernels.hpp"
 #include "optimization/normal_equations.hpp"
 
 namespace cv {

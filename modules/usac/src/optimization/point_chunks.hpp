@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_POINT_CHUNKS_HPP
 
 #include "opencv2/usac/components.hpp"
-#include "residuals/kernels.hpp"
+#include "scoring/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {

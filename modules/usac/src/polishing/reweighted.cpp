@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "local_optimization/marginalized_fit.hpp"
+#include "optimization/marginalized_fit.hpp"
 #include "polishing/polishing.hpp"
 
 namespace cv {

@@ -4,8 +4,8 @@
 
 #include "precomp.hpp"
 #include "polishing/polishing.hpp"
-#include "statistics/chi_square.hpp"
-#include "statistics/noise_scale.hpp"
+#include "core/chi_square.hpp"
+#include "optimization/noise_scale.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_SAMPLERS_HPP
 
 #include "opencv2/usac/components.hpp"
-#include "samplers/growth.hpp"
+#include "core/growth.hpp"
 
 namespace cv {
 namespace usacv20 {

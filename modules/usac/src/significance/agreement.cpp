@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "significance/agreement.hpp"
-#include "termination/non_randomness.hpp"
+#include "core/repetitions.hpp"
 
 namespace cv {
 namespace usacv20 {

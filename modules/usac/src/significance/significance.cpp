@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "significance/significance.hpp"
-#include "statistics/beta_binomial.hpp"
+#include "core/beta_binomial.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -3,7 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "samplers/growth.hpp"
+#include "core/growth.hpp"
+#include "core/repetitions.hpp"
 #include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 

@@ -6,10 +6,10 @@
 #include "test_precomp.hpp"
 #include <set>
 #include "local_optimization/local_optimization.hpp"
-#include "local_optimization/marginalized_fit.hpp"
+#include "optimization/marginalized_fit.hpp"
 #include "local_optimization/sigma_consensus.hpp"
 #include "polishing/polishing.hpp"
-#include "statistics/chi_square.hpp"
+#include "core/chi_square.hpp"
 
 namespace opencv_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "results.hpp"
 #include "real_set.hpp"
-#include "residuals/kernels.hpp"
+#include "scoring/kernels.hpp"
 
 #include <cstdlib>
 #include <fstream>

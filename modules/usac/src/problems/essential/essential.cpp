@@ -8,7 +8,7 @@
 #include "problems/essential/essential.hpp"
 #include "problems/essential/essential_parameterization.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "residuals/residuals.hpp"
+#include "scoring/residuals.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -7,8 +7,8 @@
 #include "problems/two_view/share_a_point.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
 #include "problems/two_view/side_by_side.hpp"
-#include "residuals/formulas.hpp"
-#include "residuals/residuals.hpp"
+#include "scoring/formulas.hpp"
+#include "scoring/residuals.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/homography/homography.hpp"
 

@@ -7,7 +7,7 @@
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "residuals/residuals.hpp"
+#include "scoring/residuals.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -4,8 +4,8 @@
 
 #include "precomp.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
-#include "residuals/places.inl.hpp"
-#include "termination/termination.hpp"
+#include "scoring/places.inl.hpp"
+#include "core/sample_counts.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -7,7 +7,7 @@
 #include "problems/homography/homography.hpp"
 #include "problems/homography/homography_parameterization.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "residuals/residuals.hpp"
+#include "scoring/residuals.hpp"
 
 namespace cv {
 namespace usacv20 {

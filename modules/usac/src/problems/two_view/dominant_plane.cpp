@@ -6,7 +6,7 @@
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/epipole.hpp"
 #include "problems/two_view/share_a_point.hpp"
-#include "residuals/formulas.hpp"
+#include "scoring/formulas.hpp"
 
 namespace cv {
 namespace usacv20 {

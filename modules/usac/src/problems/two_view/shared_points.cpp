@@ -6,7 +6,7 @@
 #include "core/point_subset.hpp"
 #include "problems/two_view/two_view.hpp"
 #include "problems/two_view/share_a_point.hpp"
-#include "residuals/kernels.hpp"
+#include "scoring/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include "opencv2/usac/components.hpp"
-#include "residuals/kernels.hpp"
+#include "scoring/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {

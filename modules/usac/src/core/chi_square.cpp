@@ -1,0 +1,41 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "core/chi_square.hpp"
+#include "core/gamma.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+double chiSquareDistribution(double x, int degrees)
+{
+    return lowerGamma(0.5 * degrees, 0.5 * x) / std::tgamma(0.5 * degrees);
+}
+
+//! By bisection, down to neighboring numbers.
+double chiSquareQuantile(double p, int degrees)
+{
+    CV_Assert(p >= 0 && p < 1 && degrees > 0);
+    double low = 0, high = degrees;
+    while (chiSquareDistribution(high, degrees) < p)
+        high *= 2;
+    for (;;)
+    {
+        const double x = 0.5 * (low + high);
+        if (x <= low || x >= high)
+            return x;
+        (chiSquareDistribution(x, degrees) < p ? low : high) = x;
+    }
+}
+
+double thresholdInSigmas(int degrees)
+{
+    static const double ONE = std::sqrt(chiSquareQuantile(0.99, 1)), TWO = std::sqrt(chiSquareQuantile(0.99, 2));
+    CV_Assert(degrees == 1 || degrees == 2);
+    return degrees == 1 ? ONE : TWO;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,98 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "core/repetitions.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Cells of a space that something lies in: a hash table with linear probing.
+class Cells
+{
+public:
+    Cells(int capacity, Arena& arena) : scope(arena), mask(1)
+    {
+        while (mask < 2 * capacity)
+            mask *= 2;
+        slots = scope.take<Vec3d>(mask);
+        std::fill(slots, slots + mask, Vec3d(NAN, NAN, NAN));
+        --mask;
+    }
+
+    //! False if the cell is there already. Doubles, as small sides make large numbers.
+    bool insert(const Vec3d& cell)
+    {
+        uint64 bits[3];
+        std::memcpy(bits, cell.val, sizeof(bits));
+        // small whole numbers have zeros but for their highest bits, which a product moves nowhere but up
+        uint64 h = bits[0] ^ (bits[1] << 1 | bits[1] >> 63) ^ (bits[2] << 2 | bits[2] >> 62);
+        h = (h ^ h >> 32) * 0x9e3779b97f4a7c15ULL;
+        int at = (int)(h >> 40) & mask;
+        for (; slots[at][0] == slots[at][0]; at = (at + 1) & mask)
+            if (slots[at] == cell)
+                return false;
+        slots[at] = cell;
+        return true;
+    }
+
+private:
+    Arena::Scope scope;
+    Vec3d* slots;  //!< NaN: free
+    int mask;
+};
+
+}  // namespace
+
+int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask, int count,
+                       double threshold1, double threshold2, Arena& arena)
+{
+    Arena::Scope scope(arena);
+    uchar *const repeated1 = scope.take<uchar>(count), *const repeated2 = scope.take<uchar>(count);
+    std::fill(repeated1, repeated1 + count, (uchar)0);
+    std::fill(repeated2, repeated2 + count, (uchar)0);
+    const int repetitions = std::max(
+        markRepeated(columns, coordinates[0], 0, mask, count, threshold1, repeated1, arena),
+        markRepeated(columns + coordinates[0], coordinates[1], 0, mask, count, threshold2, repeated2, arena));
+    int inliers = 0;
+    for (int i = 0; i < count; ++i)
+        inliers += mask[i] != 0;
+    return inliers - repetitions;
+}
+
+int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask, int count,
+                 double side, uchar* repeated, Arena& arena)
+{
+    int marked = 0;
+    for (int i = 0; i < count; ++i)
+        marked += mask[i] != 0;
+    Cells cells(marked, arena);
+    for (int i = 0; i < count && dimensions > 0; ++i)
+        if (mask[i])
+        {
+            const int point = order ? order[i] : i;
+            Vec3d cell;
+            for (int k = 0; k < dimensions; ++k)
+                cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) + 0.;  // no -0
+            if (!cells.insert(cell))
+                repeated[i] = 1;
+        }
+    int sum = 0;
+    for (int i = 0; i < count; ++i)
+        sum += repeated[i];
+    return sum;
+}
+
+int markRepeated(const Correspondences& p, const int* order, const uchar* mask, int count, double threshold,
+                 uchar* repeated, Arena& arena)
+{
+    const double threshold1 = p.problem->commonUnit() ? threshold * p.frame[0].scale / p.frame[1].scale : 0;
+    markRepeated(p.exact, p.coordinates[0], order, mask, count, threshold1, repeated, arena);
+    return markRepeated(p.exact + p.coordinates[0], p.coordinates[1], order, mask, count, threshold, repeated, arena);
+}
+
+}  // namespace usacv20
+}  // namespace cv

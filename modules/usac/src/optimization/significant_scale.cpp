@@ -1,0 +1,86 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "optimization/significant_scale.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e + 1)) from e =
+//! LOWEST on.
+enum { LOWEST = -4, BINS = 128 };
+
+//! Exponent and first bit of the mantissa. Larger ones than there are bins for, and NaN, are in none.
+int binOf(float square)
+{
+    unsigned bits;
+    std::memcpy(&bits, &square, sizeof(bits));
+    return std::max((int)(bits >> 22) - 2 * (127 + LOWEST), 0);
+}
+
+double endOf(int bin) { return std::ldexp(bin % 2 ? 2. : 1.5, LOWEST + bin / 2); }
+
+//! n D(k/n, p) where k/n > p.
+double surprise(double k, double n, double p)
+{
+    const double q = k / n;
+    if (q <= p)
+        return 0;
+    return n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
+}
+
+//! The median error of the points up to a bin, with errors evenly spread (two degrees of freedom: over the area) in
+//! their bin.
+double medianOf(const int* members, int last, int within, int degrees)
+{
+    const double half = 0.5 * within;
+    int bin = 0, before = 0;
+    while (bin < last && before + members[bin] < half)
+        before += members[bin++];
+    const double part = (half - before) / std::max(members[bin], 1), begin = bin > 0 ? endOf(bin - 1) : 0,
+                 end = endOf(bin);
+    if (degrees == 2)
+        return std::sqrt(begin + part * (end - begin));
+    return std::sqrt(begin) + part * (std::sqrt(end) - std::sqrt(begin));
+}
+
+}  // namespace
+
+double SignificantScale::estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees,
+                                  int sampleSize)
+{
+    const int size = std::min<int>(count, MOST);
+    int members[BINS] = {0};
+    const float scale = (float)(1 / (threshold * threshold));
+    for (int i = 0; i < size; ++i)
+    {
+        const float square = squaredErrors[i] * scale;
+        const int bin = square >= 0 ? binOf(square) : (int)BINS;  // NaN is far
+        if (bin < BINS)
+            ++members[bin];
+    }
+    double best = sampleSize * std::log((double)size);
+    int found = -1, foundWithin = 0;
+    for (int bin = 0, within = 0; bin < BINS; ++bin)
+    {
+        within += members[bin];
+        const double end = endOf(bin), p = chance * (degrees == 2 ? end : std::sqrt(end));
+        if (p >= 1)
+            break;
+        const double value = within > sampleSize ? surprise(within - sampleSize, size - sampleSize, p) : 0;
+        if (value > best)
+        {
+            best = value;
+            found = bin;
+            foundWithin = within;
+        }
+    }
+    return found < 0 ? 0 : medianOf(members, found, foundWithin, degrees) / (degrees == 2 ? 1.15 : 0.64) * threshold;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,45 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "scoring/kernels.inl.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+Kernels baselineKernels() { return allKernels(); }
+
+static Kernels bestKernels()
+{
+#ifdef USACV20_HAVE_AVX512
+    if (checkHardwareSupport(CV_CPU_AVX512_SKX) && checkHardwareSupport(CV_CPU_AVX_512F) &&
+        checkHardwareSupport(CV_CPU_AVX_512BW) && checkHardwareSupport(CV_CPU_AVX_512DQ) &&
+        checkHardwareSupport(CV_CPU_AVX_512VL))  // OPENCV_CPU_DISABLE can name the group or one of them
+        return avx512Kernels();
+#endif
+#ifdef USACV20_HAVE_AVX2
+    if (checkHardwareSupport(CV_CPU_AVX2))
+        return avx2Kernels();
+#endif
+    return baselineKernels();
+}
+
+const Kernels& kernels()
+{
+    static const Kernels best = bestKernels();
+    return best;
+}
+
+void toFloat(const Model& model, float* m)
+{
+    double largest = 0;
+    for (int i = 0; i < model.size(); ++i)
+        largest = std::max(largest, std::abs(model.val[i]));
+    const double factor = largest > 0 ? 1 / largest : 0;
+    for (int i = 0; i < model.size(); ++i)
+        m[i] = (float)(model.val[i] * factor);
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,114 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* No include guard: each source file that sets an instruction set includes this once. Nothing but the kernels may be
+instantiated here, as inline functions of other headers would be merged with those of the other instruction sets. */
+
+#include <cmath>
+#include "scoring/arcs.inl.hpp"
+#include "scoring/formulas.hpp"
+#include "scoring/kernels.hpp"
+#include "core/simd.hpp"
+#include "scoring/sums.inl.hpp"
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+//! Partial sums of a block; as many as the widest registers have, whatever the registers of this build.
+enum { LANES = 16 };
+
+template <class Error>
+void errorKernel(const Correspondences& points, const float* model, int begin, int end, float* errors)
+{
+    const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
+    const float *x1 = points.column[X1] + begin, *y1 = points.column[Y1] + begin, *x2 = points.column[X2] + begin,
+                *y2 = points.column[Y2] + begin;
+    USAC_SIMD
+    for (int i = 0; i < end - begin; ++i)
+        errors[i] = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
+}
+
+//! Truncated squared error in units of the threshold @cite torr2000mlesac.
+struct MsacCost
+{
+    static inline float of(float error, float, float scale)
+    {
+        const float cost = error * scale;
+        return cost < 1.f ? cost : 1.f;  // also for NaN
+    }
+};
+
+//! One for an outlier.
+struct InlierCost
+{
+    static inline float of(float error, float limit, float) { return error <= limit ? 0.f : 1.f; }
+};
+
+//! Adds #LANES points to the lanes. The loop has a constant length and touches no memory twice: it becomes vector code.
+template <class Error, class Cost>
+inline void addLanes(const float* m, const float* USAC_RESTRICT x1, const float* USAC_RESTRICT y1,
+                     const float* USAC_RESTRICT x2, const float* USAC_RESTRICT y2, float limit, float scale,
+                     float* USAC_RESTRICT cost, int* USAC_RESTRICT inliers)
+{
+    USAC_SIMD
+    for (int k = 0; k < LANES; ++k)
+    {
+        const float e = Error::squared(m, x1[k], y1[k], x2[k], y2[k]);
+        cost[k] += Cost::of(e, limit, scale);
+        inliers[k] += e <= limit ? 1 : 0;
+    }
+}
+
+template <class Error, class Cost>
+void scoreKernel(const Correspondences& points, const float* model, float limit, int begin, int end, Quality& sum)
+{
+    const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
+    const float *x1 = points.column[X1], *y1 = points.column[Y1], *x2 = points.column[X2], *y2 = points.column[Y2];
+    const float scale = 1 / limit;
+    float cost[LANES] = {0};
+    int inliers[LANES] = {0};
+    int i = begin;
+    for (; i + LANES <= end; i += LANES)
+        addLanes<Error, Cost>(m, x1 + i, y1 + i, x2 + i, y2 + i, limit, scale, cost, inliers);
+    for (int k = 0; i < end; ++i, ++k)
+    {
+        const float e = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
+        cost[k] += Cost::of(e, limit, scale);
+        inliers[k] += e <= limit ? 1 : 0;
+    }
+    for (int width = LANES / 2; width > 0; width /= 2)
+        for (int k = 0; k < width; ++k)
+        {
+            cost[k] += cost[k + width];
+            inliers[k] += inliers[k + width];
+        }
+    sum.cost += cost[0];
+    sum.inliers += inliers[0];
+}
+
+template <class Error>
+void addKernels(Residual::Kind kind, SumsKernel sums, SumsKernel cost, Kernels& all)
+{
+    all.errors[kind] = errorKernel<Error>;
+    all.msac[kind] = scoreKernel<Error, MsacCost>;
+    all.inliers[kind] = scoreKernel<Error, InlierCost>;
+    all.sums[kind] = sums;
+    all.costs[kind] = cost;
+}
+
+Kernels allKernels()
+{
+    Kernels all;
+    addKernels<TransferError>(Residual::TRANSFER, transferSums, transferCost, all);
+    addKernels<SampsonError>(Residual::SAMPSON, sampsonSums, sampsonCost, all);
+    addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost, all);
+    all.arcs = arcsKernel;
+    addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums, symmetricEpipolarCost, all);
+    return all;
+}
+
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv

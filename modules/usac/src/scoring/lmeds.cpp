@@ -1,0 +1,100 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "scoring/scores.hpp"
+#include "core/chi_square.hpp"
+#include "scoring/mixture.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Least median of squares @cite rousseeuw1984least. Needs no threshold and at least half of the points right.
+
+The cost of a model is s / (s + extent) for each point, s being the root of the median squared error and `extent` that
+of the points (outlierExtent), so it is the median error as a part of the image where that is small. Quality::inliers
+are the points up to the median, the half that the method presumes to be right. A multiple of the median would not do: a
+wrong model has a large median, most points lie within its multiples, and the termination would believe them.
+
+The threshold of the final inliers is q c (1 + 5 / (n - m)) s: c makes s the standard deviation of Gaussian noise
+(1.4826 for F and E), the next factor is Rousseeuw's for small sets, and q is 2.5 for one degree of freedom (F, E) and
+as unlikely for two (H). It does not fall below the rounding of the errors. Linear time. */
+class LmedsScore : public Score
+{
+public:
+    LmedsScore() : extent(1), sigmas(1) {}
+
+    void start(const Context& context) CV_OVERRIDE
+    {
+        const Problem& problem = *context.points.problem;
+        extent = std::max(problem.outlierExtent(context.points), (double)FLT_MIN);
+        sigmas = sigmasInMedian(problem.errorDimension());
+    }
+
+    void accumulate(float* squaredErrors, int count, float, Quality& sum) const CV_OVERRIDE
+    {
+        if (count == 0)
+            return;
+        const float middle = median(squaredErrors, count);
+        if (!(middle <= FLT_MAX))
+        {
+            sum.cost += count;
+            return;
+        }
+        const double s = std::sqrt((double)middle);
+        sum.cost += count * (s / (s + extent));
+        for (int i = 0; i < count; ++i)
+            sum.inliers += squaredErrors[i] <= middle;
+    }
+
+    bool wholeModel() const CV_OVERRIDE { return true; }
+
+    double threshold(const Context& context, const Model& model) const CV_OVERRIDE
+    {
+        const int count = context.points.size;
+        if (count == 0)
+            return 0;
+        Arena::Scope scope(context.arena);
+        float* const errors = scope.take<float>(count);
+        context.components.residual->squaredErrors(context.points, model, 0, count, errors);
+        const int beside = count - context.components.minimalSolver->sampleSize();
+        return std::sqrt(squaredLimit(median(errors, count), beside));
+    }
+
+private:
+    //! q c of the comment above.
+    static double sigmasInMedian(int degrees)
+    {
+        const double certainty = chiSquareDistribution(2.5 * 2.5, 1);
+        return std::sqrt(chiSquareQuantile(certainty, degrees) / chiSquareQuantile(0.5, degrees));
+    }
+
+    double squaredLimit(double squaredMedian, int beside) const
+    {
+        const double factor = sigmas * (1 + 5.0 / std::max(beside, 1));
+        const double rounding = 8 * FLT_EPSILON * extent;
+        return std::min(std::max(factor * factor * squaredMedian, rounding * rounding), (double)FLT_MAX);
+    }
+
+    //! Of numbers that it reorders; NaN counts as infinite.
+    static float median(float* values, int count)
+    {
+        for (int i = 0; i < count; ++i)
+            values[i] = values[i] <= FLT_MAX ? values[i] : std::numeric_limits<float>::infinity();
+        std::nth_element(values, values + count / 2, values + count);
+        return values[count / 2];
+    }
+
+    double extent;
+    double sigmas;
+};
+
+}  // namespace
+
+Ptr<Score> createLmedsScore() { return makePtr<LmedsScore>(); }
+
+}  // namespace usacv20
+}  // namespace cv

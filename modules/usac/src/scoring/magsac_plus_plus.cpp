@@ -1,0 +1,40 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "scoring/scores.hpp"
+#include "scoring/marginalized_weights.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss of the weights that are marginalized over
+the scale of the noise, see MarginalizedWeights. A look-up for each inlier. */
+class MagsacPlusPlusScore : public Score
+{
+public:
+    explicit MagsacPlusPlusScore(int errorDimension) : table(MarginalizedWeights::of(errorDimension)) {}
+
+    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    {
+        const int near = keepInliers(squaredErrors, count, squaredThreshold);
+        const float factor = 1 / squaredThreshold;
+        for (int i = 0; i < near; ++i)
+            squaredErrors[i] *= factor;
+        sum.inliers += near;
+        sum.cost += count - near + table.sumOfLosses(squaredErrors, near);
+    }
+
+private:
+    const MarginalizedWeights& table;
+};
+
+}  // namespace
+
+Ptr<Score> createMagsacPlusPlusScore(int errorDimension) { return makePtr<MagsacPlusPlusScore>(errorDimension); }
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,41 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "scoring/kernels.hpp"
+#include "scoring/scores.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** MSAC @cite torr2000mlesac: the cost of a point is min(error^2 / threshold^2, 1). One pass over the points, fused
+with the residual. */
+class MsacScore : public Score
+{
+public:
+    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    {
+        const float scale = 1 / squaredThreshold;
+        for (int i = 0; i < count; ++i)
+        {
+            sum.inliers += squaredErrors[i] <= squaredThreshold;
+            const float cost = squaredErrors[i] * scale;
+            sum.cost += cost < 1.f ? cost : 1.f;  // also for NaN
+        }
+    }
+
+    FusedKernel fused(const Residual& residual) const CV_OVERRIDE
+    {
+        return residual.kind() == Residual::CUSTOM ? 0 : kernels().msac[residual.kind()];
+    }
+};
+
+}  // namespace
+
+Ptr<Score> createMsacScore() { return makePtr<MsacScore>(); }
+
+}  // namespace usacv20
+}  // namespace cv

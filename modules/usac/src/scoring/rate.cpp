@@ -1,0 +1,117 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "scoring/kernels.hpp"
+#include "scoring/inliers.hpp"
+#include "scoring/scores.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Most points of one block.
+enum { BLOCK = 256 };
+
+/** One model against the points: the fused kernel where score and residual have one, else errors, then score. */
+class Judge
+{
+public:
+    Judge(const Context& context, const Score& score_, const Model& model_)
+        : points(context.points), score(score_), residual(*context.components.residual), kernel(score.fused(residual)),
+          limit((float)(points.threshold * points.threshold)), model(model_)
+    {
+        toFloat(model, m);
+    }
+
+    void add(int begin, int end, Quality& sum) const
+    {
+        if (kernel)
+        {
+            kernel(points, m, limit, begin, end, sum);
+            return;
+        }
+        float errors[BLOCK];
+        residual.squaredErrors(points, model, begin, end, errors);
+        score.accumulate(errors, end - begin, limit, sum);
+    }
+
+private:
+    const Correspondences& points;
+    const Score& score;
+    const Residual& residual;
+    const FusedKernel kernel;
+    const float limit;
+    const Model& model;
+    float m[MAX_MODEL_SIZE];
+};
+
+//! Block after block; false if the model was dropped.
+bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double bound, int start, Rating& rating)
+{
+    int tested = 0;
+    while (tested < size)
+    {
+        int position = start + tested;
+        if (position >= size)
+            position -= size;
+        const int block = verifier ? std::max(1, std::min<int>(verifier->nextBlock(tested), BLOCK)) : (int)BLOCK;
+        const int count = std::min(block, std::min(size - tested, size - position));
+        rating.costBefore = rating.quality.cost;
+        judge.add(position, position + count, rating.quality);
+        tested += count;
+        if (rating.firstTested == 0)
+        {
+            rating.firstTested = tested;
+            rating.firstInliers = rating.quality.inliers;
+        }
+        rating.refused = verifier && !verifier->proceed(rating.quality.inliers, tested);
+        if (rating.refused || rating.quality.cost >= bound)
+            return false;
+    }
+    return true;
+}
+
+//! All points at once. A verifier looks at the numbers of inliers before.
+void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
+               Rating& rating, float* errors)
+{
+    const Correspondences& points = context.points;
+    const InlierScore counter;
+    if (verifier && !rateBlocks(Judge(context, counter, model), points.size, verifier, DBL_MAX, start, rating))
+    {
+        rating.costBefore = 0;  // that was the counter's
+        return;
+    }
+    context.components.residual->squaredErrors(points, model, 0, points.size, errors);
+    rating.quality = Quality(0, 0);
+    const float limit = (float)(points.threshold * points.threshold);
+    context.components.score->accumulate(errors, points.size, limit, rating.quality);
+    rating.complete = rating.quality.cost < bound;
+}
+
+}  // namespace
+
+Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
+            float* errors)
+{
+    Rating rating = {Quality(0, 0), false, false, 0, 0, 0};
+    const Score& score = *context.components.score;
+    if (score.wholeModel())
+        rateWhole(context, verifier, model, bound, start, rating, errors);
+    else
+        rating.complete = rateBlocks(Judge(context, score, model), context.points.size, verifier, bound, start, rating);
+    return rating;
+}
+
+Quality Context::rate(const Model& model, double bound) const
+{
+    Arena::Scope scope(arena);
+    float* const errors = components.score->wholeModel() ? scope.take<float>(points.size) : 0;
+    return usacv20::rate(*this, 0, model, bound, 0, errors).quality;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,184 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "run_context.hpp"
+#include "test_precomp.hpp"
+#include "problem_objects.hpp"
+#include "given_residual.hpp"
+#include "scoring/scores.hpp"
+#include "core/chi_square.hpp"
+#include "scoring/mixture.hpp"
+
+namespace opencv_test {
+namespace {
+
+//! The plainest search, whatever the threshold.
+Params searchParams()
+{
+    Params params;
+    params.quality = QUALITY_LMEDS;
+    params.sampler = SAMPLER_UNIFORM;
+    params.verification = VERIFICATION_NONE;
+    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    params.termination = TERMINATION_STANDARD;
+    params.degeneracy = DEGENERACY_ORIENTATION;
+    params.polishing = POLISHING_NONE;
+    return params;
+}
+
+typedef testing::TestWithParam<int> Usac_Lmeds_Problem;
+
+TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const int m = problem == HOMOGRAPHY ? 4 : problem == FUNDAMENTAL ? 7 : 5;
+    // F, E: 1.4826 * 2.5. H: with the quantile sqrt(-2 log(1 - p)) of the length of a Gaussian vector of the plane
+    const double outside = std::erfc(2.5 / std::sqrt(2.));
+    const double constant = problem == HOMOGRAPHY ? std::sqrt(std::log(outside) / std::log(0.5)) : 2.5 * 1.482602;
+    const double side = 100;
+    RNG rng(11);
+    for (int count = 2; count < 200; count += 7)
+    {
+        std::vector<Point2d> corners(count, Point2d(0, 0));
+        corners.back() = Point2d(side, side);
+        const OwnPoints points(problem, corners, corners);
+        const Ptr<Score> score = started(createLmedsScore(), points.view());
+        EXPECT_TRUE(score->wholeModel());
+        Components parts;
+        const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
+        parts.residual = residual;
+        parts.minimalSolver = problemObject(problem).createMinimalSolver();
+        const Params params;
+        Arena arena;
+        const Context context(points.view(), parts, params, arena);
+        for (int i = 0; i < count; ++i)
+            residual->given.push_back((float)rng.uniform(0., 9.));
+        std::vector<float> sorted = residual->given, errors = sorted;
+        std::sort(sorted.begin(), sorted.end());
+        const double root = std::sqrt((double)sorted[count / 2]);
+        const double limit = constant * (1 + 5. / std::max(count - m, 1)) * root;
+        Quality quality(0, 0);
+        score->accumulate(errors.data(), count, 1e-6f, quality);
+        EXPECT_NEAR(count * root / (root + side), quality.cost, 1e-9 * count);
+        EXPECT_NEAR(limit, score->threshold(context, Matx33d::eye()), 1e-4 * limit);
+        EXPECT_EQ(count / 2 + 1, quality.inliers);
+    }
+}
+
+//! As many inliers of Gaussian noise lie within the threshold as within 2.5 sigma of one degree of freedom.
+TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const int COUNT = 40000;
+    const std::vector<Point2d> corners(COUNT, Point2d(0, 0));
+    const OwnPoints points(problem, corners, corners);
+    Components parts;
+    const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
+    parts.residual = residual;
+    parts.minimalSolver = problemObject(problem).createMinimalSolver();
+    const Params params;
+    Arena arena;
+    const Context context(points.view(), parts, params, arena);
+    RNG rng(13);
+    for (int i = 0; i < COUNT; ++i)
+    {
+        const double a = rng.gaussian(3), b = problem == HOMOGRAPHY ? rng.gaussian(3) : 0;
+        residual->given.push_back((float)(a * a + b * b));
+    }
+    const double limit = started(createLmedsScore(), points.view())->threshold(context, Matx33d::eye());
+    int within = 0;
+    for (int i = 0; i < COUNT; ++i)
+        within += residual->given[i] <= limit * limit;
+    EXPECT_NEAR(std::erf(2.5 / std::sqrt(2.)), (double)within / COUNT, 2e-3);
+}
+
+TEST_P(Usac_Lmeds_Problem, undefinedErrors)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    std::vector<Point2d> corners(1, Point2d(0, 0));
+    corners.push_back(Point2d(1, 1));
+    const OwnPoints points(problem, corners, corners);
+    const Ptr<Score> score = started(createLmedsScore(), points.view());
+    std::vector<float> most(21, std::numeric_limits<float>::quiet_NaN()), some(21, 0.25f), zero(21, 0.f);
+    std::fill(most.begin(), most.begin() + 10, 0.25f);
+    std::fill(some.begin(), some.begin() + 10, std::numeric_limits<float>::quiet_NaN());
+    Quality bad(0, 0), good(0, 0), perfect(0, 0), empty(0, 0);
+    score->accumulate(most.data(), 21, 1, bad);
+    score->accumulate(some.data(), 21, 1, good);
+    score->accumulate(zero.data(), 21, 1, perfect);
+    score->accumulate(zero.data(), 0, 1, empty);
+    EXPECT_EQ(21, bad.cost);
+    EXPECT_EQ(0, bad.inliers);
+    EXPECT_NEAR(21 * 0.5 / 1.5, good.cost, 1e-9);
+    EXPECT_EQ(11, good.inliers);
+    EXPECT_EQ(0, perfect.cost);
+    EXPECT_EQ(21, perfect.inliers);
+    EXPECT_EQ(0, empty.cost);
+}
+
+//! Any threshold, and all but half of the points wrong: the right model all the same.
+TEST_P(Usac_Lmeds_Problem, breakdown)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    int right = 0, withoutMedian = 0;
+    for (int trial = 0; trial < 5; ++trial)
+    {
+        SceneOptions options;
+        options.inliers = 306;
+        options.outliers = 294;  // 49 in 100
+        options.seed = 1 + trial;
+        const Scene scene = makeScene(problem, options);
+        Params params = searchParams();
+        params.threshold = 1e4;
+        params.polishing = POLISHING_REWEIGHTED;  // within the threshold that was found
+        params.seed = trial;
+        right += modelError(scene, estimate(scene, params)) < 0.5;
+        params.quality = QUALITY_MSAC;
+        withoutMedian += modelError(scene, estimate(scene, params)) < 1;
+    }
+    EXPECT_EQ(5, right);
+    EXPECT_EQ(0, withoutMedian);
+}
+
+//! The threshold that is found follows the noise.
+TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    for (double noise = 0.25; noise < 3; noise *= 2)
+    {
+        SceneOptions options;
+        options.noise = noise;
+        options.outliers = 80;
+        const Scene scene = makeScene(problem, options);
+        const Params params = searchParams();
+        const Ptr<Usac> usac = createUsac(scene, params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
+        const double found = usac->components().score->threshold(context, toInternal(usac->points(), scene.model));
+        const double inPixels = found / usac->points().threshold * params.threshold;
+        // H: the noise of both images; outliers make the median a little larger
+        const double sigma = problem == HOMOGRAPHY ? noise * std::sqrt(2.) : noise;
+        const double inliers = problem == HOMOGRAPHY ? 2.963 : 2.5;
+        EXPECT_GT(inPixels, 1.0 * inliers * sigma);
+        EXPECT_LT(inPixels, 2.2 * inliers * sigma);
+    }
+}
+
+TEST_P(Usac_Lmeds_Problem, noPoints)
+{
+    const OwnPoints none((ProblemType)GetParam(), std::vector<Point2d>(), std::vector<Point2d>());
+    const Ptr<Score> score = started(createLmedsScore(), none.view());
+    const Components parts;
+    const Params params;
+    Quality quality(0, 0);
+    score->accumulate(0, 0, 1, quality);
+    EXPECT_EQ(0, quality.cost);
+    EXPECT_EQ(0, score->threshold(RunContext(none.view(), parts, params), Matx33d::eye()));
+}
+
+INSTANTIATE_TEST_CASE_P(All, Usac_Lmeds_Problem, testing::Values(0, 1, 2));
+
+}
+}  // namespace

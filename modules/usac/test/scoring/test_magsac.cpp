@@ -1,0 +1,189 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "run_context.hpp"
+#include "test_precomp.hpp"
+#include "problem_objects.hpp"
+#include "scoring/scores.hpp"
+#include "core/chi_square.hpp"
+#include "scoring/marginalized_weights.hpp"
+
+namespace opencv_test {
+namespace {
+
+enum { SIDE = 300 };
+
+//! Two points that span a square in both images.
+OwnPoints* spanning(ProblemType problem, double inlierThreshold)
+{
+    std::vector<Point2d> corners(1, Point2d(0, 0));
+    corners.push_back(Point2d(SIDE, SIDE));
+    return new OwnPoints(problem, corners, corners, inlierThreshold);
+}
+
+double costOf(const Score& score, double error, double inlierThreshold)
+{
+    float squared = (float)(error * error);
+    Quality quality(0, 0);
+    score.accumulate(&squared, 1, (float)(inlierThreshold * inlierThreshold), quality);
+    return quality.cost;
+}
+
+/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max: that of an inlier, Gaussian of n dimensions,
+where it is within k sigma, that of an outlier in a square (H) or on a line (F, E) elsewhere. By the midpoint rule. */
+double meanLogLikelihood(double error, double sigmaMax, int degrees)
+{
+    const int STEPS = 20000;
+    const double k = thresholdInSigmas(degrees);
+    double sum = 0;
+    for (int i = 0; i < STEPS; ++i)
+    {
+        const double sigma = sigmaMax * (i + 0.5) / STEPS;
+        if (error <= k * sigma)
+            sum += -degrees * std::log(std::sqrt(2 * CV_PI) * sigma) - 0.5 * error * error / (sigma * sigma);
+        else
+            sum += -degrees * std::log((double)SIDE);
+    }
+    return sum / STEPS;
+}
+
+typedef testing::TestWithParam<int> Usac_Magsac_Problem;
+
+TEST_P(Usac_Magsac_Problem, magsacAgainstItsDefinition)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const int degrees = problemObject(problem).errorDimension();
+    for (double inlierThreshold = 0.5; inlierThreshold < 9; inlierThreshold *= 4)
+    {
+        const double sigmaMax = inlierThreshold / thresholdInSigmas(degrees);
+        const Ptr<OwnPoints> points(spanning(problem, inlierThreshold));
+        const Ptr<Score> score = started(createMagsacScore(degrees), points->view());
+        EXPECT_FALSE(score->wholeModel());
+        const double best = meanLogLikelihood(0, sigmaMax, degrees), worst = meanLogLikelihood(1e9, sigmaMax, degrees);
+        for (double u = 0; u < 1.2; u += 0.061)
+        {
+            const double expected = (best - meanLogLikelihood(u * inlierThreshold, sigmaMax, degrees)) / (best - worst);
+            EXPECT_NEAR(expected, costOf(*score, u * inlierThreshold, inlierThreshold), 1e-3)
+                << inlierThreshold << " " << u;
+        }
+    }
+}
+
+TEST_P(Usac_Magsac_Problem, magsacPlusPlusAgainstItsFormula)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<Score> score = createMagsacPlusPlusScore(problemObject(problem).errorDimension());
+    const MarginalizedWeights weights(problemObject(problem).errorDimension());
+    EXPECT_FALSE(score->wholeModel());
+    for (double u = 0; u < 1.2; u += 0.0123)
+        EXPECT_NEAR(weights.loss(u * u), costOf(*score, 7 * u, 7), 1e-3) << u;
+}
+
+//! 0 at 0, 1 at the threshold and beyond, and growing between them.
+TEST_P(Usac_Magsac_Problem, bounds)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const double thresholds[] = {1, 1000};  // the second is larger than the area of the points
+    for (int t = 0; t < 2; ++t)
+    {
+        const Ptr<OwnPoints> points(spanning(problem, thresholds[t]));
+        const Ptr<Score> scores[] = {
+            started(createMagsacScore(problemObject(problem).errorDimension()), points->view()),
+            createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
+        for (int s = 0; s < 2; ++s)
+        {
+            EXPECT_EQ(0, costOf(*scores[s], 0, thresholds[t]));
+            EXPECT_EQ(1, costOf(*scores[s], thresholds[t], thresholds[t]));
+            EXPECT_EQ(1, costOf(*scores[s], 1e15, thresholds[t]));
+            double last = 0;
+            for (double u = 0.002; u < 1; u += 0.002)
+            {
+                const double cost = costOf(*scores[s], u * thresholds[t], thresholds[t]);
+                ASSERT_GE(cost, last) << s << " " << u;
+                ASSERT_LE(cost, 1);
+                last = cost;
+            }
+            EXPECT_GT(last, 0.99);
+        }
+    }
+}
+
+TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<OwnPoints> points(spanning(problem, 2));
+    const Ptr<Score> scores[] = {started(createMagsacScore(problemObject(problem).errorDimension()), points->view()),
+                                 createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
+    for (int s = 0; s < 2; ++s)
+    {
+        float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0, 4.f,
+                          std::nextafter(4.f, 5.f)};
+        Quality quality(3, 2);  // what is there stays there
+        scores[s]->accumulate(errors, 5, 4, quality);
+        EXPECT_EQ(3 + 4, quality.cost);
+        EXPECT_EQ(2 + 2, quality.inliers);
+    }
+}
+
+//! A cost is a sum over the points, so the early exit finds the winner that the full sums find.
+TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
+{
+    SceneOptions options;
+    options.inliers = 1200;
+    options.outliers = 800;
+    const Scene scene = makeScene((ProblemType)GetParam(), options);
+    for (int quality = QUALITY_MAGSAC; quality <= QUALITY_MAGSAC_PLUS_PLUS; ++quality)
+    {
+        Params params;
+        params.quality = quality;
+        params.threshold = 3;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
+        const MinimalSolver& solver = *usac->components().minimalSolver;
+        Quality best;
+        int cut = 0;
+        for (int i = 0; i < 300; ++i)
+        {
+            int sample[MAX_SAMPLE_SIZE];
+            Model models[MAX_MODELS];
+            Rng(9, i).distinct(usac->points().size, solver.sampleSize(), sample);
+            const int found = solver.solve(usac->points(), sample, models);
+            for (int k = 0; k < found; ++k)
+            {
+                const Quality whole = context.rate(models[k]), bounded = context.rate(models[k], best.cost);
+                ASSERT_EQ(whole.betterThan(best), bounded.betterThan(best));
+                cut += bounded.cost < whole.cost;
+                if (whole.betterThan(best))
+                    best = whole;
+            }
+        }
+        EXPECT_GT(cut, 100);
+    }
+}
+
+//! Each of the qualities gives a right model, with a threshold of the noise and with one that is far wider.
+TEST_P(Usac_Magsac_Problem, estimates)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    for (int quality = QUALITY_MAGSAC; quality <= QUALITY_MAGSAC_PLUS_PLUS; ++quality)
+        for (int wide = 0; wide < 2; ++wide)
+        {
+            const Scene scene = makeScene(problem);
+            Params params;
+            params.quality = quality;
+            params.threshold = wide ? 8 : 2.5;
+            params.polishing = POLISHING_REWEIGHTED;
+            Report report;
+            EXPECT_LT(modelError(scene, estimate(scene, params, noArray(), &report)), 0.35) << quality << " " << wide;
+            EXPECT_GT(report.cost, 0.25);
+            EXPECT_LT(report.cost, 0.75);
+        }
+}
+
+INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Problem, testing::Values(0, 1, 2));
+
+}
+}  // namespace

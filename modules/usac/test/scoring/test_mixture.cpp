@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "problem_objects.hpp"
+#include "core/chi_square.hpp"
+#include "scoring/mixture.hpp"
+
+namespace opencv_test {
+namespace {
+
+//! Points are as dense as their extent says, H: in image 2, F: on the mean over both images.
+TEST(Usac_Statistics, outlierExtent)
+{
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 2; ++i)
+    {
+        points1.push_back(Point2d(10 * i, 40 * i));
+        points2.push_back(Point2d(5 + 100 * i, -400 * i));
+    }
+    const OwnPoints H(HOMOGRAPHY, points1, points2), F(FUNDAMENTAL, points1, points2);
+    EXPECT_NEAR(200, H.view().problem->outlierExtent(H.view()), 1e-6);
+    EXPECT_NEAR(std::sqrt(20. * 200.), F.view().problem->outlierExtent(F.view()), 1e-6);
+    const OwnPoints line(HOMOGRAPHY, points1, std::vector<Point2d>(2));
+    EXPECT_EQ(0, line.view().problem->outlierExtent(line.view()));
+    EXPECT_NEAR(std::log(200 / (std::sqrt(2 * CV_PI) * 0.5)), logDensityRatio(200, 0.5, 2), 1e-12);
+    for (int degrees = 1; degrees <= 2; ++degrees)  // equally likely at the threshold
+    {
+        const double k = thresholdInSigmas(degrees);
+        EXPECT_NEAR(1, std::exp(degrees * logDensityRatio(0, 0.5, degrees) - k * k / 2), 1e-12);
+    }
+}
+
+}
+}  // namespace

@@ -1,0 +1,391 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "run_context.hpp"
+#include "scoring/kernels.hpp"
+#include "scoring/residuals.hpp"
+#include "scoring/scores.hpp"
+
+namespace opencv_test {
+namespace {
+
+enum { COUNT = 600 };
+
+struct NamedKernels
+{
+    const char* name;
+    Kernels kernels;
+};
+
+//! Of all instruction sets that this processor has.
+std::vector<NamedKernels> availableKernels()
+{
+    std::vector<NamedKernels> result;
+    const NamedKernels baseline = {"baseline", baselineKernels()};
+    result.push_back(baseline);
+#ifdef USACV20_HAVE_AVX2
+    if (checkHardwareSupport(CV_CPU_AVX2))
+    {
+        const NamedKernels avx2 = {"AVX2", avx2Kernels()};
+        result.push_back(avx2);
+    }
+#endif
+#ifdef USACV20_HAVE_AVX512
+    if (checkHardwareSupport(CV_CPU_AVX_512F) && checkHardwareSupport(CV_CPU_AVX_512BW) &&
+        checkHardwareSupport(CV_CPU_AVX_512DQ) && checkHardwareSupport(CV_CPU_AVX_512VL))
+    {
+        const NamedKernels avx512 = {"AVX-512", avx512Kernels()};
+        result.push_back(avx512);
+    }
+#endif
+    const NamedKernels best = {"best", kernels()};
+    result.push_back(best);
+    return result;
+}
+
+//! Points and models of all qualities.
+struct Fixture
+{
+    explicit Fixture(Residual::Kind kind_, uint64 seed = 1) : kind(kind_)
+    {
+        SceneOptions options;
+        options.inliers = COUNT / 2;
+        options.outliers = COUNT - COUNT / 2;
+        options.seed = seed;
+        const bool homography = kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER;
+        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON ? RESIDUAL_STANDARD
+                                                                                  : RESIDUAL_SYMMETRIC;
+        scene = makeScene(homography ? HOMOGRAPHY : FUNDAMENTAL, options);
+        usac = createUsac(scene, params);
+        const Model truth = toInternal(usac->points(), scene.model);
+        RNG rng(seed);
+        for (int i = 0; i < 20; ++i)
+        {
+            Model model = truth;
+            for (int k = 0; k < 9; ++k)
+                model.val[k] += rng.gaussian(0.001 * i * i);
+            models.push_back(Matx33d(model) * (i % 2 ? 1 : -1e3));
+        }
+    }
+
+    const Correspondences& points() const { return usac->points(); }
+    float limit() const { return (float)(points().threshold * points().threshold); }
+
+    Residual::Kind kind;
+    Params params;
+    Scene scene;
+    Ptr<Usac> usac;
+    std::vector<Model> models;
+};
+
+//! Squared error of a point in double, in the coordinates of the kernels.
+double directError(const Correspondences& p, Residual::Kind kind, const Matx33d& M, int i)
+{
+    const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1), y = M * x1;
+    const Vec3d z = M.t() * x2, back = M.inv() * x2;
+    const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1], n = x2.dot(y) * x2.dot(y);
+    const Vec2d forward(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]),
+        backward(back[0] / back[2] - x1[0], back[1] / back[2] - x1[1]);
+    switch (kind)
+    {
+    case Residual::TRANSFER: return forward.dot(forward);
+    case Residual::SAMPSON: return n / (first + second);
+    case Residual::SYMMETRIC_TRANSFER: return forward.dot(forward) + backward.dot(backward);
+    default: return n / first + n / second;
+    }
+}
+
+struct Direct
+{
+    Direct() : msac(0), inliers(0), doubtful(0) {}
+    double msac;
+    int inliers, doubtful;  //!< doubtful: too close to the threshold for float
+};
+
+Direct directScore(const Fixture& f, const Model& model, int begin, int end)
+{
+    Direct sum;
+    const double limit = f.points().threshold * f.points().threshold;
+    for (int i = begin; i < end; ++i)
+    {
+        const double e = directError(f.points(), f.kind, model, i) / limit;
+        sum.msac += e < 1 ? e : 1;
+        sum.inliers += e <= 1;
+        sum.doubtful += std::abs(e - 1) < 1e-2;
+    }
+    return sum;
+}
+
+typedef testing::TestWithParam<int> Usac_Scores_Kernels;
+
+TEST_P(Usac_Scores_Kernels, againstDirectEvaluation)
+{
+    const Fixture f((Residual::Kind)GetParam());
+    const std::vector<NamedKernels> all = availableKernels();
+    int inliersSeen = 0;
+    for (int end = 0; end <= COUNT; ++end)
+    {
+        const Model& model = f.models[end % f.models.size()];
+        const int begin = end % 3 == 0 ? 0 : end % 3 == 1 ? end / 2 : std::max(0, end - 17);
+        float m[9];
+        toFloat(model, m);
+        const Direct expected = directScore(f, model, begin, end);
+        inliersSeen += expected.inliers;
+        for (size_t k = 0; k < all.size(); ++k)
+        {
+            Quality msac(2, 3), inliers(5, 7);  // what is there stays there
+            all[k].kernels.msac[f.kind](f.points(), m, f.limit(), begin, end, msac);
+            all[k].kernels.inliers[f.kind](f.points(), m, f.limit(), begin, end, inliers);
+            EXPECT_NEAR(expected.msac, msac.cost - 2, 1e-3 + 1e-4 * (end - begin)) << all[k].name << " " << end;
+            EXPECT_NEAR(expected.inliers, msac.inliers - 3, expected.doubtful);
+            EXPECT_NEAR(expected.inliers, inliers.inliers - 7, expected.doubtful);
+            EXPECT_EQ(end - begin - (inliers.inliers - 7), inliers.cost - 5);
+        }
+    }
+    EXPECT_GT(inliersSeen, 3000);
+}
+
+TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
+{
+    const Fixture f((Residual::Kind)GetParam(), 2);
+    const std::vector<NamedKernels> all = availableKernels();
+    for (int end = 1; end <= COUNT; ++end)
+        for (int begin = 0; begin < end; begin = 2 * begin + 1 + end % 5)
+        {
+            float m[9];
+            toFloat(f.models[(end + begin) % f.models.size()], m);
+            for (int score = 0; score < 2; ++score)
+            {
+                std::vector<Quality> sums(all.size(), Quality(0, 0));
+                for (size_t k = 0; k < all.size(); ++k)
+                {
+                    const FusedKernel kernel = (score ? all[k].kernels.msac : all[k].kernels.inliers)[f.kind];
+                    kernel(f.points(), m, f.limit(), begin, end, sums[k]);
+                    ASSERT_EQ(0, memcmp(&sums[0].cost, &sums[k].cost, sizeof(double))) << all[k].name << " " << end;
+                    ASSERT_EQ(sums[0].inliers, sums[k].inliers);
+                }
+            }
+            std::vector<float> first(COUNT, -1.f), errors(COUNT, -1.f);
+            all[0].kernels.errors[f.kind](f.points(), m, begin, end, first.data());
+            for (size_t k = 1; k < all.size(); ++k)
+            {
+                all[k].kernels.errors[f.kind](f.points(), m, begin, end, errors.data());
+                ASSERT_EQ(0, memcmp(first.data(), errors.data(), COUNT * sizeof(float))) << all[k].name << " " << end;
+            }
+        }
+}
+
+TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
+{
+    const Fixture f((Residual::Kind)GetParam(), 3);
+    const Ptr<Residual> residual = f.usac->components().residual;
+    ASSERT_EQ(f.kind, residual->kind());
+    const Correspondences& p = f.points();
+    for (size_t k = 0; k < f.models.size(); ++k)
+    {
+        std::vector<float> errors(COUNT);
+        std::vector<double> precise(COUNT);
+        residual->squaredErrors(p, f.models[k], 0, COUNT, errors.data());
+        residual->squaredErrors(f.models[k], p.exact, COUNT, precise.data());
+        for (int i = 0; i < COUNT; ++i)
+        {
+            // of points that are not near the line at infinity
+            const double expected = directError(p, f.kind, f.models[k], i);
+            if (expected > 25)
+                continue;
+            EXPECT_NEAR(std::sqrt(expected), std::sqrt(errors[i]), 1e-4 * (1 + std::sqrt(expected)));
+            EXPECT_NEAR(std::sqrt(expected), std::sqrt(precise[i]), 1e-5 * (1 + std::sqrt(expected)));
+        }
+    }
+}
+
+//! Score::accumulate, for residuals without a kernel, says the same as the kernels.
+TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
+{
+    const Fixture f((Residual::Kind)GetParam(), 4);
+    const Ptr<Residual> residual = f.usac->components().residual;
+    const Ptr<Score> scores[] = {createMsacScore(), createInlierScore()};
+    std::vector<float> errors(COUNT);
+    for (int s = 0; s < 2; ++s)
+        for (size_t k = 0; k < f.models.size(); ++k)
+        {
+            const FusedKernel kernel = scores[s]->fused(*residual);
+            ASSERT_TRUE(kernel != 0);
+            float m[9];
+            toFloat(f.models[k], m);
+            Quality fused(0, 0), plain(0, 0);
+            kernel(f.points(), m, f.limit(), 0, COUNT, fused);
+            residual->squaredErrors(f.points(), f.models[k], 0, COUNT, errors.data());
+            scores[s]->accumulate(errors.data(), COUNT, f.limit(), plain);
+            EXPECT_EQ(fused.inliers, plain.inliers);
+            EXPECT_NEAR(fused.cost, plain.cost, s == 0 ? 1e-3 : 0);
+        }
+}
+
+INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Kernels, testing::Range(0, (int)Residual::CUSTOM));
+
+//! Where the error is not defined the point is an outlier.
+TEST(Usac_Scores, undefinedErrorsAreOutliers)
+{
+    const std::vector<Point2d> points1(40, Point2d(1, 0)), points2(40, Point2d(0, 0));
+    const OwnPoints own(HOMOGRAPHY, points1, points2);
+    const Model infinite = Matx33d(1, 0, 0, 0, 1, 0, 1, 0, -1), undefined = Matx33d(0, 0, 0, 0, 0, 0, 1, 0, -1),
+                zero = Matx33d::zeros();
+    const Model* models[] = {&infinite, &undefined, &zero};
+    const std::vector<NamedKernels> all = availableKernels();
+    for (int k = 0; k < 3; ++k)
+        for (size_t a = 0; a < all.size(); ++a)
+            for (int kind = 0; kind < (k == 2 ? 2 : 1); ++kind)  // Sampson's distance is undefined for the zero matrix
+            {
+                float m[9];
+                toFloat(*models[k], m);
+                Quality msac(0, 0), inliers(0, 0);
+                all[a].kernels.msac[kind](own.view(), m, 1, 0, 40, msac);
+                all[a].kernels.inliers[kind](own.view(), m, 1, 0, 40, inliers);
+                EXPECT_EQ(40, msac.cost) << all[a].name << " model " << k;
+                EXPECT_EQ(0, msac.inliers);
+                EXPECT_EQ(40, inliers.cost);
+                EXPECT_EQ(0, inliers.inliers);
+            }
+    float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0.25f};
+    Quality msac(0, 0), inliers(0, 0);
+    createMsacScore()->accumulate(errors, 3, 1, msac);
+    createInlierScore()->accumulate(errors, 3, 1, inliers);
+    EXPECT_EQ(2.25, msac.cost);
+    EXPECT_EQ(1, msac.inliers);
+    EXPECT_EQ(2, inliers.cost);
+    EXPECT_EQ(1, inliers.inliers);
+}
+
+//! The threshold itself belongs to the inliers; its MSAC cost is that of an outlier.
+TEST(Usac_Scores, threshold)
+{
+    float errors[] = {4.f, std::nextafter(4.f, 5.f), 1.f};
+    Quality msac(0, 0), inliers(0, 0);
+    createMsacScore()->accumulate(errors, 3, 4, msac);
+    createInlierScore()->accumulate(errors, 3, 4, inliers);
+    EXPECT_EQ(2, msac.inliers);
+    EXPECT_EQ(2.25, msac.cost);
+    EXPECT_EQ(2, inliers.inliers);
+    EXPECT_EQ(1, inliers.cost);
+}
+
+//! The errors of another residual, of which the scores know nothing.
+class CustomResidual : public Residual
+{
+public:
+    explicit CustomResidual(const Ptr<Residual>& residual_) : residual(residual_) {}
+
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
+    {
+        residual->squaredErrors(points, model, begin, end, errors);
+    }
+
+    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
+    {
+        residual->squaredErrors(model, columns, count, errors);
+    }
+
+private:
+    const Ptr<Residual> residual;
+};
+
+TEST(Usac_Scores, customResidual)
+{
+    const int qualities[] = {QUALITY_MSAC, QUALITY_INLIERS};
+    for (int problem = 0; problem < 3; ++problem)
+        for (int i = 0; i < 2; ++i)
+        {
+            Params params;
+            params.quality = qualities[i];
+            const Scene scene = makeScene((ProblemType)problem);
+            const Ptr<Usac> usac = createUsac(scene, params);
+            const Model model = toInternal(usac->points(), scene.model);
+            Arena arena;
+            const Context context(usac->points(), usac->components(), params, arena);
+            usac->components().start(context);
+            const Quality known = context.rate(model);
+            usac->components().residual = makePtr<CustomResidual>(usac->components().residual);
+            EXPECT_TRUE(usac->components().score->fused(*usac->components().residual) == 0);
+            const Quality custom = context.rate(model);
+            EXPECT_EQ(known.inliers, custom.inliers);
+            EXPECT_NEAR(known.cost, custom.cost, 1e-3);
+        }
+}
+
+typedef testing::TestWithParam<int> Usac_Scores_Problem;
+
+TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
+{
+    SceneOptions options;
+    options.inliers = 900;
+    options.outliers = 1100;
+    const Scene scene = makeScene((ProblemType)GetParam(), options);
+    for (int quality = 0; quality < 2; ++quality)
+    {
+        Params params;
+        params.quality = quality;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        Arena arena;
+        const Context context(usac->points(), usac->components(), params, arena);
+        usac->components().start(context);
+        const int m = usac->components().minimalSolver->sampleSize();
+        Quality best, bestBounded;
+        int winner = -1, winnerBounded = -1, count = 0, cut = 0, won = 0;
+        for (int i = 0; i < 3000; ++i)
+        {
+            int sample[MAX_SAMPLE_SIZE];
+            Model models[MAX_MODELS];
+            Rng(9, i).distinct(usac->points().size, m, sample);
+            const int found = usac->components().minimalSolver->solve(usac->points(), sample, models);
+            for (int k = 0; k < found; ++k, ++count)
+            {
+                const Quality whole = context.rate(models[k]);
+                const Quality bounded = context.rate(models[k], bestBounded.cost);
+                ASSERT_EQ(whole.betterThan(best), bounded.betterThan(bestBounded));
+                ASSERT_LE(bounded.cost, whole.cost);
+                cut += bounded.cost < whole.cost;
+                if (bounded.betterThan(bestBounded))
+                {
+                    bestBounded = bounded;
+                    winnerBounded = count;
+                }
+                if (whole.betterThan(best))
+                {
+                    ASSERT_EQ(whole.cost, bounded.cost);
+                    ASSERT_EQ(whole.inliers, bounded.inliers);
+                    best = whole;
+                    winner = count;
+                    ++won;
+                }
+            }
+        }
+        EXPECT_EQ(winner, winnerBounded);
+        EXPECT_GT(won, 2);
+        EXPECT_GT(cut, count / 2);
+    }
+}
+
+//! Context::rate is the sum over all points.
+TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
+{
+    const Residual::Kind kind = GetParam() == 0 ? Residual::TRANSFER : Residual::SAMPSON;
+    const Fixture f(kind, 5);
+    const RunContext run(f.points(), f.usac->components(), f.params);
+    const Context& context = run;
+    for (size_t k = 0; k < f.models.size(); ++k)
+    {
+        const Direct expected = directScore(f, f.models[k], 0, COUNT);
+        const Quality quality = context.rate(f.models[k]);
+        EXPECT_NEAR(expected.msac, quality.cost, 1e-4 * COUNT);
+        EXPECT_NEAR(expected.inliers, quality.inliers, expected.doubtful);
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Problem, testing::Values(0, 1, 2));
+
+}
+}  // namespace
