@@ -11,25 +11,30 @@ namespace usacv20 {
 namespace {
 
 //! Cells of a space that something lies in: a hash table with linear probing.
+template <int DIMENSIONS>
 class Cells
 {
 public:
+    typedef Vec<double, DIMENSIONS> Cell;
+
     Cells(int capacity, Arena& arena) : scope(arena), mask(1)
     {
         while (mask < 2 * capacity)
             mask *= 2;
-        slots = scope.take<Vec3d>(mask);
-        std::fill(slots, slots + mask, Vec3d(NAN, NAN, NAN));
+        slots = scope.take<Cell>(mask);
+        std::fill(slots, slots + mask, Cell::all(NAN));
         --mask;
     }
 
     //! False if the cell is there already. Doubles, as small sides make large numbers.
-    bool insert(const Vec3d& cell)
+    bool insert(const Cell& cell)
     {
-        uint64 bits[3];
+        uint64 bits[DIMENSIONS];
         std::memcpy(bits, cell.val, sizeof(bits));
         // small whole numbers have zeros but for their highest bits, which a product moves nowhere but up
-        uint64 h = bits[0] ^ (bits[1] << 1 | bits[1] >> 63) ^ (bits[2] << 2 | bits[2] >> 62);
+        uint64 h = bits[0];
+        for (int k = 1; k < DIMENSIONS; ++k)
+            h ^= bits[k] << k | bits[k] >> (64 - k);
         h = (h ^ h >> 32) * 0x9e3779b97f4a7c15ULL;
         int at = (int)(h >> 40) & mask;
         for (; slots[at][0] == slots[at][0]; at = (at + 1) & mask)
@@ -41,9 +46,29 @@ public:
 
 private:
     Arena::Scope scope;
-    Vec3d* slots;  //!< NaN: free
+    Cell* slots;  //!< NaN: free
     int mask;
 };
+
+template <int DIMENSIONS>
+void markInCells(const double* const* columns, const int* order, const uchar* mask, int count, double side,
+                 uchar* repeated, Arena& arena)
+{
+    int marked = 0;
+    for (int i = 0; i < count; ++i)
+        marked += mask[i] != 0;
+    Cells<DIMENSIONS> cells(marked, arena);
+    for (int i = 0; i < count; ++i)
+        if (mask[i])
+        {
+            const int point = order ? order[i] : i;
+            Vec<double, DIMENSIONS> cell;
+            for (int k = 0; k < DIMENSIONS; ++k)
+                cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) + 0.;  // no -0
+            if (!cells.insert(cell))
+                repeated[i] = 1;
+        }
+}
 
 }  // namespace
 
@@ -66,20 +91,12 @@ int independentInliers(const double* const* columns, const int* coordinates, con
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask, int count,
                  double side, uchar* repeated, Arena& arena)
 {
-    int marked = 0;
-    for (int i = 0; i < count; ++i)
-        marked += mask[i] != 0;
-    Cells cells(marked, arena);
-    for (int i = 0; i < count && dimensions > 0; ++i)
-        if (mask[i])
-        {
-            const int point = order ? order[i] : i;
-            Vec3d cell;
-            for (int k = 0; k < dimensions; ++k)
-                cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) + 0.;  // no -0
-            if (!cells.insert(cell))
-                repeated[i] = 1;
-        }
+    if (dimensions == 1)
+        markInCells<1>(columns, order, mask, count, side, repeated, arena);
+    else if (dimensions == 2)
+        markInCells<2>(columns, order, mask, count, side, repeated, arena);
+    else if (dimensions == 3)
+        markInCells<3>(columns, order, mask, count, side, repeated, arena);
     int sum = 0;
     for (int i = 0; i < count; ++i)
         sum += repeated[i];

@@ -16,17 +16,29 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
     CV_DbgAssert(count > 0);
     if (chunks * (columns + 1) > LOCAL_ROWS)
         rows = scope.take<Row>((size_t)chunks * (columns + 1));
+    if (columns == TWO_VIEW_ROWS - 1)
+        gather(points, indices, weights, std::integral_constant<int, TWO_VIEW_ROWS - 1>());
+    else
+        gather(points, indices, weights, columns);
+}
+
+//! `width` is the number of columns, as a constant where that is known.
+template <class Width>
+void PointChunks::gather(const Correspondences& points, const int* indices, const double* weights, Width width)
+{
     for (int c = 0; c < chunks; ++c)
     {
-        Row* const chunk = rows + c * (columns + 1);
-        const int first = c * SUMS_CHUNK, here = std::min(count - first, (int)SUMS_CHUNK);
-        for (int column = 0; column < columns; ++column)
-            for (int k = 0; k < here; ++k)
-                chunk[column][k] = points.exact[column][indices[first + k]];
+        Row* const chunk = rows + c * (width + 1);
+        const int first = c * SUMS_CHUNK, here = std::min(size - first, (int)SUMS_CHUNK);
         for (int k = 0; k < here; ++k)
-            chunk[columns][k] = weights ? weights[first + k] : 1;
-        for (int row = 0; row <= columns; ++row)  // the last point again, without weight
-            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK, row < columns ? chunk[row][here - 1] : 0.);
+        {
+            const int i = indices[first + k];
+            for (int column = 0; column < width; ++column)
+                chunk[column][k] = points.exact[column][i];
+            chunk[width][k] = weights ? weights[first + k] : 1;
+        }
+        for (int row = 0; row <= width; ++row)  // the last point again, without weight
+            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK, row < width ? chunk[row][here - 1] : 0.);
     }
 }
 

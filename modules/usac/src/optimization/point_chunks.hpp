@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_POINT_CHUNKS_HPP
 #define OPENCV_USACV20_POINT_CHUNKS_HPP
 
+#include <type_traits>
 #include "opencv2/usac/components.hpp"
 #include "scoring/kernels.hpp"
 
@@ -29,6 +30,9 @@ public:
 private:
     typedef double Row[SUMS_CHUNK];
     enum { TWO_VIEW_ROWS = 5, LOCAL_ROWS = 16 * TWO_VIEW_ROWS };
+
+    template <class Width>
+    void gather(const Correspondences& points, const int* indices, const double* weights, Width width);
 
     const int size, chunks, columns;
     Arena own;  //!< empty where there is another one
