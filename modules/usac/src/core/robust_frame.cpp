@@ -4,18 +4,13 @@
 
 #include "precomp.hpp"
 #include "core/simd.hpp"
+#include "core/median.hpp"
 #include "core/robust_frame.hpp"
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
-
-double median(double* values, int count)
-{
-    std::nth_element(values, values + count / 2, values + count);
-    return values[count / 2];
-}
 
 //! Median of values and median of their distances from it, but for those that are equal to it.
 void medianFrame(const double* values, int count, double& center, double& deviation, Arena& arena)

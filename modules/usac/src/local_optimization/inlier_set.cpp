@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/random_part.hpp"
 #include "local_optimization/inlier_set.hpp"
 
 namespace cv {
@@ -25,8 +26,7 @@ void InlierSet::within(const Context& context, const Model& model, double multip
 int InlierSet::select(Rng& rng, int most)
 {
     most = std::min(most, count);
-    for (int i = 0; i < most && most < count; ++i)
-        std::swap(members[i], members[i + rng.uniform(count - i)]);
+    randomPart(members, count, most, rng);
     return most;
 }
 

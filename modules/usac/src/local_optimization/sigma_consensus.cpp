@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/random_part.hpp"
 #include "local_optimization/inlier_set.hpp"
 #include "local_optimization/local_optimization.hpp"
 #include "local_optimization/sigma_consensus.hpp"
@@ -27,8 +28,7 @@ void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model
             all[size++] = point;
     }
     count = std::min<int>(size, MAX_FIT);
-    for (int i = 0; i < count && count < size; ++i)
-        std::swap(all[i], all[i + rng.uniform(size - i)]);
+    randomPart(all, size, count, rng);
     std::copy(all, all + count, near);
     std::sort(near, near + count);
     for (int i = 0; i < count; ++i)

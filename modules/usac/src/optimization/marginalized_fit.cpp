@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/random_part.hpp"
 #include "optimization/marginalized_fit.hpp"
 #include "scoring/marginalized_weights.hpp"
 
@@ -33,12 +34,10 @@ void MarginalizedFit::reduce(int most, Rng& rng)
 {
     if (size() <= most)
         return;
-    for (int i = 0; i < most; ++i)
-    {
-        const int other = i + rng.uniform(size() - i);
-        std::swap(indices[i], indices[other]);
-        std::swap(weights[i], weights[other]);
-    }
+    randomPart(size(), most, rng, [this](int i, int k) {
+        std::swap(indices[i], indices[k]);
+        std::swap(weights[i], weights[k]);
+    });
     count = most;
 }
 

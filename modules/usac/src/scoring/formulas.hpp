@@ -13,6 +13,13 @@ this file is compiled several times for different instruction sets, and inline f
 merged by the linker. `m` is the model, row by row. Where an error is not defined the result is NaN or infinite. */
 namespace {
 
+//! Truncated squared error in units of the squared threshold @cite torr2000mlesac, the cost of MSAC.
+inline float msacCost(float squaredError, float scale)
+{
+    const float cost = squaredError * scale;
+    return cost < 1.f ? cost : 1.f;  // also for NaN
+}
+
 /** Transfer error in image 2, squared: |p(H x1) - x2|^2 with p the perspective division @cite hartley2003multiple. */
 struct TransferError
 {

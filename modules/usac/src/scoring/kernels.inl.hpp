@@ -30,14 +30,9 @@ void errorKernel(const Correspondences& points, const float* model, int begin, i
         errors[i] = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
 }
 
-//! Truncated squared error in units of the threshold @cite torr2000mlesac.
 struct MsacCost
 {
-    static inline float of(float error, float, float scale)
-    {
-        const float cost = error * scale;
-        return cost < 1.f ? cost : 1.f;  // also for NaN
-    }
+    static inline float of(float error, float, float scale) { return msacCost(error, scale); }
 };
 
 //! One for an outlier.

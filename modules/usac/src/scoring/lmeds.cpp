@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/median.hpp"
 #include "scoring/scores.hpp"
 #include "core/chi_square.hpp"
 #include "scoring/mixture.hpp"
@@ -80,12 +81,11 @@ private:
     }
 
     //! Of numbers that it reorders; NaN counts as infinite.
-    static float median(float* values, int count)
+    static float medianOf(float* values, int count)
     {
         for (int i = 0; i < count; ++i)
             values[i] = values[i] <= FLT_MAX ? values[i] : std::numeric_limits<float>::infinity();
-        std::nth_element(values, values + count / 2, values + count);
-        return values[count / 2];
+        return median(values, count);
     }
 
     double extent;

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "scoring/formulas.hpp"
 #include "scoring/kernels.hpp"
 #include "scoring/scores.hpp"
 
@@ -22,8 +23,7 @@ public:
         for (int i = 0; i < count; ++i)
         {
             sum.inliers += squaredErrors[i] <= squaredThreshold;
-            const float cost = squaredErrors[i] * scale;
-            sum.cost += cost < 1.f ? cost : 1.f;  // also for NaN
+            sum.cost += msacCost(squaredErrors[i], scale);
         }
     }
 

@@ -208,7 +208,8 @@ public:
     virtual Kind kind() const;
 };
 
-//! Computes errors and accumulates the quality of the points begin .. end-1 in one pass.
+/** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over Correspondences::column.
+`model` are the Model::size() numbers as float, scaled so that the largest is 1. See samples/tukey_score.hpp for one. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model, float squaredThreshold, int begin,
                             int end, Quality& sum);
 

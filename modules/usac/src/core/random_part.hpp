@@ -1,0 +1,32 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_RANDOM_PART_HPP
+#define OPENCV_USACV20_RANDOM_PART_HPP
+
+#include <algorithm>
+#include "opencv2/usac/rng.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** Brings `count` random ones of `size` things to the front, by the first exchanges of Fisher and Yates' shuffle.
+@param exchange takes two indices */
+template <class Exchange>
+void randomPart(int size, int count, Rng& rng, const Exchange& exchange)
+{
+    for (int i = 0; i < count && count < size; ++i)
+        exchange(i, i + rng.uniform(size - i));
+}
+
+template <class T>
+void randomPart(T* items, int size, int count, Rng& rng)
+{
+    randomPart(size, count, rng, [items](int i, int k) { std::swap(items[i], items[k]); });
+}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
