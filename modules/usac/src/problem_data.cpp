@@ -15,9 +15,12 @@ namespace usacv20 {
 
 namespace {
 
+//! Mean deviations from the center: points further out are not counted to the frame, Correspondences::lower and upper.
+//! Half, double: errors within 2 %, the noise of the search.
+constexpr double FRAME = 5;
 //! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of the mask is the
 //! caller's.
-const double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
+constexpr double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
 
 bool finite(double value)
 {
@@ -189,7 +192,7 @@ void ProblemData::scale(const Params& params, Arena& arena)
         const int array = k >= begin[1];
         const double shift = view.frame[array].center[k - begin[array]], factor = view.frame[array].scale;
         scaleColumn(k, shift, factor);
-        const double middle = (center[k] - shift) * factor, reach = 5 * deviation[k] * factor;
+        const double middle = (center[k] - shift) * factor, reach = FRAME * deviation[k] * factor;
         view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
         view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }

@@ -14,7 +14,7 @@ namespace {
 needed for a while, most by polishing and significance, 150. Of a run: batches, runners-up, tables; the search for
 planes. Of a thread: its part of the hypotheses of a batch, at most. Too little costs another block and nothing else;
 what is not written to costs nothing. */
-const size_t OF_POINT = 352, OF_RUN = 64 << 10, OF_PLANES = 64 << 10, OF_BATCH = 512 << 10;
+constexpr size_t OF_POINT = 352, OF_RUN = 64 << 10, OF_PLANES = 64 << 10, OF_BATCH = 512 << 10;
 
 }  // namespace
 

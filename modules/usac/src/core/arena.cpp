@@ -26,13 +26,13 @@ namespace usacv20 {
 
 namespace {
 
-enum { ALIGNMENT = 64 };
+constexpr int ALIGNMENT = 64;
 /** Bytes of a block, unless a single array is larger. At the end of its life glibc gives memory back to the system,
 and then each page that the next Usac writes to is a page fault, a quarter of the time of a call; but not if a block
 that it has taken from the system by itself (128 kB and more, up to 32 MB) was freed before, and no more than twice as
 much is free now. So the least is above the first bound, and the largest below the second one; in between blocks double,
 so that not each call with a few more points is the first of its size. Pages that nobody writes to cost nothing. */
-const size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
+constexpr size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
 
 //! The size of a block of so many bytes.
 size_t blockSize(size_t bytes)

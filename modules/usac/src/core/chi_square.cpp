@@ -9,6 +9,9 @@
 namespace cv {
 namespace usacv20 {
 
+//! Part of the inliers with the largest noise that are within the threshold, as in @cite barath2019magsac.
+constexpr double QUANTILE = 0.99;
+
 double chiSquareDistribution(double x, int degrees)
 {
     return lowerGamma(0.5 * degrees, 0.5 * x) / std::tgamma(0.5 * degrees);
@@ -32,7 +35,8 @@ double chiSquareQuantile(double p, int degrees)
 
 double thresholdInSigmas(int degrees)
 {
-    static const double ONE = std::sqrt(chiSquareQuantile(0.99, 1)), TWO = std::sqrt(chiSquareQuantile(0.99, 2));
+    static const double ONE = std::sqrt(chiSquareQuantile(QUANTILE, 1)),
+                        TWO = std::sqrt(chiSquareQuantile(QUANTILE, 2));
     CV_Assert(degrees == 1 || degrees == 2);
     return degrees == 1 ? ONE : TWO;
 }

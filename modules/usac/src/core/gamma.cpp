@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-enum { MAX_TERMS = 1000 };  // of which some dozens are needed
+constexpr int MAX_TERMS = 1000;  // of which some dozens are needed
 
 //! x^a exp(-x) times the sum of x^n / (a (a+1) .. (a+n)).
 double lowerSeries(double a, double x)

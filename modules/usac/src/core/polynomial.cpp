@@ -154,7 +154,7 @@ int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double 
 }
 
 //! Where #realRoots changes from the polynomial to the reversed one; no round number, as Sturm's interval excludes it.
-const double LOWEST = -1.0009765625, HIGHEST = 1.0007;
+constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
 
 //! Roots in (LOWEST, HIGHEST], between the roots of the derivative: slower than Sturm's sequence, but without its
 //! exceptions.

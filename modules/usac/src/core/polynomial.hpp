@@ -9,7 +9,7 @@ namespace cv {
 namespace usacv20 {
 
 //! Highest degree that #realRoots takes.
-enum { MAX_DEGREE = 10 };
+constexpr int MAX_DEGREE = 10;
 
 /** @brief Real roots of a polynomial, in no particular order, each once.
 

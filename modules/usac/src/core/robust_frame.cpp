@@ -12,6 +12,14 @@ namespace usacv20 {
 
 namespace {
 
+// Half and double of these: no run of the lists differs but for one or two of H. They guard against hostile input.
+
+//! Values that a first look takes.
+constexpr int SAMPLE = 31;
+//! In mean deviations: a value further out dominates the mean. In those of the first look: so large a mean deviation is
+//! that of values far out.
+constexpr double FAR_OUT = 20, SPOILT = 100;
+
 //! Median of values and median of their distances from it, but for those that are equal to it.
 void medianFrame(const double* values, int count, double& center, double& deviation, Arena& arena)
 {
@@ -27,7 +35,7 @@ void medianFrame(const double* values, int count, double& center, double& deviat
 }
 
 //! Sums and extremes are kept in so many parts, which do not wait for each other.
-enum { LANES = 4 };
+constexpr int LANES = 4;
 
 double sumOf(const double* lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
@@ -81,7 +89,6 @@ double meanDistance(const double* values, int count, double center)
 void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high,
                  Arena& arena)
 {
-    enum { SAMPLE = 31 };
     center = deviation = low = high = 0;
     if (count == 0)
         return;
@@ -90,7 +97,7 @@ void robustFrame(const double* values, int count, double& center, double& deviat
     double sampleCenter, sampleDeviation;
     medianFrame(values, std::min<int>(count, SAMPLE), sampleCenter, sampleDeviation, arena);
     const double largest = std::max(high - center, center - low);
-    if (!(largest <= 20 * deviation) || (sampleDeviation > 0 && deviation > 100 * sampleDeviation))
+    if (!(largest <= FAR_OUT * deviation) || (sampleDeviation > 0 && deviation > SPOILT * sampleDeviation))
         medianFrame(values, count, center, deviation, arena);
 }
 

@@ -12,6 +12,10 @@ namespace usacv20 {
 
 namespace {
 
+//! A sample of several times the minimal size is near its least squares after so many steps from the model. 2: time of
+//! F -7 %, errors +3 %; 6: errors within 2 %.
+constexpr int FIT_STEPS = 3;
+
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a
 faster one.
 
@@ -46,9 +50,6 @@ public:
     }
 
 private:
-    //! A sample of several times the minimal size is near its least squares after so many steps from the model.
-    enum { FIT_STEPS = 3 };
-
     Labeling labeling;
     InlierSet inliers;
 };

@@ -12,6 +12,25 @@ namespace usacv20 {
 
 namespace {
 
+// Half and double of these: doc/constants.md.
+
+//! Points: more than this make a fit slower, not better, while the inliers are still changing. Half, double: errors
+//! within 2 %; 128 to shrink: time of E +4 %.
+constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
+//! Steps of Gauss and Newton's method. One: time -2 to -4 % each, errors within 2 %; four: within 1 %, E +3 % time.
+constexpr int SHRINK_STEPS = 2, FIT_STEPS = 2;
+//! An inner sample takes at most 1 / #PART of the inliers, as in @cite chum2003locally. 1,
+//! 4: errors within 1 %.
+constexpr int PART = 2;
+//! The first threshold of the shrinking ones, in thresholds. 2: lists the same, scenes of few points fail a bit more
+//! often; 6 with six fits: errors -2 to -4 %, time +6 to +12 %.
+constexpr int WIDE = 3;
+//! An alternation that lowers the cost by less than this is the last one. 0.985: time +2 to +5 %; 0.94: -1 %,
+//! errors within 1 %.
+constexpr double WORTHWHILE = 0.97;
+//! Where a labeling without neighbors changes from inliers to outliers, in thresholds: K = 1 / 2.
+const double LABELED = std::sqrt(2 * CV_LOG2);
+
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.
 
 Alternates between the spatially coherent inliers of the model (Labeling) and an inner RANSAC over them: models fitted
@@ -48,15 +67,12 @@ public:
     }
 
 private:
-    //! More points or steps than this make a fit slower, not better, while the inliers are still changing.
-    enum { MAX_FIT = 256, MAX_SHRINK = 64, SHRINK_STEPS = 2, FIT_STEPS = 2 };
-
-    //! Fits to the points within 3, 2 and 1 thresholds, each from the last fit.
+    //! Fits to the points within #WIDE, ..., 2 and 1 thresholds, each from the last fit.
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         Model fitted = model;
         bool improved = false;
-        for (int multiple = 3; multiple >= 1; --multiple)
+        for (int multiple = WIDE; multiple >= 1; --multiple)
         {
             inliers.within(context, fitted, multiple);
             if (inliers.size() <= m ||
@@ -70,24 +86,16 @@ private:
     bool fitInliers(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         const int count = inliers.size();
-        const int small = std::max(m + 1, std::min(m * context.params.localSampleMultiple, count / 2));
+        const int small = std::max(m + 1, std::min(m * context.params.localSampleMultiple, count / PART));
         bool improved = inliers.improve(context, inliers.select(state.rng, MAX_FIT), model, quality, FIT_STEPS);
         for (int i = 0; i < context.params.localSamples && small < count; ++i)
             improved |= inliers.improve(context, inliers.select(state.rng, small), model, quality, FIT_STEPS);
         return improved;
     }
 
-    //! An alternation that lowers the cost by less than this is the last one.
-    static const double WORTHWHILE;
-    //! Where a labeling without neighbors changes from inliers to outliers, in thresholds: K = 1 / 2.
-    static const double LABELED;
-
     Labeling labeling;
     InlierSet inliers;
 };
-
-const double GraphCutOptimizer::WORTHWHILE = 0.97;
-const double GraphCutOptimizer::LABELED = std::sqrt(2 * CV_LOG2);
 
 }  // namespace
 

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! K of a point at 3.25 thresholds.
-const float NEGLIGIBLE = 0.005f;
+//! K of a point at 3.25 thresholds; below it the exponential is spared. Half, double: the same to some thousandths.
+constexpr float NEGLIGIBLE = 0.005f;
 
 }  // namespace
 

@@ -11,6 +11,15 @@ namespace usacv20 {
 
 namespace {
 
+//! The first threshold of the shrinking ones, in thresholds. 2: errors +1 to +3 %; 6: H +2, F +4, E -4 %. See
+//! doc/constants.md.
+constexpr int WIDE = 3;
+//! An inner sample takes at most 1 / #PART of the inliers, as in @cite chum2003locally.
+constexpr int PART = 2;
+//! Most points of a fit of FLO-RANSAC, in minimal samples, as in @cite lebeda2012fixing. 3: failures of E
+//! +1.1, of F -1.5 points; 14: time of H +4, of F +8 %.
+constexpr int FLO_FIT = 7;
+
 /** @brief Local optimization of LO-RANSAC @cite chum2003locally, also in the form that "Fixing the locally optimized
 RANSAC"
 @cite lebeda2012fixing gave it (FLO-RANSAC).
@@ -20,8 +29,8 @@ Params::localSampleMultiple times the minimal size, at most half of them all, fr
 fitted and then refined by least squares over the points within a threshold that shrinks from #WIDE times to the
 threshold itself in Params::localIterations steps. The best of all these fits replaces the model if it is better.
 
-LO-RANSAC fits to all the points that are selected. FLO-RANSAC fits to at most 7 times as many as a minimal sample has,
-random ones: the fits cost the same for any number of points, and vary more. */
+LO-RANSAC fits to all the points that are selected. FLO-RANSAC fits to at most #FLO_FIT times as many as a minimal
+sample has, random ones: the fits cost the same for any number of points, and vary more. */
 class LoRansacOptimizer : public LocalOptimizer
 {
 public:
@@ -41,7 +50,7 @@ public:
             return false;
         bool improved = keepBetter(context, start, model, quality);
         base.within(context, start, 1);
-        const int small = std::min(m * context.params.localSampleMultiple, base.size() / 2);
+        const int small = std::min(m * context.params.localSampleMultiple, base.size() / PART);
         if (small <= m)
             return improved;
         for (int i = 0; i < context.params.localSamples; ++i)
@@ -56,9 +65,6 @@ public:
     }
 
 private:
-    //! The first threshold of the shrinking ones, in thresholds.
-    enum { WIDE = 3 };
-
     //! Least squares over the points within a shrinking threshold, each from the last fit.
     bool shrink(const Context& context, State& state, int m, int largest, Model fitted, Model& model, Quality& quality)
     {
@@ -83,7 +89,7 @@ private:
 
 Ptr<LocalOptimizer> createLoRansacOptimizer() { return makePtr<LoRansacOptimizer>(INT_MAX); }
 
-Ptr<LocalOptimizer> createFloRansacOptimizer() { return makePtr<LoRansacOptimizer>(7); }
+Ptr<LocalOptimizer> createFloRansacOptimizer() { return makePtr<LoRansacOptimizer>(FLO_FIT); }
 
 }  // namespace usacv20
 }  // namespace cv

@@ -114,6 +114,8 @@ private:
         return step.allFinite();
     }
 
+    // Half and double of these, doc/constants.md: errors the same to some thousandths, time within 3 %.
+
     //! So many steps that did not lower the cost are not counted.
     enum { RETRIES = 2 };
     //! What is added to the diagonal of the normal equations: a part of it after a step that failed, and of their mean

@@ -29,7 +29,7 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
     for (int c = 0; c < chunks; ++c)
     {
         Row* const chunk = rows + c * (width + 1);
-        const int first = c * SUMS_CHUNK, here = std::min(size - first, (int)SUMS_CHUNK);
+        const int first = c * SUMS_CHUNK, here = std::min(size - first, SUMS_CHUNK);
         for (int k = 0; k < here; ++k)
         {
             const int i = indices[first + k];

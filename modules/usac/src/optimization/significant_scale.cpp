@@ -12,7 +12,11 @@ namespace {
 
 //! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e + 1)) from e =
 //! LOWEST on.
-enum { LOWEST = -4, BINS = 128 };
+constexpr int LOWEST = -4, BINS = 128;
+//! Derived, see the class; they multiply as REACH in usac.cpp does.
+//! Median of the points within the r that is found, in standard deviations of the noise; two and one degrees of
+//! freedom.
+constexpr double MEDIAN_TWO = 1.15, MEDIAN_ONE = 0.64;
 
 //! Exponent and first bit of the mantissa. Larger ones than there are bins for, and NaN, are in none.
 int binOf(float square)
@@ -59,7 +63,7 @@ double SignificantScale::estimate(const float* squaredErrors, int count, double 
     for (int i = 0; i < size; ++i)
     {
         const float square = squaredErrors[i] * scale;
-        const int bin = square >= 0 ? binOf(square) : (int)BINS;  // NaN is far
+        const int bin = square >= 0 ? binOf(square) : BINS;  // NaN is far
         if (bin < BINS)
             ++members[bin];
     }
@@ -79,7 +83,9 @@ double SignificantScale::estimate(const float* squaredErrors, int count, double 
             foundWithin = within;
         }
     }
-    return found < 0 ? 0 : medianOf(members, found, foundWithin, degrees) / (degrees == 2 ? 1.15 : 0.64) * threshold;
+    return found < 0
+               ? 0
+               : medianOf(members, found, foundWithin, degrees) / (degrees == 2 ? MEDIAN_TWO : MEDIAN_ONE) * threshold;
 }
 
 }  // namespace usacv20

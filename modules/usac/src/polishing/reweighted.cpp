@@ -11,6 +11,10 @@ namespace usacv20 {
 
 namespace {
 
+//! A fit that lowers the loss by less than this part of it is the last. Half, double: errors the
+//! same.
+constexpr double SETTLED = 1e-5;
+
 /** Re-weighted least squares over all points with the weights of MAGSAC++ @cite barath2020magsac, within the threshold
 of the score. A fit is taken while it lowers the loss of these weights, which the theory promises of each: that loss is
 what it minimizes, so not the cost of the run's own quality but this decides. */
@@ -38,12 +42,7 @@ public:
                 return;
         }
     }
-
-private:
-    static const double SETTLED;
 };
-
-const double ReweightedPolisher::SETTLED = 1e-5;
 
 }  // namespace
 

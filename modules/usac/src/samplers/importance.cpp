@@ -10,6 +10,9 @@ namespace usacv20 {
 
 namespace {
 
+//! Draws of a point that is new to the sample, before a pass over all weights.
+constexpr int TRIES = 64;
+
 /** @brief Points as often as their weights w_i, Params::scores, say.
 
 A point is drawn with probability w_i / sum(w), a repeated one is drawn again; so the k-th point has the probability
@@ -47,8 +50,6 @@ public:
     }
 
 private:
-    enum { TRIES = 64 };
-
     //! Uniform in [0, 1).
     static double fraction(Rng& rng) { return rng.next() * (1. / 4294967296.); }
 

@@ -10,6 +10,9 @@ namespace usacv20 {
 
 namespace {
 
+//! First points that are tried. Half, double: no run of the lists differs.
+constexpr int TRIES = 100;
+
 /** @brief NAPSAC: any point and its neighbors @cite nasuto2002napsac.
 
 The first point is uniform, the others are uniform among its neighbors in the coarsest layer of the graph. Finer layers
@@ -41,9 +44,6 @@ public:
         }
         state.rng.distinct(size, m, sample);
     }
-
-private:
-    enum { TRIES = 100 };
 };
 
 }  // namespace

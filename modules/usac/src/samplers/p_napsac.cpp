@@ -10,6 +10,18 @@ namespace usacv20 {
 
 namespace {
 
+// Half and double of these: doc/constants.md.
+
+//! Samples; see the class. BEFORE_ORDER 4, 16: errors the same; ORDERED 8, 32: errors of H within 1 %.
+constexpr int BEFORE_ORDER = 8, ORDERED = 16;
+//! Points of the sample of H.
+constexpr int SMALL = 4;
+//! Of so many samples that are not uniform, one is local. LOCAL_EVERY 2, 8, with scores: errors within 1 %;
+//! LOCAL_EVERY_GUESS 1: errors of F +5 %, E +3 %, failures of F +0.7 points; 4: errors within 1 %.
+constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
+//! The first neighborhood of a point has so many times as many members as a sample. 1, 4: errors within 1 %.
+constexpr int FIRST_MEMBERS = 2;
+
 //! True if the order of the points is nobody's knowledge.
 bool isGuess(const Context& context)
 {
@@ -20,13 +32,14 @@ bool isGuess(const Context& context)
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
 The first, location-defining, point comes from PROSAC's growing set of the best points; the others from its
-neighborhood: the finest layer of the graph with 2 m members at first, and with twice as many each time the point is
-chosen again, until that is everything and the sample is PROSAC's. One in four of the samples that are not uniform
-(Params::orderedEvery) is local, every second one if the order of the points is a guess (the density). With more, small
-groups of wrong matches that agree with each other (repeated patterns) won more often on real pairs than small groups of
-right ones were found sooner. If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy problems need
-no more, and so neither order nor neighborhood. Of samples of at most #SMALL points (H), the first #ORDERED all keep to
-the order instead: they come from the few densest points, and four right ones among these are soon met. */
+neighborhood: the finest layer of the graph with #FIRST_MEMBERS m members at first, and with twice as many each time the
+point is chosen again, until that is everything and the sample is PROSAC's. One in four of the samples that are not
+uniform (Params::orderedEvery) is local, every second one if the order of the points is a guess (the density). With
+more, small groups of wrong matches that agree with each other (repeated patterns) won more often on real pairs than
+small groups of right ones were found sooner. If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy
+problems need no more, and so neither order nor neighborhood. Of samples of at most #SMALL points (H), the first
+#ORDERED all keep to the order instead: they come from the few densest points, and four right ones among these are soon
+met. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -61,10 +74,6 @@ public:
     }
 
 private:
-    enum { BEFORE_ORDER = 8, ORDERED = 16, SMALL = 4 };
-    //! Of so many samples that are not uniform, one is local.
-    enum { LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2 };
-
     static int localEvery(const Context& context) { return isGuess(context) ? LOCAL_EVERY_GUESS : LOCAL_EVERY; }
 
     //! As isOrdered(), but for the first samples.
@@ -102,8 +111,8 @@ private:
             std::fill(centers, centers + context.points.size, Center());
         }
         Center& center = centers[sample[0]];
-        const int wanted = 2 * m << std::min(center.chosen++, 16);
-        for (; center.layer < neighborhood.layers(); ++center.layer)  // finer ones will never do again
+        const int wanted = FIRST_MEMBERS * m << std::min(center.chosen++, 16);  // 16: no overflow
+        for (; center.layer < neighborhood.layers(); ++center.layer)            // finer ones will never do again
         {
             const int* members;
             const int count = neighborhood.members(context, center.layer, sample[0], members);

@@ -14,18 +14,18 @@ namespace usacv20 {
 typedef void (*ErrorKernel)(const Correspondences& points, const float* model, int begin, int end, float* errors);
 
 //! Points of one call of a SumsKernel. Fewer are filled up with points of weight 0.
-enum { SUMS_CHUNK = 32 };
+constexpr int SUMS_CHUNK = 32;
 //! Each sum is kept in so many parts, to be added at the end.
-enum { SUMS_LANES = 8 };
+constexpr int SUMS_LANES = 8;
 /** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors alone; see
 sums.inl.hpp.
 @param chunk the columns and the weight of the points: rows of #SUMS_CHUNK, of two views 5 */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double (*sums)[SUMS_LANES]);
 //! Length of `sums` for the transfer error and the epipolar distances.
-enum { TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55 };
+constexpr int TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55;
 
 //! Of ArcsKernel: points come in multiples of this, rows of numbers, coefficients of the line, parts of the line.
-enum { ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256 };
+constexpr int ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256;
 /** Of `stride` points, the arcs of a line on which an epipole keeps them within the threshold, see PlaneParallax and
 arcs.inl.hpp.
 @param rows #ARCS_ROWS rows of `stride` numbers: n (3 of them) and the upper triangle of G (6)

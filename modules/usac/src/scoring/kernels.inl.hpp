@@ -17,7 +17,7 @@ namespace usacv20 {
 namespace {
 
 //! Partial sums of a block; as many as the widest registers have, whatever the registers of this build.
-enum { LANES = 16 };
+constexpr int LANES = 16;
 
 template <class Error>
 void errorKernel(const Correspondences& points, const float* model, int begin, int end, float* errors)

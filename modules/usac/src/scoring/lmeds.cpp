@@ -13,6 +13,11 @@ namespace usacv20 {
 
 namespace {
 
+//! Of @cite rousseeuw1984least: inliers are within so many standard deviations; what small sets add to the scale, over
+//! n
+//! - m.
+constexpr double DEVIATIONS = 2.5, SMALL_SETS = 5;
+
 /** Least median of squares @cite rousseeuw1984least. Needs no threshold and at least half of the points right.
 
 The cost of a model is s / (s + extent) for each point, s being the root of the median squared error and `extent` that
@@ -69,13 +74,13 @@ private:
     //! q c of the comment above.
     static double sigmasInMedian(int degrees)
     {
-        const double certainty = chiSquareDistribution(2.5 * 2.5, 1);
+        const double certainty = chiSquareDistribution(DEVIATIONS * DEVIATIONS, 1);
         return std::sqrt(chiSquareQuantile(certainty, degrees) / chiSquareQuantile(0.5, degrees));
     }
 
     double squaredLimit(double squaredMedian, int beside) const
     {
-        const double factor = sigmas * (1 + 5.0 / std::max(beside, 1));
+        const double factor = sigmas * (1 + SMALL_SETS / std::max(beside, 1));
         const double rounding = 8 * FLT_EPSILON * extent;
         return std::min(std::max(factor * factor * squaredMedian, rounding * rounding), (double)FLT_MAX);
     }

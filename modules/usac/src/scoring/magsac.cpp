@@ -13,6 +13,9 @@ namespace usacv20 {
 
 namespace {
 
+//! Cells of the table. Half, double: the same.
+constexpr int SIZE = 1024;
+
 /** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over sigma uniform in 0 .. sigma_max.
 
 Given sigma, points within k sigma (thresholdInSigmas) are inliers, Gaussian; the others are outliers, uniform on the
@@ -62,8 +65,6 @@ public:
     }
 
 private:
-    enum { SIZE = 1024 };
-
     const int degrees;
     const double k;
     double extent;

@@ -46,7 +46,7 @@ interpolation. Errors are below 1e-3, those of the weight relative to it. */
 class MarginalizedWeights
 {
 public:
-    //! Cells of the tables; below u = 1/SIZE the weight is constant.
+    //! Cells of the tables; below u = 1/SIZE the weight is constant. Half, double: errors within 1 %.
     enum { SIZE = 2048 };
 
     //! Those of errors of so many degrees of freedom, made at first use.

@@ -9,6 +9,11 @@
 namespace cv {
 namespace usacv20 {
 
+//! Half, double: no run of the lists differs.
+//! Steps of expectation and maximization at most, and the change of the part of inliers that is the last.
+constexpr int MAX_ITERATIONS = 50;
+constexpr double SETTLED = 1e-4;
+
 double logDensityRatio(double extent, double sigma, int degrees)
 {
     const double k = thresholdInSigmas(degrees), least = 0.5 * k * k / degrees;
@@ -17,7 +22,6 @@ double logDensityRatio(double extent, double sigma, int degrees)
 
 double mixingWeight(const float* ratios, int near, int count)
 {
-    enum { MAX_ITERATIONS = 50 };
     double weight = 0.5;
     for (int k = 0; k < MAX_ITERATIONS; ++k)
     {
@@ -26,7 +30,7 @@ double mixingWeight(const float* ratios, int near, int count)
             expected += weight * ratios[i] / (1 + weight * (ratios[i] - 1));
         const double change = expected / count - weight;
         weight += change;
-        if (std::abs(change) < 1e-4)
+        if (std::abs(change) < SETTLED)
             break;
     }
     return std::min(weight, 1.0);

@@ -12,6 +12,12 @@ namespace usacv20 {
 
 namespace {
 
+//! Points that are less than so many times as likely as inliers than as outliers count as outliers. Half, double: no
+//! run of the lists differs.
+constexpr double NEGLIGIBLE = 1e-6;
+//! So many factors of any float do not overflow a double.
+constexpr int GROUP = 4;
+
 /** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers, Gaussian with
 sigma = threshold / thresholdInSigmas, and outliers, uniform on the area of the points (outlierExtent). With q the ratio
 of both densities at an error of 0, the log-likelihood of a point, measured from that of an outlier, is
@@ -20,7 +26,7 @@ of both densities at an error of 0, the log-likelihood of a point, measured from
 
 where the part gamma of inliers is found for each model by expectation and maximization. The cost is the sum over the
 points of 1 - this / log(q): 0 if all errors are 0, and never more than the number of points, which gamma = 0 has.
-Points that are less than 1e-6 times as likely as inliers than as outliers count as outliers.
+Points that are less than #NEGLIGIBLE times as likely as inliers than as outliers count as outliers.
 
 One pass over the points, with an exponential for those near the model, and some short ones over these. */
 class MlesacScore : public Score
@@ -64,14 +70,9 @@ public:
     bool wholeModel() const CV_OVERRIDE { return true; }
 
 private:
-    enum { GROUP = 4 };  // so many factors of any float do not overflow a double
-    static const double NEGLIGIBLE;
-
     int degrees;
     double extent;
 };
-
-const double MlesacScore::NEGLIGIBLE = 1e-6;
 
 }  // namespace
 

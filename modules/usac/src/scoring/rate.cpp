@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Most points of one block.
-enum { BLOCK = 256 };
+//! Most points of one block, whose errors stay in the first cache. Half, double: the same.
+constexpr int BLOCK = 256;
 
 /** One model against the points: the fused kernel where score and residual have one, else errors, then score. */
 class Judge
@@ -57,7 +57,7 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
         int position = start + tested;
         if (position >= size)
             position -= size;
-        const int block = verifier ? std::max(1, std::min<int>(verifier->nextBlock(tested), BLOCK)) : (int)BLOCK;
+        const int block = verifier ? std::max(1, std::min<int>(verifier->nextBlock(tested), BLOCK)) : BLOCK;
         const int count = std::min(block, std::min(size - tested, size - position));
         rating.costBefore = rating.quality.cost;
         judge.add(position, position + count, rating.quality);

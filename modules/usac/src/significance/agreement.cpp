@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Wrong matches of each point, at least.
-enum { PARTNERS = 4 };
+//! Wrong matches of each point, at least. 2, 8: no run of the lists differs.
+constexpr int PARTNERS = 4;
 
 /** Some of the points, with the numbers that a residual wants: double for one of the caller's own, which may know
 nothing of Correspondences but those of the estimation, float for the others. */

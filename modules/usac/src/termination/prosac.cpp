@@ -11,10 +11,13 @@
 namespace cv {
 namespace usacv20 {
 
+//! What the probability of a support by chance must be below, as in @cite chum2005matching (half, double: no run of
+//! the lists differs); T_n may be an integer.
+constexpr double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;
+
 int prosacSamples(const uchar* inliers, const uchar* repeated, int size, int m, double kept, double randomRatio,
                   double logFailure, bool exact, int& length)
 {
-    const double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;  // T_n may be an integer
     int support = 0, repetitions = 0;
     Growth growth(m, size);
     for (int i = 0; i < size; ++i)

@@ -8,6 +8,12 @@
 namespace cv {
 namespace usacv20 {
 
+//! Each sample has been drawn but for this probability; it matters to a handful of points only. Half, double: no run of
+//! the lists differs.
+constexpr double MISSED = 1e-6;
+//! Samples that are drawn in any case before the run ends for that, as they cost nothing. Half, double: no run differs.
+constexpr int LEAST_EXHAUSTIVE = 100;
+
 double keptProbability(const Context& context, double inliers)
 {
     const Ptr<Verifier>& verifier = context.components.verifier;
@@ -42,12 +48,11 @@ double goodModelProbability(const Context& context, const State& state, double i
 
 int exhaustiveSamples(const Context& context)
 {
-    const double MISSED = 1e-6;  // the probability that a sample has not been drawn
     const int n = context.points.size, m = context.components.minimalSolver->sampleSize();
     if (context.components.terminations.empty())
         return INT_MAX;
     return std::max(samplesNeeded(goodSampleProbability(m, n, m, true) * keptProbability(context, m), std::log(MISSED)),
-                    100);
+                    LEAST_EXHAUSTIVE);
 }
 
 }  // namespace usacv20

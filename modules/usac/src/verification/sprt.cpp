@@ -10,6 +10,19 @@ namespace usacv20 {
 
 namespace {
 
+// Half and double of these, doc/constants.md: time within 4 %, errors the same to some thousandths.
+
+//! Points of a block while less than so many have been tested, and after that.
+constexpr int FIRST_BLOCK = 32, FIRST_BLOCKS_END = 64, SECOND_BLOCK = 64, SECOND_BLOCKS_END = 256, BLOCK = 256;
+//! What delta is taken for before any model has been looked at, and as how many points that weighs.
+constexpr double PRIOR_DELTA = 0.01, PRIOR_POINTS = 100;
+//! The largest epsilon, and the largest delta as a part of epsilon: the logarithms of their ratios stay apart from 0.
+constexpr double MOST_EPSILON = 0.99, MOST_DELTA = 0.8;
+//! A new test is designed when delta has changed by more than this part @cite matas2005randomized.
+constexpr double CHANGED = 0.05;
+//! Steps of the fixed-point iteration for A; an error is divided by A, 10 and more, in each.
+constexpr int DESIGN_STEPS = 10;
+
 /** @brief Wald's sequential probability ratio test on blocks of points @cite matas2005randomized @cite chum2008optimal.
 
 A point is an inlier of a good model with probability epsilon, of a bad one with delta. The likelihood ratio of bad to
@@ -27,7 +40,10 @@ public:
 
     void start(const Context&) CV_OVERRIDE { forget(); }
 
-    int nextBlock(int tested) const CV_OVERRIDE { return tested < 64 ? 32 : tested < 256 ? 64 : 256; }
+    int nextBlock(int tested) const CV_OVERRIDE
+    {
+        return tested < FIRST_BLOCKS_END ? FIRST_BLOCK : tested < SECOND_BLOCKS_END ? SECOND_BLOCK : BLOCK;
+    }
 
     bool proceed(int inliers, int tested) const CV_OVERRIDE
     {
@@ -46,11 +62,11 @@ public:
     {
         if (state.sampleQuality.inliers == 0)
             return;  // nothing is known yet: no model is dropped
-        const double epsilon = std::min((double)state.sampleQuality.inliers / context.points.size, 0.99);
-        // the prior weighs as much as 100 points
-        const double delta = std::min((100 * 0.01 + inliersSeen) / (100. + pointsSeen), 0.8 * epsilon);
+        const double epsilon = std::min((double)state.sampleQuality.inliers / context.points.size, MOST_EPSILON);
+        const double delta = std::min((PRIOR_POINTS * PRIOR_DELTA + inliersSeen) / (PRIOR_POINTS + pointsSeen),
+                                      MOST_DELTA * epsilon);
         if (!state.tests.empty() && epsilon <= current.epsilon &&
-            std::abs(delta - current.delta) <= 0.05 * current.delta)
+            std::abs(delta - current.delta) <= CHANGED * current.delta)
             return;
         design(epsilon, delta);
         state.tests.push(context.arena, current);
@@ -70,7 +86,7 @@ private:
         const double C = (1 - delta) * outlierStep + delta * inlierStep;
         const double K = 1 + cost.time * C / cost.models;
         double A = K;
-        for (int i = 0; i < 10; ++i)
+        for (int i = 0; i < DESIGN_STEPS; ++i)
             A = K + std::log(A);
         logA = std::log(A);
         current.epsilon = epsilon;

@@ -11,6 +11,9 @@ namespace usacv20 {
 
 namespace {
 
+//! As Params::check allows.
+constexpr int MAX_POINTS = 100;
+
 /** @brief T(d,d): a model goes on only if d random points are all inliers @cite matas2004randomized.
 
 The points are drawn for each model anew, before the blocks. A fixed order of the points, as the blocks have it, would
@@ -53,8 +56,6 @@ public:
     void adapt(const Context&, State&) CV_OVERRIDE {}
 
 private:
-    enum { MAX_POINTS = 100 };  // as Params::check allows
-
     const int points;
 };
 
@@ -62,7 +63,7 @@ private:
 
 Ptr<Verifier> createTddVerifier(int points)
 {
-    CV_Assert(points >= 1 && points <= 100);
+    CV_Assert(points >= 1 && points <= MAX_POINTS);
     return makePtr<TddVerifier>(points);
 }
 

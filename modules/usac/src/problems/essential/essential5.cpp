@@ -190,7 +190,7 @@ inline void addRows(const double (&T)[20][10], const double* values, int first, 
 }
 
 //! What may be left of the constraints, for unit models: no correction is needed; no essential matrix has been found.
-const double EXACT = 1e-12, VIOLATED = 1e-9;
+constexpr double EXACT = 1e-12, VIOLATED = 1e-9;
 
 //! Largest of the ten constraints r at (x, y, z).
 double violation(const double (&T)[20][10], double x, double y, double z, double (&r)[10])
@@ -297,7 +297,7 @@ struct System
 
 //! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a scene with parallax
 //! is among them.
-const double SMALL_PIVOT = 5e-4;
+constexpr double SMALL_PIVOT = 5e-4;
 
 /** @brief Up to ten essential matrices from five points of calibrated cameras @cite nister2004efficient.
 

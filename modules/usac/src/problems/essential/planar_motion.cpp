@@ -11,6 +11,13 @@ namespace usacv20 {
 
 namespace {
 
+//! Part of the inliers on a plane from which on a second motion of the plane has nearly as many. 0.9: structured scenes
+//! with planes take 23 % less samples; 0.6: 37 % more, lists 13 % more time.
+constexpr double DOMINANT = 0.8;
+//! Then so many of the samples of inliers only are taken to lead to the right motion. Lists: half: time +3 %; double:
+//! the same. Scenes with planes: half: 59 % more samples; 1: 43 % less, and 6 of 432 searches fail for 1.
+constexpr double YIELD = 0.5;
+
 /** @brief E of a scene that is dominated by a plane takes more samples.
 
 Five points of a plane have two motions @cite ma2004invitation, both of which fit all of the plane; which one is right,
@@ -31,15 +38,8 @@ public:
     }
 
 private:
-    //! Part of the inliers on a plane from which on a second motion of the plane has nearly as many.
-    static const double DOMINANT;
-    static const double YIELD;
-
     DominantPlane plane;
 };
-
-const double PlanarMotion::DOMINANT = 0.8;
-const double PlanarMotion::YIELD = 0.5;
 
 }  // namespace
 

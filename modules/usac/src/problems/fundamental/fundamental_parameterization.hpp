@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 //! Smallest ratio of the two singular values of F that counts as rank 2.
-const double LEAST_RATIO = 1e-6;
+constexpr double LEAST_RATIO = 1e-6;
 
 /** @brief A fundamental matrix and a minimal parameterization around it; parameters 0 are the model itself.
 

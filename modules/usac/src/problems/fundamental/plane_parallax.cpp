@@ -13,27 +13,29 @@ namespace usacv20 {
 namespace {
 
 //! A place so many bins from the match's own points does not count: there the match agrees with anything, it is no
-//! evidence.
-enum { NEAR = 2 };
+//! evidence. Half, double: the same.
+constexpr int NEAR = 2;
 
-/* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 % inliers: */
+/* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 % inliers, and for
+half and double of each on the lists, doc/constants.md: */
 
 //! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1 failures rise from 3 to 7
-//! %, with 0.3 they stay.
-const double GOOD_LINES = 0.5;
+//! %, with 0.3 they stay. Lists: half: time of F +9 %; double: -4 %.
+constexpr double GOOD_LINES = 0.5;
 //! A place with so many votes, as a part of the best support, is worth a fit: the same number of inliers can be a lower
 //! cost. 0.6 changes nothing but the time; 0.9 saves 2 % of the time of F and misses 2 of 40 epipoles of cameras
 //! that move forwards.
-const double WORTH_A_FIT = 0.8;
+constexpr double WORTH_A_FIT = 0.8;
 //! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the
-//! lowest one: the points on the plane decide between similar epipoles. More changes nothing.
-const double GOES_ON = 8, WORTH_RATING = 3;
+//! lowest one: the points on the plane decide between similar epipoles. Half: errors of F +1 and +2 %; more changes
+//! nothing.
+constexpr double GOES_ON = 8, WORTH_RATING = 3;
 //! Widths of the steps of a fit, in thresholds: from a bin's middle the first ones must be wider than the threshold.
-const double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
-//! Epipoles at an angle (as unit vectors) with a smaller squared sine are the same.
-const double SAME = 1e-6;
-//! The same for epipoles from votes, whose places are known to a bin: two bins.
-const double SAME_PLACE = 1e-3;
+//! All 1: errors within 1 %; twice as wide: the same.
+constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
+//! Epipoles from votes at an angle (as unit vectors) with a smaller squared sine are the same: two bins. Half: time
+//! +3 %; double: errors within 1 %; 0.1: search failures of scenes with planes, 4 of 432 for 1.
+constexpr double SAME_PLACE = 1e-3;
 
 //! The middle of the bins first .. last of the line through the orthonormal u and v.
 Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
@@ -43,11 +45,10 @@ Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
     return e * (1 / norm(e));
 }
 
-//! Squared sine of the angle between unit vectors below a limit?
-bool isNear(const Vec3d& a, const Vec3d& b, double limit)
+bool samePlace(const Vec3d& a, const Vec3d& b)
 {
     const double cosine = a.dot(b);
-    return 1 - cosine * cosine < limit;
+    return 1 - cosine * cosine < SAME_PLACE;
 }
 
 //! Two orthonormal vectors that are normal to n, which is not zero.
@@ -82,7 +83,7 @@ int densest(const int* change, const int* own, int& first, int& last)
     for (int k = 0, sum = 0; k < ARCS_BINS; ++k)
         votes[k] = sum += change[k];
     for (int i = 0; i < 2; ++i)
-        std::fill(votes + std::max(own[i] - NEAR, 0), votes + std::min(own[i] + NEAR + 1, (int)ARCS_BINS), 0);
+        std::fill(votes + std::max(own[i] - NEAR, 0), votes + std::min(own[i] + NEAR + 1, ARCS_BINS), 0);
     int most = 0;
     for (int k = 0; k < ARCS_BINS; ++k)
         most = std::max(most, votes[k]);
@@ -169,7 +170,7 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
         const int votes = vote(next, e) + 1;  // and its own
         if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
             continue;
-        if (isNear(e, lastFit, SAME_PLACE))
+        if (samePlace(e, lastFit))
             continue;
         refine(context, e, model, quality);
         needed = linesNeeded(failure, wanted);
@@ -220,13 +221,13 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
     Matx33d F = crossMatrix(e) * H, candidate = F;
     Quality lowest;
     const size_t steps = sizeof(WIDTHS) / sizeof(WIDTHS[0]);
-    for (size_t step = 0; step < steps && fit(F, WIDTHS[step], step < 2 ? (int)FIRST_FIT : (int)MAX_POINTS, e); ++step)
+    for (size_t step = 0; step < steps && fit(F, WIDTHS[step], step < 2 ? (int)FIRST_FIT : MAX_POINTS, e); ++step)
     {
         F = crossMatrix(e) * H;
         const Quality here = support(F);
         if (step == 1)
         {
-            if (here.cost > best.cost + GOES_ON || isNear(e, lastFit, SAME))
+            if (here.cost > best.cost + GOES_ON)
                 return;
             lastFit = e;
             ++fitted;

@@ -10,6 +10,10 @@ namespace usacv20 {
 
 namespace {
 
+//! Twice the area of a triangle over the squared distance between points: below it they are on a line. Half, double: no
+//! run of the lists differs.
+constexpr double COLLINEAR = 1e-6;
+
 /** Maps the four points of the standard projective basis to four given points: columns are the first three points,
 scaled so that they sum up to the fourth. False where three of the four are collinear. */
 bool fromBasis(const double* x, const double* y, const int* s, double* B)
@@ -30,7 +34,7 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
     for (int k = 0; k < 3; ++k)
         extent = std::max(extent, dx[k] * dx[k] + dy[k] * dy[k]);
     const double smallest = std::min(std::min(std::abs(w0), std::abs(w1)), std::min(std::abs(w2), std::abs(all)));
-    if (!(smallest > 1e-6 * extent))  // also for NaN
+    if (!(smallest > COLLINEAR * extent))  // also for NaN
         return false;
     const double w[3] = {w0, w1, w2};
     for (int k = 0; k < 3; ++k)

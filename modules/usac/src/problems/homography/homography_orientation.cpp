@@ -10,6 +10,9 @@ namespace usacv20 {
 
 namespace {
 
+//! Determinant of H of unit norm below which it is near-singular. Half, double: no run of the lists differs.
+constexpr double SINGULAR = 1e-7;
+
 //! Twice the signed areas of the four triangles of four points.
 void areas(const double* x, const double* y, const int* s, double* area)
 {
@@ -47,7 +50,7 @@ public:
     {
         const Matx33d H = model;
         const double size = norm(H);
-        return std::abs(determinant(H)) > 1e-7 * size * size * size;
+        return std::abs(determinant(H)) > SINGULAR * size * size * size;
     }
 };
 

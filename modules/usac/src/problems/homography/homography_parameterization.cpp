@@ -9,7 +9,7 @@ namespace cv {
 namespace usacv20 {
 
 //! Smallest determinant of H of unit norm that counts as rank 3.
-static const double LEAST_DETERMINANT = 1e-9;
+constexpr double LEAST_DETERMINANT = 1e-9;
 
 HomographyParameterization::HomographyParameterization(const Model& model)
     : h(Eigen::Map<const Eigen::Matrix<double, 9, 1>>(model.val).normalized())

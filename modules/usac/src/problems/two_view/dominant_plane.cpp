@@ -60,7 +60,7 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
         if (SampsonError::squared(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]) <=
             p.threshold * p.threshold)
             members[count++] = i;
-    if (count < 8 || !epipolar(F, e, A))
+    if (count < LEAST_INLIERS || !epipolar(F, e, A))
         return false;
     someInliers.gather(p, members, count);
     int most = (int)(least * count);
