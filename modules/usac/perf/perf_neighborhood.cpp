@@ -27,7 +27,7 @@ PERF_TEST_P(UsacSize, grid_1000000points, testing::Values(100, 1000, 10000, 1000
         {
             const int* members = 0;
             scene.context.arena.clear();
-            found = createGridNeighborhood()->members(scene.context, 0, 0, members);  // builds the grid
+            found = createGridNeighborhood(4)->members(scene.context, 0, 0, members);  // builds the grid
         }
     }
     EXPECT_GT(found, 0);
@@ -44,7 +44,7 @@ PERF_TEST_P(UsacSize, gridWithEdges_1000000points, testing::Values(100, 1000, 10
         {
             const Vec2i* links = 0;
             scene.context.arena.clear();
-            edges = createGridNeighborhood()->edges(scene.context, links);
+            edges = createGridNeighborhood(4)->edges(scene.context, links);
         }
     }
     EXPECT_GT(edges, 0);

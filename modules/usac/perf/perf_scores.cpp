@@ -54,7 +54,7 @@ PERF_TEST_P(UsacScore, rate_1000000points,
         residual = makePtr<UnknownResidual>(residual);
     const Context& context = scene.context;
     const Quality right = context.rate(scene.model);
-    const Model wrong = scene.model + Model::eye() * 0.5;
+    const Model wrong = Matx33d(scene.model) + Matx33d::eye() * 0.5;
     Quality sum;
     TEST_CYCLE()
     {
