@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "run_context.hpp"
 #include "test_contracts.hpp"
 
 // A problem of one array of points: the plane n x + d = 0 of points of space, a model of four numbers.
@@ -182,6 +183,31 @@ TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
             EXPECT_LE(errorOf(plane), 0.03);
             EXPECT_EQ(0, mask.at<uchar>(7) + mask.at<uchar>(150));
         }
+}
+
+//! Of points of space, against all distances.
+TEST(Usac_CustomPlane, nearestNeighbors)
+{
+    Params params;
+    params.neighborhood = NEIGHBORHOOD_KNN;
+    params.neighbors = 6;
+    const Ptr<Usac> usac = Usac::create(makePtr<PlaneProblem>(), scene(100, 100, 0.01), noArray(), params);
+    const Correspondences& p = usac->points();
+    const RunContext run(p, usac->components(), params);
+    for (int i = 0; i < p.size; ++i)
+    {
+        std::vector<std::pair<double, int>> all;
+        for (int k = 0; k < p.size; ++k)
+        {
+            const Vec3d d(p.exact[0][k] - p.exact[0][i], p.exact[1][k] - p.exact[1][i], p.exact[2][k] - p.exact[2][i]);
+            all.push_back(std::make_pair(d.dot(d), k));
+        }
+        std::sort(all.begin(), all.end());
+        const int* members = 0;
+        ASSERT_EQ(7, usac->components().neighborhood->members(run, 0, i, members));
+        for (int k = 0; k < 7; ++k)
+            EXPECT_EQ(all[k].second, members[k]) << i;
+    }
 }
 
 TEST(Usac_CustomPlane, layoutsOfPoints)

@@ -63,8 +63,8 @@ struct Reach
     double squaredRadius;  //!< pixels
 };
 
-/** @brief Nearest neighbors in the joint space of the coordinates (x1, y1, x2, y2) in pixels, by an exact kd-tree of
-cv::flann.
+/** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in pixels, by an exact
+kd-tree of cv::flann.
 
 Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbors have k, 2 k, 4 k
 and 8 k of them, those of a radius r have the points within r, 2 r, 4 r and 8 r. P-NAPSAC needs layers that grow, as it
@@ -78,7 +78,8 @@ in O(log N) each, as samplers see but few of many points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:
-    explicit FlannNeighborhood(const Reach* reach_) : coordinates(0), size(0), known(0), links(0), linkCount(0)
+    explicit FlannNeighborhood(const Reach* reach_)
+        : coordinates(0), columns(0), size(0), known(0), links(0), linkCount(0)
     {
         std::copy(reach_, reach_ + LAYERS, reach);
     }
@@ -155,13 +156,13 @@ private:
         const double unit2 = p.threshold / (context.params.threshold * context.params.reach),
                      unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
         const double LARGEST = 1e18;  // its square is a float
-        const int columns = p.columns();
+        columns = p.columns();
         coordinates = context.arena.take<float>((size_t)columns * size);
         for (int i = 0; i < size; ++i)
             for (int k = 0; k < columns; ++k)
             {
                 const double value = p.exact[k][i] / (k < p.coordinates[0] ? unit1 : unit2);
-                coordinates[columns * i + k] = (float)std::max(-LARGEST, std::min(value, LARGEST));
+                coordinates[(size_t)columns * i + k] = (float)std::max(-LARGEST, std::min(value, LARGEST));
             }
         known = context.arena.take<Surroundings>(size);
         std::fill(known, known + size, Surroundings());
@@ -175,7 +176,7 @@ private:
     {
         const int capacity = (int)std::min<int64>((int64)wanted.neighbors + 1, size);
         NearestWithin result(capacity, (float)std::min<double>(wanted.squaredRadius, FLT_MAX), found);
-        tree->findNeighbors(result, coordinates + 4 * (size_t)point, exact);
+        tree->findNeighbors(result, coordinates + (size_t)columns * point, exact);
         std::sort(found.begin(), found.end());
         size_t self = 0;  // which many equal points may have kept out
         while (self + 1 < found.size() && found[self].second != point)
@@ -194,6 +195,7 @@ private:
 
     Reach reach[LAYERS];
     float* coordinates;  //!< pixels, one point a row
+    int columns;         //!< of a row
     int size;            //!< points
     Ptr<KdTree> tree;
     const cvflann::SearchParams exact;
