@@ -30,13 +30,13 @@ public:
 
     double meanSide() const { return dimensions == 2 ? std::sqrt(volume()) : std::pow(volume(), 1. / dimensions); }
 
-    //! Bound of the length of a line or the area of a plane within the box.
-    double largestSection() const
+    //! Bound of the length of a line or the area of a plane within the box, which has so many dimensions less than it.
+    double largestSection(int codimension) const
     {
         double squares = 0;
         for (int k = 0; k < dimensions; ++k)
             squares += side[k] * side[k];
-        return std::pow(std::sqrt(squares), dimensions - 1);
+        return std::pow(std::sqrt(squares), dimensions - codimension);
     }
 
 private:
@@ -68,12 +68,9 @@ double Problem::randomInlierRatio(const Correspondences& points) const
 {
     const Box last(points, points.coordinates[1] ? 1 : 0);
     const double t = points.threshold;
-    double within;
-    if (errorDimension() > 1)
-        within = errorDimension() > 2 ? 4 * CV_PI / 3 * t * t * t : CV_PI * t * t;
-    else  // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both are equal
-        within = 2 * (points.coordinates[1] ? std::sqrt(2.) : 1.) * t * last.largestSection();
-    const double whole = last.volume();
+    // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both are equal
+    const double around = errorDimension() > 1 ? CV_PI * t * t : 2 * (points.coordinates[1] ? std::sqrt(2.) : 1.) * t;
+    const double within = around * last.largestSection(errorDimension()), whole = last.volume();
     return within < whole ? within / whole : 1;
 }
 

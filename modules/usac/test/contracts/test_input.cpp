@@ -239,6 +239,14 @@ TEST(Usac_Input, every_length_of_distortion)
     }
 }
 
+//! At most 16 edges a point.
+void expectSparseGraph(Usac& usac)
+{
+    const Params params;
+    const RunContext context(usac.points(), usac.components(), params);
+    EXPECT_LE(edgesOf(*usac.components().neighborhood, context).size(), (size_t)16 * usac.points().size);
+}
+
 TEST_P(UsacInput, hundred_thousand_points)
 {
     SceneOptions options;
@@ -248,10 +256,7 @@ TEST_P(UsacInput, hundred_thousand_points)
     Mat mask;
     Report report;
     Ptr<Usac> usac = createUsac(scene, Params());
-    Arena arena;
-    const Context context(usac->points(), usac->components(), Params(), arena);
-    usac->components().start(context);
-    EXPECT_LE(edgesOf(*usac->components().neighborhood, context).size(), (size_t)16 * scene.size());
+    expectSparseGraph(*usac);
     const Mat model = usac->run(mask, &report);
     EXPECT_LT(modelError(scene, model), 0.2);
     checkResult(scene, Params().threshold, model, mask, report);
@@ -272,10 +277,7 @@ TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
     Mat mask;
     Report report;
     Ptr<Usac> usac = createUsac(scene, Params());
-    Arena arena;
-    const Context context(usac->points(), usac->components(), Params(), arena);
-    usac->components().start(context);
-    EXPECT_LE(edgesOf(*usac->components().neighborhood, context).size(), (size_t)16 * scene.size());
+    expectSparseGraph(*usac);
     const Mat model = usac->run(mask, &report);
     checkResult(problem(), scene.points1, scene.points2, Params().threshold, model, mask, report);
 }

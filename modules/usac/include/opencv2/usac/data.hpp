@@ -38,7 +38,7 @@ class Model
 public:
     Model() : rows(0), cols(0), val() {}
     //! Zeros.
-    Model(int rows_, int cols_) : rows(rows_), cols(cols_), val() { CV_DbgAssert(size() <= MAX_MODEL_SIZE); }
+    Model(int rows_, int cols_) : rows(rows_), cols(cols_), val() { CV_Assert(size() <= MAX_MODEL_SIZE); }
     template <int ROWS, int COLS>
     Model(const Matx<double, ROWS, COLS>& matrix) : rows(ROWS), cols(COLS), val()
     {
@@ -48,7 +48,7 @@ public:
     template <int ROWS, int COLS>
     operator Matx<double, ROWS, COLS>() const
     {
-        CV_DbgAssert(rows == ROWS && cols == COLS);
+        CV_Assert(rows == ROWS && cols == COLS);
         return Matx<double, ROWS, COLS>(val);
     }
 

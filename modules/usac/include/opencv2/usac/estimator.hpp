@@ -43,7 +43,9 @@ public:
                             InputArray cameraMatrix2 = noArray(), InputArray distCoeffs1 = noArray(),
                             InputArray distCoeffs2 = noArray());
 
-    /** @brief The same for a problem of the caller's own, which the object keeps. */
+    /** @brief The same for a problem of the caller's own, which the object keeps. Points have as many numbers as
+    Problem::coordinates says; `points2` is noArray() where there is only one list. Points of 1 or 3 numbers: N rows or
+    N columns of a matrix with 1 channel, or as many channels, any depth. */
     static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
                             const Params& params = Params());
 
@@ -60,11 +62,11 @@ public:
     virtual void setPoints(InputArray points1, InputArray points2) = 0;
     /** @brief Runs the estimation. May be called again, with the same result for the same points: Component::start
     tells all components, also those of the caller, that a run begins. From the second run of a size on only what is
-    returned is allocated.
+    returned is allocated by this module (OpenCV allocates for kd-trees, for the cuts of graphs and for distortion).
     @param mask output, N x 1, CV_8U
     @param report output, may be null
-    @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it, empty if there is
-    none. */
+    @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it, or the matrix of
+    Problem::toInput, CV_64F; empty if there is none. */
     virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
 };
 

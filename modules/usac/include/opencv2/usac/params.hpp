@@ -26,10 +26,11 @@ cv::findEssentialMat). A program that keeps its flag in an `int`, reads it from 
 this module and one of OpenCV's calls usacv20::findHomography, usacv20::findFundamentalMat and
 usacv20::findEssentialMat, which take the `int`s of both:
 @code{.cpp}
-int method = (int)cv::USACV20;         // without the cast this does not compile
-cv::read(fs["method"], method, method); // of a cv::FileStorage with, say, 16385, which is USACV20_FAST, or 8,
-cv::RANSAC if (quick) method = (int)cv::USACV20_FAST; cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2,
-method, 1.0, 0.99, mask);
+    int method = (int)cv::USACV20;           // without the cast this does not compile
+    cv::read(fs["method"], method, method);  // of a cv::FileStorage with 16385, say: USACV20_FAST; or 8: cv::RANSAC
+    if (quick)
+        method = (int)cv::USACV20_FAST;
+    cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2, method, 1.0, 0.99, mask);
 @endcode
 usacv20::methodFromInt makes a flag of a number, usacv20::isUsacV20Method tells whether it is one.
 */
@@ -40,8 +41,7 @@ enum class UsacV20Method : int {
     USACV20_ACCURATE = 0x4002,  //!< late stop and a long local optimization; usacv20::Params::accurate()
     USACV20_PROSAC = 0x4003,    //!< the caller's points are sorted, best first; usacv20::Params::sorted()
     USACV20_MAGSAC = 0x4004,    //!< quality and fits marginalized over the noise; usacv20::Params::magsacPlusPlus()
-    USACV20_PARALLEL =
-        0x4005  //!< USACV20 with cv::getNumThreads() threads, the same result; usacv20::Params::parallel()
+    USACV20_PARALLEL = 0x4005   //!< USACV20 with cv::getNumThreads() threads, same result; usacv20::Params::parallel()
 };
 
 constexpr UsacV20Method USACV20 = UsacV20Method::USACV20;                    //!< UsacV20Method::USACV20
