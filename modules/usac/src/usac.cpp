@@ -48,8 +48,8 @@ public:
     UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2, const Params& params_)
         : params(params_), problem(problem_), givenReach(params_.reach)
     {
+        checkProblem(*problem, params.residual);  // before its numbers are used
         setPoints(points1, points2);
-        checkProblem(*problem, params.residual);
         parts = made = createComponents(*problem, params);
         fitted = made.residual;
     }

@@ -105,6 +105,7 @@ public:
     int dimension() const CV_OVERRIDE { return mistake == 0 ? 7 : 6; }
     int errorDimension() const CV_OVERRIDE { return mistake == 1 ? 3 : 2; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(mistake == 2 ? 0 : 100, 1); }
+    int coordinates(int array) const CV_OVERRIDE { return mistake == 4 ? 4 : mistake == 5 && array == 1 ? 1 : 2; }
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
     {
         return mistake == 3 ? Ptr<MinimalSolver>() : AffineProblem::createMinimalSolver();
@@ -117,7 +118,7 @@ private:
 TEST(Usac_CustomProblem, mistakesAreNamed)
 {
     const AffineScene scene(20, 0, 0.5);
-    for (int mistake = 0; mistake <= 4; ++mistake)
+    for (int mistake = 0; mistake <= 6; ++mistake)
     {
         std::string message;
         try
@@ -128,7 +129,7 @@ TEST(Usac_CustomProblem, mistakesAreNamed)
         {
             message = e.err;
         }
-        EXPECT_EQ(mistake < 4, message.find("problem affine:") == 0) << message;
+        EXPECT_EQ(mistake < 6, message.find("problem affine:") == 0) << mistake << " " << message;
     }
 }
 
