@@ -8,7 +8,8 @@
 set(_benchmark "${USAC_PROJECT_DIR}/samples/benchmark")
 
 # All of the benchmark but its main(), for programs that register methods of their own, see doc/benchmark.md.
-file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp")
+file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp" "${_benchmark}/problems/*.cpp"
+  "${_benchmark}/problems/*.hpp")
 list(REMOVE_ITEM _sources "${_benchmark}/main.cpp")
 usac_add_sample_library(usac_benchmark_lib ${_sources})
 target_include_directories(usac_benchmark_lib PUBLIC "${_benchmark}")

@@ -18,6 +18,26 @@ Mat estimateHomography(InputArray points1, InputArray points2, const Params& par
     return Usac::create(HOMOGRAPHY, points1, points2, params)->run(mask);
 }
 
+Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+{
+    return Usac::create(AFFINITY, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+{
+    return Usac::create(AFFINITY, points1, points2, params)->run(mask);
+}
+
+Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+{
+    return Usac::create(SIMILARITY, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+{
+    return Usac::create(SIMILARITY, points1, points2, params)->run(mask);
+}
+
 Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
 {
     return Usac::create(FUNDAMENTAL, points1, points2, params)->run(mask, &report);
@@ -46,6 +66,20 @@ Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraM
                       OutputArray mask, Report& report)
 {
     return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask, &report);
+}
+
+Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                         InputArray distCoeffs, const Params& params, OutputArray mask, Report& report)
+{
+    return Usac::create(ABSOLUTE_POSE, objectPoints, imagePoints, params, cameraMatrix, noArray(), distCoeffs)
+        ->run(mask, &report);
+}
+
+Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                         InputArray distCoeffs, const Params& params, OutputArray mask)
+{
+    return Usac::create(ABSOLUTE_POSE, objectPoints, imagePoints, params, cameraMatrix, noArray(), distCoeffs)
+        ->run(mask);
 }
 
 }  // namespace usacv20

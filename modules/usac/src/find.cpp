@@ -3,19 +3,12 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "find_method.hpp"
 
 namespace cv {
 
 using usacv20::Params;
-
-static Params paramsOf(UsacV20Method method, double threshold, double confidence, int maxIterations)
-{
-    Params params = Params::fromMethod(method);
-    params.threshold = threshold;
-    params.confidence = confidence;
-    params.maxIterations = maxIterations;
-    return params;
-}
+using usacv20::paramsOf;
 
 static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1); }
 
@@ -106,14 +99,20 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
 
 namespace usacv20 {
 
-/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are 0 .. 38 in OpenCV 4.6
-and have room up to 63. Any other number is a mistake that calib3d would not see: F and E take what they do not know for
-LMedS. */
-static bool isOurs(int method)
+Params paramsOf(UsacV20Method method, double threshold, double confidence, int maxIterations)
+{
+    Params params = Params::fromMethod(method);
+    params.threshold = threshold;
+    params.confidence = confidence;
+    params.maxIterations = maxIterations;
+    return params;
+}
+
+bool isOurs(int method, const char* name)
 {
     const bool ours = isUsacV20Method(method);
     if (!ours && (method < 0 || method > 63))
-        CV_Error_(Error::StsBadArg, ("method: neither one of the flags USACV20* nor one of OpenCV's: %d", method));
+        CV_Error_(Error::StsBadArg, ("%s: neither one of the flags USACV20* nor one of OpenCV's: %d", name, method));
     return ours;
 }
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "opencv2/usac/data.hpp"
 #include "opencv2/usac/params_fields.hpp"
 
 namespace cv {
@@ -18,7 +19,9 @@ struct FieldInitializer
     {
         params.*field = (T)values.initial;
     }
-    void operator()(const char*, std::vector<float> Params::*, const FieldValues&) {}
+    template <class T>
+    void operator()(const char*, std::vector<T> Params::*, const FieldValues&)
+    {}
 };
 
 void checkRange(const char* name, double value, const FieldValues& values)
@@ -40,7 +43,9 @@ struct FieldChecker
     {
         checkRange(name, params.*field, values);
     }
-    void operator()(const char*, std::vector<float> Params::*, const FieldValues&) {}  // see checkScores
+    template <class T>
+    void operator()(const char*, std::vector<T> Params::*, const FieldValues&)  // see checkScores, checkInitialModel
+    {}
 };
 
 //! Refuses options that contradict each other.
@@ -98,6 +103,17 @@ void checkScores(const Params& p, int count)
                       ("scores: SAMPLER_IMPORTANCE expects finite numbers of at least 0, not %g", p.scores[i]));
 }
 
+//! Whether they are those of a model of the problem Problem::fromOutput says.
+void checkInitialModel(const std::vector<double>& model)
+{
+    if ((int)model.size() > MAX_MODEL_SIZE)
+        CV_Error_(Error::StsOutOfRange,
+                  ("initialModel: at most %d numbers are expected, not %d", (int)MAX_MODEL_SIZE, (int)model.size()));
+    for (size_t i = 0; i < model.size(); ++i)
+        if (!(std::abs(model[i]) <= DBL_MAX))
+            CV_Error_(Error::StsOutOfRange, ("initialModel: finite numbers are expected, not %g", model[i]));
+}
+
 }  // namespace
 
 Params::Params()
@@ -106,12 +122,27 @@ Params::Params()
     visitFields(initialize);
 }
 
+void Params::setInitialModel(InputArray model)
+{
+    const Mat given = model.getMat();
+    initialModel.clear();
+    if (given.empty())
+        return;
+    if (given.channels() != 1 || given.dims > 2)
+        CV_Error_(Error::StsBadArg,
+                  ("model: a matrix is expected, not %d channels and %d dimensions", given.channels(), given.dims));
+    Mat numbers;
+    given.convertTo(numbers, CV_64F);
+    initialModel.assign(numbers.begin<double>(), numbers.end<double>());
+}
+
 void Params::check(int count) const
 {
     FieldChecker checkField = {*this};
     visitFields(checkField);
     checkCombinations(*this);
     checkScores(*this, count);
+    checkInitialModel(initialModel);
 }
 
 namespace {

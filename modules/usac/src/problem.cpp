@@ -49,10 +49,19 @@ private:
 Problem::~Problem() {}
 
 int Problem::coordinates(int) const { return 2; }
+String Problem::arrayName(int array) const { return array ? "points2" : "points1"; }
 bool Problem::commonUnit() const { return true; }
 bool Problem::ambiguous() const { return false; }
 double Problem::toModelCoordinates(double* const*, int) const { return 1; }
+void Problem::toImageCoordinates(double* const*, int) const {}
+Ptr<Residual> Problem::createImageResidual(const Ptr<Residual>&) const { return Ptr<Residual>(); }
 int Problem::normalization(int) const { return SCALE_NONE; }
+Mat Problem::toOutput(const Model& model) const
+{
+    return Mat(model.rows, model.cols, CV_64F, (void*)model.val).clone();
+}
+
+bool Problem::fromOutput(const std::vector<double>&, const Correspondences&, Model&) const { return false; }
 Model Problem::closest(const Model& model) const { return model; }
 void Problem::createDegeneracies(int, std::vector<Ptr<Degeneracy>>&) const {}
 

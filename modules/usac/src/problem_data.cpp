@@ -46,11 +46,12 @@ bool allFinite(const double* values, int count)
 }  // namespace
 
 ProblemData::ProblemData()
-    : view(), givenThreshold(), inputThreshold(0), pixelThreshold(0), pixels(1), input(), doubles(), floats()
+    : view(), givenThreshold(), inputThreshold(0), pixelThreshold(0), pixels(1), input(), doubles(), floats(), seen(),
+      seenDoubles(), seenFloats()
 {}
 
 void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2, const Params& params,
-                       Arena& arena)
+                       Arena& arena, bool image)
 {
     view = Correspondences();  // none, if there is a mistake
     view.problem = &problem;
@@ -58,10 +59,14 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
         view.coordinates[array] = problem.coordinates(array);
     readRows(points1, points2, params, arena);
     pixelThreshold = params.threshold;
+    if (image)
+        keepImage(arena);
     pixels = problem.toModelCoordinates(input, view.inputSize);
     inputThreshold = std::min(pixelThreshold / pixels, DBL_MAX);
     shuffle(params, arena);
     scale(params, arena);
+    if (image)
+        shuffleImage(arena);
     givenThreshold[0] = view.threshold;
     givenThreshold[1] = inputThreshold;
     givenThreshold[2] = pixelThreshold;
@@ -86,13 +91,13 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
         most = std::max(most, given[array].total() * given[array].channels() / std::max(view.coordinates[array], 1));
     arena.reset(runMemory((int)std::min<size_t>(most, INT_MAX), params));
     Arena::Scope scope(arena);
-    const Mat lists[] = {readPoints(given[0], view.coordinates[0], "points1", scope),
-                         two ? readPoints(given[1], view.coordinates[1], "points2", scope) : Mat()};
+    const String names[] = {view.problem->arrayName(0), view.problem->arrayName(1)};
+    const Mat lists[] = {readPoints(given[0], view.coordinates[0], names[0].c_str(), scope),
+                         two ? readPoints(given[1], view.coordinates[1], names[1].c_str(), scope) : Mat()};
     const int count = lists[0].rows;
     if (two && count != lists[1].rows)
-        CV_Error_(
-            Error::StsUnmatchedSizes,
-            ("points1 and points2: lists of the same length are expected, not of %d and %d", count, lists[1].rows));
+        CV_Error_(Error::StsUnmatchedSizes, ("%s and %s: lists of the same length are expected, not of %d and %d",
+                                             names[0].c_str(), names[1].c_str(), count, lists[1].rows));
     params.check(count);
     view.inputSize = count;
     for (int array = 0, k = 0; array < 2; ++array)
@@ -103,6 +108,48 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
             for (int i = 0; i < count; ++i)
                 input[k][i] = from[(size_t)i * view.coordinates[array] + c];
         }
+}
+
+void ProblemData::keepImage(Arena& arena)
+{
+    double* columns[MAX_COLUMNS];
+    const int first = view.coordinates[0], count = view.inputSize;
+    std::copy(input, input + first, columns);
+    for (int k = 0; k < view.coordinates[1]; ++k)
+    {
+        columns[first + k] = seen[k] = arena.take<double>(count);
+        std::copy(input[first + k], input[first + k] + count, seen[k]);
+    }
+    view.problem->toImageCoordinates(columns, count);
+}
+
+//! Rows, order and frame of points().
+void ProblemData::shuffleImage(Arena& arena)
+{
+    const Frame& frame = view.frame[1];
+    for (int k = 0; k < view.coordinates[1]; ++k)
+    {
+        double* const exact = arena.take<double>(view.size);
+        float* const single = arena.take<float>(view.size);
+        for (int i = 0; i < view.size; ++i)
+        {
+            exact[i] = (seen[k][view.inputIndex[i]] - frame.center[k]) * frame.scale;
+            single[i] = (float)exact[i];
+        }
+        seenDoubles[k] = exact;
+        seenFloats[k] = single;
+    }
+}
+
+Correspondences ProblemData::imagePoints() const
+{
+    Correspondences points = view;
+    for (int k = 0; k < view.coordinates[1]; ++k)
+    {
+        points.exact[view.coordinates[0] + k] = seenDoubles[k];
+        points.column[view.coordinates[0] + k] = seenFloats[k];
+    }
+    return points;
 }
 
 bool ProblemData::finiteRow(int row) const
@@ -173,7 +220,7 @@ void ProblemData::scale(const Params& params, Arena& arena)
     for (int array = 0; array < 2; ++array)
     {
         Frame& frame = view.frame[array] = Frame();
-        if (normalization == SCALE_NONE)
+        if (normalization == SCALE_NONE || (normalization == SCALE_FIRST && array == 1))
             continue;
         const int source = view.coordinates[array] ? array : 0;
         double size = 0;
@@ -229,12 +276,16 @@ int ProblemData::independentInliers(const uchar* mask, Arena& arena) const
                                        view.problem->commonUnit() ? inputThreshold : 0, inputThreshold, arena);
 }
 
-int ProblemData::mask(const Residual& residual, const Model& model, uchar* mask, Arena& arena) const
+int ProblemData::mask(const Residual& residual, const Model& model, bool image, uchar* mask, Arena& arena) const
 {
     const int count = view.inputSize;
     Arena::Scope scope(arena);
     double* const errors = scope.take<double>(count);
-    residual.squaredErrors(model, input, count, errors);
+    const double* columns[MAX_COLUMNS];
+    std::copy(input, input + view.columns(), columns);
+    if (image)
+        std::copy(seen, seen + view.coordinates[1], columns + view.coordinates[0]);
+    residual.squaredErrors(model, columns, count, errors);
     int inliers = 0;
     for (int i = 0; i < count; ++i)
         inliers += mask[i] = std::sqrt(errors[i]) <= inputThreshold;  // false for NaN

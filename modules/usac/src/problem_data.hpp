@@ -21,10 +21,14 @@ public:
     /** @brief Other points.
     @param problem must outlive this object
     @param points1, points2, params as Usac::create takes them; if there is a mistake, there are no points
-    @param arena memory, which is freed before and has room for a run then; what is read stays there */
-    void read(const Problem& problem, InputArray points1, InputArray points2, const Params& params, Arena& arena);
+    @param arena memory, which is freed before and has room for a run then; what is read stays there
+    @param image also as they were seen, see Problem::createImageResidual */
+    void read(const Problem& problem, InputArray points1, InputArray points2, const Params& params, Arena& arena,
+              bool image);
 
     const Correspondences& points() const { return view; }
+    //! The same as they were seen: for the residual of Problem::createImageResidual.
+    Correspondences imagePoints() const;
 
     //! In pixels.
     double threshold() const { return pixelThreshold; }
@@ -34,8 +38,9 @@ public:
     void restoreThreshold();
     //! So many times as large a Correspondences::threshold for the rest of the run; the mask has that of before.
     void scaleReach(double factor) { view.threshold *= factor; }
-    //! Mask of the rows with error <= threshold under a model in the caller's coordinates. @return number of ones.
-    int mask(const Residual& residual, const Model& model, uchar* mask, Arena& arena) const;
+    //! Mask of the rows with error <= threshold under a model in the caller's coordinates. `image`: as they were seen.
+    //! @return number of ones.
+    int mask(const Residual& residual, const Model& model, bool image, uchar* mask, Arena& arena) const;
     //! Of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
     //! Those of a mask that are not the same as another one in either array, see Problem::commonUnit.
@@ -47,6 +52,8 @@ private:
     void scale(const Params& params, Arena& arena);
     void scaleColumn(int k, double shift, double factor);
     void shuffle(const Params& params, Arena& arena);
+    void keepImage(Arena& arena);
+    void shuffleImage(Arena& arena);
 
     Correspondences view;
     double givenThreshold[3];      //!< that of points(), of the mask and in pixels before the run
@@ -56,6 +63,9 @@ private:
     double* input[MAX_COLUMNS];    //!< all rows, a column each (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< those of Correspondences
     float* floats[MAX_COLUMNS];
+    double* seen[3];               //!< points of the last array as they were seen: all rows; null if not asked for
+    const double* seenDoubles[3];  //!< those of imagePoints()
+    const float* seenFloats[3];
 
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);

@@ -26,9 +26,6 @@ constexpr double PARALLEL_WORK = 44800;
 //! Streams of random numbers beside those of the iterations.
 constexpr uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
-//! So many samples without a single model, which take some seconds: the points are degenerate.
-constexpr int HOPELESS = 1000000;
-
 //! A runner-up is worth the time if what it gains over no model at all is at least so much of what the best one gained.
 //! Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4 %, failures of H and E +0.2 points.
 constexpr double WORTHWHILE = 0.6;
@@ -112,6 +109,21 @@ bool Ransac::run(int pause)
     return ended;
 }
 
+void Ransac::begin(const Model& initial)
+{
+    Model model = initial;
+    Quality quality = context.rate(model);
+    state.rng = Rng(context.params.seed, REFINEMENT_STREAM);
+    if (!(quality.cost < context.points.size) || !recover(0, model, quality))
+        return;
+    state.sampleQuality = quality;
+    if (parts.localOptimizer)
+        optimize(model, quality);
+    state.best = model;
+    state.bestQuality = quality;
+    updateTermination();
+}
+
 void Ransac::thresholdChanged()
 {
     runnersUp.clear();
@@ -125,31 +137,6 @@ void Ransac::thresholdChanged()
         optimize(state.best, state.bestQuality);
     }
     updateTermination();
-}
-
-bool Ransac::terminate()
-{
-    if (state.iteration >= context.params.maxIterations)
-        state.report.stop = STOP_MAX_ITERATIONS;
-    else if (samplesThatCount() >= required)
-        state.report.stop = requiredReason;
-    else if (state.iteration >= requiredOfAll)
-        state.report.stop = reasonOfAll;
-    else if (state.iteration >= HOPELESS && state.report.models == 0 && !parts.terminations.empty())
-        state.report.stop = STOP_NO_MODEL;
-    else
-        return false;
-    return true;
-}
-
-/* No model can have more inliers than one that has more than half of the points beside its own sample, unless it shares
-most of them: whatever points the samples prefer, they do not miss it. */
-int Ransac::samplesThatCount() const
-{
-    const int m = parts.minimalSolver->sampleSize();
-    const bool planar = state.report.degenerate || state.yield < 1;  // then it may share nearly all with a wrong one
-    const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
-    return most ? state.iteration - state.repeatedSamples : state.countedSamples;
 }
 
 //! Batches grow, so that easy problems waste little and hard ones keep the threads busy.
@@ -375,25 +362,6 @@ void Ransac::account(const Hypotheses& h)
         ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
     if (parts.verifier)
         parts.verifier->sampleTested(state, h.firstInliers, h.firstTested);
-}
-
-void Ransac::updateTermination()
-{
-    required = exhaustive;
-    requiredReason = STOP_STANDARD;
-    requiredOfAll = INT_MAX;
-    for (size_t t = 0; t < parts.terminations.size(); ++t)
-        require((double)parts.terminations[t]->iterations(context, state) * context.params.persistence,
-                parts.terminations[t]->countsAll(), parts.terminations[t]->reason());
-}
-
-void Ransac::require(double wanted, bool all, int reason)
-{
-    int& least = all ? requiredOfAll : required;
-    if (wanted >= least)
-        return;
-    least = (int)wanted;
-    (all ? reasonOfAll : requiredReason) = reason;
 }
 
 }  // namespace usacv20

@@ -38,6 +38,8 @@ public:
     //! `checkSamples`: the sampler may make mistakes.
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
+    //! Before run(): rates a model and optimizes it, as one of a sample.
+    void begin(const Model& initial);
     /** Fills State::best; its quality stays infinite if no model was found. Searches until a criterion ends the search,
     or so many samples have been drawn. @return false in the second case; the search goes on when it is called again. */
     bool run(int pause = INT_MAX);

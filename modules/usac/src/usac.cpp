@@ -49,8 +49,10 @@ public:
         : params(params_), problem(problem_), givenReach(params_.reach)
     {
         checkProblem(*problem, params.residual);  // before its numbers are used
+        seeImage(problem->createResidual(params.residual));
         setPoints(points1, points2);
         parts = made = createComponents(*problem, params);
+        imageParts = parts;  // so that a run finds its lists as long as they have to be
         fitted = made.residual;
     }
 
@@ -61,7 +63,7 @@ public:
     {
         created = getTickCount();
         params.reach = givenReach;
-        data.read(*problem, points1, points2, params, arena);
+        data.read(*problem, points1, points2, params, arena, !imageResidual.empty());
     }
 
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
@@ -70,12 +72,13 @@ public:
             created = getTickCount();
         params.reach = givenReach;
         data.restoreThreshold();
+        checkComponents(parts);
         if (parts.residual != fitted && parts.nonMinimalSolver == made.nonMinimalSolver)
         {
             parts.nonMinimalSolver = made.nonMinimalSolver = problem->createNonMinimalSolver(parts.residual);
             fitted = parts.residual;
+            seeImage(fitted);
         }
-        checkComponents(parts);
         arena.clear();
         const Context context(data.points(), parts, params, arena);
         parts.start(context);
@@ -95,11 +98,22 @@ private:
     {
         state.report.setupMs = milliseconds(created);
         Ransac ransac(context, state, parts.sampler != made.sampler);
+        if (!params.initialModel.empty())
+            begin(context, ransac);
         if (params.widestReach > params.reach)
             searchWithReach(context, state, ransac);
         else
             ransac.run();
         state.report.iterations = state.iteration;
+    }
+
+    void begin(const Context& context, Ransac& ransac)
+    {
+        Model model;
+        if (!problem->fromOutput(params.initialModel, context.points, model))
+            CV_Error_(Error::StsBadArg, ("initialModel: %d numbers, which are no model of the problem %s",
+                                         (int)params.initialModel.size(), problem->name().c_str()));
+        ransac.begin(model);
     }
 
     /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half
@@ -179,6 +193,26 @@ private:
         return before;
     }
 
+    //! What polishing and mask take in the place of a residual of the search, if there is something better.
+    void seeImage(const Ptr<Residual>& residual)
+    {
+        imageResidual = problem->createImageResidual(residual);
+        imageFit = imageResidual ? problem->createNonMinimalSolver(imageResidual) : Ptr<NonMinimalSolver>();
+    }
+
+    //! The same with the points as they were seen, if the solver is not one of the caller's, which may not know them.
+    Quality polishAsSeen(const Context& context, Model& best)
+    {
+        if (!imageFit || parts.nonMinimalSolver != made.nonMinimalSolver)
+            return polish(context, best);
+        const Correspondences seen = data.imagePoints();
+        imageParts = parts;
+        imageParts.residual = imageResidual;
+        imageParts.nonMinimalSolver = imageFit;
+        imageFit->start(context);
+        return polish(Context(seen, imageParts, params, arena), best);
+    }
+
     //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
     Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
     {
@@ -191,13 +225,14 @@ private:
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
             data.setThreshold(parts.score->threshold(context, state.best));
-            learned.cost = polish(context, state.best).cost / context.points.size;
+            learned.cost = polishAsSeen(context, state.best).cost / context.points.size;
             Model model;
             if (problem->toInput(state.best, context.points, model))
             {
-                learned.inliers = data.mask(*parts.residual, model, inliers, arena);
+                const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
+                learned.inliers = data.mask(*residual, model, !imageResidual.empty(), inliers, arena);
                 if (learned.inliers > 0 || params.reach > givenReach)
-                    result = Mat(model.rows, model.cols, CV_64F, model.val).clone();
+                    result = problem->toOutput(model);
             }
         }
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS)
@@ -226,8 +261,11 @@ private:
     const Ptr<Problem> problem;
     ProblemData data;
     Components parts;
-    Components made;       //!< for `params`, some of which the caller may have replaced
-    Ptr<Residual> fitted;  //!< that made.nonMinimalSolver fits
+    Components made;                 //!< for `params`, some of which the caller may have replaced
+    Ptr<Residual> fitted;            //!< that made.nonMinimalSolver fits
+    Ptr<Residual> imageResidual;     //!< Problem::createImageResidual of that; empty: there is none
+    Ptr<NonMinimalSolver> imageFit;  //!< its least squares
+    Components imageParts;           //!< while polishing
     const double givenReach;
 };
 

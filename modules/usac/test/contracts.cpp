@@ -8,7 +8,7 @@ namespace opencv_test {
 
 const char* nameOf(ProblemType problem)
 {
-    static const char* names[] = {"homography", "fundamental", "essential"};
+    static const char* names[] = {"homography", "fundamental", "essential", "affinity", "similarity", "absolutePose"};
     return names[problem];
 }
 
@@ -21,6 +21,10 @@ Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, 
         return estimateHomography(points1, points2, params, mask, report);
     if (problem == FUNDAMENTAL)
         return estimateFundamental(points1, points2, params, mask, report);
+    if (problem == AFFINITY)
+        return estimateAffinity2D(points1, points2, params, mask, report);
+    if (problem == SIMILARITY)
+        return estimateSimilarity2D(points1, points2, params, mask, report);
     return estimateEssential(points1, points2, K, params, mask, report);
 }
 
@@ -85,6 +89,16 @@ std::vector<NamedPreset> allPresets()
     return std::vector<NamedPreset>(all, all + sizeof(all) / sizeof(all[0]));
 }
 
+std::vector<NamedPreset> allPresets(ProblemType problem)
+{
+    std::vector<NamedPreset> all = allPresets();
+    for (size_t i = 0; i < all.size(); ++i)
+        if ((problem == AFFINITY || problem == SIMILARITY || problem == ABSOLUTE_POSE) &&
+            all[i].name == std::string("usac2013"))
+            all[i].params.degeneracy = DEGENERACY_REPEATED;
+    return all;
+}
+
 namespace {
 
 //! The find functions with a flag, in all forms; the answer must be that of the estimate function.
@@ -97,6 +111,12 @@ void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, Inpu
     else if (problem == FUNDAMENTAL)
         m = findFundamentalMat(points1, points2, flag, params.threshold, params.confidence, params.maxIterations,
                                other);
+    else if (problem == AFFINITY)
+        m = estimateAffine2D(points1, points2, other, flag, params.threshold, params.maxIterations, params.confidence,
+                             params.polishingSteps);
+    else if (problem == SIMILARITY)
+        m = estimateAffinePartial2D(points1, points2, other, flag, params.threshold, params.maxIterations,
+                                    params.confidence, params.polishingSteps);
     else
         m = findEssentialMat(points1, points2, K, flag, params.confidence, params.threshold, params.maxIterations,
                              other);
@@ -114,7 +134,7 @@ void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, Inpu
 std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
                                const std::vector<Point2d>& points2, double pixels, int maxIterations, const Matx33d& K)
 {
-    const std::vector<NamedPreset> presets = allPresets();
+    const std::vector<NamedPreset> presets = allPresets(problem);
     std::vector<Mat> models;
     for (size_t i = 0; i < presets.size(); ++i)
     {

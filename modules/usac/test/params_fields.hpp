@@ -41,7 +41,11 @@ struct Fields
         doubles.push_back(NamedField<double>{name, member, values});
         names.push_back(name);
     }
-    void operator()(const char* name, std::vector<float> Params::*, const FieldValues&) { names.push_back(name); }
+    template <class T>
+    void operator()(const char* name, std::vector<T> Params::*, const FieldValues&)
+    {
+        names.push_back(name);
+    }
 
     //! Names of the fields that differ, each with a space behind it.
     static std::string difference(const Params& a, const Params& b)

@@ -6,9 +6,11 @@
 #define OPENCV_USACV20_TEST_PROBLEM_OBJECTS_HPP
 
 #include <Eigen/Core>
+#include "problems/affinity/affinity.hpp"
 #include "problems/essential/essential.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/homography/homography.hpp"
+#include "problems/similarity/similarity.hpp"
 #include "problems/two_view/two_view.hpp"
 
 namespace opencv_test {

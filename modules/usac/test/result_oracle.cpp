@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "result_oracle.hpp"
+#include "pose_oracle.hpp"
+#include "scenes.hpp"
 
 #include <algorithm>
 #include <cfloat>
@@ -106,7 +108,7 @@ Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoi
 {
     const bool symmetric = call.params.residual == RESIDUAL_SYMMETRIC;
     Bounded other[9];
-    if (call.problem == HOMOGRAPHY)
+    if (mapsPoints(call.problem))
     {
         adjugate(M, other);
         const Bounded there = squaredDistance(project(M, p1), p2);
@@ -204,6 +206,10 @@ std::string brokenModel(ProblemType problem, const Matx33d& M)
         if (!(std::abs(M.val[i]) <= DBL_MAX))
             return "the model is not finite";
     const double size = cv::norm(M);
+    if (problem == SIMILARITY && (M(0, 0) != M(1, 1) || M(0, 1) != -M(1, 0)))
+        return format("%g %g, %g %g is no rotation with a scale", M(0, 0), M(0, 1), M(1, 0), M(1, 1));
+    if (problem == AFFINITY || problem == SIMILARITY)
+        return M(0, 0) != 0 || M(0, 1) != 0 || M(1, 0) != 0 || M(1, 1) != 0 ? "" : "the model is of rank 0";
     if (problem == HOMOGRAPHY)
         return M(2, 2) == 1 || std::abs(size - 1) < 1e-12 ? "" : format("h33 is %g, the norm of H %g", M(2, 2), size);
     Mat w;
@@ -234,7 +240,8 @@ std::string brokenReport(const Report& report, int inliers)
 
 std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat& mask, const Report& report)
 {
-    const int count = (int)call.points1.size();
+    const bool pose = call.problem == ABSOLUTE_POSE;
+    const int count = (int)(pose ? call.object.size() : call.points1.size());
     if (mask.rows != count || (count > 0 && (mask.cols != 1 || mask.type() != CV_8UC1)))
         return format("the mask is %d x %d, type %d", mask.rows, mask.cols, mask.type());
     const int inliers = count ? cv::countNonZero(mask) : 0;
@@ -251,9 +258,12 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
         return "a model and no reason for it: " + report.describe();
     if (call.params.quality != QUALITY_LMEDS && std::abs(report.threshold / call.params.threshold - 1) > 1e-12)
         return format("the threshold is %.17g", report.threshold);
-    if (model.size() != cv::Size(3, 3) || model.type() != CV_64FC1)
+    if (pose)
+        return brokenPose(call, report.threshold, model, mask);
+    const int rows = call.problem == AFFINITY || call.problem == SIMILARITY ? 2 : 3;
+    if (model.size() != cv::Size(3, rows) || model.type() != CV_64FC1)
         return format("the model is %d x %d, type %d", model.rows, model.cols, model.type());
-    const Matx33d M(model.ptr<double>());
+    const Matx33d M = squareModel(model);
     broken = brokenModel(call.problem, M);
     return broken.empty() ? brokenMask(call, report.threshold, M, mask) : broken;
 }

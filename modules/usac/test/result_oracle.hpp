@@ -16,8 +16,9 @@ struct EstimatorCall
 {
     cv::usacv20::ProblemType problem;
     std::vector<cv::Point2d> points1, points2;
+    std::vector<cv::Point3d> object;  //!< absolute pose: in the place of points1
     cv::usacv20::Params params;
-    cv::Mat K1, K2, d1, d2;  //!< E only; K2, d1, d2 may be empty
+    cv::Mat K1, K2, d1, d2;  //!< E; absolute pose: K1 and d1; K2, d1, d2 may be empty
 };
 
 /** Says in words which promise about the result of a call is broken, "" if none is: the report agrees with the mask; no

@@ -83,6 +83,21 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     }
 }
 
+bool isAffine(ProblemType problem) { return problem == AFFINITY || problem == SIMILARITY; }
+
+//! The affine map or the similarity next to a homography about the middle of image 1.
+Matx33d flattened(ProblemType problem, const Matx33d& H)
+{
+    const Vec3d middle(WIDTH / 2, HEIGHT / 2, 1), y = H * middle;
+    Matx22d J;
+    for (int k = 0; k < 4; ++k)
+        J.val[k] = (H(k / 2, k % 2) - y[k / 2] / y[2] * H(2, k % 2)) / y[2];
+    if (problem == SIMILARITY)
+        J = Matx22d(J(0, 0) + J(1, 1), J(0, 1) - J(1, 0), J(1, 0) - J(0, 1), J(0, 0) + J(1, 1)) * 0.5;
+    const Vec2d t = Vec2d(y[0] / y[2], y[1] / y[2]) - J * Vec2d(middle[0], middle[1]);
+    return Matx33d(J(0, 0), J(0, 1), t[0], J(1, 0), J(1, 1), t[1], 0, 0, 1);
+}
+
 //! Cameras, and a plane n X = 1 in front of the first one.
 Vec3d makeGeometry(Scene& scene, RNG& rng, const SceneOptions& options)
 {
@@ -94,13 +109,15 @@ Vec3d makeGeometry(Scene& scene, RNG& rng, const SceneOptions& options)
     scene.F *= 1 / cv::norm(scene.F);
     const double tiltY = rng.uniform(-0.4, 0.4), tiltX = rng.uniform(-0.4, 0.4);
     const Vec3d normal = (options.frontalPlane ? Vec3d(0, 0, 1) : Vec3d(tiltX, tiltY, 1)) * (1. / 6);
-    if (scene.problem == HOMOGRAPHY)
+    if (mapsPoints(scene.problem))
     {
         const Vec3d t = scene.t * options.baseline;
         const Matx33d tn(t[0] * normal[0], t[0] * normal[1], t[0] * normal[2], t[1] * normal[0], t[1] * normal[1],
                          t[1] * normal[2], t[2] * normal[0], t[2] * normal[1], t[2] * normal[2]);
         scene.model = scene.K * (scene.R + tn) * Kinv;
         scene.model *= 1 / scene.model(2, 2);
+        if (isAffine(scene.problem))
+            scene.model = flattened(scene.problem, scene.model);
     }
     else
         scene.model = scene.problem == FUNDAMENTAL ? scene.F : E * (1 / cv::norm(E));
@@ -125,7 +142,7 @@ bool follow(const Geometry& g, bool plane, RNG& rng, const Point2d& p1, Point2d&
     const Vec3d ray = g.scene.K.inv() * Vec3d(p1.x, p1.y, 1);
     const double depth = plane ? 1 / g.normal.dot(ray) : rng.uniform(g.options.nearest, g.options.farthest);
     const Vec3d X2 = g.scene.R * (ray * depth) + g.scene.t * g.options.baseline;
-    const Vec3d x2 = g.scene.K * X2;
+    const Vec3d x2 = isAffine(g.scene.problem) ? g.scene.model * Vec3d(p1.x, p1.y, 1) : g.scene.K * X2;
     p2 = X2[2] > 0.5 ? Point2d(x2[0] / x2[2], x2[1] / x2[2]) : Point2d(-1, -1);
     return inside(p2);
 }
@@ -143,7 +160,7 @@ void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
 {
     do
     {
-        seenPoint(g, g.scene.problem == HOMOGRAPHY, rng, p1, p2);
+        seenPoint(g, mapsPoints(g.scene.problem), rng, p1, p2);
         const double direction = rng.uniform(0., 2 * CV_PI), length = rng.uniform(MIN_SHIFT, MAX_SHIFT);
         p2 += Point2d(std::cos(direction), std::sin(direction)) * length;
     } while (!inside(p2) || pixelError(g.scene, g.scene.model, p1, p2) < MIN_SHIFT);
@@ -189,7 +206,7 @@ struct OutlierStructure
             break;
         case OUTLIERS_SECOND_MODEL:
             for (int tries = 0; tries < 10000; ++tries)
-                if (follow(geometry, second.problem == HOMOGRAPHY, rng, p1 = randomInSquare(rng, corner[0], PATCH), p2))
+                if (follow(geometry, mapsPoints(second.problem), rng, p1 = randomInSquare(rng, corner[0], PATCH), p2))
                     return true;
             break;
         default: return false;
@@ -236,19 +253,6 @@ void copyRows(Scene& scene, int copies, RNG& rng)
     }
 }
 
-//! With numbers of their own, so that the points do not depend on them.
-void makeScores(Scene& scene, const SceneOptions& options)
-{
-    const double q = options.scoreInformation;
-    CV_Assert(q > 0 && q <= 1);
-    RNG rng(0x9e3779b9 + 7919 * options.seed);
-    for (int i = 0; i < scene.size(); ++i)
-    {
-        const double u = rng.uniform(0., 1.);
-        scene.scores.push_back((float)(scene.truth[i] ? 1 - std::pow(u, (1 - q) / q) : u));
-    }
-}
-
 }  // namespace
 
 void SceneOptions::setSize(int size, double inlierRatio)
@@ -256,6 +260,8 @@ void SceneOptions::setSize(int size, double inlierRatio)
     inliers = cvRound(size * inlierRatio);
     outliers = size - inliers;
 }
+
+bool mapsPoints(ProblemType problem) { return problem != FUNDAMENTAL && problem != ESSENTIAL; }
 
 Scene makeScene(ProblemType problem, const SceneOptions& options)
 {
@@ -267,7 +273,7 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
     const int size = options.inliers + options.outliers, own = options.inliers - options.duplicates;
     CV_Assert(own > 0);
     const int shared = std::min(own, options.outliers / MATCHES_OF_ONE_POINT + 1);
-    const int planar = problem == HOMOGRAPHY ? own : cvRound(own * options.planeFraction);
+    const int planar = mapsPoints(problem) ? own : cvRound(own * options.planeFraction);
     std::vector<int> order(size);
     for (int i = 0; i < size; ++i)
         order[i] = i;
@@ -308,14 +314,29 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
     }
     if (options.copies > 1)
         copyRows(scene, options.copies, rng);
-    makeScores(scene, options);
+    scene.scores = makeScores(scene.truth, options.scoreInformation, options.seed);
     return scene;
+}
+
+//! With numbers of their own, so that the points do not depend on them.
+std::vector<float> makeScores(const std::vector<uchar>& truth, double information, uint64 seed)
+{
+    const double q = information;
+    CV_Assert(q > 0 && q <= 1);
+    RNG rng(0x9e3779b9 + 7919 * seed);
+    std::vector<float> result;
+    for (size_t i = 0; i < truth.size(); ++i)
+    {
+        const double u = rng.uniform(0., 1.);
+        result.push_back((float)(truth[i] ? 1 - std::pow(u, (1 - q) / q) : u));
+    }
+    return result;
 }
 
 double pixelError(const Scene& scene, const Matx33d& model, const Point2d& p1, const Point2d& p2)
 {
     const Vec3d x1(p1.x, p1.y, 1), x2(p2.x, p2.y, 1);
-    if (scene.problem == HOMOGRAPHY)
+    if (mapsPoints(scene.problem))
     {
         const Vec3d y = model * x1;
         return cv::norm(Point2d(y[0] / y[2], y[1] / y[2]) - p2);
@@ -328,9 +349,9 @@ double pixelError(const Scene& scene, const Matx33d& model, const Point2d& p1, c
 
 double modelError(const Scene& scene, const Mat& model, ScenePart part)
 {
-    if (model.rows != 3 || model.cols != 3 || model.type() != CV_64F)
+    if (model.rows < (isAffine(scene.problem) ? 2 : 3) || model.rows > 3 || model.cols != 3 || model.type() != CV_64F)
         return std::numeric_limits<double>::infinity();
-    const Matx33d M(model.ptr<double>());
+    const Matx33d M = squareModel(model);
     double sum = 0;
     int count = 0;
     for (int i = 0; i < scene.size(); ++i)

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_SCENES_HPP
 #define OPENCV_USACV20_TEST_SCENES_HPP
 
+#include <algorithm>
 #include <vector>
 #include "opencv2/core.hpp"
 #include "opencv2/usac.hpp"
@@ -15,17 +16,23 @@ namespace opencv_test {
 //! Size of both images.
 enum { SCENE_WIDTH = 640, SCENE_HEIGHT = 480 };
 
+//! Problems of matches between two images.
+const int TWO_VIEW_PROBLEMS[] = {cv::usacv20::HOMOGRAPHY, cv::usacv20::FUNDAMENTAL, cv::usacv20::ESSENTIAL,
+                                 cv::usacv20::AFFINITY, cv::usacv20::SIMILARITY};
+//! Points of a minimal sample of each.
+const int SAMPLE_SIZES[] = {4, 7, 5, 3, 2};
+
 //! Where the wrong matches are.
 enum OutlierModel {
     OUTLIERS_UNIFORM,  //!< anywhere in both images
-    OUTLIERS_LOCAL,    //!< a true match (H: on the plane), displaced in image 2 by 5 to 50 pixels, at least 5 off the
-                       //!< model
+    OUTLIERS_LOCAL,    //!< a true match (not F, E: on the plane), displaced in image 2 by 5 to 50 pixels, at least 5
+                       //!< off the model
     OUTLIERS_MANY_TO_ONE,  //!< in image 2 the point of a true match, about ten with the same; anywhere in image 1
     OUTLIERS_TARGETS,      //!< in image 2 one of two points, but for noise; anywhere in image 1
     OUTLIERS_LINE,         //!< every second one on one line of image 2, but for noise, the others anywhere
     OUTLIERS_CLUSTERED,    //!< from one square of 80 pixels in image 1 to one in image 2
-    OUTLIERS_SECOND_MODEL  //!< true matches of another motion (H: of another plane, too), from a square of 160 pixels
-                           //!< in image 1
+    OUTLIERS_SECOND_MODEL  //!< true matches of another motion (not F, E: of another plane, too), from a square of 160
+                           //!< pixels in image 1
 };
 
 //! How the camera moves from image 1 to image 2.
@@ -55,7 +62,7 @@ struct SceneOptions
     int outliers;  //!< wrong matches
     double noise;  //!< standard deviation in each of the four coordinates, pixels
     uint64 seed;
-    double planeFraction;      //!< F, E: this part of the true matches lies on one plane; H: all do
+    double planeFraction;      //!< F, E: this part of the true matches lies on one plane; others: all do
     bool frontalPlane;         //!< the plane is parallel to image 1; else any plane in front of the camera
     double nearest, farthest;  //!< depths of the points off the plane; the plane is at 6
     int duplicates;            //!< of the true matches, this many are copies of others
@@ -74,7 +81,7 @@ struct SceneOptions
 Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0 they are as `points`.
 Scores lie between 0 and 1, lower is better: those of wrong matches are uniform, those of true matches are 1 - u^((1 -
 q) / q) with u uniform and q the option `scoreInformation`. H, F and E have the same cameras, F and E also the same
-points. */
+points. Affinities and similarities are those nearest to that H in the middle of image 1. */
 struct Scene
 {
     cv::usacv20::ProblemType problem;
@@ -82,7 +89,7 @@ struct Scene
     std::vector<float> scores;
     std::vector<uchar> truth;    //!< 1: a true match
     std::vector<uchar> onPlane;  //!< 1: a true match on the plane
-    cv::Matx33d model;           //!< H with h33 = 1, F or E of unit Frobenius norm
+    cv::Matx33d model;           //!< H, affinity, similarity with h33 = 1, F or E of unit Frobenius norm
     cv::Matx33d F;               //!< of unit Frobenius norm, for all problems
     cv::Matx33d K, R;            //!< both cameras have the same K; X2 = R X1 + t
     cv::Vec3d t;                 //!< of unit length
@@ -90,10 +97,24 @@ struct Scene
     int size() const { return (int)points1.size(); }
 };
 
+//! Problems whose model maps points to points: homography, affinity, similarity.
+bool mapsPoints(cv::usacv20::ProblemType problem);
+
 Scene makeScene(cv::usacv20::ProblemType problem, const SceneOptions& options = SceneOptions());
+
+//! Scores of matches as of a Scene; `information` is the option `scoreInformation`.
+std::vector<float> makeScores(const std::vector<uchar>& truth, double information, uint64 seed);
 
 //! Distance in pixels of a match under a model of the scene's problem: transfer distance in image 2, or Sampson's.
 double pixelError(const Scene& scene, const cv::Matx33d& model, const cv::Point2d& p1, const cv::Point2d& p2);
+
+//! A model of the caller; an affinity or similarity gets the last row 0 0 1.
+inline cv::Matx33d squareModel(const cv::Mat& model)
+{
+    cv::Matx33d M = cv::Matx33d::eye();
+    std::copy(model.ptr<double>(), model.ptr<double>() + model.total(), M.val);
+    return M;
+}
 
 //! What part of the rows, as the caller selects them.
 enum ScenePart { TRUE_MATCHES, ON_PLANE, OFF_PLANE };

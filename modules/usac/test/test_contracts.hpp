@@ -40,6 +40,8 @@ struct NamedPreset
 };
 
 std::vector<NamedPreset> allPresets();
+//! For affinities and similarities usac2013() is without DEGENSAC, which they refuse.
+std::vector<NamedPreset> allPresets(ProblemType problem);
 
 /** Every preset on the points, by the estimate function and by Usac::create, and every flag by the find functions: no
 exception, the same bits by each way, and whatever comes back is what is promised. @return the models of the presets */

@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
+#include "problems/two_view/two_view.hpp"
 #include "termination/termination.hpp"
 
 namespace opencv_test {
@@ -103,7 +104,7 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
 //! 30 matches, each five times, 18 of them right: what is refused tells the criteria that they are 30, not 150.
 TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         const Scene scene = sceneOf((ProblemType)problem, 90, 60);
         const Params params;

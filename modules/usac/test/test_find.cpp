@@ -10,7 +10,7 @@ namespace opencv_test {
 namespace {
 
 typedef UsacProblem UsacFlags;
-INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
                                USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
@@ -44,7 +44,7 @@ Scene hardScene(ProblemType problem)
 {
     SceneOptions options;
     options.inliers = 10;
-    options.outliers = 16;
+    options.outliers = problem == SIMILARITY ? 80 : 16;  // its samples are of two points
     options.seed = 2;
     return makeScene(problem, options);
 }
@@ -119,6 +119,10 @@ TEST_P(UsacFlags, each_is_its_preset)
             model = findHomography(scene.points1, scene.points2, flag, 2, mask, 700, 0.98);
         else if (problem() == FUNDAMENTAL)
             model = findFundamentalMat(scene.points1, scene.points2, flag, 2, 0.98, 700, mask);
+        else if (problem() == AFFINITY)
+            model = estimateAffine2D(scene.points1, scene.points2, mask, flag, 2, 700, 0.98, 100);
+        else if (problem() == SIMILARITY)
+            model = estimateAffinePartial2D(scene.points1, scene.points2, mask, flag, 2, 700, 0.98, 100);
         else
             model = findEssentialMat(scene.points1, scene.points2, scene.K, flag, 0.98, 2, 700, mask);
         wanted.same(cv::format("flag %d", i).c_str(), model, mask);

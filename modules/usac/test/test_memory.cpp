@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "allocation_counter.hpp"
+#include "problems/absolute_pose/pose_scenes.hpp"
 #include "test_contracts.hpp"
 
 // What a run allocates: the model that it returns, and nothing in the loop.
@@ -62,16 +63,16 @@ void addVariants(std::vector<Variant>& variants, const Params& base, const char*
 }
 
 //! The presets, and the default with another component.
-std::vector<Variant> allVariants(const Scene& scene)
+std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<Variant> variants;
     Params scored;
-    for (int i = 0; i < scene.size(); ++i)
-        scored.scores.push_back(1 - scene.scores[i]);
+    for (size_t i = 0; i < scores.size(); ++i)
+        scored.scores.push_back(1 - scores[i]);
     scored.scoreOrder = SCORES_HIGHER_IS_BETTER;
     for (int given = 0; given < 2; ++given)
     {
-        const std::vector<NamedPreset> presets = allPresets();
+        const std::vector<NamedPreset> presets = allPresets(problem);
         for (size_t p = 0; p < presets.size(); ++p)
         {
             Variant variant = {presets[p].name, presets[p].params};
@@ -89,7 +90,7 @@ std::vector<Variant> allVariants(const Scene& scene)
         addVariants(variants, base, "polishing", &Params::polishing, 4);
         addVariants(variants, base, "verification", &Params::verification, 3);
         addVariants(variants, base, "termination", &Params::termination, 5, true);
-        addVariants(variants, base, "residual", &Params::residual, 2);
+        addVariants(variants, base, "residual", &Params::residual, problem == ABSOLUTE_POSE ? 1 : 2);
         addVariants(variants, base, "ordering", &Params::ordering, 4);
     }
     for (size_t i = 0; i < variants.size(); ++i)
@@ -124,7 +125,7 @@ TEST_P(Usac_Memory, nothingButTheModel)
     EXPECT_GT(model, 0);
     const ProblemType problem = (ProblemType)GetParam();
     const Scene scene = sceneOf(problem, 400);
-    const std::vector<Variant> variants = allVariants(scene);
+    const std::vector<Variant> variants = allVariants(problem, scene.scores);
     EXPECT_GE(variants.size(), 85u);
     estimate(scene, Params());  // kernels are chosen once a process
     int found = 0;
@@ -187,7 +188,7 @@ TEST_P(Usac_Memory, nothingInTheLoop)
         return;
     const ProblemType problem = (ProblemType)GetParam();
     const Scene scene = sceneOf(problem, 300);
-    const std::vector<NamedPreset> presets = allPresets();
+    const std::vector<NamedPreset> presets = allPresets(problem);
     estimate(scene, Params());
     for (size_t p = 0; p < presets.size(); ++p)
     {
@@ -245,7 +246,42 @@ TEST_P(Usac_Memory, ofOpenCV)
         }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Memory, testing::Values(0, 1, 2));
+//! The last polishing and the mask see the points through the lens; that allocates nothing, either.
+TEST(Usac_Memory_Pose, nothingButTheModel)
+{
+    if (!allocationsAreCounted())
+        return;
+    const long model = allocationsOfModel();
+    for (int coefficients = 0; coefficients <= 5; coefficients += 5)
+    {
+        PoseSceneOptions options;
+        options.size = 400;
+        options.coefficients = coefficients;
+        const PoseScene scene = makePoseScene(options);
+        estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion);  // kernels are chosen
+        const std::vector<Variant> variants = allVariants(ABSOLUTE_POSE, scene.scores);
+        EXPECT_GE(variants.size(), 83u);
+        int found = 0;
+        for (size_t v = 0; v < variants.size(); ++v)
+        {
+            SCOPED_TRACE(cv::format("%s, %d coefficients", variants[v].name.c_str(), coefficients));
+            const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, scene.object, scene.image, variants[v].params, scene.K,
+                                                noArray(), scene.distortion);
+            Mat mask(scene.size(), 1, CV_8U);
+            Report report;
+            for (int run = 0; run < 3; ++run)
+            {
+                bool any = false;
+                const long count = allocationsOf(*usac, mask, report, any);
+                EXPECT_EQ(any ? model : 0, count) << "run " << run;
+                found += any;
+            }
+        }
+        EXPECT_GT(found, 2 * (int)variants.size());
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(All, Usac_Memory, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 }
 }  // namespace

@@ -199,6 +199,10 @@ struct Changer
     {
         params.*member = {0.1f, -1e-20f, 3e20f};
     }
+    void operator()(const char*, std::vector<double> Params::*member, const FieldValues&)
+    {
+        params.*member = {0.1, -1e-200, 3e200};
+    }
 };
 
 //! All fields different from their defaults and right.

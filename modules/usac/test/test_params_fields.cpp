@@ -111,6 +111,8 @@ FieldValues documentedValues(const std::string& comment, const Enumerations& enu
     }
     else if (comment.find("or none;") != std::string::npos)
         result = FieldValues::scores();
+    else if (comment.find("or no model;") != std::string::npos)
+        result = FieldValues::model();
     if (!std::regex_search(comment, match, initial))
     {
         ADD_FAILURE() << "no default: " << comment;
@@ -151,6 +153,7 @@ struct DocumentationReader
     static const char* typeName(int*) { return "int"; }
     static const char* typeName(double*) { return "double"; }
     static const char* typeName(std::vector<float>*) { return "std::vector<float>"; }
+    static const char* typeName(std::vector<double>*) { return "std::vector<double>"; }
 };
 
 //! A field that the list lacks, or that has another default or range than its comment says, fails here.
@@ -198,7 +201,8 @@ struct DefaultChecker
     {
         EXPECT_EQ(values.initial, params.*member) << name;
     }
-    void operator()(const char* name, std::vector<float> Params::*member, const FieldValues&)
+    template <class T>
+    void operator()(const char* name, std::vector<T> Params::*member, const FieldValues&)
     {
         EXPECT_TRUE((params.*member).empty()) << name;
     }

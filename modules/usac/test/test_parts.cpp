@@ -71,7 +71,7 @@ private:
 
 TEST(Usac_Parts, refusedModelsAreDropped)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int fromSample = 0; fromSample < 2; ++fromSample)
         {
             Params params = allOf(300);

@@ -26,7 +26,7 @@ void expectSameBits(const Answer& a, const Answer& b)
     ASSERT_EQ(a.model.size(), b.model.size());
     if (!a.model.empty())
     {
-        EXPECT_EQ(0, memcmp(a.model.data, b.model.data, 9 * sizeof(double)));
+        EXPECT_EQ(0, memcmp(a.model.data, b.model.data, a.model.total() * sizeof(double)));
     }
     EXPECT_EQ(0, cvtest::norm(a.mask, b.mask, NORM_INF));
     EXPECT_EQ(a.report.stop, b.report.stop);
@@ -131,7 +131,10 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_GE(r.models, r.iterations - r.rejectedSamples - r.degenerateSamples);
             EXPECT_LE(r.rejectedSamples + r.degenerateSamples, r.iterations);
             EXPECT_LE(r.rejectedModels + r.refusedModels + r.droppedModels, r.models);
-            EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
+            if (params.verification == VERIFICATION_NONE || GetParam() <= ESSENTIAL)  // of small samples few are wrong
+            {
+                EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
+            }
             EXPECT_LE(r.localImprovements, r.localOptimizations);
             // each model that was kept, the runners-up (once or twice), and again after an improvement
             EXPECT_LE(r.localOptimizations,
@@ -156,7 +159,7 @@ TEST_P(Usac_Ransac, maskBelongsToTheModel)
         params.threshold = 0.5 + 0.1 * seed;
         const Answer found = answer(scene, params);
         ASSERT_FALSE(found.model.empty());
-        const Matx33d model(found.model.ptr<double>());
+        const Matx33d model = squareModel(found.model);
         for (int i = 0; i < scene.size(); ++i)
         {
             const double error = pixelError(scene, model, scene.points1[i], scene.points2[i]);
@@ -224,7 +227,7 @@ TEST_P(Usac_Ransac, duplicates)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Ransac, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_Ransac, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 Params stopBy(int termination)
 {
@@ -296,7 +299,7 @@ TEST(Usac_Ransac_Stop, standardNumberOfSamples)
 //! Random matches: what support there is can arise by chance. The same match many times is one.
 TEST(Usac_Ransac_Report, nonRandomness)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         SceneOptions options;
         options.inliers = 1;
@@ -372,7 +375,7 @@ TEST(Usac_Ransac_Stop, custom)
 //! Only the required components: the plain loop.
 TEST(Usac_Ransac_Parts, withoutOptionalComponents)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         const Scene scene = sceneOf((ProblemType)problem, 0.7, 2);
         const Ptr<Usac> usac = createUsac(scene, stopBy(0));

@@ -250,7 +250,7 @@ std::string complaint(const Ptr<Usac>& usac)
 
 TEST(Usac_Replacement, mistakesAreNamed)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         const Scene scene = makeScene((ProblemType)problem);
         const Ptr<Usac> usac = createUsac(scene, Params());

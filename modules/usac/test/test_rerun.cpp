@@ -31,7 +31,7 @@ typedef testing::TestWithParam<int> Usac_Rerun;
 TEST_P(Usac_Rerun, givesTheSame)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const std::vector<NamedPreset> presets = allPresets();
+    const std::vector<NamedPreset> presets = allPresets(problem);
     SceneOptions options;
     options.outliers = 60;
     const Scene scene = makeScene(problem, options);
@@ -73,7 +73,7 @@ TEST_P(Usac_Rerun, withOtherPoints)
     EXPECT_THROW(usac->setPoints(std::vector<Point2d>(3), std::vector<Point2d>(4)), cv::Exception);
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Rerun, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_Rerun, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! After a mistake there are no points, and then others.
 TEST(Usac_RerunPoints, afterAMistake)

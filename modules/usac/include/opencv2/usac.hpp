@@ -6,15 +6,17 @@
 #define OPENCV_USACV20_USAC_HPP
 
 /**
-@defgroup usacv20 USACv20: robust estimation of homographies, fundamental and essential matrices
+@defgroup usacv20 USACv20: robust estimation of homographies, affine maps, epipolar geometry and camera poses
 
 The RANSAC framework of @cite ivashechkin2021usacv20 behind the functions of the module calib3d. Three levels of use:
 
 1. A flag of cv::UsacV20Method in the place of `cv::RANSAC`:
    `cv::findHomography(points1, points2, cv::USACV20, 3.0, mask)`. A flag that is an `int` of the program, be it of this
-module or of OpenCV: `cv::usacv20::findHomography(points1, points2, method, 3.0, mask)`.
+module or of OpenCV: `cv::usacv20::findHomography(points1, points2, method, 3.0, mask)`. So do cv::estimateAffine2D,
+cv::estimateAffinePartial2D, cv::findFundamentalMat, cv::findEssentialMat and cv::solvePnPRansac.
 2. A usacv20::Params with all options, match scores among them, and a usacv20::Report:
-   usacv20::estimateHomography, usacv20::estimateFundamental, usacv20::estimateEssential.
+   usacv20::estimateHomography, usacv20::estimateAffinity2D, usacv20::estimateSimilarity2D,
+usacv20::estimateFundamental, usacv20::estimateEssential, usacv20::estimateAbsolutePose.
 3. A component of one's own: usacv20::Usac::create builds the default set, each can be replaced before
 usacv20::Usac::run.
 */
@@ -22,6 +24,8 @@ usacv20::Usac::run.
 #include "opencv2/usac/params.hpp"
 #include "opencv2/usac/report.hpp"
 #include "opencv2/usac/find.hpp"
+#include "opencv2/usac/find_affine.hpp"
+#include "opencv2/usac/find_pose.hpp"
 #include "opencv2/usac/estimate.hpp"
 #include "opencv2/usac/components.hpp"
 #include "opencv2/usac/problem.hpp"

@@ -17,8 +17,8 @@ namespace {
 //! Points: more than this make a fit slower, not better, while the inliers are still changing. Half, double: errors
 //! within 2 %; 128 to shrink: time of E +4 %.
 constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
-//! Steps of Gauss and Newton's method from a model that is not yet near the inliers. One: time -2 to -4 %, errors within
-//! 1 %, but +2 % (E) under a forward motion; four: within 1 %, E +3 % time.
+//! Steps of Gauss and Newton's method from a model that is not yet near the inliers. One: time -2 to -4 %, errors
+//! within 1 %, but +2 % (E) under a forward motion; four: within 1 %, E +3 % time.
 constexpr int SHRINK_STEPS = 2;
 //! The same from one that is. Two: time +2 to +3 %, errors the same to a thousandth.
 constexpr int FIT_STEPS = 1;

@@ -11,23 +11,31 @@
 namespace cv {
 namespace usacv20 {
 
+//! Makes a parameterization of a model that needs to know nothing else.
+template <class Parameterization>
+struct AroundModel
+{
+    Parameterization operator()(const Model& model) const { return Parameterization(model); }
+};
+
 /** @brief Least squares of the geometric error by Gauss and Newton's method, damped as by Levenberg and Marquardt
 @cite more1978levenberg after a step that does not lower the cost.
 
 Minimizes the sum of (weighted) squared errors of a Residual over the models of one kind, from the given one, in a
-minimal parameterization of that kind (DIMENSION, tangent(), project(), plus(), model(), hasFullRank()). Starting from a
+minimal parameterization of that kind (DIMENSION parameters of NUMBERS entries, project(), plus(), model(),
+hasFullRank()). Starting from a
 model, not from nothing, it needs no linear estimate and is not confused by planar scenes, on which the eight-point
 method fails. About 40 (H) or 100 (F, E) operations a point and iteration, twice that for the symmetric errors.
 
 The first step is not damped: a polisher asks for one step at a time, and any damping that is worth its name would stop
 the movement in a weakly determined direction (along the epipole under a forward motion) each time anew. */
-template <class Parameterization>
+template <class Parameterization, class Around = AroundModel<Parameterization>>
 class LeastSquaresSolver : public NonMinimalSolver
 {
 public:
-    //! `errorDimension_`: Problem::errorDimension()
-    LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_)
-        : residual(residual_), errorDimension(errorDimension_), arena(0)
+    //! `errorDimension_`: Problem::errorDimension(); `around_`: makes the parameterization around a model
+    LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_, const Around& around_ = Around())
+        : residual(residual_), errorDimension(errorDimension_), around(around_), arena(0)
     {}
 
     void start(const Context& context) CV_OVERRIDE { arena = &context.arena; }
@@ -37,9 +45,9 @@ public:
     {
         if (errorDimension * count < DIMENSION)
             return false;
-        Parameterization here(model);
+        Parameterization here = around(model);
         const PointChunks chunks(points, indices, count, weights, arena);
-        NormalEquations sums, trialSums;
+        Equations sums;
         sums.accumulate(*residual, chunks, here.model());
         if (!(sums.cost <= DBL_MAX))
             return false;
@@ -75,16 +83,16 @@ private:
     enum { DIMENSION = Parameterization::DIMENSION };
     typedef typename Parameterization::Step Step;
     typedef typename Parameterization::Matrix Matrix;
+    typedef NormalEquationsOf<Parameterization::NUMBERS> Equations;
 
     //! Takes the step if it lowers the cost; with the new normal equations, or with the cost alone if it is the last
     //! one.
-    bool tryStep(const PointChunks& chunks, const Step& step, bool last, Parameterization& here,
-                 NormalEquations& sums) const
+    bool tryStep(const PointChunks& chunks, const Step& step, bool last, Parameterization& here, Equations& sums) const
     {
         const Parameterization trial = here.plus(step);
-        NormalEquations trialSums;
+        Equations trialSums;
         if (last)
-            trialSums.cost = NormalEquations::costOf(*residual, chunks, trial.model());
+            trialSums.cost = Equations::costOf(*residual, chunks, trial.model());
         else
             trialSums.accumulate(*residual, chunks, trial.model());
         if (!(trialSums.cost < sums.cost))  // also for NaN
@@ -97,8 +105,7 @@ private:
 
     /** Step of the damped normal equations on the tangent space, and by how much it lowers the cost where the residuals
     are linear. False if they are singular or not finite. */
-    static bool solve(const Parameterization& here, const NormalEquations& sums, double damping, Step& step,
-                      double& gain)
+    static bool solve(const Parameterization& here, const Equations& sums, double damping, Step& step, double& gain)
     {
         Matrix A;
         Step b, added;
@@ -126,17 +133,18 @@ private:
 
     const Ptr<Residual> residual;
     const int errorDimension;
+    const Around around;
     Arena* arena;  //!< of the run; null: none has begun
 };
 
-template <class Parameterization>
-const double LeastSquaresSolver<Parameterization>::FIRST_DAMPING = 1e-4;
-template <class Parameterization>
-const double LeastSquaresSolver<Parameterization>::SINGULAR = 1e-12;
-template <class Parameterization>
-const double LeastSquaresSolver<Parameterization>::SETTLED = 1e-4;
-template <class Parameterization>
-const double LeastSquaresSolver<Parameterization>::ARRIVED = 1e-10;
+template <class Parameterization, class Around>
+const double LeastSquaresSolver<Parameterization, Around>::FIRST_DAMPING = 1e-4;
+template <class Parameterization, class Around>
+const double LeastSquaresSolver<Parameterization, Around>::SINGULAR = 1e-12;
+template <class Parameterization, class Around>
+const double LeastSquaresSolver<Parameterization, Around>::SETTLED = 1e-4;
+template <class Parameterization, class Around>
+const double LeastSquaresSolver<Parameterization, Around>::ARRIVED = 1e-10;
 
 }  // namespace usacv20
 }  // namespace cv

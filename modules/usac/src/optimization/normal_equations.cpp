@@ -43,6 +43,25 @@ void fromEpipolarSums(const double* sums, NormalEquations& equations)
     equations.cost = sums[54];
 }
 
+void fromReprojectionSums(const double* sums, CameraEquations& equations)
+{
+    static const int SYMMETRIC[4][4] = {{0, 1, 2, 3}, {1, 4, 5, 6}, {2, 5, 7, 8}, {3, 6, 8, 9}};
+    equations.JtJ.setZero();
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+        {
+            const int n = SYMMETRIC[i][j];
+            equations.JtJ(i, j) = equations.JtJ(4 + i, 4 + j) = sums[n];
+            equations.JtJ(8 + i, j) = -sums[10 + n];
+            equations.JtJ(8 + i, 4 + j) = -sums[20 + n];
+            equations.JtJ(8 + i, 8 + j) = sums[30 + n];
+        }
+    for (int i = 0; i < 12; ++i)
+        equations.Jtr[i] = sums[40 + i];
+    equations.JtJ.triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
+    equations.cost = sums[52];
+}
+
 /** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG = -G dH G the
 derivatives by H, entries row by row, are those by G times -G (x) G^T. */
 void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
@@ -57,9 +76,11 @@ void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquation
 }
 
 //! Of a residual without kernels, point by point.
-void addPoints(const Residual& residual, const PointChunks& points, const Model& model, NormalEquations& equations)
+template <int SIZE>
+void addPoints(const Residual& residual, const PointChunks& points, const Model& model,
+               NormalEquationsOf<SIZE>& equations)
 {
-    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * 9];
+    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * SIZE];
     equations.JtJ.setZero();
     equations.Jtr.setZero();
     equations.cost = 0;
@@ -68,7 +89,7 @@ void addPoints(const Residual& residual, const PointChunks& points, const Model&
         const int components = residual.linearize(model, datum, error, derivative);
         for (int k = 0; k < components; ++k)
         {
-            const Eigen::Map<const Eigen::Matrix<double, 9, 1>> row(derivative + 9 * k);
+            const Eigen::Map<const Eigen::Matrix<double, SIZE, 1>> row(derivative + SIZE * k);
             equations.JtJ += weight * row * row.transpose();
             equations.Jtr += weight * error[k] * row;
             equations.cost += weight * error[k] * error[k];
@@ -90,7 +111,8 @@ double costOfPoints(const Residual& residual, const PointChunks& points, const M
 
 }  // namespace
 
-void NormalEquations::accumulate(const Residual& residual, const PointChunks& points, const Model& model)
+template <>
+void NormalEquationsOf<9>::accumulate(const Residual& residual, const PointChunks& points, const Model& model)
 {
     const Residual::Kind kind = residual.kind();
     if (kind == Residual::CUSTOM)
@@ -118,7 +140,21 @@ void NormalEquations::accumulate(const Residual& residual, const PointChunks& po
     }
 }
 
-double NormalEquations::costOf(const Residual& residual, const PointChunks& points, const Model& model)
+template <>
+void NormalEquationsOf<12>::accumulate(const Residual& residual, const PointChunks& points, const Model& model)
+{
+    if (residual.kind() != Residual::REPROJECTION)
+    {
+        addPoints(residual, points, model, *this);
+        return;
+    }
+    double sums[REPROJECTION_SUMS];
+    points.sum(kernels().sums[Residual::REPROJECTION], REPROJECTION_SUMS, model.val, false, sums);
+    fromReprojectionSums(sums, *this);
+}
+
+template <int SIZE>
+double NormalEquationsOf<SIZE>::costOf(const Residual& residual, const PointChunks& points, const Model& model)
 {
     const Residual::Kind kind = residual.kind();
     if (kind == Residual::CUSTOM)
@@ -130,6 +166,9 @@ double NormalEquations::costOf(const Residual& residual, const PointChunks& poin
         points.sum(kernel, 1, Matx33d(model).inv().val, true, &back);
     return cost + back;
 }
+
+template struct NormalEquationsOf<9>;
+template struct NormalEquationsOf<12>;
 
 }  // namespace usacv20
 }  // namespace cv

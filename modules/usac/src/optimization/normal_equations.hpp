@@ -11,12 +11,13 @@
 namespace cv {
 namespace usacv20 {
 
-/** Gauss-Newton sums of an error in the nine entries of the model: JtJ, Jtr and the cost r^T r. A parameterization
-projects them onto its tangent space afterwards, so that the work of a point is the same for all. */
-struct NormalEquations
+/** Gauss-Newton sums of an error in the entries of the model, `SIZE` of them: JtJ, Jtr and the cost r^T r. A
+parameterization projects them onto its tangent space afterwards, so that the work of a point is the same for all. */
+template <int SIZE>
+struct NormalEquationsOf
 {
-    Eigen::Matrix<double, 9, 9, Eigen::RowMajor> JtJ;
-    Eigen::Matrix<double, 9, 1> Jtr;
+    Eigen::Matrix<double, SIZE, SIZE, Eigen::RowMajor> JtJ;
+    Eigen::Matrix<double, SIZE, 1> Jtr;
     double cost;
 
     //! Sums over the points, by a kernel or, for residuals of a program's own, by Residual::linearize().
@@ -25,6 +26,10 @@ struct NormalEquations
     //! The cost alone, for a fraction of the time.
     static double costOf(const Residual& residual, const PointChunks& points, const Model& model);
 };
+
+//! Of a 3x3 matrix, and of the 3x4 matrix of a camera.
+typedef NormalEquationsOf<9> NormalEquations;
+typedef NormalEquationsOf<12> CameraEquations;
 
 }  // namespace usacv20
 }  // namespace cv

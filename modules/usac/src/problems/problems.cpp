@@ -3,10 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "problems/absolute_pose/absolute_pose.hpp"
+#include "problems/affinity/affinity.hpp"
 #include "problems/essential/essential.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/homography/homography.hpp"
 #include "problems/problems.hpp"
+#include "problems/similarity/similarity.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -18,7 +21,10 @@ Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArra
     {
     case HOMOGRAPHY: return createHomographyProblem();
     case FUNDAMENTAL: return createFundamentalProblem();
+    case AFFINITY: return createAffinityProblem();
+    case SIMILARITY: return createSimilarityProblem();
     case ESSENTIAL: return createEssentialProblem(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
+    case ABSOLUTE_POSE: return createAbsolutePoseProblem(cameraMatrix1, distCoeffs1);
     }
     CV_Error_(Error::StsBadArg, ("problem: one of ProblemType is expected, not %d", (int)type));
 }

@@ -12,9 +12,10 @@ namespace {
 
 // Half and double of these: doc/constants.md.
 
-//! Samples; see the class. BEFORE_ORDER 4, 16: errors the same; ORDERED 8, 32: errors of H within 1 %.
-constexpr int BEFORE_ORDER = 8, ORDERED = 16;
-//! Points of the sample of H.
+//! Samples; see the class. BEFORE_ORDER 4, 16: errors the same; ORDERED 8, 32: errors of H within 1 %;
+//! BEFORE_ORDER_CHEAP 16: instructions of affinities and similarities -3 to +12 %, 64: -10 to +7 %.
+constexpr int BEFORE_ORDER = 8, ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
+//! Points of the sample of H, and more than those of an affinity or a similarity.
 constexpr int SMALL = 4;
 //! Of so many samples that are not uniform, one is local. LOCAL_EVERY 2, 8, with scores: errors within 1 %;
 //! LOCAL_EVERY_GUESS 1: errors of F +5 %, E +3 %, failures of F +0.7 points; 4: errors within 1 %.
@@ -37,9 +38,9 @@ point is chosen again, until that is everything and the sample is PROSAC's. One 
 uniform (Params::orderedEvery) is local, every second one if the order of the points is a guess (the density). With
 more, small groups of wrong matches that agree with each other (repeated patterns) won more often on real pairs than
 small groups of right ones were found sooner. If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy
-problems need no more, and so neither order nor neighborhood. Of samples of at most #SMALL points (H), the first
-#ORDERED all keep to the order instead: they come from the few densest points, and four right ones among these are soon
-met. */
+problems need no more, and so neither order nor neighborhood. Of samples of #SMALL points (H), the first #ORDERED all
+keep to the order instead: they come from the few densest points, and four right ones among these are soon met. Of
+smaller ones the first #BEFORE_ORDER_CHEAP are uniform: they take less than the order does. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -79,15 +80,16 @@ private:
     //! As isOrdered(), but for the first samples.
     static bool isOrderedGuess(const Context& context, State& state, int* sample)
     {
-        if (context.params.orderedEvery == 1 || state.iteration >= ORDERED)
+        const int m = context.components.minimalSolver->sampleSize(),
+                  before = m < SMALL ? BEFORE_ORDER_CHEAP : BEFORE_ORDER;
+        if (context.params.orderedEvery == 1 || state.iteration >= std::max(before, ORDERED))
             return isOrdered(context, state, sample);
-        const bool small = context.components.minimalSolver->sampleSize() <= SMALL;
-        if (small)
+        if (m == SMALL)
         {
             state.counts = false;
             return true;
         }
-        if (state.iteration < BEFORE_ORDER)
+        if (state.iteration < before)
         {
             drawUniform(context, state, sample);
             return false;

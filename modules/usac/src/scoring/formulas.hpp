@@ -10,7 +10,8 @@ namespace usacv20 {
 
 /* The formulas of the geometric errors, each once, for float and double. They stand inside an unnamed namespace because
 this file is compiled several times for different instruction sets, and inline functions with external linkage would be
-merged by the linker. `m` is the model, row by row. Where an error is not defined the result is NaN or infinite. */
+merged by the linker. `m` is the model, row by row, NUMBERS of them; a datum has COLUMNS numbers. Where an error is not
+defined the result is NaN or infinite. */
 namespace {
 
 //! Truncated squared error in units of the squared threshold @cite torr2000mlesac, the cost of MSAC.
@@ -23,6 +24,8 @@ inline float msacCost(float squaredError, float scale)
 /** Transfer error in image 2, squared: |p(H x1) - x2|^2 with p the perspective division @cite hartley2003multiple. */
 struct TransferError
 {
+    enum { COLUMNS = 4, NUMBERS = 9 };
+
     template <typename T>
     static inline T squared(const T* m, T x1, T y1, T x2, T y2)
     {
@@ -47,6 +50,8 @@ struct EpipolarLines
 /** Sampson distance, squared: (x2^T F x1)^2 / (|(F x1)_{1,2}|^2 + |(F^T x2)_{1,2}|^2) @cite hartley2003multiple. */
 struct SampsonError
 {
+    enum { COLUMNS = 4, NUMBERS = 9 };
+
     template <typename T>
     static inline T squared(const T* m, T x1, T y1, T x2, T y2)
     {
@@ -59,6 +64,8 @@ struct SampsonError
 hartley2003multiple. The adjugate serves as the inverse, since a factor cancels; it is the same for all points. */
 struct SymmetricTransferError
 {
+    enum { COLUMNS = 4, NUMBERS = 9 };
+
     template <typename T>
     static inline T squared(const T* m, T x1, T y1, T x2, T y2)
     {
@@ -73,11 +80,30 @@ struct SymmetricTransferError
 @cite hartley2003multiple. */
 struct SymmetricEpipolarError
 {
+    enum { COLUMNS = 4, NUMBERS = 9 };
+
     template <typename T>
     static inline T squared(const T* m, T x1, T y1, T x2, T y2)
     {
         const EpipolarLines<T> l(m, x1, y1, x2, y2);
         return l.r * l.r * (T(1) / (l.a * l.a + l.b * l.b) + T(1) / (l.d * l.d + l.e * l.e));
+    }
+};
+
+/** Reprojection error, squared: |p(P X) - x|^2 for a point X of space and the 3x4 matrix P of a camera @cite
+hartley2003multiple. What is not in front of the camera is not seen: infinite. */
+struct ReprojectionError
+{
+    enum { COLUMNS = 5, NUMBERS = 12 };
+
+    template <typename T>
+    static inline T squared(const T* m, T X, T Y, T Z, T u, T v)
+    {
+        const T depth = m[8] * X + m[9] * Y + m[10] * Z + m[11], w = T(1) / depth;
+        const T dx = (m[0] * X + m[1] * Y + m[2] * Z + m[3]) * w - u;
+        const T dy = (m[4] * X + m[5] * Y + m[6] * Z + m[7]) * w - v;
+        const T square = dx * dx + dy * dy;
+        return depth > T(0) ? square : T(INFINITY);  // false for NaN
     }
 };
 

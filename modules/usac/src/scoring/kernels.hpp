@@ -19,10 +19,10 @@ constexpr int SUMS_CHUNK = 32;
 constexpr int SUMS_LANES = 8;
 /** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors alone; see
 sums.inl.hpp.
-@param chunk the columns and the weight of the points: rows of #SUMS_CHUNK, of two views 5 */
+@param chunk the columns and the weight of the points: rows of #SUMS_CHUNK, of two views 5, of a pose 6 */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model, double (*sums)[SUMS_LANES]);
-//! Length of `sums` for the transfer error and the epipolar distances.
-constexpr int TRANSFER_SUMS = 34, EPIPOLAR_SUMS = 55;
+//! Length of `sums` for the transfer error, the reprojection error and the epipolar distances, the longest.
+constexpr int TRANSFER_SUMS = 34, REPROJECTION_SUMS = 53, EPIPOLAR_SUMS = 55;
 
 //! Of ArcsKernel: points come in multiples of this, rows of numbers, coefficients of the line, parts of the line.
 constexpr int ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256;

@@ -6,6 +6,8 @@
 instantiated here, as inline functions of other headers would be merged with those of the other instruction sets. */
 
 #include <cmath>
+#include <limits>
+#include "core/indices.hpp"
 #include "scoring/arcs.inl.hpp"
 #include "scoring/formulas.hpp"
 #include "scoring/kernels.hpp"
@@ -19,15 +21,27 @@ namespace {
 //! Partial sums of a block; as many as the widest registers have, whatever the registers of this build.
 constexpr int LANES = 16;
 
+template <class Error, typename... Columns>
+inline void errorsOf(const float* m, int count, float* USAC_RESTRICT errors, const Columns* USAC_RESTRICT... column)
+{
+    USAC_SIMD
+    for (int i = 0; i < count; ++i)
+        errors[i] = Error::squared(m, column[i]...);
+}
+
+template <class Error, int... K>
+inline void errorsOf(const Correspondences& points, const float* m, int begin, int end, float* errors, Indices<K...>)
+{
+    errorsOf<Error>(m, end - begin, errors, (points.column[K] + begin)...);
+}
+
 template <class Error>
 void errorKernel(const Correspondences& points, const float* model, int begin, int end, float* errors)
 {
-    const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
-    const float *x1 = points.column[X1] + begin, *y1 = points.column[Y1] + begin, *x2 = points.column[X2] + begin,
-                *y2 = points.column[Y2] + begin;
-    USAC_SIMD
-    for (int i = 0; i < end - begin; ++i)
-        errors[i] = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
+    float m[Error::NUMBERS];
+    for (int i = 0; i < Error::NUMBERS; ++i)
+        m[i] = model[i];
+    errorsOf<Error>(points, m, begin, end, errors, typename IndicesTo<Error::COLUMNS>::Type());
 }
 
 struct MsacCost
@@ -42,34 +56,32 @@ struct InlierCost
 };
 
 //! Adds #LANES points to the lanes. The loop has a constant length and touches no memory twice: it becomes vector code.
-template <class Error, class Cost>
-inline void addLanes(const float* m, const float* USAC_RESTRICT x1, const float* USAC_RESTRICT y1,
-                     const float* USAC_RESTRICT x2, const float* USAC_RESTRICT y2, float limit, float scale,
-                     float* USAC_RESTRICT cost, int* USAC_RESTRICT inliers)
+template <class Error, class Cost, typename... Columns>
+inline void addLanes(const float* m, float limit, float scale, float* USAC_RESTRICT cost, int* USAC_RESTRICT inliers,
+                     const Columns* USAC_RESTRICT... column)
 {
     USAC_SIMD
     for (int k = 0; k < LANES; ++k)
     {
-        const float e = Error::squared(m, x1[k], y1[k], x2[k], y2[k]);
+        const float e = Error::squared(m, column[k]...);
         cost[k] += Cost::of(e, limit, scale);
         inliers[k] += e <= limit ? 1 : 0;
     }
 }
 
-template <class Error, class Cost>
-void scoreKernel(const Correspondences& points, const float* model, float limit, int begin, int end, Quality& sum)
+template <class Error, class Cost, int... K>
+inline void scoreOf(const Correspondences& points, const float* m, float limit, int begin, int end, Quality& sum,
+                    Indices<K...>)
 {
-    const float m[9] = {model[0], model[1], model[2], model[3], model[4], model[5], model[6], model[7], model[8]};
-    const float *x1 = points.column[X1], *y1 = points.column[Y1], *x2 = points.column[X2], *y2 = points.column[Y2];
     const float scale = 1 / limit;
     float cost[LANES] = {0};
     int inliers[LANES] = {0};
     int i = begin;
     for (; i + LANES <= end; i += LANES)
-        addLanes<Error, Cost>(m, x1 + i, y1 + i, x2 + i, y2 + i, limit, scale, cost, inliers);
+        addLanes<Error, Cost>(m, limit, scale, cost, inliers, (points.column[K] + i)...);
     for (int k = 0; i < end; ++i, ++k)
     {
-        const float e = Error::squared(m, x1[i], y1[i], x2[i], y2[i]);
+        const float e = Error::squared(m, points.column[K][i]...);
         cost[k] += Cost::of(e, limit, scale);
         inliers[k] += e <= limit ? 1 : 0;
     }
@@ -81,6 +93,15 @@ void scoreKernel(const Correspondences& points, const float* model, float limit,
         }
     sum.cost += cost[0];
     sum.inliers += inliers[0];
+}
+
+template <class Error, class Cost>
+void scoreKernel(const Correspondences& points, const float* model, float limit, int begin, int end, Quality& sum)
+{
+    float m[Error::NUMBERS];
+    for (int i = 0; i < Error::NUMBERS; ++i)
+        m[i] = model[i];
+    scoreOf<Error, Cost>(points, m, limit, begin, end, sum, typename IndicesTo<Error::COLUMNS>::Type());
 }
 
 template <class Error>
@@ -101,6 +122,7 @@ Kernels allKernels()
     addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost, all);
     all.arcs = arcsKernel;
     addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums, symmetricEpipolarCost, all);
+    addKernels<ReprojectionError>(Residual::REPROJECTION, reprojectionSums, reprojectionCost, all);
     return all;
 }
 

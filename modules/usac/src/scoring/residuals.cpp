@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/indices.hpp"
 #include "scoring/formulas.hpp"
 #include "scoring/kernels.hpp"
 #include "scoring/residuals.hpp"
@@ -11,6 +12,13 @@ namespace cv {
 namespace usacv20 {
 
 namespace {
+
+template <class Error, int... K>
+void errorsOf(const double* m, const double* const* columns, int count, double* errors, Indices<K...>)
+{
+    for (int i = 0; i < count; ++i)
+        errors[i] = Error::squared(m, columns[K][i]...);
+}
 
 /** A residual is a formula and a name for its kernels; cost: one pass over the points. */
 template <class Error, Residual::Kind KIND>
@@ -27,9 +35,7 @@ public:
 
     void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
     {
-        const double *x1 = columns[X1], *y1 = columns[Y1], *x2 = columns[X2], *y2 = columns[Y2];
-        for (int i = 0; i < count; ++i)
-            errors[i] = Error::squared(model.val, x1[i], y1[i], x2[i], y2[i]);
+        errorsOf<Error>(model.val, columns, count, errors, typename IndicesTo<Error::COLUMNS>::Type());
     }
 
     Kind kind() const CV_OVERRIDE { return KIND; }
@@ -49,6 +55,11 @@ Ptr<Residual> createSymmetricTransferResidual()
 Ptr<Residual> createSymmetricEpipolarResidual()
 {
     return makePtr<FormulaResidual<SymmetricEpipolarError, Residual::SYMMETRIC_EPIPOLAR>>();
+}
+
+Ptr<Residual> createReprojectionResidual()
+{
+    return makePtr<FormulaResidual<ReprojectionError, Residual::REPROJECTION>>();
 }
 
 }  // namespace usacv20

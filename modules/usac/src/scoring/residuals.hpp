@@ -18,6 +18,8 @@ Ptr<Residual> createSampsonResidual();
 Ptr<Residual> createSymmetricTransferResidual();
 //! F, E: distances to both epipolar lines, see SymmetricEpipolarError.
 Ptr<Residual> createSymmetricEpipolarResidual();
+//! Absolute pose: error in the image, see ReprojectionError.
+Ptr<Residual> createReprojectionResidual();
 
 }  // namespace usacv20
 }  // namespace cv

@@ -9,6 +9,9 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
+//! Cost of a point behind the camera, a squared error: no sum of errors of points in front of it is as large.
+constexpr double BEHIND = 1e200;
+
 //! Adds a[i] b[i] to the lanes.
 inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b, double* USAC_RESTRICT lanes)
 {
@@ -113,6 +116,73 @@ void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
         const double ru = (m[0] * x[i] + m[1] * y[i] + m[2]) * w - x2[i],
                      rv = (m[3] * x[i] + m[4] * y[i] + m[5]) * w - y2[i];
         cost[i] = ru * ru + rv * rv;
+    }
+    addProducts(cost, weight, sums[0]);
+}
+
+/** Reprojection error of a 3x4 camera matrix: as transferSums, with p = (X, Y, Z, 1), whose products are 10 numbers.
+Points behind the camera do not move the model; each costs more than any model is worth. sums: p p^T as 10 numbers times
+1, u, v, u^2 + v^2 (40); the gradient (12); the cost. */
+void reprojectionSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+{
+    const double *X = chunk[0], *Y = chunk[1], *Z = chunk[2], *x2 = chunk[3], *y2 = chunk[4], *weight = chunk[5];
+    double pp[10][SUMS_CHUNK], factor[4][SUMS_CHUNK], p[4][SUMS_CHUNK], g[3][SUMS_CHUNK], cost[SUMS_CHUNK];
+    USAC_SIMD
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+    {
+        const double depth = m[8] * X[i] + m[9] * Y[i] + m[10] * Z[i] + m[11];
+        const bool seen = depth > 0;
+        const double w = seen ? 1 / depth : 0;
+        const double u = (m[0] * X[i] + m[1] * Y[i] + m[2] * Z[i] + m[3]) * w,
+                     v = (m[4] * X[i] + m[5] * Y[i] + m[6] * Z[i] + m[7]) * w;
+        const double ru = u - x2[i], rv = v - y2[i], ww = weight[i] * w * w;
+        pp[0][i] = ww * X[i] * X[i];
+        pp[1][i] = ww * X[i] * Y[i];
+        pp[2][i] = ww * X[i] * Z[i];
+        pp[3][i] = ww * X[i];
+        pp[4][i] = ww * Y[i] * Y[i];
+        pp[5][i] = ww * Y[i] * Z[i];
+        pp[6][i] = ww * Y[i];
+        pp[7][i] = ww * Z[i] * Z[i];
+        pp[8][i] = ww * Z[i];
+        pp[9][i] = ww;
+        factor[0][i] = 1;
+        factor[1][i] = u;
+        factor[2][i] = v;
+        factor[3][i] = u * u + v * v;
+        p[0][i] = X[i];
+        p[1][i] = Y[i];
+        p[2][i] = Z[i];
+        p[3][i] = 1;
+        g[0][i] = weight[i] * w * ru;
+        g[1][i] = weight[i] * w * rv;
+        g[2][i] = -(u * g[0][i] + v * g[1][i]);
+        cost[i] = weight[i] * (seen ? ru * ru + rv * rv : BEHIND);
+    }
+    for (int f = 0; f < 4; f += 2)
+        for (int j = 0; j < 10; j += 2)
+        {
+            double(*const first)[SUMS_LANES] = sums + 10 * f + j, (*const second)[SUMS_LANES] = first + 10;
+            addProducts(factor + f, pp + j, first[0], first[1], second[0], second[1]);
+        }
+    for (int row = 0; row < 3; ++row)
+        for (int j = 0; j < 4; ++j)
+            addProducts(g[row], p[j], sums[40 + 4 * row + j]);
+    addProducts(cost, p[3], sums[52]);
+}
+
+//! The cost alone, in the first sum.
+void reprojectionCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+{
+    const double *X = chunk[0], *Y = chunk[1], *Z = chunk[2], *x2 = chunk[3], *y2 = chunk[4], *weight = chunk[5];
+    double cost[SUMS_CHUNK];
+    USAC_SIMD
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+    {
+        const double depth = m[8] * X[i] + m[9] * Y[i] + m[10] * Z[i] + m[11], w = 1 / depth;
+        const double ru = (m[0] * X[i] + m[1] * Y[i] + m[2] * Z[i] + m[3]) * w - x2[i],
+                     rv = (m[4] * X[i] + m[5] * Y[i] + m[6] * Z[i] + m[7]) * w - y2[i];
+        cost[i] = depth > 0 ? ru * ru + rv * rv : BEHIND;
     }
     addProducts(cost, weight, sums[0]);
 }

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 #define OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 
-// What test_input.cpp and test_layouts.cpp share.
+// What test_input.cpp, test_layouts.cpp and test_pose_layouts.cpp share.
 
 #include "test_contracts.hpp"
 
@@ -37,6 +37,22 @@ struct ExpectedAnswer
     const Matx33d K;
     Mat model, mask;
 };
+
+//! A part of a larger matrix.
+inline Mat partOfLarger(const Mat& points)
+{
+    Mat larger(points.rows + 2, points.cols + 3, points.type(), Scalar::all(-11));
+    Mat part = larger(Rect(2, 1, points.cols, points.rows));
+    points.copyTo(part);
+    return part;
+}
+
+//! A matrix of two dimensions as one of three.
+inline Mat threeDimensional(const Mat& points, int first, int second)
+{
+    const int sizes[] = {first, second, points.cols};
+    return points.clone().reshape(1, 3, sizes).clone();
+}
 
 //! A scene whose coordinates are integers 0 .. 127, so that every depth holds them; Nx2, CV_64F. K is scaled with them.
 inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)

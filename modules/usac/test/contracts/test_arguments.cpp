@@ -10,7 +10,7 @@ namespace opencv_test {
 namespace {
 
 typedef UsacProblem UsacArguments;
-INSTANTIATE_TEST_CASE_P(/**/, UsacArguments, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacArguments, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 const double INFINITE = std::numeric_limits<double>::infinity();
@@ -33,6 +33,12 @@ struct WrongCall
         else if (problem == FUNDAMENTAL)
             findFundamentalMat(points1, points2, USACV20, params.threshold, params.confidence, params.maxIterations,
                                mask);
+        else if (problem == AFFINITY)
+            estimateAffine2D(points1, points2, mask, USACV20, params.threshold, params.maxIterations,
+                             params.confidence);
+        else if (problem == SIMILARITY)
+            estimateAffinePartial2D(points1, points2, mask, USACV20, params.threshold, params.maxIterations,
+                                    params.confidence);
         else
             findEssentialMat(points1, points2, K, USACV20, params.confidence, params.threshold, params.maxIterations,
                              mask);
@@ -275,10 +281,35 @@ TEST(Usac_Arguments, arrays_of_three_dimensions)
         "distCoeffs1");
 }
 
+//! Affinities and similarities know no dominant plane; the default set stands for what they have.
+TEST(Usac_Arguments, degeneracies_of_maps_of_points)
+{
+    const int right[] = {0, DEGENERACY_ORIENTATION, DEGENERACY_REPEATED, DEGENERACY_ORIENTATION | DEGENERACY_REPEATED,
+                         Params().degeneracy};
+    const int wrong[] = {DEGENERACY_DEGENSAC, Params::usac2013().degeneracy, DEGENERACY_DEGENSAC | DEGENERACY_REPEATED};
+    for (ProblemType problem : {AFFINITY, SIMILARITY})
+    {
+        WrongCall call = Arguments(problem).call();
+        for (int degeneracy : right)
+        {
+            call.params.degeneracy = degeneracy;
+            EXPECT_NO_THROW(call()) << degeneracy;
+        }
+        for (int degeneracy : wrong)
+        {
+            call.params.degeneracy = degeneracy;
+            expectException(call, "degeneracy");
+            expectException(call, nameOf(problem));
+        }
+        call.params = Params::usac2013();
+        expectException(call, "DEGENERACY_DEGENSAC");
+    }
+}
+
 TEST(Usac_Arguments, problem)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
-    expectException([&]() { Usac::create((ProblemType)(ESSENTIAL + 1), scene.points1, scene.points2); }, "problem");
+    expectException([&]() { Usac::create((ProblemType)(SIMILARITY + 1), scene.points1, scene.points2); }, "problem");
 }
 
 }

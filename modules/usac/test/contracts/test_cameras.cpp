@@ -94,7 +94,7 @@ TEST(Usac_Cameras, every_form_of_distortion)
 }
 
 typedef UsacProblem UsacForms;
-INSTANTIATE_TEST_CASE_P(/**/, UsacForms, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacForms, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! (x, y, 0) is no finite point, also not (x, y).
 TEST_P(UsacForms, points_at_infinity_are_never_inliers)

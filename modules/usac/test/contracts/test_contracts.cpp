@@ -8,7 +8,7 @@ namespace opencv_test {
 namespace {
 
 typedef UsacProblem UsacContracts;
-INSTANTIATE_TEST_CASE_P(/**/, UsacContracts, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacContracts, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 TEST_P(UsacContracts, mask_and_normalization_of_every_preset)
 {

@@ -10,7 +10,7 @@ namespace opencv_test {
 namespace {
 
 typedef UsacProblem UsacExtremes;
-INSTANTIATE_TEST_CASE_P(/**/, UsacExtremes, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacExtremes, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! Squares of the first and the last ones are no float, of some no double.
 TEST_P(UsacExtremes, thresholds)
@@ -48,7 +48,7 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
 {
     const double confidences[] = {1e-300, 1e-16, 1 - 1e-16};
     const Scene scene = makeScene(problem());
-    const std::vector<NamedPreset> presets = allPresets();
+    const std::vector<NamedPreset> presets = allPresets(problem());
     for (int c = 0; c < 3; ++c)
         for (size_t i = 0; i < presets.size(); ++i)
         {

@@ -10,7 +10,7 @@ namespace opencv_test {
 namespace {
 
 typedef UsacProblem UsacHostile;
-INSTANTIATE_TEST_CASE_P(/**/, UsacHostile, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacHostile, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 Point2d randomPixel(RNG& rng) { return Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)); }
 

@@ -10,9 +10,7 @@ namespace opencv_test {
 namespace {
 
 typedef UsacProblem UsacPoints;
-INSTANTIATE_TEST_CASE_P(/**/, UsacPoints, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
-
-const int SAMPLE_SIZES[] = {4, 7, 5};
+INSTANTIATE_TEST_CASE_P(/**/, UsacPoints, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! @return the model of Params::usacV20
 Mat tryPoints(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
@@ -86,10 +84,15 @@ TEST_P(UsacPoints, collinear)
     }
     tryPoints(problem(), points1, points2);
     tryPoints(problem(), noisy1, noisy2);
-    tryPoints(problem(), axis1, axis2);
-    if (problem() == HOMOGRAPHY)
+    const Mat model = tryPoints(problem(), axis1, axis2);
+    if (problem() == HOMOGRAPHY || problem() == AFFINITY)
     {
-        EXPECT_TRUE(tryPoints(problem(), axis1, axis2).empty()) << "a line does not determine a homography";
+        EXPECT_TRUE(model.empty()) << "a line does not determine a homography or an affine map";
+    }
+    else if (problem() == SIMILARITY)
+    {
+        const Mat moved = (Mat_<double>(2, 3) << 1, 0, 10, 0, 1, 0);
+        EXPECT_LT(cvtest::norm(model, moved, NORM_INF), 1e-9) << "but a similarity";
     }
 }
 
@@ -101,7 +104,7 @@ TEST_P(UsacPoints, two_distinct)
         points1.push_back(i % 2 ? Point2d(10, 20) : Point2d(300, 70));
         points2.push_back(i % 2 ? Point2d(40, 10) : Point2d(200, 90));
     }
-    EXPECT_TRUE(tryPoints(problem(), points1, points2).empty());
+    EXPECT_EQ(problem() != SIMILARITY, tryPoints(problem(), points1, points2).empty());
 }
 
 TEST_P(UsacPoints, seven_with_duplicates)
@@ -153,10 +156,10 @@ TEST_P(UsacPoints, static_camera)
         moved[i] += Point2d(rng.gaussian(1e-3), rng.gaussian(1e-3));
     const Mat exact = tryPoints(problem(), scene.points1, scene.points1);
     const Mat nearly = tryPoints(problem(), scene.points1, moved);
-    if (problem() == HOMOGRAPHY)
+    if (mapsPoints(problem()))
     {
-        EXPECT_LT(cvtest::norm(exact, Mat::eye(3, 3, CV_64F), NORM_INF), 1e-9);
-        EXPECT_LT(cvtest::norm(nearly, Mat::eye(3, 3, CV_64F), NORM_INF), 1e-2);
+        EXPECT_LT(cvtest::norm(exact, Mat::eye(exact.size(), CV_64F), NORM_INF), 1e-9);
+        EXPECT_LT(cvtest::norm(nearly, Mat::eye(nearly.size(), CV_64F), NORM_INF), 1e-2);
     }
 }
 

@@ -10,7 +10,7 @@ namespace opencv_test {
 namespace {
 
 typedef UsacProblem UsacTruth;
-INSTANTIATE_TEST_CASE_P(/**/, UsacTruth, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacTruth, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! The scene with its rows in another order; row i was order[i].
 Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
@@ -59,7 +59,7 @@ TEST_P(UsacTruth, permuting_exact_points_permutes_the_mask)
     options.outliers = 60;
     options.scoreInformation = 0.8;
     const Scene scene = makeScene(problem(), options);
-    const std::vector<NamedPreset> presets = allPresets();
+    const std::vector<NamedPreset> presets = allPresets(problem());
     for (size_t i = 0; i < presets.size(); ++i)
     {
         Params params = presets[i].params;
@@ -88,7 +88,7 @@ TEST_P(UsacTruth, copies_of_a_row_have_its_answer)
     std::vector<Point2d> points1 = scene.points1, points2 = scene.points2;
     points1.insert(points1.end(), scene.points1.begin(), scene.points1.end());
     points2.insert(points2.end(), scene.points2.begin(), scene.points2.end());
-    const std::vector<NamedPreset> presets = allPresets();
+    const std::vector<NamedPreset> presets = allPresets(problem());
     for (size_t i = 0; i < presets.size(); ++i)
     {
         Params params = presets[i].params;
@@ -135,7 +135,7 @@ TEST_P(UsacTruth, all_input_is_unchanged_to_the_bit)
         Mat K(4, 5, CV_32F, Scalar(3)), view = K(Rect(1, 1, 3, 3)), distortion(5, 1, CV_64F, Scalar(1e-5));
         Mat(scene.K).convertTo(view, CV_32F);
         const Mat wideBefore = wide.clone(), KBefore = K.clone(), distortionBefore = distortion.clone();
-        const std::vector<NamedPreset> presets = allPresets();
+        const std::vector<NamedPreset> presets = allPresets(problem());
         for (size_t i = 0; i < presets.size(); ++i)
         {
             Params params = presets[i].params;

@@ -13,6 +13,7 @@ using namespace cv::usacv20;
 using cv::Mat;
 using cv::Matx33d;
 using cv::Point2d;
+using cv::Point3d;
 
 namespace opencv_test {
 
@@ -37,6 +38,13 @@ Answer run(const FuzzInput& input, int threads)
             answer.model = estimateHomography(input.points1, input.points2, params, answer.mask, answer.report);
         else if (input.problem == FUNDAMENTAL)
             answer.model = estimateFundamental(input.points1, input.points2, params, answer.mask, answer.report);
+        else if (input.problem == AFFINITY)
+            answer.model = estimateAffinity2D(input.points1, input.points2, params, answer.mask, answer.report);
+        else if (input.problem == SIMILARITY)
+            answer.model = estimateSimilarity2D(input.points1, input.points2, params, answer.mask, answer.report);
+        else if (input.problem == ABSOLUTE_POSE)
+            answer.model = estimateAbsolutePose(input.object, input.points2, input.K1, input.d1, params, answer.mask,
+                                                answer.report);
         else
             answer.model = estimateEssential(input.points1, input.points2, input.K1, input.K2, input.d1, input.d2,
                                              params, answer.mask, answer.report);
@@ -67,16 +75,23 @@ bool wrongDistortion(const Mat& d)
 //! 1: the call has to be refused, 0: it must not, -1: either.
 int wrongArguments(const FuzzInput& input)
 {
-    int wrong = input.points1.size() != input.points2.size();
+    const size_t count = input.problem == ABSOLUTE_POSE ? input.object.size() : input.points1.size();
+    int wrong = count != input.points2.size();
     try
     {
-        input.params.check((int)input.points1.size());
+        input.params.check((int)count);
     }
     catch (const cv::Exception&)
     {
         wrong = 1;
     }
-    if (wrong == 1 || input.problem != ESSENTIAL)
+    const int degeneracy = input.params.degeneracy;
+    const bool plane = input.problem == HOMOGRAPHY || input.problem == FUNDAMENTAL || input.problem == ESSENTIAL;
+    if (!plane && (degeneracy & DEGENERACY_DEGENSAC) && degeneracy != Params().degeneracy)
+        wrong = 1;
+    if (input.problem == ABSOLUTE_POSE && input.params.residual == RESIDUAL_SYMMETRIC)
+        wrong = 1;
+    if (wrong == 1 || (input.problem != ESSENTIAL && input.problem != ABSOLUTE_POSE))
         return wrong;
     const int camera1 = wrongCamera(input.K1), camera2 = wrongCamera(input.K2);
     if (camera1 == 1 || camera2 == 1)
@@ -89,8 +104,8 @@ int wrongArguments(const FuzzInput& input)
 bool namesAnArgument(const std::string& message)
 {
     static const Fields fields;
-    static const char* const others[] = {"points1",       "points2",     "cameraMatrix1",
-                                         "cameraMatrix2", "distCoeffs1", "distCoeffs2"};
+    static const char* const others[] = {"points1",    "points2",      "cameraMatrix",
+                                         "distCoeffs", "objectPoints", "imagePoints"};
     std::vector<std::string> names = fields.names;
     names.insert(names.end(), others, others + sizeof(others) / sizeof(others[0]));
     for (size_t i = 0; i < names.size(); ++i)
@@ -101,11 +116,13 @@ bool namesAnArgument(const std::string& message)
 
 bool sameBits(const Mat& a, const Mat& b)
 {
-    return a.size() == b.size() && a.type() == b.type() &&
-           (a.empty() || std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0);
+    if (a.empty() || b.empty())
+        return a.empty() && b.empty();
+    return a.size() == b.size() && a.type() == b.type() && std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0;
 }
 
-bool sameBits(const std::vector<Point2d>& a, const std::vector<Point2d>& b)
+template <class Point>
+bool sameBits(const std::vector<Point>& a, const std::vector<Point>& b)
 {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
@@ -140,10 +157,11 @@ std::string brokenAnswer(const FuzzInput& input, const Answer& answer)
 std::string brokenContract(const FuzzInput& input)
 {
     const std::vector<Point2d> before1 = input.points1, before2 = input.points2;
-    const Mat K1 = input.K1.clone(), K2 = input.K2.clone();
+    const std::vector<Point3d> object = input.object;
+    const Mat K1 = input.K1.clone(), d1 = input.d1.clone(), K2 = input.K2.clone();
     const Answer first = run(input, 1), second = run(input, input.otherThreads);
     if (!sameBits(before1, input.points1) || !sameBits(before2, input.points2) || !sameBits(K1, input.K1) ||
-        !sameBits(K2, input.K2))
+        !sameBits(K2, input.K2) || !sameBits(object, input.object) || !sameBits(d1, input.d1))
         return "the input has changed";
     const std::string broken = brokenAnswer(input, first);
     return broken.empty() ? brokenRepetition(first, second) : broken;

@@ -5,10 +5,8 @@
 #include "fuzz/fuzz_input.hpp"
 
 #include <algorithm>
-#include <cfloat>
-#include <climits>
-#include <cstring>
-#include <limits>
+#include "fuzz/fuzz_bytes.hpp"
+#include "fuzz/fuzz_pose.hpp"
 #include "params_fields.hpp"
 #include "scenes.hpp"
 
@@ -19,86 +17,6 @@ using cv::Point2d;
 namespace opencv_test {
 
 namespace {
-
-const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
-const double INFINITE = std::numeric_limits<double>::infinity();
-
-//! The bytes one after the other, then zeros.
-class Bytes
-{
-public:
-    Bytes(const uchar* data, size_t size) : at(data), end(data + size) {}
-
-    size_t left() const { return (size_t)(end - at); }
-    int byte() { return at < end ? *at++ : 0; }
-    int below(int count) { return byte() % count; }
-
-    template <class T>
-    T value()
-    {
-        uchar bytes[sizeof(T)];
-        for (size_t i = 0; i < sizeof(T); ++i)
-            bytes[i] = (uchar)byte();
-        T result;
-        std::memcpy(&result, bytes, sizeof(T));
-        return result;
-    }
-
-    //! Numbers that programs trip over, round numbers, and any other.
-    double number()
-    {
-        static const double special[] = {0,
-                                         -0.,
-                                         1,
-                                         -1,
-                                         2,
-                                         0.5,
-                                         3,
-                                         10,
-                                         100,
-                                         1e5,
-                                         1e-3,
-                                         1e3,
-                                         1e-9,
-                                         1e9,
-                                         1e30,
-                                         -1e30,
-                                         1e-30,
-                                         1e160,
-                                         1e-160,
-                                         1e300,
-                                         -1e300,
-                                         5e-324,
-                                         1e-310,
-                                         DBL_MAX,
-                                         -DBL_MAX,
-                                         DBL_MIN,
-                                         NOT_A_NUMBER,
-                                         INFINITE,
-                                         -INFINITE,
-                                         1 - DBL_EPSILON / 2,
-                                         1 + DBL_EPSILON,
-                                         0.99};
-        const int kind = byte();
-        if (kind < 32)
-            return special[kind];
-        if (kind < 128)
-            return value<schar>();
-        return kind < 192 ? (double)value<short>() / 16 : kind < 240 ? (double)value<float>() : value<double>();
-    }
-
-    int integer()
-    {
-        static const int special[] = {INT_MAX, INT_MIN, -1,  0,    1,    2,    7,    63,
-                                      64,      100,     101, 1000, 1001, 1024, 1025, 65536};
-        const int kind = byte();
-        return kind < 16 ? special[kind] : kind < 128 ? below(8) : kind < 192 ? value<schar>() : value<int>();
-    }
-
-private:
-    const uchar* at;
-    const uchar* end;
-};
 
 Params preset(int number)
 {
@@ -188,19 +106,6 @@ void readScene(Bytes& bytes, FuzzInput& input)
     input.points2 = scene.points2;
 }
 
-double coordinate(Bytes& bytes, int kind)
-{
-    switch (kind)
-    {
-    case 0: return bytes.below(4);
-    case 1: return bytes.value<schar>();
-    case 2: return bytes.value<ushort>() / 64.;
-    case 3: return (double)bytes.value<float>();
-    case 4: return bytes.value<double>();
-    default: return bytes.number();
-    }
-}
-
 //! One change of one row, or of all rows.
 void edit(Bytes& bytes, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
@@ -240,8 +145,8 @@ void readPoints(Bytes& bytes, FuzzInput& input)
         readScene(bytes, input);
     for (int i = 0; i < most && bytes.left() > 0; ++i)
     {
-        const double x1 = coordinate(bytes, kind % 6), y1 = coordinate(bytes, kind % 6);
-        const double x2 = coordinate(bytes, kind % 6), y2 = coordinate(bytes, kind % 6);
+        const double x1 = bytes.coordinate(kind % 6), y1 = bytes.coordinate(kind % 6);
+        const double x2 = bytes.coordinate(kind % 6), y2 = bytes.coordinate(kind % 6);
         input.points1.push_back(Point2d(x1, y1));
         input.points2.push_back(Point2d(x2, y2));
     }
@@ -255,19 +160,27 @@ FuzzInput readFuzzInput(const uchar* data, size_t size)
 {
     Bytes bytes(data, size);
     FuzzInput input;
-    input.problem = (ProblemType)bytes.below(3);
+    const int problem = bytes.byte();  // so, and not modulo 6, for the sake of the kept inputs
+    input.problem = problem == 5 || (problem > 96 && problem < 128) ? ABSOLUTE_POSE
+                    : problem == 3 || problem == 4 || (problem >= 128 && problem < 240)
+                        ? (ProblemType)(problem % 2 ? AFFINITY : SIMILARITY)
+                        : (ProblemType)(problem % 3);
     input.otherThreads = bytes.below(8) == 7 ? 3 : 1;
     input.params = readParams(bytes);
-    if (input.problem == ESSENTIAL)
+    if (input.problem == ESSENTIAL || input.problem == ABSOLUTE_POSE)
     {
         input.K1 = readCamera(bytes);
-        if (bytes.below(2))
+        if (input.problem == ESSENTIAL && bytes.below(2))
             input.K2 = readCamera(bytes);
         input.d1 = readDistortion(bytes);
-        input.d2 = readDistortion(bytes);
+        if (input.problem == ESSENTIAL)
+            input.d2 = readDistortion(bytes);
     }
-    readPoints(bytes, input);
-    readScores(bytes, input.points1.size(), input.params);
+    if (input.problem == ABSOLUTE_POSE)
+        readPosePoints(bytes, input);
+    else
+        readPoints(bytes, input);
+    readScores(bytes, input.points2.size(), input.params);
     return input;
 }
 

@@ -33,7 +33,7 @@ std::vector<int> sortBy(const Ptr<Ordering>& ordering, const Correspondences& po
 
 TEST(Usac_Priors, densityPutsClusteredMatchesFirst)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (uint64 seed = 1; seed <= 10; ++seed)
         {
             SceneOptions options;

@@ -25,15 +25,15 @@ protected:
     }
 
     //! All presets, short.
-    static std::vector<NamedPreset> presets()
+    std::vector<NamedPreset> presets() const
     {
-        std::vector<NamedPreset> all = allPresets();
+        std::vector<NamedPreset> all = allPresets(problem());
         for (size_t i = 0; i < all.size(); ++i)
             all[i].params.maxIterations = 400;
         return all;
     }
 };
-INSTANTIATE_TEST_CASE_P(/**/, UsacDeterminism, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacDeterminism, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 TEST_P(UsacDeterminism, hundred_repeats_after_use_of_theRNG)
 {

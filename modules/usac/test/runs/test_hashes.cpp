@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "results.hpp"
+#include "problems/absolute_pose/pose_scenes.hpp"
 #include "real_set.hpp"
 #include "scoring/kernels.hpp"
 
@@ -11,8 +12,8 @@
 #include <sstream>
 #include <Eigen/Dense>
 
-// Hashes of the results of every preset on the sets of test_data/, against those of test_data/hashes.txt: no unnoticed
-// change of a result. After an intended one, all rows are written anew by
+// Hashes of the results of every preset on the sets of test_data/ and four synthetic scenes, against those of
+// test_data/hashes.txt: no unnoticed change of a result. After an intended one, all rows are written anew by
 //
 //     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
 //
@@ -96,9 +97,9 @@ std::string kernelsInUse()
 }
 
 //! The presets, and each component that none of them has.
-std::vector<NamedPreset> hashedParams(const RealSet& set)
+std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<float>& scores)
 {
-    std::vector<NamedPreset> all = allPresets();
+    std::vector<NamedPreset> all = allPresets(problem);
     const char* names[] = {"scores", "seed", "knn", "radius", "napsac", "importance", "tdd", "symmetric", "unpolished"};
     for (int i = 0; i < 9; ++i)
     {
@@ -106,15 +107,15 @@ std::vector<NamedPreset> hashedParams(const RealSet& set)
         all.push_back(preset);
     }
     NamedPreset* other = &all[all.size() - 9];
-    other[0].params.scores = set.scores;
+    other[0].params.scores = scores;
     other[1].params.seed = 1;
     other[2].params.neighborhood = NEIGHBORHOOD_KNN;
     other[3].params.neighborhood = NEIGHBORHOOD_RADIUS;
     other[4].params.sampler = SAMPLER_NAPSAC;
     other[5].params.sampler = SAMPLER_IMPORTANCE;
     other[5].params.scoreOrder = SCORES_HIGHER_IS_BETTER;
-    for (size_t i = 0; i < set.scores.size(); ++i)
-        other[5].params.scores.push_back(std::max(1 - set.scores[i], 0.f));
+    for (size_t i = 0; i < scores.size(); ++i)
+        other[5].params.scores.push_back(std::max(1 - scores[i], 0.f));
     other[6].params = Params::msac();
     other[6].params.verification = VERIFICATION_TDD;
     other[7].params.residual = RESIDUAL_SYMMETRIC;
@@ -122,21 +123,69 @@ std::vector<NamedPreset> hashedParams(const RealSet& set)
     return all;
 }
 
-void addRows(const std::string& name, double threshold, std::vector<Row>& rows)
+//! An absolute pose has no symmetric residual.
+std::vector<NamedPreset> hashedPoseParams(const std::vector<float>& scores)
 {
-    const RealSet set = RealSet(name).sorted();
-    const std::vector<NamedPreset> all = hashedParams(set);
+    std::vector<NamedPreset> all = hashedParams(ABSOLUTE_POSE, scores);
+    for (size_t i = all.size(); i-- > 0;)
+        if (all[i].params.residual == RESIDUAL_SYMMETRIC)
+            all.erase(all.begin() + i);
+    return all;
+}
+
+//! The result of each of the parameters, by estimate(params, mask, report).
+template <class Estimate>
+void addRows(const std::string& name, const std::vector<NamedPreset>& all, double threshold, const Estimate& estimate,
+             std::vector<Row>& rows)
+{
     for (size_t i = 0; i < all.size(); ++i)
     {
         Params params = all[i].params;
         params.threshold = threshold;
         params.maxIterations = 1000;
         Result result;
-        result.model = set.estimateWith(params, result.mask, result.report);
+        result.model = estimate(params, result.mask, result.report);
         const Row row = {name + ":" + all[i].name, result.report.iterations, result.report.inliers, result.robust(),
                          result.exact()};
         rows.push_back(row);
     }
+}
+
+void addRows(const std::string& name, double threshold, std::vector<Row>& rows)
+{
+    const RealSet set = RealSet(name).sorted();
+    const auto estimate = [&](const Params& params, Mat& mask, Report& report) {
+        return set.estimateWith(params, mask, report);
+    };
+    addRows(name, hashedParams(set.problem, set.scores), threshold, estimate, rows);
+}
+
+//! A synthetic scene; its scores are in no order.
+void addRows(ProblemType problem, std::vector<Row>& rows)
+{
+    SceneOptions options;
+    options.outliers = 400;
+    options.scoreInformation = 0.7;
+    const Scene scene = makeScene(problem, options);
+    const auto estimate = [&](const Params& params, Mat& mask, Report& report) {
+        return estimatePoints(problem, scene.points1, scene.points2, params, mask, report);
+    };
+    addRows(nameOf(problem), hashedParams(problem, scene.scores), 2, estimate, rows);
+}
+
+//! A synthetic scene of absolute pose; 0 coefficients: no lens.
+void addPoseRows(const std::string& name, int coefficients, std::vector<Row>& rows)
+{
+    PoseSceneOptions options;
+    options.size = 600;
+    options.inlierRatio = 0.33;
+    options.scoreInformation = 0.7;
+    options.coefficients = coefficients;
+    const PoseScene scene = makePoseScene(options);
+    const auto estimate = [&](const Params& params, Mat& mask, Report& report) {
+        return estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, params, mask, report);
+    };
+    addRows(name, hashedPoseParams(scene.scores), 2, estimate, rows);
 }
 
 Table makeTable()
@@ -148,6 +197,10 @@ Table makeTable()
     addRows("aloe", 1, table.rows);
     addRows("office12_F", 1, table.rows);
     addRows("office01_E", 1, table.rows);
+    addRows(AFFINITY, table.rows);
+    addRows(SIMILARITY, table.rows);
+    addPoseRows("absolutePose", 0, table.rows);
+    addPoseRows("absolutePose_lens", 5, table.rows);
     return table;
 }
 

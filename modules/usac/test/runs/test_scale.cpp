@@ -46,7 +46,7 @@ Cost costOf(const Scene& scene, const Params& params)
 }
 
 typedef UsacProblem UsacScale;
-INSTANTIATE_TEST_CASE_P(/**/, UsacScale, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacScale, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 TEST_P(UsacScale, million_points)
 {
@@ -136,7 +136,7 @@ double workPerPoint(ProblemType problem, const NamedPreset& preset, int size, ui
 
 TEST_P(UsacScale, work_is_linear)
 {
-    const std::vector<NamedPreset> presets = allPresets();
+    const std::vector<NamedPreset> presets = allPresets(problem());
     for (size_t p = 0; p < presets.size(); ++p)
     {
         if (presets[p].params.termination & TERMINATION_PROSAC)
@@ -175,9 +175,9 @@ void manyCalls(int count)
     SceneOptions options;
     options.inliers = 40;
     options.outliers = 10;
-    for (int problem = HOMOGRAPHY; problem <= ESSENTIAL; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         scenes.push_back(makeScene((ProblemType)problem, options));
-    const std::vector<NamedPreset> presets = allPresets();
+    const std::vector<NamedPreset> presets = allPresets(AFFINITY);  // which all problems take
     const int warmUp = 500;
     double before = 0;
     for (int i = 0; i < warmUp + count; ++i)

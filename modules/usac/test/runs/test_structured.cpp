@@ -29,7 +29,7 @@ typedef testing::TestWithParam<Structure> Usac_Structured;
 TEST_P(Usac_Structured, no_flag_is_wrong)
 {
     const UsacV20Method flags[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_MAGSAC};
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (size_t k = 0; k < sizeof(flags) / sizeof(flags[0]); ++k)
         {
             int wrong = 0;
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_CASE_P(Motions, Usac_Structured, testing::ValuesIn(STRUCTURES))
 TEST(Usac_Structured, any_order_of_scores)
 {
     const double information[] = {0.9, 0.5, 0.05};
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int order = 0; order < 3; ++order)
         {
             int missed = 0;

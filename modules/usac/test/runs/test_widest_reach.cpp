@@ -8,7 +8,7 @@ namespace opencv_test {
 namespace {
 
 typedef testing::TestWithParam<int> Usac_WidestReach;
-INSTANTIATE_TEST_CASE_P(/**/, Usac_WidestReach, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, Usac_WidestReach, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! Of some scenes; the mask is checked, too.
 double meanError(int problem, Params params, double pixels)

@@ -64,7 +64,7 @@ std::vector<float> variedScores(int count)
 TEST(Usac_Importance, distributionByChiSquared)
 {
     const int N = 24, SAMPLES = 200000;
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         Weighted weighted((ProblemType)problem, variedScores(N), problem);
         Draw& draw = weighted.draw;
@@ -111,8 +111,8 @@ TEST(Usac_Importance, equalWeightsAreUniform)
 TEST(Usac_Importance, fewPointsOfPositiveWeight)
 {
     const int N = 30, SAMPLES = 20000;
-    for (int problem = 0; problem < 3; ++problem)
-        for (int positive = 0; positive <= (problem == 0 ? 4 : problem == 1 ? 7 : 5); ++positive)
+    for (int problem : TWO_VIEW_PROBLEMS)
+        for (int positive = 0; positive <= SAMPLE_SIZES[problem]; ++positive)
         {
             std::vector<float> scores(N, 0.f);
             for (int i = 0; i < positive; ++i)
@@ -169,7 +169,7 @@ TEST(Usac_Importance, overwhelmingWeights)
 //! Probabilities that say something find the model in fewer samples; through Params.
 TEST(Usac_Importance, findsTheModelSooner)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         int found[2] = {0, 0};
         for (uint64 seed = 1; seed <= 6; ++seed)
@@ -192,7 +192,10 @@ TEST(Usac_Importance, findsTheModelSooner)
             }
         }
         EXPECT_EQ(6, found[1]) << "problem " << problem;
-        EXPECT_LE(found[0], 3) << "problem " << problem;
+        if (SAMPLE_SIZES[problem] >= 4)  // 60 uniform samples of fewer points do find it
+        {
+            EXPECT_LE(found[0], 3) << "problem " << problem;
+        }
     }
 }
 

@@ -29,7 +29,7 @@ Params withRadius(double radius)
 TEST(Usac_Napsac, uniformAmongNeighbors)
 {
     const int N = 40, SAMPLES = 40000, MEMBERS = 33;
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withNeighbors(4));
         Neighborhood& neighborhood = *draw.usac->components().neighborhood;
@@ -65,7 +65,7 @@ TEST(Usac_Napsac, uniformAmongNeighbors)
 TEST(Usac_Napsac, lonelyPointsAreNoCenters)
 {
     const int N = 300, SAMPLES = 60000;
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withRadius(9));
         Neighborhood& neighborhood = *draw.usac->components().neighborhood;
@@ -96,7 +96,7 @@ TEST(Usac_Napsac, lonelyPointsAreNoCenters)
 TEST(Usac_Napsac, uniformWithoutNeighbors)
 {
     const int N = 30, SAMPLES = 6000;
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         Draw draw((ProblemType)problem, N, createNapsacSampler(), problem, withRadius(1e-3));
         std::vector<int> singles(N, 0);
@@ -112,10 +112,10 @@ TEST(Usac_Napsac, uniformWithoutNeighbors)
 
 TEST(Usac_Napsac, worksWithTheGridAndFewPoints)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int more = 0; more < 40; more += 4)
         {
-            Draw draw((ProblemType)problem, (problem == 0 ? 4 : problem == 1 ? 7 : 5) + more, createNapsacSampler());
+            Draw draw((ProblemType)problem, SAMPLE_SIZES[problem] + more, createNapsacSampler());
             for (int i = 0; i < 200; ++i)
             {
                 draw.next();

@@ -31,7 +31,7 @@ double localFraction(Draw& draw, int samples)
 TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 {
     const int N = 1000, WINDOW = 20000;
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         Draw draw((ProblemType)problem, N, createPNapsacSampler());
         Draw prosac((ProblemType)problem, N, createProsacSampler());

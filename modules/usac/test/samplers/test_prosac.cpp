@@ -12,7 +12,7 @@ namespace {
 TEST(Usac_Samplers, prosacGrowsAsPublished)
 {
     const int sizes[] = {40, 200, 1000};
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int k = 0; k < 3; ++k)
         {
             const int N = sizes[k];

@@ -11,11 +11,11 @@ namespace {
 
 TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int kind = 0; kind < 3; ++kind)
             for (int more = 0; more < 3; ++more)
             {
-                const int N = (problem == 0 ? 4 : problem == 1 ? 7 : 5) + more;
+                const int N = SAMPLE_SIZES[problem] + more;
                 Draw draw((ProblemType)problem, N,
                           kind == 0   ? createUniformSampler()
                           : kind == 1 ? createProsacSampler()

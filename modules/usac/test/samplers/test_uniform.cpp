@@ -12,7 +12,7 @@ namespace {
 TEST(Usac_Samplers, uniformByChiSquared)
 {
     const int N = 30, SAMPLES = 60000;
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         Draw draw((ProblemType)problem, N, createUniformSampler(), problem);
         std::vector<std::vector<int>> places(draw.m, std::vector<int>(N, 0));

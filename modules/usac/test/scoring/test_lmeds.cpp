@@ -32,10 +32,10 @@ typedef testing::TestWithParam<int> Usac_Lmeds_Problem;
 TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const int m = problem == HOMOGRAPHY ? 4 : problem == FUNDAMENTAL ? 7 : 5;
+    const int m = SAMPLE_SIZES[problem];
     // F, E: 1.4826 * 2.5. H: with the quantile sqrt(-2 log(1 - p)) of the length of a Gaussian vector of the plane
     const double outside = std::erfc(2.5 / std::sqrt(2.));
-    const double constant = problem == HOMOGRAPHY ? std::sqrt(std::log(outside) / std::log(0.5)) : 2.5 * 1.482602;
+    const double constant = mapsPoints(problem) ? std::sqrt(std::log(outside) / std::log(0.5)) : 2.5 * 1.482602;
     const double side = 100;
     RNG rng(11);
     for (int count = 2; count < 200; count += 7)
@@ -83,7 +83,7 @@ TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
     RNG rng(13);
     for (int i = 0; i < COUNT; ++i)
     {
-        const double a = rng.gaussian(3), b = problem == HOMOGRAPHY ? rng.gaussian(3) : 0;
+        const double a = rng.gaussian(3), b = mapsPoints(problem) ? rng.gaussian(3) : 0;
         residual->given.push_back((float)(a * a + b * b));
     }
     const double limit = started(createLmedsScore(), points.view())->threshold(context, Matx33d::eye());
@@ -133,7 +133,7 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
         params.threshold = 1e4;
         params.polishing = POLISHING_REWEIGHTED;  // within the threshold that was found
         params.seed = trial;
-        right += modelError(scene, estimate(scene, params)) < 0.5;
+        right += modelError(scene, estimate(scene, params)) < (problem == SIMILARITY ? 1 : 0.5);  // of two points
         params.quality = QUALITY_MSAC;
         withoutMedian += modelError(scene, estimate(scene, params)) < 1;
     }
@@ -159,8 +159,8 @@ TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
         const double found = usac->components().score->threshold(context, toInternal(usac->points(), scene.model));
         const double inPixels = found / usac->points().threshold * params.threshold;
         // H: the noise of both images; outliers make the median a little larger
-        const double sigma = problem == HOMOGRAPHY ? noise * std::sqrt(2.) : noise;
-        const double inliers = problem == HOMOGRAPHY ? 2.963 : 2.5;
+        const double sigma = mapsPoints(problem) ? noise * std::sqrt(2.) : noise;
+        const double inliers = mapsPoints(problem) ? 2.963 : 2.5;
         EXPECT_GT(inPixels, 1.0 * inliers * sigma);
         EXPECT_LT(inPixels, 2.2 * inliers * sigma);
     }
@@ -178,7 +178,7 @@ TEST_P(Usac_Lmeds_Problem, noPoints)
     EXPECT_EQ(0, score->threshold(RunContext(none.view(), parts, params), Matx33d::eye()));
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Lmeds_Problem, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_Lmeds_Problem, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 }
 }  // namespace

@@ -183,7 +183,7 @@ TEST_P(Usac_Magsac_Problem, estimates)
         }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Problem, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Problem, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 }
 }  // namespace

@@ -152,7 +152,7 @@ TEST_P(Usac_Mlesac_Problem, estimates)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Mlesac_Problem, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_Mlesac_Problem, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 }
 }  // namespace

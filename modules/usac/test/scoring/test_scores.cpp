@@ -3,120 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "run_context.hpp"
-#include "scoring/kernels.hpp"
-#include "scoring/residuals.hpp"
-#include "scoring/scores.hpp"
+#include "kernel_points.hpp"
 
 namespace opencv_test {
 namespace {
-
-enum { COUNT = 600 };
-
-struct NamedKernels
-{
-    const char* name;
-    Kernels kernels;
-};
-
-//! Of all instruction sets that this processor has.
-std::vector<NamedKernels> availableKernels()
-{
-    std::vector<NamedKernels> result;
-    const NamedKernels baseline = {"baseline", baselineKernels()};
-    result.push_back(baseline);
-#ifdef USACV20_HAVE_AVX2
-    if (checkHardwareSupport(CV_CPU_AVX2))
-    {
-        const NamedKernels avx2 = {"AVX2", avx2Kernels()};
-        result.push_back(avx2);
-    }
-#endif
-#ifdef USACV20_HAVE_AVX512
-    if (checkHardwareSupport(CV_CPU_AVX_512F) && checkHardwareSupport(CV_CPU_AVX_512BW) &&
-        checkHardwareSupport(CV_CPU_AVX_512DQ) && checkHardwareSupport(CV_CPU_AVX_512VL))
-    {
-        const NamedKernels avx512 = {"AVX-512", avx512Kernels()};
-        result.push_back(avx512);
-    }
-#endif
-    const NamedKernels best = {"best", kernels()};
-    result.push_back(best);
-    return result;
-}
-
-//! Points and models of all qualities.
-struct Fixture
-{
-    explicit Fixture(Residual::Kind kind_, uint64 seed = 1) : kind(kind_)
-    {
-        SceneOptions options;
-        options.inliers = COUNT / 2;
-        options.outliers = COUNT - COUNT / 2;
-        options.seed = seed;
-        const bool homography = kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER;
-        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON ? RESIDUAL_STANDARD
-                                                                                  : RESIDUAL_SYMMETRIC;
-        scene = makeScene(homography ? HOMOGRAPHY : FUNDAMENTAL, options);
-        usac = createUsac(scene, params);
-        const Model truth = toInternal(usac->points(), scene.model);
-        RNG rng(seed);
-        for (int i = 0; i < 20; ++i)
-        {
-            Model model = truth;
-            for (int k = 0; k < 9; ++k)
-                model.val[k] += rng.gaussian(0.001 * i * i);
-            models.push_back(Matx33d(model) * (i % 2 ? 1 : -1e3));
-        }
-    }
-
-    const Correspondences& points() const { return usac->points(); }
-    float limit() const { return (float)(points().threshold * points().threshold); }
-
-    Residual::Kind kind;
-    Params params;
-    Scene scene;
-    Ptr<Usac> usac;
-    std::vector<Model> models;
-};
-
-//! Squared error of a point in double, in the coordinates of the kernels.
-double directError(const Correspondences& p, Residual::Kind kind, const Matx33d& M, int i)
-{
-    const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1), y = M * x1;
-    const Vec3d z = M.t() * x2, back = M.inv() * x2;
-    const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1], n = x2.dot(y) * x2.dot(y);
-    const Vec2d forward(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]),
-        backward(back[0] / back[2] - x1[0], back[1] / back[2] - x1[1]);
-    switch (kind)
-    {
-    case Residual::TRANSFER: return forward.dot(forward);
-    case Residual::SAMPSON: return n / (first + second);
-    case Residual::SYMMETRIC_TRANSFER: return forward.dot(forward) + backward.dot(backward);
-    default: return n / first + n / second;
-    }
-}
-
-struct Direct
-{
-    Direct() : msac(0), inliers(0), doubtful(0) {}
-    double msac;
-    int inliers, doubtful;  //!< doubtful: too close to the threshold for float
-};
-
-Direct directScore(const Fixture& f, const Model& model, int begin, int end)
-{
-    Direct sum;
-    const double limit = f.points().threshold * f.points().threshold;
-    for (int i = begin; i < end; ++i)
-    {
-        const double e = directError(f.points(), f.kind, model, i) / limit;
-        sum.msac += e < 1 ? e : 1;
-        sum.inliers += e <= 1;
-        sum.doubtful += std::abs(e - 1) < 1e-2;
-    }
-    return sum;
-}
 
 typedef testing::TestWithParam<int> Usac_Scores_Kernels;
 
@@ -129,7 +19,7 @@ TEST_P(Usac_Scores_Kernels, againstDirectEvaluation)
     {
         const Model& model = f.models[end % f.models.size()];
         const int begin = end % 3 == 0 ? 0 : end % 3 == 1 ? end / 2 : std::max(0, end - 17);
-        float m[9];
+        float m[MAX_MODEL_SIZE];
         toFloat(model, m);
         const Direct expected = directScore(f, model, begin, end);
         inliersSeen += expected.inliers;
@@ -154,7 +44,7 @@ TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
     for (int end = 1; end <= COUNT; ++end)
         for (int begin = 0; begin < end; begin = 2 * begin + 1 + end % 5)
         {
-            float m[9];
+            float m[MAX_MODEL_SIZE];
             toFloat(f.models[(end + begin) % f.models.size()], m);
             for (int score = 0; score < 2; ++score)
             {
@@ -213,7 +103,7 @@ TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
         {
             const FusedKernel kernel = scores[s]->fused(*residual);
             ASSERT_TRUE(kernel != 0);
-            float m[9];
+            float m[MAX_MODEL_SIZE];
             toFloat(f.models[k], m);
             Quality fused(0, 0), plain(0, 0);
             kernel(f.points(), m, f.limit(), 0, COUNT, fused);
@@ -239,7 +129,7 @@ TEST(Usac_Scores, undefinedErrorsAreOutliers)
         for (size_t a = 0; a < all.size(); ++a)
             for (int kind = 0; kind < (k == 2 ? 2 : 1); ++kind)  // Sampson's distance is undefined for the zero matrix
             {
-                float m[9];
+                float m[MAX_MODEL_SIZE];
                 toFloat(*models[k], m);
                 Quality msac(0, 0), inliers(0, 0);
                 all[a].kernels.msac[kind](own.view(), m, 1, 0, 40, msac);
@@ -296,7 +186,7 @@ private:
 TEST(Usac_Scores, customResidual)
 {
     const int qualities[] = {QUALITY_MSAC, QUALITY_INLIERS};
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int i = 0; i < 2; ++i)
         {
             Params params;
@@ -372,7 +262,7 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
 //! Context::rate is the sum over all points.
 TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
 {
-    const Residual::Kind kind = GetParam() == 0 ? Residual::TRANSFER : Residual::SAMPSON;
+    const Residual::Kind kind = mapsPoints((ProblemType)GetParam()) ? Residual::TRANSFER : Residual::SAMPSON;
     const Fixture f(kind, 5);
     const RunContext run(f.points(), f.usac->components(), f.params);
     const Context& context = run;
@@ -385,7 +275,7 @@ TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Problem, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Problem, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 }
 }  // namespace

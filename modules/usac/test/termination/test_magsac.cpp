@@ -119,7 +119,7 @@ TEST_P(Usac_Magsac_Termination, estimates)
     EXPECT_GT(report.iterations, wide);
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Termination, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Termination, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 }
 }  // namespace

@@ -180,7 +180,7 @@ TEST(Usac_TerminationProsac, allInliers)
 //! The part of the image that agrees with a wrong model, against counting random points.
 TEST(Usac_TerminationProsac, randomInlierRatio)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         SceneOptions options;
         options.inliers = 10;
@@ -230,7 +230,7 @@ Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
 //! In a run: ends with the right model, when as many samples have been drawn as the criterion says of the best model.
 TEST(Usac_TerminationProsac, endsARun)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
             for (uint64 seed = 1; seed <= 5; ++seed)
             {

@@ -60,7 +60,7 @@ struct Counts
 
 TEST(Usac_Termination, standard)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (double confidence = 0.5; confidence < 1; confidence += 0.0999)
         {
             Params params;
@@ -104,7 +104,7 @@ TEST(Usac_Termination, standardKeepsItsPromise)
 TEST(Usac_Termination, pNapsac)
 {
     const double relaxations[] = {0, 0.1, 0.5, 1};
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int r = 0; r < 4; ++r)
         {
             Params params;
@@ -153,7 +153,7 @@ SequentialTest makeTest(double epsilon, double delta, double A, int samples)
 
 TEST(Usac_Termination, sprtWithOneTest)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         Counts counts((ProblemType)problem, 60);
         EXPECT_EQ(INT_MAX, counts.iterations(createSprtTermination(), 30)) << "nothing has been tested";
@@ -178,7 +178,7 @@ double exponentByScan(const SequentialTest& test, double epsilon)
 
 TEST(Usac_Termination, sprtWithEarlierTests)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int inliers = 20; inliers <= 50; inliers += 5)
         {
             Counts counts((ProblemType)problem, 60);

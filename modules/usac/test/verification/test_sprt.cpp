@@ -162,7 +162,7 @@ TEST_P(Usac_Sprt, thresholdSolvesWaldsEquation)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Sprt, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_CASE_P(All, Usac_Sprt, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 TEST(Usac_SprtAdaptation, dropsNothingBeforeTheFirstModel)
 {

@@ -68,7 +68,7 @@ Rate measure(const Exact& exact, const Verifier& verifier, const Model& model, i
 TEST(Usac_Tdd, acceptsGoodModels)
 {
     const int TRIALS = 20000;
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         const Exact exact((ProblemType)problem, 30, 20);
         const int inliers = exact.context.rate(exact.truth).inliers;
@@ -89,7 +89,7 @@ TEST(Usac_Tdd, dropsWrongModels)
     const int N = 400, TRIALS = 3000;
     Params params;
     params.threshold = 12;
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         const Exact exact((ProblemType)problem, 10, N - 10, params);
         for (uint64 seed = 0; seed < 5; ++seed)
@@ -137,7 +137,7 @@ TEST(Usac_Tdd, asksAllPoints)
 //! The criteria allow for the good models that are dropped: epsilon^m epsilon^d in the place of epsilon^m.
 TEST(Usac_Tdd, terminationAllowsForIt)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
         for (int d = 1; d <= 4; ++d)
             for (int exactly = 0; exactly < 2; ++exactly)
             {
@@ -176,7 +176,7 @@ TEST(Usac_Tdd, terminationAllowsForIt)
 //! Through Params: right models, dropped ones in the report, more of them with more points, the same with threads.
 TEST(Usac_Tdd, runs)
 {
-    for (int problem = 0; problem < 3; ++problem)
+    for (int problem : TWO_VIEW_PROBLEMS)
     {
         Report previous;
         for (int d = 1; d <= 3; ++d)

@@ -181,7 +181,7 @@ public:
 class CV_EXPORTS Residual : public Component
 {
 public:
-    enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, CUSTOM };
+    enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, REPROJECTION, CUSTOM };
     //! Most components of an error.
     enum { MAX_COMPONENTS = 4 };
 

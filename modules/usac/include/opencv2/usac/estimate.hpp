@@ -36,6 +36,38 @@ CV_EXPORTS_W Mat estimateHomography(InputArray points1, InputArray points2, cons
 CV_EXPORTS Mat estimateHomography(InputArray points1, InputArray points2, const Params& params = Params(),
                                   OutputArray mask = noArray());
 
+/** @brief Estimates the affine map of image 1 to image 2, x2 = A x1 + t.
+
+@param points1 N points of image 1, as in #estimateHomography.
+@param points2 their N counterparts in image 2.
+@param params options; `threshold` is the distance in image 2 in pixels.
+@param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the threshold, else 0.
+@param report output, what the run learned.
+@return 2x3, CV_64F, [A t], as cv::estimateAffine2D and cv::warpAffine have it; empty if there is none, and `report`
+says why.
+*/
+CV_EXPORTS_W Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                                    CV_OUT Report& report);
+//! @overload
+CV_EXPORTS Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params = Params(),
+                                  OutputArray mask = noArray());
+
+/** @brief Estimates the rotation, uniform scale and translation of image 1 to image 2.
+
+@param points1 N points of image 1, as in #estimateHomography.
+@param points2 their N counterparts in image 2.
+@param params options; `threshold` is the distance in image 2 in pixels.
+@param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the threshold, else 0.
+@param report output, what the run learned.
+@return 2x3, CV_64F, rows a -b x and b a y, as of cv::estimateAffinePartial2D; empty if there is none, and `report` says
+why.
+*/
+CV_EXPORTS_W Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                                      CV_OUT Report& report);
+//! @overload
+CV_EXPORTS Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params = Params(),
+                                    OutputArray mask = noArray());
+
 /** @brief Estimates the fundamental matrix F with x2^T F x1 = 0.
 
 @param points1 N points of image 1, as in #estimateHomography.
@@ -77,6 +109,29 @@ CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputAr
 //! @overload
 CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix, const Params& params,
                                  OutputArray mask, Report& report);
+
+/** @brief Estimates the pose of a calibrated camera from points of space and their images: x ~ K (R X + t).
+
+@param objectPoints N points of space: N x 3 or 3 x N with 1 channel, or with 3 channels, any depth.
+@param imagePoints their N images in pixels, as the points of #estimateHomography.
+@param cameraMatrix 3x3 camera matrix K.
+@param distCoeffs 4, 5, 8, 12 or 14 coefficients of the distortion, as for cv::projectPoints; empty: none.
+@param params options; `threshold` is the reprojection error in pixels, in the image as it was taken.
+@param mask output, Nx1, CV_8U: 1 exactly where a point is in front of the camera and its reprojection error, distortion
+included, is at most the threshold, else 0.
+@param report output, what the run learned.
+@return 3x4, CV_64F, [R t]; empty if there is none, and `report` says why. cv::Rodrigues turns R into a vector.
+
+Minimal samples have three points @cite persson2018lambda @cite ding2023revisiting. Points that share a point of space
+or of the image are not in one sample. A plane of points is no special case. The search takes the distortion off the
+points; the last polishing and the mask see them as they were taken. */
+CV_EXPORTS_W Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                                      InputArray distCoeffs, const Params& params, OutputArray mask,
+                                      CV_OUT Report& report);
+//! @overload
+CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                                    InputArray distCoeffs = noArray(), const Params& params = Params(),
+                                    OutputArray mask = noArray());
 
 //! @}
 

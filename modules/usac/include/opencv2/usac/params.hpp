@@ -18,7 +18,7 @@ struct UsacParams;  // of calib3d
 #ifndef OPENCV_BINDING_PARSER  // Python's integers cv2.USACV20* are declared in misc/python/python_usac.hpp
 
 /** @brief Presets of the module, selected in the place of a `method` flag of cv::findHomography,
-cv::findFundamentalMat and cv::findEssentialMat.
+cv::findFundamentalMat, cv::findEssentialMat, cv::estimateAffine2D and cv::estimateAffinePartial2D.
 
 The values meet none of OpenCV's own flags. The type is a scoped one, so a flag does not become an `int` unseen:
 calib3d, which would get it, takes each number that it does not know for LMedS (cv::findFundamentalMat,
@@ -57,9 +57,12 @@ namespace usacv20 {
 
 //! The model that is estimated.
 enum ProblemType {
-    HOMOGRAPHY = 0,   //!< 3x3 homography from 4 or more correspondences
-    FUNDAMENTAL = 1,  //!< 3x3 fundamental matrix from 7 or more correspondences
-    ESSENTIAL = 2     //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
+    HOMOGRAPHY = 0,    //!< 3x3 homography from 4 or more correspondences
+    FUNDAMENTAL = 1,   //!< 3x3 fundamental matrix from 7 or more correspondences
+    ESSENTIAL = 2,     //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
+    AFFINITY = 3,      //!< 2x3 affine map from 3 or more correspondences
+    SIMILARITY = 4,    //!< 2x3 map by rotation, uniform scale and translation from 2 or more correspondences
+    ABSOLUTE_POSE = 5  //!< 3x4 pose of a calibrated camera from 3 or more points of space and their images
 };
 
 //! How minimal samples are drawn (paper, section "Sampling"); all but one of Params::orderedEvery samples are uniform
@@ -86,9 +89,10 @@ enum NeighborhoodType {
 
 //! Which error of a point is minimized and compared with the threshold.
 enum ResidualType {
-    RESIDUAL_STANDARD = 0,  //!< H: transfer error in image 2. F, E: Sampson distance
-    //! H: root of the summed squared transfer errors in both images. F, E: of the squared distances to both epipolar
-    //! lines
+    //! H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose: reprojection error
+    RESIDUAL_STANDARD = 0,
+    //! H, affine maps: root of the summed squared transfer errors in both images. F, E: of the squared distances to
+    //! both epipolar lines. Absolute pose: refused, as it has one image
     RESIDUAL_SYMMETRIC = 1
 };
 
@@ -149,7 +153,9 @@ enum TerminationFlags {
         32  //!< modifies the others: samples without repetition, C(I, m) / C(N, m), in the place of (I / N)^m
 };
 
-//! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy").
+//! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy"). All bits: all checks
+//! that the problem has. The 2-D affinity and similarity have #DEGENERACY_REPEATED, and refuse sets with
+//! #DEGENERACY_DEGENSAC but that of all bits, so usac2013(), too.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION =
         1,  //!< H: orientation of the sample; F, E: oriented epipolar constraint @cite chum2004epipolar
@@ -179,7 +185,8 @@ struct CV_EXPORTS_W_SIMPLE Params
 {
     CV_WRAP Params();
 
-    //! Inlier threshold in pixels, not squared; > 0. H: distance in image 2. F, E: Sampson distance. Default 1.5.
+    //! Inlier threshold in pixels, not squared; > 0. H, affine maps: distance in image 2. F, E: Sampson distance.
+    //! Absolute pose: reprojection error in the image as it was taken. Default 1.5.
     CV_PROP_RW double threshold;
     /** Probability that the search does not miss a better model (#TERMINATION_P_NAPSAC: one that is significantly
     better, see `relaxation`), unless `maxIterations` ends it; in (0, 1). Default 0.99. */
@@ -199,6 +206,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int ordering;
     //! Score of each correspondence, N values or none; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
     CV_PROP_RW std::vector<float> scores;
+    /** A model to begin with, that of the frame before, say: numbers row by row, as the estimator returns them, or no
+    model; see setInitialModel(). It is rated and optimized before the first sample, as if it came from one; what is
+    better takes its place. Numbers of another model raise a cv::Exception. Default none. */
+    CV_PROP_RW std::vector<double> initialModel;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;
     //! @ref NeighborhoodType. Default #NEIGHBORHOOD_GRID.
@@ -336,6 +347,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! The nearest configuration to one of OpenCV's own USAC; `threshold`, `confidence`, `maxIterations` are taken as
     //! they are.
     static Params fromUsacParams(const cv::UsacParams& params);
+
+    /** @brief Sets `initialModel`.
+    @param model 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for an absolute pose, any depth; empty:
+    none
+    */
+    CV_WRAP void setInitialModel(InputArray model);
 
     /** @brief Raises a cv::Exception that names the first field with a wrong value.
     @param count number of correspondences, -1 if unknown. */

@@ -25,21 +25,22 @@ enum FieldKind {
     FIELD_NUMBER,       //!< a number of a closed interval
     FIELD_PIXELS,       //!< a positive and finite number of pixels
     FIELD_PROBABILITY,  //!< a number between 0 and 1, neither of them
-    FIELD_SCORES        //!< a number for each correspondence
+    FIELD_SCORES,       //!< a number for each correspondence
+    FIELD_MODEL         //!< the numbers of a model
 };
 
 //! Default and range of a field of Params; a `double` holds the integers exactly.
 struct FieldValues
 {
     FieldKind kind;
-    double initial;    //!< the default; FIELD_SCORES: not used, there are none
+    double initial;    //!< the default; FIELD_SCORES, FIELD_MODEL: not used, there are none
     double low, high;  //!< smallest and largest value; ends of an open interval for FIELD_PROBABILITY, the lower one
-                       //!< for FIELD_PIXELS, too; not used for FIELD_SCORES
+                       //!< for FIELD_PIXELS, too; not used for FIELD_SCORES, FIELD_MODEL
 
-    //! Of FIELD_SCORES any value is right: what is depends on other fields and on the points.
+    //! Of FIELD_SCORES, FIELD_MODEL any value is right: what is depends on other fields and on the points.
     bool contain(double value) const
     {
-        if (kind == FIELD_SCORES)
+        if (kind == FIELD_SCORES || kind == FIELD_MODEL)
             return true;
         const bool openBelow = kind == FIELD_PIXELS || kind == FIELD_PROBABILITY, openAbove = kind == FIELD_PROBABILITY;
         return (openBelow ? value > low : value >= low) && (openAbove ? value < high : value <= high);  // NaN: never
@@ -51,6 +52,7 @@ struct FieldValues
     static FieldValues pixels(double initial) { return of(FIELD_PIXELS, initial, 0, DBL_MAX); }
     static FieldValues probability(double initial) { return of(FIELD_PROBABILITY, initial, 0, 1); }
     static FieldValues scores() { return of(FIELD_SCORES, 0, 0, 0); }
+    static FieldValues model() { return of(FIELD_MODEL, 0, 0, 0); }
 
 private:
     static FieldValues of(FieldKind kind, double initial, double low, double high)
@@ -61,7 +63,7 @@ private:
 };
 
 /** @brief Calls `visit(name, &Params::field, values)` for each field of Params: `const char*`, a pointer to a member of
-type `int`, `double` or `std::vector<float>`, FieldValues.
+type `int`, `double`, `std::vector<float>` or `std::vector<double>`, FieldValues.
 
 The one list of the fields: their defaults, Params::check, storage, tests, the fuzzer and the options of the benchmark
 are made of it. For programs that set fields by name, too. */
@@ -77,6 +79,7 @@ void visitFields(Visitor& visit)
     visit("sampler", &Params::sampler, V::option(SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE));
     visit("ordering", &Params::ordering, V::option(ORDERING_AUTO, ORDERING_AUTO, ORDERING_NONE));
     visit("scores", &Params::scores, V::scores());
+    visit("initialModel", &Params::initialModel, V::model());
     visit("scoreOrder", &Params::scoreOrder,
           V::option(SCORES_LOWER_IS_BETTER, SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER));
     visit("neighborhood", &Params::neighborhood, V::option(NEIGHBORHOOD_GRID, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS));

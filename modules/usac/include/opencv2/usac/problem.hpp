@@ -46,6 +46,8 @@ public:
     virtual int errorDimension() const = 0;
     //! Numbers of a point in the caller's array 0 or 1: 1 to 3, or 0 if there is no array 1. Default: 2, two images.
     virtual int coordinates(int array) const;
+    //! What messages call array 0 or 1. Default: points1, points2.
+    virtual String arrayName(int array) const;
     //! True, the default: both arrays have the unit of the threshold, so that points of either that are nearer to each
     //! other are taken for the same. False: in array 0 only equal points are.
     virtual bool commonUnit() const;
@@ -61,6 +63,9 @@ public:
     @param count number of points
     @return pixels in a unit of the new coordinates. Default: 1, nothing is moved. */
     virtual double toModelCoordinates(double* const* columns, int count) const;
+    //! The same for createImageResidual(): the points of the last array stay where they were seen. Default: nothing is
+    //! moved.
+    virtual void toImageCoordinates(double* const* columns, int count) const;
     /** @brief How the points may be normalized for the search.
     @param residual @ref ResidualType
     Default: #SCALE_NONE. */
@@ -68,15 +73,28 @@ public:
     /** @brief A model of the search in the coordinates of toModelCoordinates(), in the normal form that is documented.
     @param model as components see it
     @param points their Correspondences::frame
-    @param result output, what Usac::run returns
+    @param result output
     @return false if it is not finite. */
     virtual bool toInput(const Model& model, const Correspondences& points, Model& result) const = 0;
+    //! What Usac::run returns for a model of toInput(). Default: its matrix, CV_64F.
+    virtual Mat toOutput(const Model& model) const;
+    /** @brief The inverse of toOutput() and toInput(): a model of the caller's as the search sees it.
+    @param output as many numbers as toOutput() has, finite, row by row
+    @param points their Correspondences::frame
+    @param model output
+    @return false if it is none. Default: false, so that Params::initialModel is refused. */
+    virtual bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const;
     //! The closest model that fulfills all constraints; what solvers and polishers find may miss them by a bit.
     //! Default: the model itself.
     virtual Model closest(const Model& model) const;
 
     //! The error that @ref ResidualType names.
     virtual Ptr<Residual> createResidual(int type) const = 0;
+    /** @brief The error where the points were seen, if the coordinates of the search are only nearly as good: the
+    polishing and the mask take this one, of the points of toImageCoordinates().
+    @param residual that of the search, in the same units and of the same models
+    @return default: empty, `residual` is as good. */
+    virtual Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const;
     virtual Ptr<MinimalSolver> createMinimalSolver() const = 0;
     //! Least squares of the errors of a residual. Asked again if the caller has brought another residual. Empty: none.
     virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const = 0;
@@ -100,7 +118,8 @@ public:
 enum Normalization {
     SCALE_NONE,    //!< the constraints of the model need the coordinates as they are
     SCALE_COMMON,  //!< each array is moved to its center, both with one scale, with which the errors scale
-    SCALE_EACH     //!< each array is moved to its center and scaled by itself
+    SCALE_EACH,    //!< each array is moved to its center and scaled by itself
+    SCALE_FIRST    //!< array 0 is moved to its center and scaled, array 1 stays as it is
 };
 
 //! @}

@@ -45,6 +45,16 @@ public:
         return true;
     }
 
+    bool fromOutput(const std::vector<double>& output, const Correspondences&, Model& model) const CV_OVERRIDE
+    {
+        if (output.size() != 9)
+            return false;
+        Matx33d E(output.data());
+        const bool usable = toUnitNorm(E);
+        model = closest(E);
+        return usable;
+    }
+
     Model closest(const Model& model) const CV_OVERRIDE { return EssentialParameterization(model).model(); }
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_ESSENTIAL_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_ESSENTIAL_PARAMETERIZATION_HPP
 
-#include "problems/two_view/tangent_space.hpp"
+#include "optimization/tangent_space.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -17,7 +17,7 @@ helmke2007essential. */
 class EssentialParameterization
 {
 public:
-    enum { DIMENSION = 5 };
+    enum { DIMENSION = 5, NUMBERS = 9 };
     typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

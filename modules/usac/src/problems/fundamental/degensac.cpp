@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "problems/two_view/dominant_plane.hpp"
-#include "problems/two_view/share_a_point.hpp"
+#include "problems/share_a_point.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
 #include "problems/two_view/side_by_side.hpp"
 #include "scoring/formulas.hpp"

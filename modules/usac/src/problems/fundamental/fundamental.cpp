@@ -47,6 +47,16 @@ public:
         return true;
     }
 
+    bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
+    {
+        if (output.size() != 9)
+            return false;
+        Matx33d F = points.frame[1].matrix().inv().t() * Matx33d(output.data()) * points.frame[0].matrix().inv();
+        const bool usable = toUnitNorm(F);
+        model = closest(F);
+        return usable;
+    }
+
     Model closest(const Model& model) const CV_OVERRIDE { return FundamentalParameterization(model).model(); }
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_FUNDAMENTAL_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_FUNDAMENTAL_PARAMETERIZATION_HPP
 
-#include "problems/two_view/tangent_space.hpp"
+#include "optimization/tangent_space.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -23,7 +23,7 @@ as under a pure translation, turning both about the third axis leaves F as it is
 class FundamentalParameterization
 {
 public:
-    enum { DIMENSION = 7 };
+    enum { DIMENSION = 7, NUMBERS = 9 };
     typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

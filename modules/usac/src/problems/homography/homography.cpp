@@ -50,6 +50,16 @@ public:
         return true;
     }
 
+    bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
+    {
+        if (output.size() != 9)
+            return false;
+        Matx33d H = points.frame[1].matrix() * Matx33d(output.data()) * points.frame[0].matrix().inv();
+        const bool usable = toUnitNorm(H);
+        model = H;
+        return usable;
+    }
+
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
         return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual() : createTransferResidual();

@@ -18,8 +18,6 @@ Ptr<MinimalSolver> createHomography4Solver();
 Ptr<NonMinimalSolver> createHomographyFit(const Ptr<Residual>& residual);
 //! Orientation of the sample, near-singular models; see HomographyOrientation.
 Ptr<Degeneracy> createHomographyOrientation();
-//! Matches of which many are the same, see RepeatedPoints.
-Ptr<Degeneracy> createRepeatedPoints();
 
 }  // namespace usacv20
 }  // namespace cv

@@ -15,7 +15,7 @@ Parameters 0 are the model itself. */
 class HomographyParameterization
 {
 public:
-    enum { DIMENSION = 8 };
+    enum { DIMENSION = 8, NUMBERS = 9 };
     typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/epipole.hpp"
-#include "problems/two_view/share_a_point.hpp"
+#include "problems/share_a_point.hpp"
 #include "scoring/formulas.hpp"
 
 namespace cv {

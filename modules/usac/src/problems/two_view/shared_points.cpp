@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "core/point_subset.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "problems/two_view/share_a_point.hpp"
+#include "problems/share_a_point.hpp"
 #include "scoring/kernels.hpp"
 
 namespace cv {

@@ -13,6 +13,11 @@ namespace usacv20 {
 
 //! F, E: see OrientedEpipolar.
 Ptr<Degeneracy> createOrientedEpipolar();
+//! Maps of points: matches of which many are the same, see RepeatedPoints.
+Ptr<Degeneracy> createRepeatedPoints();
+//! The checks of a set that maps of points have, that one. Raises cv::Exception if #DEGENERACY_DEGENSAC is asked for,
+//! unless all are.
+void createChecksOfMaps(int flags, const String& problem, std::vector<Ptr<Degeneracy>>& degeneracies);
 //! F, E: see SharedPoints.
 Ptr<Degeneracy> createSharedPoints();
 

@@ -5,7 +5,7 @@
 #include "run_context.hpp"
 #include "test_contracts.hpp"
 #include "problem_objects.hpp"
-#include "problems/two_view/share_a_point.hpp"
+#include "problems/share_a_point.hpp"
 
 namespace opencv_test {
 namespace {

@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_INDICES_HPP
+#define OPENCV_USACV20_INDICES_HPP
+
+namespace cv {
+namespace usacv20 {
+
+//! Numbers that are known to the compiler, to hand the columns of a datum to a formula as arguments.
+template <int... K>
+struct Indices
+{};
+
+//! Indices<0, ..., N - 1> as Type.
+template <int N, int... K>
+struct IndicesTo : IndicesTo<N - 1, N - 1, K...>
+{};
+
+template <int... K>
+struct IndicesTo<0, K...>
+{
+    typedef Indices<K...> Type;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TANGENT_SPACE_HPP
+#define OPENCV_USACV20_TANGENT_SPACE_HPP
+
+#include "optimization/normal_equations.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+typedef Eigen::Matrix<double, 3, 3, Eigen::RowMajor> RowMajor3;
+
+//! Normal equations in the parameters from those in the entries of the model: A = B^T JtJ B, b = B^T Jtr.
+template <int DIMENSION, int SIZE>
+void projectOnTangents(const NormalEquationsOf<SIZE>& sums, const Eigen::Matrix<double, SIZE, DIMENSION>& basis,
+                       Eigen::Matrix<double, DIMENSION, DIMENSION>& A, Eigen::Matrix<double, DIMENSION, 1>& b)
+{
+    const Eigen::Matrix<double, SIZE, DIMENSION> image = sums.JtJ.lazyProduct(basis);
+    for (int j = 0; j < DIMENSION; ++j)
+        for (int i = j; i < DIMENSION; ++i)
+            A(i, j) = A(j, i) = basis.col(i).dot(image.col(j));
+    b = basis.transpose().lazyProduct(sums.Jtr);
+}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,24 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_ABSOLUTE_POSE_HPP
+#define OPENCV_USACV20_ABSOLUTE_POSE_HPP
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! See AbsolutePoseProblem. Arguments as of cv::solvePnP.
+Ptr<Problem> createAbsolutePoseProblem(InputArray cameraMatrix, InputArray distCoeffs);
+/** @brief From 3 points, see P3PSolver.
+@param camera upper triangular, last row 0 0 1: models are `camera` [R t] */
+Ptr<MinimalSolver> createP3PSolver(const Matx33d& camera = Matx33d::eye());
+//! Least squares of a residual over poses; models are `camera` [R t].
+Ptr<NonMinimalSolver> createPoseFit(const Ptr<Residual>& residual, const Matx33d& camera);
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,179 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "core/polynomial.hpp"
+#include "problems/absolute_pose/distortion.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Names of the coefficients.
+enum { K1, K2, P1, P2, K3, K4, K5, K6, S1, S2, S3, S4, TAU_X, TAU_Y };
+
+//! Of Newton's method, which takes 3 to 6 steps where the lens is ordinary.
+constexpr int STEPS = 50;
+//! Of halving an interval of radii down to rounding.
+constexpr int HALVES = 60;
+//! What rounding leaves of the equations, in radii of the point or of the image plane.
+constexpr double EXACT = 1e-14;
+
+//! The projection onto a sensor that is turned about the axes x and y, straightened so that the center stays.
+Matx33d tiltOf(double x, double y)
+{
+    if (x == 0 && y == 0)
+        return Matx33d::eye();
+    const double cx = std::cos(x), sx = std::sin(x), cy = std::cos(y), sy = std::sin(y);
+    const Matx33d aboutX(1, 0, 0, 0, cx, sx, 0, -sx, cx), aboutY(cy, 0, -sy, 0, 1, 0, sy, 0, cy);
+    const Matx33d R = aboutY * aboutX;
+    return Matx33d(R(2, 2), 0, -R(0, 2), 0, R(2, 2), -R(1, 2), 0, 0, 1) * R;
+}
+
+}  // namespace
+
+Distortion::Distortion(const Mat& coefficients) : identity(true), c(), limit(INFINITY)
+{
+    if (!coefficients.empty())
+        coefficients.reshape(1, 1).convertTo(Mat(1, (int)coefficients.total(), CV_64F, c), CV_64F);
+    for (int i = 0; i < COEFFICIENTS; ++i)
+        identity = identity && c[i] == 0;
+    tilt = tiltOf(c[TAU_X], c[TAU_Y]);
+    limit = firstFold();
+}
+
+//! The factor of the radius, and its derivative by the squared radius.
+double Distortion::radial(double squared, double* derivative) const
+{
+    const double q = squared;
+    const double above = 1 + q * (c[K1] + q * (c[K2] + q * c[K3]));
+    const double below = 1 / (1 + q * (c[K4] + q * (c[K5] + q * c[K6])));
+    if (derivative)
+        *derivative = (c[K1] + q * (2 * c[K2] + q * 3 * c[K3]) -
+                       above * below * (c[K4] + q * (2 * c[K5] + q * 3 * c[K6]))) *
+                      below;
+    return above * below;
+}
+
+//! The least q > 0 at which the radius seen, r radial(r^2), no longer grows or the denominator is 0.
+double Distortion::firstFold() const
+{
+    const double N[4] = {1, c[K1], c[K2], c[K3]}, D[4] = {1, c[K4], c[K5], c[K6]};
+    double slope[7] = {0}, roots[7];  // (N + 2 q N') D - 2 q N D', q^7 does not occur
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < 4; ++k)
+            slope[i + k] += (1 + 2 * i - 2 * k) * N[i] * D[k];
+    double least = INFINITY;
+    const double* const polynomials[] = {slope, D};
+    for (int which = 0; which < 2; ++which)
+    {
+        int degree = which ? 3 : 6;
+        while (degree > 0 && polynomials[which][degree] == 0)
+            --degree;
+        const int count = realRoots(polynomials[which], degree, roots);
+        for (int i = 0; i < count; ++i)
+            if (roots[i] > 0)
+                least = std::min(least, roots[i]);
+    }
+    return least;
+}
+
+bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
+{
+    const double x = p[0], y = p[1], q = x * x + y * y;
+    if (!(q < limit))  // also for NaN
+        return false;
+    double slope;
+    const double factor = radial(q, &slope), mixed = 2 * x * y;
+    const double a = x * factor + c[P1] * mixed + c[P2] * (q + 2 * x * x) + q * (c[S1] + q * c[S2]);
+    const double b = y * factor + c[P1] * (q + 2 * y * y) + c[P2] * mixed + q * (c[S3] + q * c[S4]);
+    const Vec3d seen = tilt * Vec3d(a, b, 1);
+    const double inverse = 1 / seen[2];
+    d = Vec2d(seen[0] * inverse, seen[1] * inverse);
+    if (!(seen[2] > 0))
+        return false;
+    if (!derivative)
+        return true;
+    const double prismX = 2 * (c[S1] + 2 * q * c[S2]), prismY = 2 * (c[S3] + 2 * q * c[S4]);
+    const Matx22d J(factor + 2 * x * x * slope + 2 * c[P1] * y + 6 * c[P2] * x + prismX * x,
+                    mixed * slope + 2 * c[P1] * x + 2 * c[P2] * y + prismX * y,
+                    mixed * slope + 2 * c[P1] * x + 2 * c[P2] * y + prismY * x,
+                    factor + 2 * y * y * slope + 6 * c[P1] * y + 2 * c[P2] * x + prismY * y);
+    const Matx22d projected((tilt(0, 0) - d[0] * tilt(2, 0)) * inverse, (tilt(0, 1) - d[0] * tilt(2, 1)) * inverse,
+                            (tilt(1, 0) - d[1] * tilt(2, 0)) * inverse, (tilt(1, 1) - d[1] * tilt(2, 1)) * inverse);
+    *derivative = projected * J;
+    return true;
+}
+
+//! By the radial terms alone, of which the radius seen grows with the radius.
+bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
+{
+    const double wanted = std::sqrt(d.dot(d));
+    if (wanted == 0)
+    {
+        p = Vec2d(0, 0);
+        return true;
+    }
+    double low = 0, high = limit < INFINITY ? std::sqrt(limit) : wanted;
+    for (int i = 0; i < HALVES && limit == INFINITY && high * radial(high * high) < wanted; ++i)
+        high *= 2;
+    for (int i = 0; i < HALVES; ++i)
+    {
+        const double middle = (low + high) / 2;
+        (middle * radial(middle * middle) < wanted ? low : high) = middle;
+    }
+    p = d * (low / wanted);
+    return low > 0;
+}
+
+//! From the point itself, which is enough for an ordinary lens, or else from that of the radial terms.
+bool Distortion::undistort(const Vec2d& d, Vec2d& p) const
+{
+    p = d;
+    if (identity)
+        return true;
+    if (!(d.dot(d) <= DBL_MAX))
+        return false;
+    return descend(d, p) || (startOf(d, p) && descend(d, p));
+}
+
+//! Newton's method; a step that leads outside of the fold, or away, is halved.
+bool Distortion::descend(const Vec2d& d, Vec2d& p) const
+{
+    const double tolerance = EXACT * (1 + std::sqrt(d.dot(d)));
+    Vec2d seen;
+    Matx22d J;
+    if (!distort(p, seen, &J))
+        return false;
+    double left = norm(seen - d);
+    for (int i = 0; i < STEPS && left > tolerance; ++i)
+    {
+        const double determinant = J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0);
+        if (!(determinant > 0))
+            return false;
+        const Vec2d rest = seen - d;
+        Vec2d step(-(J(1, 1) * rest[0] - J(0, 1) * rest[1]) / determinant,
+                   -(J(0, 0) * rest[1] - J(1, 0) * rest[0]) / determinant);
+        bool better = false;
+        for (int half = 0; half < 10 && !better; ++half, step *= 0.5)
+        {
+            Vec2d there;
+            Matx22d slope;
+            if (!distort(p + step, there, &slope) || !(norm(there - d) < left))
+                continue;
+            p += step;
+            seen = there;
+            J = slope;
+            left = norm(seen - d);
+            better = true;
+        }
+        if (!better)
+            break;
+    }
+    return left <= 1e3 * tolerance;
+}
+
+}  // namespace usacv20
+}  // namespace cv

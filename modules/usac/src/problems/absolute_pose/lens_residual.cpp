@@ -1,0 +1,96 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/absolute_pose/lens_residual.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Numbers of a datum.
+enum { COLUMNS = 5 };
+//! Of what is not seen, each component of the error: its square is more than any sum of errors of what is.
+constexpr double UNSEEN = 1e100;
+
+}  // namespace
+
+//! `derivative`: by the point before it is divided by its depth, K (R X + t).
+bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt, Matx<double, 2, 3>* derivative) const
+{
+    const double *m = model.val, X = datum[0], Y = datum[1], Z = datum[2];
+    const double depth = m[8] * X + m[9] * Y + m[10] * Z + m[11], w = 1 / depth;
+    if (!(depth > 0))
+        return false;
+    const double u = (m[0] * X + m[1] * Y + m[2] * Z + m[3]) * w, v = (m[4] * X + m[5] * Y + m[6] * Z + m[7]) * w;
+    const Matx33d& inverse = camera.inverse;
+    const Vec2d point(inverse(0, 0) * u + inverse(0, 1) * v, inverse(1, 0) * u + inverse(1, 1) * v);
+    Matx22d J;
+    if (!camera.see(point, seenAt, derivative ? &J : 0))
+        return false;
+    if (derivative)
+    {
+        J = J * Matx22d(inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)) * w;
+        *derivative = Matx<double, 2, 3>(J(0, 0), J(0, 1), -(J(0, 0) * u + J(0, 1) * v), J(1, 0), J(1, 1),
+                                         -(J(1, 0) * u + J(1, 1) * v));
+    }
+    return true;
+}
+
+int LensResidual::error(const Model& model, const double* datum, double* error) const
+{
+    Vec2d seenAt;
+    const bool seen = project(model, datum, seenAt, 0);
+    for (int k = 0; k < 2; ++k)
+        error[k] = seen ? seenAt[k] - datum[3 + k] : UNSEEN;
+    return 2;
+}
+
+int LensResidual::linearize(const Model& model, const double* datum, double* error, double* derivative) const
+{
+    Vec2d seenAt;
+    Matx<double, 2, 3> J = Matx<double, 2, 3>::zeros();
+    const bool seen = project(model, datum, seenAt, &J);
+    const double point[4] = {datum[0], datum[1], datum[2], 1};
+    for (int k = 0; k < 2; ++k)
+    {
+        error[k] = seen ? seenAt[k] - datum[3 + k] : UNSEEN;
+        for (int row = 0; row < 3; ++row)
+            for (int col = 0; col < 4; ++col)
+                derivative[12 * k + 4 * row + col] = J(k, row) * point[col];
+    }
+    return 2;
+}
+
+void LensResidual::squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const
+{
+    for (int i = 0; i < count; ++i)
+    {
+        double datum[COLUMNS];
+        for (int k = 0; k < COLUMNS; ++k)
+            datum[k] = columns[k][i];
+        Vec2d seenAt;
+        const bool seen = project(model, datum, seenAt, 0);
+        const double dx = seenAt[0] - datum[3], dy = seenAt[1] - datum[4];
+        errors[i] = seen ? dx * dx + dy * dy : INFINITY;
+    }
+}
+
+void LensResidual::squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                                 float* errors) const
+{
+    for (int i = begin; i < end; ++i)
+    {
+        const double* columns[COLUMNS];
+        for (int k = 0; k < COLUMNS; ++k)
+            columns[k] = points.exact[k] + i;
+        double error;
+        squaredErrors(model, columns, 1, &error);
+        errors[i - begin] = (float)error;
+    }
+}
+
+}  // namespace usacv20
+}  // namespace cv

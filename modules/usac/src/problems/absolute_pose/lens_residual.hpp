@@ -1,0 +1,38 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_LENS_RESIDUAL_HPP
+#define OPENCV_USACV20_LENS_RESIDUAL_HPP
+
+#include "problems/absolute_pose/camera.hpp"
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief Reprojection error in the image as it was taken, distortion included.
+
+A datum is a point of space and one of PoseCamera::toSearchUnits, a model the camera matrix of PoseCamera. Infinite for
+what is behind the camera and for what the lens does not show. */
+class LensResidual : public Residual
+{
+public:
+    explicit LensResidual(const PoseCamera& camera_) : camera(camera_) {}
+
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE;
+    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE;
+    int error(const Model& model, const double* datum, double* error) const CV_OVERRIDE;
+    int linearize(const Model& model, const double* datum, double* error, double* derivative) const CV_OVERRIDE;
+
+private:
+    bool project(const Model& model, const double* datum, Vec2d& seenAt, Matx<double, 2, 3>* derivative) const;
+
+    const PoseCamera camera;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,60 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_POSE_PARAMETERIZATION_HPP
+#define OPENCV_USACV20_POSE_PARAMETERIZATION_HPP
+
+#include "optimization/tangent_space.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief The pose of a camera and a minimal parameterization around it: a rotation that is applied after the present
+one, as a vector, and what is added to the translation. Parameters 0 are the pose itself. */
+class PoseParameterization
+{
+public:
+    enum { DIMENSION = 6, NUMBERS = 12 };
+    typedef Eigen::Matrix<double, NUMBERS, DIMENSION> Basis;
+    typedef Eigen::Matrix<double, DIMENSION, 1> Step;
+    typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
+
+    //! Makes it around the rotation and translation that are closest to the camera matrix K [R t], a model.
+    struct Around
+    {
+        explicit Around(const Matx33d& K_) : K(K_) {}
+        PoseParameterization operator()(const Model& model) const { return PoseParameterization(K, model); }
+
+        Matx33d K;
+    };
+
+    PoseParameterization(const Matx33d& K, const Model& model);
+    PoseParameterization(const Matx33d& K, const Matx33d& rotation, const Vec3d& translation);
+
+    bool hasFullRank() const { return true; }
+    //! Derivatives of the model, as a 12-vector row by row, by the parameters at zero.
+    Basis tangent() const;
+    //! Normal equations in the parameters from those in the entries of the model.
+    void project(const CameraEquations& sums, Matrix& A, Step& b) const
+    {
+        projectOnTangents<DIMENSION>(sums, tangent(), A, b);
+    }
+    //! The parameterization around the model that has these parameters.
+    PoseParameterization plus(const Step& step) const;
+    //! K [R t].
+    Model model() const;
+    Matx33d rotation() const;
+    Vec3d translation() const { return Vec3d(t[0], t[1], t[2]); }
+
+private:
+    Model withCamera(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation) const;
+
+    Eigen::Matrix3d K, R;
+    Eigen::Vector3d t;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

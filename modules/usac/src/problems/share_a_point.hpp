@@ -1,0 +1,97 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_SHARE_A_POINT_HPP
+#define OPENCV_USACV20_SHARE_A_POINT_HPP
+
+#include <algorithm>
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! True if two points of an array are at the same place.
+inline bool samePlace(const Correspondences& p, int array, int i, int j)
+{
+    const int first = array ? p.coordinates[0] : 0, last = first + p.coordinates[array];
+    for (int k = first; k < last; ++k)
+        if (p.column[k][i] != p.column[k][j])
+            return false;
+    return true;
+}
+
+//! True if two matches have the same point in either array: at most one of them is right, or they are the same.
+inline bool shareAPoint(const Correspondences& p, int i, int j)
+{
+    return samePlace(p, 0, i, j) || (p.coordinates[1] > 0 && samePlace(p, 1, i, j));
+}
+
+//! True if two matches are the same.
+inline bool sameMatch(const Correspondences& p, int i, int j) { return samePlace(p, 0, i, j) && samePlace(p, 1, i, j); }
+
+//! True if `share(i, k)` is, for two points i and k of a sample of m.
+template <class Share>
+inline bool anyPair(const int* sample, int m, const Share& share)
+{
+    for (int i = 1; i < m; ++i)
+        for (int k = 0; k < i; ++k)
+            if (share(sample[i], sample[k]))
+                return true;
+    return false;
+}
+
+//! True if a match is twice in a sample of m, and no two different ones share a point: of these one would be wrong.
+inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
+{
+    return anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
+           !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
+}
+
+//! The scale between the images of a small surface is less. Half: the same; double: on scenes of matches to one or two
+//! points 3 of 704 F are wrong for 1. Half, double of this and of the next, lists: no run but one or two of E differs.
+constexpr int FAR_APART = 10;
+//! Points so many thresholds from each other may be one, but for the noise; at most one part in so many of the image.
+constexpr int NEAR_THRESHOLDS = 2, NEAR_PART = 50;
+
+template <class T>
+T square(T x)
+{
+    return x * x;
+}
+
+//! Squared distances in the two images below which two points may be one but for the noise, and above which they are
+//! far apart.
+struct TargetLimits
+{
+    /** Two thresholds are near, but no more than a fiftieth of the image: a threshold may be as wide as an image.
+    @param threshold of the errors
+    @param sizes extents of the points in the two images, above 0 */
+    TargetLimits(double threshold, const float* sizes)
+    {
+        for (int k = 0; k < 2; ++k)
+        {
+            const float distance = std::min((float)(NEAR_THRESHOLDS * threshold), sizes[k] / NEAR_PART);
+            near[k] = square(distance);
+            far[1 - k] = square(FAR_APART * distance * sizes[1 - k] / sizes[k]);
+        }
+    }
+
+    float near[2], far[2];
+};
+
+/** True if two matches have the same point of an image; or if they are, but for the noise each, matches of one point of
+an image, but FAR_APART times as far from each other in the other image: at most one of them is right. */
+inline bool shareATarget(const Correspondences& p, const TargetLimits& limits, int i, int j)
+{
+    const float dx1 = p.column[X1][i] - p.column[X1][j], dy1 = p.column[Y1][i] - p.column[Y1][j],
+                dx2 = p.column[X2][i] - p.column[X2][j], dy2 = p.column[Y2][i] - p.column[Y2][j];
+    const float first = dx1 * dx1 + dy1 * dy1, second = dx2 * dx2 + dy2 * dy2;
+    return (first <= limits.near[0] && second > limits.far[1]) || (second <= limits.near[1] && first > limits.far[0]) ||
+           shareAPoint(p, i, j);
+}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,25 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_SIMILARITY_HPP
+#define OPENCV_USACV20_SIMILARITY_HPP
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! See SimilarityProblem.
+Ptr<Problem> createSimilarityProblem();
+//! From 2 points, see Similarity2Solver.
+Ptr<MinimalSolver> createSimilarity2Solver();
+//! Least squares of a residual: in closed form where it is the transfer error, else by steps (LeastSquaresSolver).
+Ptr<NonMinimalSolver> createSimilarityFit(const Ptr<Residual>& residual);
+//! Least squares of the transfer error.
+Ptr<NonMinimalSolver> createSimilarityLeastSquares();
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

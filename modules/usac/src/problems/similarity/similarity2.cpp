@@ -1,0 +1,40 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/similarity/similarity.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** Similarity from two points, exact: as complex numbers, the difference of the points of image 2 is that of image 1
+times a + bi. Two points at one place in either image are degenerate. */
+class Similarity2Solver : public MinimalSolver
+{
+public:
+    int sampleSize() const CV_OVERRIDE { return 2; }
+
+    int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
+    {
+        const double *x1 = p.exact[X1], *y1 = p.exact[Y1], *x2 = p.exact[X2], *y2 = p.exact[Y2];
+        const int i = sample[0], k = sample[1];
+        const double u = x1[k] - x1[i], v = y1[k] - y1[i], s = x2[k] - x2[i], t = y2[k] - y2[i];
+        const double square = u * u + v * v;
+        const double a = (s * u + t * v) / square, b = (t * u - s * v) / square;
+        const double size = a * a + b * b;
+        if (!(square > 0 && size > 0 && size <= DBL_MAX))
+            return 0;
+        models[0] = Matx33d(a, -b, x2[i] - a * x1[i] + b * y1[i], b, a, y2[i] - b * x1[i] - a * y1[i], 0, 0, 1);
+        return 1;
+    }
+};
+
+}  // namespace
+
+Ptr<MinimalSolver> createSimilarity2Solver() { return makePtr<Similarity2Solver>(); }
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,41 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_SIMILARITY_PARAMETERIZATION_HPP
+#define OPENCV_USACV20_SIMILARITY_PARAMETERIZATION_HPP
+
+#include "optimization/normal_equations.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! @brief A similarity and its parameters: a, b, x, y of the rows a -b x and b a y. Parameters 0 are the model itself.
+class SimilarityParameterization
+{
+public:
+    enum { DIMENSION = 4, NUMBERS = 9 };
+    typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
+    typedef Eigen::Matrix<double, DIMENSION, 1> Step;
+    typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
+
+    //! Around the similarity whose entries are those of the model, or their means.
+    explicit SimilarityParameterization(const Model& model);
+
+    //! False for a map of the plane to a line or a point.
+    bool hasFullRank() const;
+    //! Derivatives of the model, as a 9-vector row by row, by the parameters.
+    Basis tangent() const;
+    //! Normal equations in the parameters from those in the entries of the model.
+    void project(const NormalEquations& sums, Matrix& A, Step& b) const;
+    SimilarityParameterization plus(const Step& step) const;
+    Model model() const;
+
+private:
+    Step parameters;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

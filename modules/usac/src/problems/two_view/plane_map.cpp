@@ -1,0 +1,67 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/two_view/plane_map.hpp"
+#include "problems/two_view/two_view.hpp"
+#include "scoring/residuals.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+int PlaneMapProblem::normalization(int residual) const
+{
+    return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH;
+}
+
+//! Entry by entry, so that the last row stays as it is to the bit.
+bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points, Model& result) const
+{
+    const Frame &from = points.frame[0], &to = points.frame[1];
+    Matx33d map = Matx33d::eye();
+    for (int row = 0; row < 2; ++row)
+    {
+        const double a = model(row, 0) * from.scale, b = model(row, 1) * from.scale;
+        map(row, 0) = a / to.scale;
+        map(row, 1) = b / to.scale;
+        map(row, 2) = (model(row, 2) - a * from.center[0] - b * from.center[1]) / to.scale + to.center[row];
+    }
+    result = map;
+    const bool linear = map(0, 0) != 0 || map(0, 1) != 0 || map(1, 0) != 0 || map(1, 1) != 0;  // else underflow
+    return linear && checkRange(Mat(map, false));
+}
+
+bool PlaneMapProblem::fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const
+{
+    if (output.size() != 6)
+        return false;
+    const Frame &from = points.frame[0], &to = points.frame[1];
+    Matx33d map = Matx33d::eye();
+    for (int row = 0; row < 2; ++row)
+    {
+        const double *given = &output[3 * row], a = given[0], b = given[1];
+        map(row, 0) = a * to.scale / from.scale;
+        map(row, 1) = b * to.scale / from.scale;
+        map(row, 2) = (a * from.center[0] + b * from.center[1] + given[2] - to.center[row]) * to.scale;
+    }
+    model = closest(map);
+    return checkRange(Mat(3, 3, CV_64F, model.val));
+}
+
+Mat PlaneMapProblem::toOutput(const Model& model) const { return Mat(2, 3, CV_64F, (void*)model.val).clone(); }
+
+Ptr<Residual> PlaneMapProblem::createResidual(int type) const
+{
+    return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual() : createTransferResidual();
+}
+
+/** Any orientation is right here, and there is no plane to be dominated by: the one check is that of repeated points.
+The set of all bits stands for all checks that a problem has; who names DEGENSAC by itself expects it. */
+void PlaneMapProblem::createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const
+{
+    createChecksOfMaps(flags, name(), degeneracies);
+}
+
+}  // namespace usacv20
+}  // namespace cv

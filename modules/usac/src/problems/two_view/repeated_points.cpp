@@ -1,0 +1,120 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "core/point_subset.hpp"
+#include "problems/share_a_point.hpp"
+#include "problems/two_view/two_view.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Half and double of these, doc/constants.md: lists the same within 2 %; 720 scenes with repetitions, of which 1 search
+// fails: TENTH 5: 0 fail, 6 % less samples, 1 H is wrong for 0; 20: 4 fail, 12 % more samples.
+
+//! A match that is there so often among the first points, or more often than once in so many of all, is one match.
+constexpr int FIRST_POINTS = 64, OFTEN = 3, TENTH = 10;
+
+/** @brief Refuses samples in which two matches share a point of image 1 or of image 2.
+
+A point has one counterpart at most: of two such matches one is wrong, or they are the same match twice. Compares all
+pairs of the sample. A match that is there so often that it is a tenth of all counts as one for the quality of a new
+best model: any model fitted to it would have that tenth, and no sample of right matches has. */
+class RepeatedPoints : public Degeneracy
+{
+public:
+    RepeatedPoints() : searched(false), repetitions(0), count(0) {}
+
+    void start(const Context&) CV_OVERRIDE { searched = false; }
+
+    bool validSample(const Context& context, const int* sample) const CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        const int m = context.components.minimalSolver->sampleSize();
+        return !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
+    }
+
+    bool mayBeGood(const Context& context, const int* sample) const CV_OVERRIDE
+    {
+        return onlyRepeats(context.points, sample, context.components.minimalSolver->sampleSize());
+    }
+
+    bool recover(const Context& context, State&, const int*, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        const Score& score = *context.components.score;
+        if (!searched)
+            search(context);
+        if (count == 0 || score.wholeModel())
+            return true;
+        const Correspondences& p = context.points;
+        Arena::Scope scope(context.arena);
+        PointSubset subset(p, count, scope);
+        for (int i = 0; i < count; ++i)
+            subset.add(repetitions[i]);
+        const double* const errors = subset.squaredErrors(*context.components.residual, model);
+        float* const floats = scope.take<float>(count);
+        std::copy(errors, errors + count, floats);
+        Quality sum(0, 0);
+        score.accumulate(floats, count, (float)(p.threshold * p.threshold), sum);
+        quality.cost += count - sum.cost;
+        quality.inliers = std::max(quality.inliers - sum.inliers, 0);
+        return true;
+    }
+
+private:
+    //! Finds the repetitions, but for the first of each.
+    void search(const Context& context)
+    {
+        const Correspondences& p = context.points;
+        searched = true;
+        count = 0;
+        repetitions = 0;
+        for (int i = 0; i < std::min<int>(p.size, FIRST_POINTS); ++i)
+        {
+            int same = 1;
+            for (int k = 0; k < i; ++k)
+                same += sameMatch(p, i, k);
+            if (same == OFTEN)
+                addRepetitions(context, i);
+        }
+    }
+
+    //! Different matches have different repetitions, so that together they are no more than there are points.
+    void addRepetitions(const Context& context, int of)
+    {
+        const Correspondences& p = context.points;
+        if (!repetitions)
+            repetitions = context.arena.take<int>(p.size);
+        int found = count;
+        for (int i = 0; i < p.size; ++i)
+            if (i != of && sameMatch(p, i, of))
+                repetitions[found++] = i;
+        if ((found - count + 1) * TENTH > p.size)
+            count = found;
+    }
+
+    bool searched;
+    int* repetitions;
+    int count;  //!< of them
+};
+
+}  // namespace
+
+Ptr<Degeneracy> createRepeatedPoints() { return makePtr<RepeatedPoints>(); }
+
+void createChecksOfMaps(int flags, const String& problem, std::vector<Ptr<Degeneracy>>& degeneracies)
+{
+    const int all = DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED;
+    if ((flags & DEGENERACY_DEGENSAC) && flags != all)
+        CV_Error_(Error::StsBadArg, ("degeneracy: %d has DEGENERACY_DEGENSAC, which is for F and E; for the problem %s "
+                                     "take DEGENERACY_REPEATED, 0, or the default %d, all checks that it has",
+                                     flags, problem.c_str(), all));
+    if (flags & DEGENERACY_REPEATED)
+        degeneracies.push_back(createRepeatedPoints());
+}
+
+}  // namespace usacv20
+}  // namespace cv

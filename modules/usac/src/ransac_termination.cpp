@@ -1,0 +1,65 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "ransac.hpp"
+
+// When the search ends: line 2 of Algorithm 1.
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! So many samples without a single model, which take some seconds: the points are degenerate.
+constexpr int HOPELESS = 1000000;
+
+}  // namespace
+
+bool Ransac::terminate()
+{
+    if (state.iteration >= context.params.maxIterations)
+        state.report.stop = STOP_MAX_ITERATIONS;
+    else if (samplesThatCount() >= required)
+        state.report.stop = requiredReason;
+    else if (state.iteration >= requiredOfAll)
+        state.report.stop = reasonOfAll;
+    else if (state.iteration >= HOPELESS && state.report.models == 0 && !parts.terminations.empty())
+        state.report.stop = STOP_NO_MODEL;
+    else
+        return false;
+    return true;
+}
+
+/* No model can have more inliers than one that has more than half of the points beside its own sample, unless it shares
+most of them: whatever points the samples prefer, they do not miss it. */
+int Ransac::samplesThatCount() const
+{
+    const int m = parts.minimalSolver->sampleSize();
+    const bool planar = state.report.degenerate || state.yield < 1;  // then it may share nearly all with a wrong one
+    const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
+    return most ? state.iteration - state.repeatedSamples : state.countedSamples;
+}
+
+void Ransac::updateTermination()
+{
+    required = exhaustive;
+    requiredReason = STOP_STANDARD;
+    requiredOfAll = INT_MAX;
+    for (size_t t = 0; t < parts.terminations.size(); ++t)
+        require((double)parts.terminations[t]->iterations(context, state) * context.params.persistence,
+                parts.terminations[t]->countsAll(), parts.terminations[t]->reason());
+}
+
+void Ransac::require(double wanted, bool all, int reason)
+{
+    int& least = all ? requiredOfAll : required;
+    if (wanted >= least)
+        return;
+    least = (int)wanted;
+    (all ? reasonOfAll : requiredReason) = reason;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,18 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_FUZZ_POSE_HPP
+#define OPENCV_USACV20_TEST_FUZZ_POSE_HPP
+
+#include "fuzz/fuzz_bytes.hpp"
+#include "fuzz/fuzz_input.hpp"
+
+namespace opencv_test {
+
+//! Points of space and of the image, with K1 and d1 of the input or without regard to them.
+void readPosePoints(Bytes& bytes, FuzzInput& input);
+
+}  // namespace opencv_test
+
+#endif

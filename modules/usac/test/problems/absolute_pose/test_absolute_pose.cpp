@@ -1,0 +1,326 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "pose_scenes.hpp"
+#include "test_contracts.hpp"
+
+// The pose of a camera on synthetic scenes of every shape, with every lens, by every preset.
+
+namespace opencv_test {
+namespace {
+
+const int COEFFICIENTS[] = {0, 4, 5, 8, 12, 14};
+
+struct Estimate
+{
+    Mat model, mask;
+    Report report;
+
+    Matx34d pose() const { return Matx34d(model); }
+};
+
+Estimate estimate(const PoseScene& scene, const Params& params = Params())
+{
+    Estimate result;
+    result.model = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, params, result.mask,
+                                        result.report);
+    return result;
+}
+
+//! The contract of the result, and that the pose is the true one.
+void expectRight(const PoseScene& scene, const Estimate& found, const Params& params, double degrees, double part)
+{
+    ASSERT_EQ(Size(4, 3), found.model.size());
+    ASSERT_EQ(CV_64F, found.model.type());
+    const Matx33d R(found.model.colRange(0, 3));
+    EXPECT_LE(cvtest::norm(R * R.t() - Matx33d::eye(), NORM_INF), 1e-12);
+    EXPECT_GT(determinant(R), 0);
+    EXPECT_LE(rotationError(scene, found.pose()), degrees);
+    EXPECT_LE(centerError(scene, found.pose()), part);
+    ASSERT_EQ(scene.size(), found.mask.rows);
+    ASSERT_EQ(CV_8U, found.mask.type());
+    const std::vector<double> errors = pixelErrors(scene, found.pose());
+    int inliers = 0;
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        inliers += found.mask.at<uchar>(i);
+        if (std::abs(errors[i] - params.threshold) > 1e-6 * params.threshold)
+        {
+            EXPECT_EQ(errors[i] <= params.threshold ? 1 : 0, found.mask.at<uchar>(i)) << i << ": " << errors[i];
+        }
+    }
+    EXPECT_EQ(inliers, found.report.inliers);
+}
+
+TEST(Usac_AbsolutePose, every_shape_lens_and_kind_of_outliers)
+{
+    for (PoseShape shape : {POSE_CLOUD, POSE_PLANE, POSE_NEAR_PLANE, POSE_TWO_PLANES})
+        for (int coefficients : COEFFICIENTS)
+            for (PoseOutliers outliers : {POSE_OUTLIERS_UNIFORM, POSE_OUTLIERS_CLUSTERED, POSE_OUTLIERS_SECOND_POSE})
+            {
+                SCOPED_TRACE(cv::format("shape %d, %d coefficients, outliers %d", shape, coefficients, outliers));
+                PoseSceneOptions options;
+                options.shape = shape;
+                options.coefficients = coefficients;
+                options.outliers = outliers;
+                options.inlierRatio = 0.6;
+                options.seed = 10 + shape;
+                const PoseScene scene = makePoseScene(options);
+                expectRight(scene, estimate(scene), Params(), 0.5, 0.02);
+            }
+}
+
+TEST(Usac_AbsolutePose, every_preset)
+{
+    PoseSceneOptions options;
+    options.coefficients = 5;
+    options.inlierRatio = 0.7;
+    options.scoreInformation = 0.9;
+    const PoseScene scene = makePoseScene(options);
+    for (const NamedPreset& preset : allPresets(ABSOLUTE_POSE))
+    {
+        SCOPED_TRACE(preset.name);
+        Params params = preset.params;
+        params.scores = scene.scores;
+        if (params.sampler == SAMPLER_IMPORTANCE || params.ordering == ORDERING_INPUT_ORDER)
+            params.scores.clear();
+        Estimate found = estimate(scene, params);
+        params.threshold = found.report.threshold;  // that of LMedS
+        expectRight(scene, found, params, 0.6, 0.03);
+    }
+}
+
+TEST(Usac_AbsolutePose, inlier_ratios_and_sizes)
+{
+    for (int percent : {5, 10, 20, 50, 90, 100})
+        for (int size : {20, 100, 1000})
+        {
+            if (percent * size < 1000)
+                continue;  // fewer than ten right ones
+            SCOPED_TRACE(cv::format("%d %% of %d", percent, size));
+            PoseSceneOptions options;
+            options.size = size;
+            options.inlierRatio = 0.01 * percent;
+            const PoseScene scene = makePoseScene(options);
+            Params params;
+            params.maxIterations = 100000;
+            expectRight(scene, estimate(scene, params), params, 1, 0.05);
+        }
+}
+
+//! Within a tenth of what least squares over the right matches gives, on average.
+TEST(Usac_AbsolutePose, as_accurate_as_least_squares)
+{
+    double own = 0, best = 0;
+    for (int seed = 1; seed <= 40; ++seed)
+    {
+        PoseSceneOptions options;
+        options.seed = seed;
+        options.coefficients = COEFFICIENTS[seed % 6];
+        const PoseScene scene = makePoseScene(options);
+        std::vector<Point3d> object;
+        std::vector<Point2d> image;
+        for (int i = 0; i < scene.size(); ++i)
+            if (scene.truth[i])
+            {
+                object.push_back(scene.object[i]);
+                image.push_back(scene.image[i]);
+            }
+        Mat r, t(scene.pose.col(3));
+        Rodrigues(scene.pose.get_minor<3, 3>(0, 0), r);
+        solvePnPRefineLM(object, image, scene.K, scene.distortion, r, t);
+        Matx33d R;
+        Rodrigues(r, R);
+        Mat pose;
+        hconcat(R, t, pose);
+        best += rotationError(scene, Matx34d(pose));
+        own += rotationError(scene, estimate(scene).pose());
+    }
+    EXPECT_LE(own, 1.1 * best);
+}
+
+TEST(Usac_AbsolutePose, exact_points)
+{
+    for (int coefficients : COEFFICIENTS)
+        for (double scale : {1e-4, 1., 1e5})
+        {
+            SCOPED_TRACE(cv::format("%d coefficients, scale %g", coefficients, scale));
+            PoseSceneOptions options;
+            options.noise = 0;
+            options.coefficients = coefficients;
+            options.scale = scale;
+            options.offset = Vec3d(20, -30, 50) * scale;
+            const PoseScene scene = makePoseScene(options);
+            expectRight(scene, estimate(scene), Params(), 1e-5, 1e-6);
+        }
+}
+
+TEST(Usac_AbsolutePose, points_behind_the_camera_are_no_inliers)
+{
+    PoseSceneOptions options;
+    options.behind = 40;
+    options.atCenter = 10;
+    options.inlierRatio = 0.6;
+    const PoseScene scene = makePoseScene(options);
+    const Estimate found = estimate(scene);
+    expectRight(scene, found, Params(), 0.5, 0.02);
+}
+
+//! Points of space on a line, at one place or behind the camera: no pose and no fault, whatever the preset.
+TEST(Usac_AbsolutePose, degenerate_points)
+{
+    PoseSceneOptions options;
+    options.shape = POSE_LINE;
+    options.noise = 0;
+    std::vector<PoseScene> scenes(1, makePoseScene(options));
+    scenes.push_back(makePoseScene());
+    std::fill(scenes[1].object.begin(), scenes[1].object.end(), Point3d(1, 2, 3));
+    scenes.push_back(makePoseScene());
+    std::fill(scenes[2].image.begin(), scenes[2].image.end(), Point2d(100, 200));
+    scenes.push_back(makePoseScene());
+    for (Point3d& point : scenes[3].object)
+        point = Point3d(NAN, 0, 0);
+    for (size_t s = 0; s < scenes.size(); ++s)
+        for (NamedPreset preset : allPresets(ABSOLUTE_POSE))
+        {
+            SCOPED_TRACE(cv::format("scene %d, %s", (int)s, preset.name));
+            preset.params.maxIterations = 300;
+            const Estimate found = estimate(scenes[s], preset.params);
+            if (s != 0)  // three points of a line with their own rounding may do
+            {
+                EXPECT_TRUE(found.model.empty());
+            }
+            if (found.model.empty())
+            {
+                EXPECT_EQ(0, countNonZero(found.mask));
+            }
+            else
+            {
+                EXPECT_TRUE(checkRange(found.model));
+            }
+            EXPECT_EQ(scenes[s].size(), found.mask.rows);
+        }
+}
+
+TEST(Usac_AbsolutePose, near_lines_clusters_and_copies)
+{
+    for (PoseShape shape : {POSE_NEAR_LINE, POSE_CLUSTER})
+        for (int copies : {1, 3})
+        {
+            SCOPED_TRACE(cv::format("shape %d, %d copies", shape, copies));
+            PoseSceneOptions options;
+            options.shape = shape;
+            options.copies = copies;
+            const PoseScene scene = makePoseScene(options);
+            const Estimate found = estimate(scene);
+            ASSERT_FALSE(found.model.empty());
+            int agree = 0, right = 0;  // the pose itself is hardly determined
+            for (int i = 0; i < scene.size(); ++i)
+            {
+                right += scene.truth[i];
+                agree += scene.truth[i] && found.mask.at<uchar>(i);
+            }
+            EXPECT_GE(agree, 0.9 * right);
+        }
+}
+
+//! Focal lengths that differ, skew, and points that have been undistorted to K = I.
+TEST(Usac_AbsolutePose, any_camera_matrix)
+{
+    PoseScene scene = makePoseScene();
+    std::vector<Point2d> normalized;
+    for (const Point2d& p : scene.image)
+        normalized.push_back(Point2d((p.x - scene.K(0, 2)) / scene.K(0, 0), (p.y - scene.K(1, 2)) / scene.K(1, 1)));
+    const Matx33d cameras[] = {Matx33d(500, 0, 320, 0, 900, 240, 0, 0, 1), Matx33d(700, 30, 0, 0, 720, 0, 0, 0, 1),
+                               Matx33d::eye(), Matx33d(-600, 0, 320, 0, 600, 240, 0, 0, 1)};
+    for (const Matx33d& K : cameras)
+    {
+        SCOPED_TRACE(Mat(K));
+        Params params;
+        params.threshold = 2 * (std::abs(K(0, 0)) + std::abs(K(1, 1))) / 2 / scene.K(0, 0);
+        std::vector<Point2d> image;
+        for (const Point2d& p : normalized)
+        {
+            const Vec3d q = K * Vec3d(p.x, p.y, 1);
+            image.push_back(Point2d(q[0], q[1]));
+        }
+        Mat mask;
+        const Mat pose = estimateAbsolutePose(scene.object, image, K, noArray(), params, mask);
+        ASSERT_FALSE(pose.empty());
+        EXPECT_LE(rotationError(scene, Matx34d(pose)), 0.5);
+        const Mat P = Mat(K) * pose;
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            const Vec3d q = Matx34d(P) * Vec4d(scene.object[i].x, scene.object[i].y, scene.object[i].z, 1);
+            const double error = cv::norm(Point2d(q[0] / q[2], q[1] / q[2]) - image[i]);
+            EXPECT_EQ(q[2] > 0 && error <= params.threshold ? 1 : 0, mask.at<uchar>(i)) << error;
+        }
+    }
+}
+
+TEST(Usac_AbsolutePose, threads_and_layouts_give_the_same_bits)
+{
+    PoseSceneOptions options;
+    options.size = 1000;
+    options.inlierRatio = 0.25;
+    options.coefficients = 8;
+    const PoseScene scene = makePoseScene(options);
+    const Estimate first = estimate(scene);
+    ASSERT_FALSE(first.model.empty());
+    for (int threads : {2, 4})
+    {
+        Params params;
+        params.threads = threads;
+        const Estimate other = estimate(scene, params);
+        EXPECT_EQ(0, cvtest::norm(first.model, other.model, NORM_INF));
+        EXPECT_EQ(0, cvtest::norm(first.mask, other.mask, NORM_INF));
+    }
+    const Mat rows = Mat(scene.object).reshape(1), image = Mat(scene.image).reshape(1);
+    const Mat layouts[][2] = {{rows, image}, {rows.t(), image.t()}, {rows.reshape(3, 1), image.reshape(2, 1)}};
+    for (const Mat(&points)[2] : layouts)
+    {
+        Mat mask;
+        const Mat model = estimateAbsolutePose(points[0], points[1], scene.K, scene.distortion, Params(), mask);
+        EXPECT_EQ(0, cvtest::norm(first.model, model, NORM_INF));
+        EXPECT_EQ(0, cvtest::norm(first.mask, mask, NORM_INF));
+    }
+}
+
+TEST(Usac_AbsolutePose, wrong_arguments_are_named)
+{
+    const PoseScene s = makePoseScene();
+    const Mat object = Mat(s.object).reshape(1), image = Mat(s.image).reshape(1), K(s.K), none;
+    const Params params;
+    Params symmetric, degensac;
+    symmetric.residual = RESIDUAL_SYMMETRIC;
+    degensac.degeneracy = DEGENERACY_DEGENSAC;
+    expectException([&]() { estimateAbsolutePose(image, image, K); }, "objectPoints");
+    expectException([&]() { estimateAbsolutePose(object, Mat(10, 5, CV_64FC3), K); }, "imagePoints");
+    expectException([&]() { estimateAbsolutePose(object.rowRange(0, 9), image, K); }, "objectPoints and imagePoints");
+    expectException([&]() { estimateAbsolutePose(object, image, none); }, "cameraMatrix");
+    expectException([&]() { estimateAbsolutePose(object, image, Mat::zeros(3, 3, CV_64F)); }, "cameraMatrix");
+    expectException([&]() { estimateAbsolutePose(object, image, K, Mat::ones(1, 7, CV_64F)); }, "distCoeffs");
+    expectException([&]() { estimateAbsolutePose(object, image, K, Mat(1, 4, CV_64F, Scalar(NAN))); }, "distCoeffs");
+    expectException([&]() { estimateAbsolutePose(object, image, K, none, symmetric); }, "residual");
+    expectException([&]() { estimateAbsolutePose(object, image, K, none, degensac); }, "degeneracy");
+}
+
+TEST(Usac_AbsolutePose, too_few_points)
+{
+    const PoseScene scene = makePoseScene();
+    for (int count = 0; count < 3; ++count)
+    {
+        const std::vector<Point3d> object(scene.object.begin(), scene.object.begin() + count);
+        const std::vector<Point2d> image(scene.image.begin(), scene.image.begin() + count);
+        Mat mask;
+        Report report;
+        EXPECT_TRUE(estimateAbsolutePose(object, image, scene.K, noArray(), Params(), mask, report).empty());
+        EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
+        EXPECT_EQ(count, mask.rows);
+    }
+}
+
+}  // namespace
+}  // namespace opencv_test

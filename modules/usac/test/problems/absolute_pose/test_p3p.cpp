@@ -1,0 +1,383 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "pose_samples.hpp"
+#include "problems/absolute_pose/absolute_pose.hpp"
+
+namespace opencv_test {
+namespace {
+
+std::vector<Matx34d> solve(const MinimalSolver& solver, const Vec3d (&X)[3], const Point2d (&image)[3])
+{
+    double columns[5][3];
+    Correspondences points;
+    points.size = 3;
+    for (int k = 0; k < 5; ++k)
+    {
+        for (int i = 0; i < 3; ++i)
+            columns[k][i] = k < 3 ? X[i][k] : k == 3 ? image[i].x : image[i].y;
+        points.exact[k] = columns[k];
+    }
+    const int sample[] = {0, 1, 2};
+    Model models[MAX_MODELS];
+    const int count = solver.solve(points, sample, models);
+    EXPECT_GE(count, 0);
+    EXPECT_LE(count, 4);
+    return std::vector<Matx34d>(models, models + count);
+}
+
+struct Tally
+{
+    Tally() : samples(0), missed(0), falseRoots(0), repeated(0), notOrthonormal(0), most(0), solutions(0) {}
+
+    void add(const PoseSample& s, const std::vector<Matx34d>& poses, double tolerance)
+    {
+        double closest = DBL_MAX;
+        for (size_t k = 0; k < poses.size(); ++k)
+        {
+            const Matx33d R = poses[k].get_minor<3, 3>(0, 0);
+            falseRoots += !(reprojectionError(s, poses[k]) < 1e-4);
+            notOrthonormal += !(cv::norm(R * R.t() - Matx33d::eye()) < 1e-12 && determinant(R) > 0);
+            for (size_t j = 0; j < k; ++j)
+                repeated += !(poseDistance(s, poses[j], poses[k]) > 1e-8);
+            closest = std::min(closest, poseDistance(s, poses[k], s.pose));
+        }
+        ++samples;
+        missed += !(closest < tolerance);
+        most = std::max(most, (int)poses.size());
+        solutions += (int)poses.size();
+    }
+
+    void expectSound(const char* what) const
+    {
+        EXPECT_EQ(0, falseRoots) << what;
+        EXPECT_EQ(0, repeated) << what;
+        EXPECT_EQ(0, notOrthonormal) << what;
+    }
+
+    int samples, missed, falseRoots, repeated, notOrthonormal, most, solutions;
+};
+
+void expectTruth(int samples)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    for (int kind = 0; kind < POSE_SAMPLE_KINDS; ++kind)
+    {
+        RNG rng(1 + kind);
+        Tally tally;
+        for (int i = 0; i < samples; ++i)
+        {
+            const PoseSample s = randomPoseSample((PoseSampleKind)kind, rng);
+            tally.add(s, solve(*solver, s.X, s.image), 1e-6);
+        }
+        EXPECT_LE(tally.missed, samples / 10000) << POSE_SAMPLE_NAMES[kind];
+        EXPECT_GT(tally.most, 1) << POSE_SAMPLE_NAMES[kind];
+        tally.expectSound(POSE_SAMPLE_NAMES[kind]);
+        if (cvtest::debugLevel > 0)
+            printf("%s: %d missed of %d, %.2f poses a sample\n", POSE_SAMPLE_NAMES[kind], tally.missed, samples,
+                   (double)tally.solutions / samples);
+    }
+}
+
+TEST(Usac_P3P, exact) { expectTruth(20000); }
+
+//! Run with --gtest_filter=Usac_P3P.exactMillion --test_tag_enable=verylong.
+TEST(Usac_P3P, exactMillion)
+{
+    applyTestTag(CV_TEST_TAG_VERYLONG);
+    expectTruth(1000000);
+}
+
+//! What OpenCV finds, but for what reprojects with an error.
+std::vector<Matx34d> posesOfOpenCV(const PoseSample& s, int method)
+{
+    const std::vector<Point3d> X(s.X, s.X + 3);
+    const std::vector<Point2d> image(s.image, s.image + 3);
+    std::vector<Mat> rotations, translations;
+    cv::solveP3P(X, image, Matx33d::eye(), noArray(), rotations, translations, method);
+    std::vector<Matx34d> result;
+    for (size_t k = 0; k < rotations.size(); ++k)
+    {
+        Matx33d R;
+        cv::Rodrigues(rotations[k], R);
+        Matx34d pose;
+        hconcat(R, Vec3d(translations[k]), pose);
+        if (reprojectionError(s, pose) < 1e-9)
+            result.push_back(pose);
+    }
+    return result;
+}
+
+//! How many of `some` are not among `others`.
+int countLacking(const PoseSample& s, const std::vector<Matx34d>& some, const std::vector<Matx34d>& others)
+{
+    int result = 0;
+    for (size_t k = 0; k < some.size(); ++k)
+    {
+        double closest = DBL_MAX;
+        for (size_t j = 0; j < others.size(); ++j)
+            closest = std::min(closest, poseDistance(s, some[k], others[j]));
+        result += closest > 1e-4;
+    }
+    return result;
+}
+
+/** All poses that one of OpenCV's solvers finds. They in turn lose a few, or find them with such an error that they
+cannot be told from false ones: where a point is close to the center, 4 of 3100. */
+TEST(Usac_P3P, sameAsOpenCV)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    const PoseSampleKind kinds[] = {CUBE, FRONTAL_PLANE, CLOSE, WIDE};
+    for (PoseSampleKind kind : kinds)
+    {
+        RNG rng(100 + kind);
+        int lacking = 0, more = 0, count = 0;
+        for (int i = 0; i < 300; ++i)
+        {
+            const PoseSample s = randomPoseSample(kind, rng);
+            const std::vector<Matx34d> poses = solve(*solver, s.X, s.image);
+            std::vector<Matx34d> known = posesOfOpenCV(s, SOLVEPNP_AP3P);
+            const std::vector<Matx34d> others = posesOfOpenCV(s, SOLVEPNP_P3P);
+            known.insert(known.end(), others.begin(), others.end());
+            lacking += countLacking(s, known, poses);
+            more += countLacking(s, poses, known);
+            count += (int)poses.size();
+        }
+        EXPECT_EQ(0, lacking) << POSE_SAMPLE_NAMES[kind];
+        EXPECT_LE(more, 3) << POSE_SAMPLE_NAMES[kind];
+        EXPECT_GT(count, 300) << POSE_SAMPLE_NAMES[kind];
+    }
+}
+
+//! How far from a double solution rounding may take both.
+const double DOUBLE_SOLUTION = 1e-5;
+
+//! The equations are singular where the center lies on the cylinder that stands on the circle of the triangle.
+TEST(Usac_P3P, dangerCylinder)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    for (double off : {0., 1e-12, 1e-8, 1e-6, 1e-4, -1e-12, -1e-8, -1e-6, -1e-4})
+    {
+        RNG rng(5);
+        Tally tally;
+        for (int i = 0; i < 3000; ++i)
+        {
+            const double start = rng.uniform(0., 6.28), at = rng.uniform(0., 6.28);
+            const double angles[] = {start, start + rng.uniform(0.5, 2.), start + rng.uniform(2.5, 5.5)};
+            const Vec3d center((1 + off) * std::cos(at), (1 + off) * std::sin(at), rng.uniform(2., 6.));
+            const PoseSample s = triangleSeenFrom(center, angles, rng);
+            tally.add(s, solve(*solver, s.X, s.image), DOUBLE_SOLUTION);
+        }
+        EXPECT_EQ(0, tally.missed) << off;
+        EXPECT_GT(tally.most, 2) << off;
+        tally.expectSound("danger cylinder");
+    }
+}
+
+//! Equilateral and isosceles triangles, seen along their axes of symmetry and from elsewhere.
+TEST(Usac_P3P, symmetric)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    RNG rng(6);
+    Tally tally;
+    for (int apex = 20; apex <= 160; apex += 20)
+        for (int shape = 0; shape < 3; ++shape)
+            for (int k = 0; k <= 40; ++k)
+            {
+                const double half = shape == 0 ? 2 * CV_PI / 3 : apex * CV_PI / 180, radius = 0.1 * k;
+                const double angles[] = {0, half, -half};
+                const Vec3d center(shape == 2 ? 0 : radius, shape == 2 ? radius : 0, 3);
+                const PoseSample s = triangleSeenFrom(center, angles, rng);
+                tally.add(s, solve(*solver, s.X, s.image), DOUBLE_SOLUTION);
+            }
+    EXPECT_EQ(0, tally.missed);
+    EXPECT_EQ(4, tally.most);
+    tally.expectSound("symmetric");
+}
+
+//! The center of the camera lies in the plane of the triangle.
+TEST(Usac_P3P, coplanarWithTheCenter)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    RNG rng(7);
+    Tally tally;
+    for (int i = 0; i < 3000; ++i)
+    {
+        Vec3d Y[3];
+        do
+            for (int k = 0; k < 3; ++k)
+                Y[k] = Vec3d(rng.uniform(-1., 1.), 0, rng.uniform(1., 3.));
+        while (flatness(Y) < 1);
+        const PoseSample s = poseSampleOf(Y, rng);
+        tally.add(s, solve(*solver, s.X, s.image), DOUBLE_SOLUTION);
+    }
+    EXPECT_EQ(0, tally.missed);
+    tally.expectSound("coplanar");
+}
+
+//! The set of solutions does not depend on the order of the points.
+TEST(Usac_P3P, anyOrder)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    const int orders[][3] = {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    for (int kind = 0; kind < POSE_SAMPLE_KINDS; ++kind)
+    {
+        RNG rng(200 + kind);
+        int lacking = 0;
+        for (int i = 0; i < 200; ++i)
+        {
+            const PoseSample s = randomPoseSample((PoseSampleKind)kind, rng);
+            const std::vector<Matx34d> poses = solve(*solver, s.X, s.image);
+            for (const int(&order)[3] : orders)
+            {
+                PoseSample other = s;
+                for (int k = 0; k < 3; ++k)
+                {
+                    other.X[k] = s.X[order[k]];
+                    other.image[k] = s.image[order[k]];
+                }
+                const std::vector<Matx34d> again = solve(*solver, other.X, other.image);
+                lacking += countLacking(s, poses, again) + countLacking(s, again, poses);
+            }
+        }
+        EXPECT_EQ(0, lacking) << POSE_SAMPLE_NAMES[kind];
+    }
+}
+
+//! The third point at such a distance from the line of the others, relative to theirs.
+PoseSample flatSample(double height, RNG& rng)
+{
+    PoseSample s = randomPoseSample(CUBE, rng);
+    const Vec3d side = s.X[1] - s.X[0], any(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+    const Vec3d across = side.cross(any);
+    s.X[2] = s.X[0] + rng.uniform(0.1, 0.9) * side + (height * cv::norm(side) / cv::norm(across)) * across;
+    const Vec3d y = s.pose * Vec4d(s.X[2][0], s.X[2][1], s.X[2][2], 1);
+    s.image[2] = Point2d(y[0] / y[2], y[1] / y[2]);
+    return s;
+}
+
+//! Points of a line, two points in one place, one ray twice: there is no model, whatever the rounding.
+TEST(Usac_P3P, degenerate)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    RNG rng(8);
+    for (int i = 0; i < 3000; ++i)
+    {
+        const PoseSample s = randomPoseSample((PoseSampleKind)(i % POSE_SAMPLE_KINDS), rng);
+        PoseSample line = s, place = s, ray = s, repeated = s;
+        const double at = i % 5 == 0 ? 0.5 : rng.uniform(-2., 3.);
+        const int k = i % 3, other = (k + 1) % 3;
+        line.X[k] = s.X[other] + at * (s.X[(k + 2) % 3] - s.X[other]);
+        EXPECT_EQ(0u, solve(*solver, line.X, line.image).size());
+        place.X[k] = s.X[other];
+        EXPECT_EQ(0u, solve(*solver, place.X, place.image).size());
+        ray.image[k] = s.image[other];
+        EXPECT_EQ(0u, solve(*solver, ray.X, ray.image).size());
+        ray.image[k].x += 4e-16 * ray.image[k].x;  // another number, but for its rounding the same
+        EXPECT_EQ(0u, solve(*solver, ray.X, ray.image).size());
+        repeated.X[k] = s.X[other];
+        repeated.image[k] = s.image[other];
+        EXPECT_EQ(0u, solve(*solver, repeated.X, repeated.image).size());
+        repeated.X[(k + 2) % 3] = s.X[other];
+        EXPECT_EQ(0u, solve(*solver, repeated.X, repeated.image).size());
+        repeated.image[(k + 2) % 3] = s.image[other];
+        EXPECT_EQ(0u, solve(*solver, repeated.X, repeated.image).size());
+    }
+}
+
+//! Far from the origin a small triangle on a line is not flat, but rounding is all that makes it so.
+TEST(Usac_P3P, smallAndFlat)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    RNG rng(12);
+    for (int i = 0; i < 3000; ++i)
+    {
+        PoseSample s = flatSample(0, rng);
+        for (int k = 0; k < 3; ++k)
+            s.X[k] = Vec3d(0.9, -0.7, 0.8) + 1e-8 * s.X[k];
+        EXPECT_EQ(0u, solve(*solver, s.X, s.image).size());
+    }
+}
+
+//! Whatever the angles of the triangle, what is returned is a rotation and fits.
+TEST(Usac_P3P, nearlyFlat)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    RNG rng(13);
+    Tally tally;
+    for (int i = 0; i < 20000; ++i)
+    {
+        const PoseSample s = flatSample(std::pow(10., -rng.uniform(2., 8.5)), rng);
+        tally.add(s, solve(*solver, s.X, s.image), 0);
+    }
+    EXPECT_GT(tally.solutions, 10000);
+    tally.expectSound("nearly flat");
+}
+
+//! No numbers, or such that their squares are none.
+TEST(Usac_P3P, notFinite)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    const double wrong[] = {NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, 1e160};
+    RNG rng(9);
+    for (int i = 0; i < 100; ++i)
+    {
+        const PoseSample s = randomPoseSample(CUBE, rng);
+        for (double value : wrong)
+            for (int k = 0; k < 15; ++k)
+            {
+                PoseSample other = s;
+                (k < 9 ? other.X[k / 3][k % 3] : k < 12 ? other.image[k - 9].x : other.image[k - 12].y) = value;
+                EXPECT_EQ(0u, solve(*solver, other.X, other.image).size()) << value << " at " << k;
+            }
+    }
+}
+
+//! Nothing fits images and points that have nothing to do with each other, but what is found fits them.
+TEST(Usac_P3P, wrongMatches)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    RNG rng(10);
+    Tally tally;
+    int none = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+        PoseSample s = randomPoseSample((PoseSampleKind)(i % POSE_SAMPLE_KINDS), rng);
+        const PoseSample other = randomPoseSample((PoseSampleKind)(i / POSE_SAMPLE_KINDS % POSE_SAMPLE_KINDS), rng);
+        std::copy(other.image, other.image + 3, s.image);
+        const std::vector<Matx34d> poses = solve(*solver, s.X, s.image);
+        none += poses.empty();
+        tally.add(s, poses, 1e-6);
+    }
+    EXPECT_GT(none, 1000);
+    EXPECT_GT(tally.solutions, 10000);
+    EXPECT_LE(tally.most, 4);
+    tally.expectSound("wrong matches");
+}
+
+//! Right angles, equal sides, points that are seen from the center of the camera in its own place.
+TEST(Usac_P3P, smallIntegers)
+{
+    const Ptr<MinimalSolver> solver = createP3PSolver();
+    RNG rng(11);
+    Tally tally;
+    for (int i = 0; i < 100000; ++i)
+    {
+        PoseSample s;
+        s.size = 1;
+        for (int k = 0; k < 3; ++k)
+        {
+            s.X[k] = Vec3d(rng.uniform(-2, 3), rng.uniform(-2, 3), rng.uniform(-2, 3));
+            s.image[k] = Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3));
+        }
+        tally.add(s, solve(*solver, s.X, s.image), 0);
+    }
+    EXPECT_GT(tally.solutions, 10000);
+    EXPECT_LE(tally.most, 4);
+    tally.expectSound("small integers");
+}
+
+}
+}  // namespace

@@ -1,0 +1,90 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_contracts.hpp"
+
+// A model to begin with, Params::initialModel.
+
+namespace opencv_test {
+namespace {
+
+class UsacInitialModel : public UsacProblem
+{};
+INSTANTIATE_TEST_CASE_P(/**/, UsacInitialModel, testing::ValuesIn(TWO_VIEW_PROBLEMS));
+
+Mat runWith(const Scene& scene, const Params& params, Mat& mask, Report& report)
+{
+    return estimatePoints(scene.problem, scene.points1, scene.points2, params, mask, report);
+}
+
+//! One sample cannot find a model among three wrong matches in four: it comes from the one given.
+TEST_P(UsacInitialModel, is_found_without_samples)
+{
+    SceneOptions options;
+    options.outliers = 600;
+    const Scene scene = makeScene(problem(), options);
+    Params params;
+    params.maxIterations = 200000;
+    Mat mask, model;
+    Report report;
+    model = runWith(scene, params, mask, report);
+    ASSERT_FALSE(model.empty());
+    Params tracking = params;
+    tracking.maxIterations = 1;
+    tracking.setInitialModel(model);
+    Mat again;
+    Report trackingReport;
+    const Mat tracked = runWith(scene, tracking, again, trackingReport);
+    ASSERT_FALSE(tracked.empty());
+    EXPECT_LE(trackingReport.iterations, 1);
+    EXPECT_GE(trackingReport.inliers, 0.98 * report.inliers);
+    tracking.maxIterations = params.maxIterations;
+    runWith(scene, tracking, again, trackingReport);
+    EXPECT_GE(trackingReport.inliers, 0.98 * report.inliers);
+}
+
+//! A wrong model to begin with costs nothing but its rating: the right one is found.
+TEST_P(UsacInitialModel, wrong_one_does_no_harm)
+{
+    const Scene scene = makeScene(problem());
+    Params params;
+    Mat mask, again;
+    Report report, other;
+    const Mat model = runWith(scene, params, mask, report);
+    ASSERT_FALSE(model.empty());
+    RNG rng(3);
+    for (int trial = 0; trial < 10; ++trial)
+    {
+        Mat wrong(model.size(), CV_64F);
+        rng.fill(wrong, RNG::NORMAL, 0, 1);
+        params.setInitialModel(wrong);
+        ASSERT_FALSE(runWith(scene, params, again, other).empty());
+        EXPECT_GE(other.inliers, 0.95 * report.inliers);
+    }
+}
+
+TEST_P(UsacInitialModel, mistakes_are_named)
+{
+    const Scene scene = makeScene(problem());
+    Mat mask;
+    Report report;
+    for (int mistake = 0; mistake < 4; ++mistake)
+    {
+        Params params;
+        params.initialModel.assign(mistake == 0 ? 5 : mistake == 1 ? 13 : 9, mistake == 2 ? NAN : 0.);
+        if (mistake == 3)
+            params.initialModel.assign(9, INFINITY);
+        expectException([&]() { runWith(scene, params, mask, report); }, "initialModel");
+    }
+    Params params;
+    expectException([&]() { params.setInitialModel(Mat(3, 3, CV_64FC2)); }, "model");
+    params.setInitialModel(Matx33f::eye());
+    EXPECT_EQ(9u, params.initialModel.size());
+    params.setInitialModel(noArray());
+    EXPECT_TRUE(params.initialModel.empty());
+}
+
+}  // namespace
+}  // namespace opencv_test

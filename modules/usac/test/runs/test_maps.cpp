@@ -1,0 +1,227 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "linear_map.hpp"
+#include "test_contracts.hpp"
+
+// Affinities and similarities of every kind, and points that determine one badly or not at all. The measure is the
+// plain least-squares fit of the right matches, which knows them.
+
+namespace opencv_test {
+namespace {
+
+typedef UsacProblem Usac_Maps;
+INSTANTIATE_TEST_CASE_P(/**/, Usac_Maps, testing::Values((int)AFFINITY, (int)SIMILARITY));
+
+struct KindOfMap
+{
+    const char* name;
+    Matx23d map;
+    bool similar;
+};
+
+const KindOfMap KINDS[] = {{"identity", Matx23d(1, 0, 0, 0, 1, 0), true},
+                           {"translation", Matx23d(1, 0, 37, 0, 1, -12), true},
+                           {"half turn", Matx23d(-1, 0, 640, 0, -1, 480), true},
+                           {"quarter turn", Matx23d(0, -1, 480, 1, 0, 0), true},
+                           {"scale 1000", Matx23d(1000, 0, -3, 0, 1000, 9), true},
+                           {"scale 1/1000", Matx23d(0.0008, 0.0006, 2, -0.0006, 0.0008, 1), true},
+                           {"far away", Matx23d(0.8, 0.6, 1e6, -0.6, 0.8, -1e6), true},
+                           {"reflection", Matx23d(-1, 0, 640, 0, 1, 0), false},
+                           {"transposition", Matx23d(0, 1, 0, 1, 0, 0), false},
+                           {"shear", Matx23d(1, 0.7, 0, 0, 1, 0), false},
+                           {"one side 100 times the other", Matx23d(10, 0, 0, 0, 0.1, 3), false}};
+const int KIND_COUNT = sizeof(KINDS) / sizeof(KINDS[0]);
+
+Point2d mapped(const Matx23d& map, const Point2d& p)
+{
+    const Vec2d q = map * Vec3d(p.x, p.y, 1);
+    return Point2d(q[0], q[1]);
+}
+
+//! Matches of a map with noise in image 2, then wrong ones anywhere in the box around image 2.
+struct Matches
+{
+    Matches(const Matx23d& map_, int right_, int wrong, double noise_, uint64 seed) : map(map_), right(right_)
+    {
+        RNG rng(seed);
+        // in units of image 2, in which noise and threshold are
+        unit = std::sqrt(std::abs(map(0, 0) * map(1, 1) - map(0, 1) * map(1, 0)));
+        for (int i = 0; i < right + wrong; ++i)
+        {
+            const Point2d p(rng.uniform(0., 640.), rng.uniform(0., 480.)),
+                q(rng.uniform(0., 640.), rng.uniform(0., 480.)),
+                error(rng.gaussian(noise_ * unit), rng.gaussian(noise_ * unit));
+            points1.push_back(p);
+            points2.push_back(i < right ? mapped(map, p) + error : mapped(map, q));
+        }
+    }
+
+    //! Root mean square distance of the right matches from where the true map takes them; infinite without a map.
+    double error(const Mat& model) const
+    {
+        if (model.empty())
+            return std::numeric_limits<double>::infinity();
+        double sum = 0;
+        for (int i = 0; i < right; ++i)
+            sum += std::pow(cv::norm(mapped(Matx23d(model.ptr<double>()), points1[i]) - mapped(map, points1[i])), 2);
+        return std::sqrt(sum / right) / unit;
+    }
+
+    double errorOfLeastSquares(ProblemType problem) const
+    {
+        const Matx23d best = linearMap(problem, std::vector<Point2d>(points1.begin(), points1.begin() + right),
+                                       std::vector<Point2d>(points2.begin(), points2.begin() + right));
+        return error(Mat(best));
+    }
+
+    //! The answer, which keeps what is promised.
+    Mat estimate(ProblemType problem, Params params) const
+    {
+        params.threshold *= unit;
+        Mat mask;
+        Report report;
+        const Mat model = estimatePoints(problem, points1, points2, params, mask, report);
+        checkResult(problem, points1, points2, params.threshold, model, mask, report);
+        return model;
+    }
+
+    const Matx23d map;
+    const int right;
+    double unit;  //!< mean scale of the map
+    std::vector<Point2d> points1, points2;
+};
+
+TEST_P(Usac_Maps, kinds)
+{
+    for (int k = 0; k < KIND_COUNT; ++k)
+    {
+        SCOPED_TRACE(KINDS[k].name);
+        double ours = 0, best = 0;
+        for (uint64 seed = 1; seed <= 10; ++seed)
+        {
+            const Matches matches(KINDS[k].map, 100, 60, 0.5, seed);
+            Params params;
+            params.threshold = 2;
+            const Mat model = matches.estimate(problem(), params);
+            if (problem() == SIMILARITY && !KINDS[k].similar)  // no crash, no broken promise
+                continue;
+            ours += matches.error(model);
+            best += matches.errorOfLeastSquares(problem());
+        }
+        EXPECT_LE(ours, 1.1 * best);
+    }
+}
+
+TEST_P(Usac_Maps, inlierRatios)
+{
+    const int ratios[] = {5, 10, 20, 30, 50, 70, 90};
+    for (int r = 0; r < 7; ++r)
+    {
+        double ours = 0, best = 0;
+        for (uint64 seed = 1; seed <= 10; ++seed)
+        {
+            const int right = 400 * ratios[r] / 100;
+            const Matches matches(Matx23d(0.8, 0.6, 10, -0.6, 0.8, 300), right, 400 - right, 0.5, seed);
+            Params params;
+            params.threshold = 2;
+            params.maxIterations = 100000;
+            ours += matches.error(matches.estimate(problem(), params));
+            best += matches.errorOfLeastSquares(problem());
+        }
+        EXPECT_LE(ours, 1.15 * best) << ratios[r] << " % are right";
+    }
+}
+
+//! From as many points as determine the map on.
+TEST_P(Usac_Maps, fewExactPoints)
+{
+    const int least = problem() == AFFINITY ? 3 : 2;
+    for (int count = 0; count <= 6; ++count)
+        for (uint64 seed = 1; seed <= 20; ++seed)
+        {
+            const Matches matches(KINDS[seed % 6].map, count, 0, 0, seed);
+            Mat mask;
+            Report report;
+            const Mat model = estimatePoints(problem(), matches.points1, matches.points2, Params(), mask, report);
+            ASSERT_EQ(count < least, model.empty()) << count << " points, seed " << seed;
+            EXPECT_EQ(count < least, report.stop == STOP_TOO_FEW_POINTS);
+            if (count >= least)
+            {
+                EXPECT_EQ(count, countNonZero(mask));
+                EXPECT_LE(cvtest::norm(model, Mat(matches.map), NORM_INF), 1e-9 * cv::norm(matches.map, NORM_INF));
+            }
+        }
+}
+
+TEST_P(Usac_Maps, pointsOfALine)
+{
+    RNG rng(3);
+    std::vector<Point2d> line, places;
+    const Matx23d map(0.8, 0.6, 10, -0.6, 0.8, 300);
+    for (int i = 0; i < 80; ++i)
+    {
+        line.push_back(Point2d(i, 40 + 3 * i));
+        places.push_back(mapped(map, line[i]));
+    }
+    Report report;
+    const Mat exact = estimatePoints(problem(), line, places, Params(), noArray(), report);
+    EXPECT_EQ(problem() == AFFINITY, exact.empty());
+    const std::vector<Point2d> same(80, Point2d(3, 4));
+    EXPECT_TRUE(estimatePoints(problem(), same, places, Params(), noArray(), report).empty());
+    EXPECT_TRUE(estimatePoints(problem(), line, same, Params(), noArray(), report).empty());
+    EXPECT_TRUE(estimatePoints(problem(), same, same, Params(), noArray(), report).empty());
+    // nearly on a line: the errors of the points themselves, as what is off the line is not determined
+    for (double width = 2; width > 1e-3; width /= 10)
+    {
+        std::vector<Point2d> points1 = line, points2;
+        for (int i = 0; i < 80; ++i)
+        {
+            points1[i].x += rng.uniform(-width, width);
+            points2.push_back(mapped(map, points1[i]) + Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
+        }
+        const Mat model = estimatePoints(problem(), points1, points2, Params(), noArray(), report);
+        ASSERT_FALSE(model.empty()) << width;
+        const Matx23d best = linearMap(problem(), points1, points2), found(model.ptr<double>());
+        double ours = 0, theirs = 0;
+        for (int i = 0; i < 80; ++i)
+        {
+            ours += std::pow(cv::norm(mapped(found, points1[i]) - points2[i]), 2);
+            theirs += std::pow(cv::norm(mapped(best, points1[i]) - points2[i]), 2);
+        }
+        EXPECT_LE(ours, 1.1 * theirs) << width;
+    }
+}
+
+//! Half of the rows are one right or one wrong match.
+TEST_P(Usac_Maps, repeatedMatches)
+{
+    for (int wrong = 0; wrong < 2; ++wrong)
+        for (uint64 seed = 1; seed <= 10; ++seed)
+        {
+            Matches matches(KINDS[2].map, 60, 40, 0.5, seed);
+            for (int i = 0; i < 100; ++i)
+            {
+                matches.points1.push_back(matches.points1[wrong ? 70 : 0]);
+                matches.points2.push_back(matches.points2[wrong ? 70 : 0]);
+            }
+            EXPECT_LE(matches.error(matches.estimate(problem(), Params())), wrong ? 0.4 : 1) << wrong << " " << seed;
+        }
+}
+
+//! The motion of more matches, not one between them.
+TEST_P(Usac_Maps, twoMotions)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        Matches matches(KINDS[1].map, 80, 40, 0.5, seed);
+        const Matches other(Matx23d(0.9, -0.1, 5, 0.1, 0.9, 30), 60, 0, 0.5, seed + 100);
+        matches.points1.insert(matches.points1.end(), other.points1.begin(), other.points1.end());
+        matches.points2.insert(matches.points2.end(), other.points2.begin(), other.points2.end());
+        EXPECT_LE(matches.error(matches.estimate(problem(), Params())), 0.3) << seed;
+    }
+}
+
+}
+}  // namespace

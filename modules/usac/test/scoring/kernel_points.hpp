@@ -1,0 +1,167 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_KERNEL_POINTS_HPP
+#define OPENCV_USACV20_TEST_KERNEL_POINTS_HPP
+
+#include "test_precomp.hpp"
+#include "problems/absolute_pose/pose_scenes.hpp"
+#include "run_context.hpp"
+#include "scoring/kernels.hpp"
+#include "scoring/residuals.hpp"
+#include "scoring/scores.hpp"
+
+// Points, models and direct formulas for the tests of the kernels; one test file includes this.
+
+namespace opencv_test {
+namespace {
+
+enum { COUNT = 600 };
+
+struct NamedKernels
+{
+    const char* name;
+    Kernels kernels;
+};
+
+//! Of all instruction sets that this processor has.
+std::vector<NamedKernels> availableKernels()
+{
+    std::vector<NamedKernels> result;
+    const NamedKernels baseline = {"baseline", baselineKernels()};
+    result.push_back(baseline);
+#ifdef USACV20_HAVE_AVX2
+    if (checkHardwareSupport(CV_CPU_AVX2))
+    {
+        const NamedKernels avx2 = {"AVX2", avx2Kernels()};
+        result.push_back(avx2);
+    }
+#endif
+#ifdef USACV20_HAVE_AVX512
+    if (checkHardwareSupport(CV_CPU_AVX_512F) && checkHardwareSupport(CV_CPU_AVX_512BW) &&
+        checkHardwareSupport(CV_CPU_AVX_512DQ) && checkHardwareSupport(CV_CPU_AVX_512VL))
+    {
+        const NamedKernels avx512 = {"AVX-512", avx512Kernels()};
+        result.push_back(avx512);
+    }
+#endif
+    const NamedKernels best = {"best", kernels()};
+    result.push_back(best);
+    return result;
+}
+
+//! Points and models of all qualities.
+struct Fixture
+{
+    explicit Fixture(Residual::Kind kind_, uint64 seed = 1) : kind(kind_)
+    {
+        if (kind == Residual::REPROJECTION)
+        {
+            createPoses(seed);
+            return;
+        }
+        SceneOptions options;
+        options.inliers = COUNT / 2;
+        options.outliers = COUNT - COUNT / 2;
+        options.seed = seed;
+        const bool homography = kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER;
+        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON ? RESIDUAL_STANDARD
+                                                                                  : RESIDUAL_SYMMETRIC;
+        scene = makeScene(homography ? HOMOGRAPHY : FUNDAMENTAL, options);
+        usac = createUsac(scene, params);
+        const Model truth = toInternal(usac->points(), scene.model);
+        RNG rng(seed);
+        for (int i = 0; i < 20; ++i)
+        {
+            Model model = truth;
+            for (int k = 0; k < 9; ++k)
+                model.val[k] += rng.gaussian(0.001 * i * i);
+            models.push_back(Matx33d(model) * (i % 2 ? 1 : -1e3));
+        }
+    }
+
+    void createPoses(uint64 seed)
+    {
+        PoseSceneOptions options;
+        options.size = COUNT;
+        options.inlierRatio = 0.5;
+        options.seed = seed;
+        const PoseScene poses = makePoseScene(options);
+        usac = Usac::create(ABSOLUTE_POSE, poses.object, poses.image, params, poses.K);
+        Model truth;
+        const std::vector<double> pose(poses.pose.val, poses.pose.val + 12);
+        ASSERT_TRUE(points().problem->fromOutput(pose, points(), truth));
+        RNG rng(seed);
+        for (int i = 0; i < 20; ++i)
+        {
+            Model model = truth;
+            for (int k = 0; k < 12; ++k)
+                model.val[k] = (truth.val[k] + rng.gaussian(0.0005 * i * i)) * (i % 2 ? 1 : 1e3);
+            models.push_back(model);
+        }
+    }
+
+    const Correspondences& points() const { return usac->points(); }
+    float limit() const { return (float)(points().threshold * points().threshold); }
+
+    Residual::Kind kind;
+    Params params;
+    Scene scene;
+    Ptr<Usac> usac;
+    std::vector<Model> models;
+};
+
+//! The same of a pose; what is behind the camera is infinitely far.
+double directReprojection(const Correspondences& p, const Matx34d& P, int i)
+{
+    const Vec3d x = P * Vec4d(p.column[0][i], p.column[1][i], p.column[2][i], 1);
+    const Vec2d error(x[0] / x[2] - p.column[3][i], x[1] / x[2] - p.column[4][i]);
+    return x[2] > 0 ? error.dot(error) : INFINITY;
+}
+
+//! Squared error of a point in double, in the coordinates of the kernels.
+double directError(const Correspondences& p, Residual::Kind kind, const Model& model, int i)
+{
+    if (kind == Residual::REPROJECTION)
+        return directReprojection(p, model, i);
+    const Matx33d M = model;
+    const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1), y = M * x1;
+    const Vec3d z = M.t() * x2, back = M.inv() * x2;
+    const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1], n = x2.dot(y) * x2.dot(y);
+    const Vec2d forward(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]),
+        backward(back[0] / back[2] - x1[0], back[1] / back[2] - x1[1]);
+    switch (kind)
+    {
+    case Residual::TRANSFER: return forward.dot(forward);
+    case Residual::SAMPSON: return n / (first + second);
+    case Residual::SYMMETRIC_TRANSFER: return forward.dot(forward) + backward.dot(backward);
+    default: return n / first + n / second;
+    }
+}
+
+struct Direct
+{
+    Direct() : msac(0), inliers(0), doubtful(0) {}
+    double msac;
+    int inliers, doubtful;  //!< doubtful: too close to the threshold for float
+};
+
+Direct directScore(const Fixture& f, const Model& model, int begin, int end)
+{
+    Direct sum;
+    const double limit = f.points().threshold * f.points().threshold;
+    for (int i = begin; i < end; ++i)
+    {
+        const double e = directError(f.points(), f.kind, model, i) / limit;
+        sum.msac += e < 1 ? e : 1;
+        sum.inliers += e <= 1;
+        sum.doubtful += std::abs(e - 1) < 1e-2;
+    }
+    return sum;
+}
+
+}  // namespace
+}  // namespace opencv_test
+
+#endif
