@@ -7,6 +7,9 @@
 #undef findHomography
 #undef findFundamentalMat
 #undef findEssentialMat
+#undef estimateAffine2D
+#undef estimateAffinePartial2D
+#undef solvePnPRansac
 
 namespace cv {
 
@@ -33,7 +36,7 @@ static usacv20::Params exchange(const UsacParams& params)
     return exchange(params.threshold, params.confidence, params.maxIterations);
 }
 
-// Four of the documented differences are taken back here, so that the tests see the rest.
+// Six of the documented differences are taken back here, so that the tests see the rest.
 
 static bool isUsac(int method) { return method >= USAC_DEFAULT && method <= USAC_MAGSAC; }
 
@@ -170,6 +173,41 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1,
                           InputArray distortion2, OutputArray mask, const UsacParams& params)
 {
     return findEssentialMat(points1, points2, K1, K2, distortion1, distortion2, mask, symmetric(exchange(params)));
+}
+
+Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers, int, double threshold, size_t maxIters,
+                      double confidence, size_t refineIters)
+{
+    return estimateAffine2D(from, to, inliers, exchange(), threshold, maxIters, confidence, refineIters);
+}
+
+Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers, const UsacParams& params)
+{
+    return estimateAffine2D(from, to, inliers, exchange(params));
+}
+
+Mat exchangedAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, int, double threshold,
+                             size_t maxIters, double confidence, size_t refineIters)
+{
+    return estimateAffinePartial2D(from, to, inliers, exchange(), threshold, maxIters, confidence, refineIters);
+}
+
+bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray K, InputArray distortion,
+                        OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess, int maxIters, float threshold,
+                        double confidence, OutputArray inliers, int)
+{
+    // 5. OpenCV's flags other than SOLVEPNP_ITERATIVE do not look at the guess, which may be empty then.
+    useExtrinsicGuess = useExtrinsicGuess && !rvec.empty() && !tvec.empty();
+    return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, useExtrinsicGuess, maxIters, threshold,
+                          confidence, inliers, exchange());
+}
+
+bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray K, InputArray distortion,
+                        OutputArray rvec, OutputArray tvec, OutputArray inliers, const UsacParams& params)
+{
+    if (K.empty())  // 6. OpenCV estimates the camera matrix, too, from samples of six points; here it has to be known
+        return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, inliers, params);
+    return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, inliers, exchange(params));
 }
 
 }  // namespace cv

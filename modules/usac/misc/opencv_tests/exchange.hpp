@@ -5,9 +5,10 @@
 #ifndef OPENCV_USACV20_EXCHANGE_HPP
 #define OPENCV_USACV20_EXCHANGE_HPP
 
-// Included before the first line of each of OpenCV's test files: their calls of findHomography, findFundamentalMat and
-// findEssentialMat go to functions with the same arguments, which put a flag of this module in the place of OpenCV's.
-// The headers come first, so that the names in them stay what they are.
+// Included before the first line of each of OpenCV's test files: their calls of findHomography, findFundamentalMat,
+// findEssentialMat, estimateAffine2D, estimateAffinePartial2D and solvePnPRansac go to functions with the same
+// arguments, which put a flag of this module in the place of OpenCV's. The headers come first, so that the names in
+// them stay what they are.
 
 #include "opencv2/ts.hpp"
 #include "opencv2/calib3d.hpp"
@@ -51,10 +52,28 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1,
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2, InputArray distortion1,
                           InputArray distortion2, OutputArray mask, const UsacParams& params);
 
+Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers = noArray(), int method = RANSAC,
+                      double threshold = 3, size_t maxIters = 2000, double confidence = 0.99, size_t refineIters = 10);
+Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers, const UsacParams& params);
+Mat exchangedAffinePartial2D(InputArray from, InputArray to, OutputArray inliers = noArray(), int method = RANSAC,
+                             double threshold = 3, size_t maxIters = 2000, double confidence = 0.99,
+                             size_t refineIters = 10);
+
+bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray K, InputArray distortion,
+                        OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess = false, int maxIters = 100,
+                        float threshold = 8, double confidence = 0.99, OutputArray inliers = noArray(),
+                        int method = SOLVEPNP_ITERATIVE);
+bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray K, InputArray distortion,
+                        OutputArray rvec, OutputArray tvec, OutputArray inliers,
+                        const UsacParams& params = UsacParams());
+
 }  // namespace cv
 
 #define findHomography exchangedHomography
 #define findFundamentalMat exchangedFundamentalMat
 #define findEssentialMat exchangedEssentialMat
+#define estimateAffine2D exchangedAffine2D
+#define estimateAffinePartial2D exchangedAffinePartial2D
+#define solvePnPRansac exchangedPnPRansac
 
 #endif

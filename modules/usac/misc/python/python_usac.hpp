@@ -26,8 +26,9 @@ enum UsacV20Method {
 
 namespace usacv20 {
 
-// The functions of find.hpp with Params in the place of the flag. In C++ they are in the namespace cv alone: a second
-// set would make a call below `using namespace cv` ambiguous, as the class Params leads to the namespace cv::usacv20.
+// The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in the place of the flag. In C++ they are in
+// the namespace cv alone: a second set would make a call below `using namespace cv` ambiguous, as the class Params
+// leads to the namespace cv::usacv20.
 
 //! @overload
 CV_EXPORTS_W inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
@@ -49,6 +50,28 @@ CV_EXPORTS_W inline Mat findEssentialMat(InputArray points1, InputArray points2,
                                          OutputArray mask, const Params& params)
 {
     return cv::findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, dist_coeff1, dist_coeff2, mask, params);
+}
+
+//! @overload
+CV_EXPORTS_W inline Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers, const Params& params)
+{
+    return cv::estimateAffine2D(pts1, pts2, inliers, params);
+}
+
+//! @overload
+CV_EXPORTS_W inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers,
+                                                const Params& params)
+{
+    return cv::estimateAffinePartial2D(pts1, pts2, inliers, params);
+}
+
+//! @overload
+// `params` has a default for its place among the arguments: the last one, as in OpenCV's function.
+CV_EXPORTS_W inline bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray cameraMatrix,
+                                        InputArray distCoeffs, OutputArray rvec, OutputArray tvec, OutputArray inliers,
+                                        const Params& params = usacv20::Params())
+{
+    return cv::solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, inliers, params);
 }
 
 }  // namespace usacv20

@@ -22,6 +22,7 @@
 #endif
 
 typedef std::vector<cv::Point2f> Points;
+typedef std::vector<cv::Point3f> SpacePoints;
 
 #if defined(REFUSED_variable)
 cv::Mat estimate(const Points& a, const Points& b)
@@ -57,6 +58,38 @@ cv::Mat estimate(const Points& a, const Points& b, bool fast)
 {
     return cv::findFundamentalMat(a, b, fast ? FLAG(cv::USACV20_FAST) : cv::RANSAC);
 }
+#elif defined(REFUSED_affine)
+cv::Mat estimate(const Points& a, const Points& b)
+{
+    const int method = FLAG(cv::USACV20);
+    return cv::estimateAffinePartial2D(a, b, cv::noArray(), method);
+}
+#elif defined(REFUSED_affine_both_namespaces)
+using namespace cv;
+using namespace cv::usacv20;
+cv::Mat estimate(const Points& a, const Points& b, int method)
+{
+    return IN_NAMESPACE estimateAffine2D(a, b, noArray(), method);
+}
+#elif defined(REFUSED_pose)
+bool estimate(const SpacePoints& a, const Points& b, const cv::Mat& K, cv::Mat& r, cv::Mat& t)
+{
+    const int flags = FLAG(cv::USACV20);
+    return cv::solvePnPRansac(a, b, K, cv::noArray(), r, t, false, 100, 8, 0.99, cv::noArray(), flags);
+}
+#elif defined(REFUSED_pose_ternary)
+bool estimate(const SpacePoints& a, const Points& b, const cv::Mat& K, cv::Mat& r, cv::Mat& t, bool fast)
+{
+    return cv::solvePnPRansac(a, b, K, cv::noArray(), r, t, false, 100, 8, 0.99, cv::noArray(),
+                              fast ? FLAG(cv::USACV20_FAST) : cv::SOLVEPNP_P3P);
+}
+#elif defined(REFUSED_pose_both_namespaces)
+using namespace cv;
+using namespace cv::usacv20;
+bool estimate(const SpacePoints& a, const Points& b, const Mat& K, Mat& r, Mat& t, int flags)
+{
+    return IN_NAMESPACE solvePnPRansac(a, b, K, noArray(), r, t, false, 100, 8, 0.99, noArray(), flags);
+}
 #elif defined(REFUSED_or)
 cv::Mat estimate(const Points& a, const Points& b)
 {
@@ -85,7 +118,10 @@ Mat estimate(const Points& a, const Points& b, const Mat& K, Mat& mask, int meth
     return findHomography(a, b, USACV20, 3, mask) + findHomography(a, b, mask, params) + findHomography(a, b, method) +
            findFundamentalMat(a, b, mask, flag) + findFundamentalMat(a, b, mask, params) + findFundamentalMat(a, b) +
            findEssentialMat(a, b, K, flag) + findEssentialMat(a, b, K, K, noArray(), noArray(), mask, params) +
-           findEssentialMat(a, b, 800, Point2d(320, 240), flag) + findEssentialMat(a, b, K, RANSAC);
+           findEssentialMat(a, b, 800, Point2d(320, 240), flag) + findEssentialMat(a, b, K, RANSAC) +
+           estimateAffine2D(a, b, mask, flag) + estimateAffine2D(a, b, mask, params) + estimateAffine2D(a, b) +
+           estimateAffinePartial2D(a, b, mask, flag, 2, 100) + estimateAffinePartial2D(a, b, mask, params) +
+           estimateAffinePartial2D(a, b, mask, RANSAC);
 }
 #elif defined(ALLOWED_both_namespaces)
 using namespace cv;
@@ -97,7 +133,38 @@ Mat estimate(const Points& a, const Points& b, const Mat& K, Mat& mask, int meth
     return findHomography(a, b, USACV20, threshold, mask) + findHomography(a, b, mask, params) +
            findFundamentalMat(a, b, USACV20_FAST, 1, 0.99, 500) + findFundamentalMat(a, b, mask, params) +
            findEssentialMat(a, b, K, USACV20) + findEssentialMat(a, b, K, USACV20, 0.999, threshold, mask) +
-           usacv20::findHomography(a, b, method) + usacv20::findHomography(a, b, USACV20, 2, mask, 100);
+           usacv20::findHomography(a, b, method) + usacv20::findHomography(a, b, USACV20, 2, mask, 100) +
+           estimateAffine2D(a, b, mask, USACV20, threshold) + estimateAffine2D(a, b, mask, params) +
+           usacv20::estimateAffine2D(a, b, mask, method) + estimateAffinePartial2D(a, b, noArray(), USACV20_FAST);
+}
+#elif defined(ALLOWED_pose_namespace_cv)
+using namespace cv;
+int estimate(const SpacePoints& a, const Points& b, Mat& K, Mat& r, Mat& t, std::vector<int>& inliers, int flags)
+{
+    const UsacV20Method method = flags ? USACV20_ACCURATE : USACV20;
+    const usacv20::Params params = usacv20::Params::fromMethod(flags);
+    return solvePnPRansac(a, b, K, noArray(), r, t, false, 100, 8, 0.99, inliers, USACV20) +
+           solvePnPRansac(a, b, K, K, r, t, true, 100, 8.f, 0.99, noArray(), method) +
+           solvePnPRansac(a, b, K, noArray(), r, t, inliers, params) +
+           solvePnPRansac(a, b, K, noArray(), r, t, false, 100, 8, 0.99, inliers, flags) +
+           solvePnPRansac(a, b, K, noArray(), r, t, false, 100, 8, 0.99, inliers, SOLVEPNP_EPNP) +
+           solvePnPRansac(a, b, K, noArray(), r, t, inliers, UsacParams()) +
+           solvePnPRansac(a, b, K, noArray(), r, t, inliers) + solvePnPRansac(a, b, K, noArray(), r, t, true, 50) +
+           solvePnPRansac(a, b, K, noArray(), r, t);
+}
+#elif defined(ALLOWED_pose_both_namespaces)
+using namespace cv;
+using namespace cv::usacv20;
+int estimate(const SpacePoints& a, const Points& b, const Mat& K, Mat& r, Mat& t, std::vector<int>& inliers, int flags)
+{
+    const Params params = Params::fast();
+    const UsacV20Method method = USACV20_MAGSAC;
+    return solvePnPRansac(a, b, K, noArray(), r, t, false, 100, 8, 0.99, inliers, USACV20) +
+           solvePnPRansac(a, b, K, noArray(), r, t, true, 100, 8, 0.99, noArray(), method) +
+           solvePnPRansac(a, b, K, noArray(), r, t, inliers, params) + usacv20::solvePnPRansac(a, b, K, K, r, t) +
+           usacv20::solvePnPRansac(a, b, K, noArray(), r, t, false, 100, 8, 0.99, inliers, flags) +
+           usacv20::solvePnPRansac(a, b, K, noArray(), r, t, false, 100, 8, 0.99, inliers, method) +
+           cv::solvePnPRansac(a, b, K, noArray(), r, t, false, 100, 8, 0.99, inliers, flags);
 }
 #else
 #error no such case

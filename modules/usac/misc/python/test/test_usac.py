@@ -20,8 +20,9 @@ import unittest
 import cv2 as cv
 import numpy as np
 
-from usac_common import (DISTORTED, FINDER, FLAGS, FUNCTIONS, GENERAL, NATIVE, PLANE, THRESHOLD, bits, estimate,
+from usac_common import (DISTORTED, FINDER, FLAGS, FUNCTIONS, GENERAL, MOVED, NATIVE, PLANE, THRESHOLD, bits, estimate,
                          forms, formsOfOpencv, loadPackage, needsLoader, outcome, paramsForms, usac, values)
+from usac_pose import formsOfPose, paramsFormsOfPose
 
 
 @needsLoader
@@ -40,7 +41,8 @@ class WrapperTest(unittest.TestCase):
             self.assertEqual(getattr(cv, name).__name__, name)
             self.assertTrue(getattr(cv, name).__doc__.startswith(getattr(NATIVE, name).__doc__))
             self.assertIn("USACV20", getattr(cv, name).__doc__)
-        for function in (usac, usac.estimateHomography, usac.estimateFundamental, usac.estimateEssential):
+        for function in (usac, usac.estimateHomography, usac.estimateFundamental, usac.estimateEssential,
+                         usac.estimateAffinity2D, usac.estimateSimilarity2D, usac.estimateAbsolutePose):
             self.assertGreater(len(function.__doc__), 100)
 
     def test_can_be_pickled(self):
@@ -87,15 +89,21 @@ class RouteTest(unittest.TestCase):
     def test_forms(self):
         for method in (0, cv.RANSAC, cv.LMEDS, cv.RHO, cv.USAC_DEFAULT, cv.USAC_MAGSAC, 0x3fff, max(FLAGS.values()) + 1, -1,
                        2**40, True, None, "RANSAC", 16384.0):
-            for _, function, _, args, kwargs in forms(method):
+            for function, args, kwargs in self.allForms(method):
                 self.check("opencv", function, *args, **kwargs)
         for flag in FLAGS.values():
             for method in (flag, np.int32(flag), np.int64(flag), np.uint16(flag)):
-                for _, function, _, args, kwargs in forms(method):
+                for function, args, kwargs in self.allForms(method):
                     self.check("usacv20", function, *args, **kwargs)
         for params, route in ((cv.UsacParams(), "opencv"), (None, "opencv"), (usac.Params(), "usacv20")):
             for _, function, _, args, kwargs in paramsForms(params):
                 self.check(route, function, *args, **kwargs)
+            for args, kwargs in paramsFormsOfPose(params):
+                self.check(route, "solvePnPRansac", *args, **kwargs)
+
+    def allForms(self, method):
+        return ([(function, args, kwargs) for _, function, _, args, kwargs in forms(method)]
+                + [("solvePnPRansac", args, kwargs) for args, kwargs in formsOfPose(method)])
 
     def test_numbers_in_other_places(self):
         a = np.ones((9, 2))
@@ -119,6 +127,14 @@ class RouteTest(unittest.TestCase):
             self.check("opencv", "findEssentialMat", a, a, K, method=cv.RANSAC, maxIters=n)
             self.check("usacv20", "findEssentialMat", a, a, n, pp, n)
             self.check("usacv20", "findEssentialMat", a, a, focal=1.0, pp=pp, method=n)
+            for function in ("estimateAffine2D", "estimateAffinePartial2D"):
+                self.check("opencv", function, a, a, None, cv.RANSAC, n, n, n, n)
+                self.check("opencv", function, a, a, n, cv.LMEDS)
+                self.check("opencv", function, n, n, maxIters=n)
+                self.check("usacv20", function, a, a, None, n)
+            self.check("opencv", "solvePnPRansac", a, a, K, None, n, n, n, n, n, n, n)
+            self.check("opencv", "solvePnPRansac", a, a, K, None, None, None, n, iterationsCount=n, flags=cv.SOLVEPNP_EPNP)
+            self.check("usacv20", "solvePnPRansac", a, a, K, None, None, None, True, 9, 8., 0.9, None, n)
 
 
 class FlagTest(unittest.TestCase):
@@ -151,7 +167,7 @@ class FlagTest(unittest.TestCase):
 
     def check(self, problem, scene, result, label):
         model, mask = result
-        self.assertEqual((model.shape, model.dtype), ((3, 3), np.float64), label)
+        self.assertEqual((model.shape, model.dtype), ((2 if problem.endswith("2D") else 3, 3), np.float64), label)
         self.assertEqual((mask.shape, mask.dtype), ((len(scene.points1), 1), np.uint8), label)
         self.assertLessEqual(set(mask.ravel()), {0, 1}, label)
         self.assertGreater(mask.ravel()[scene.inliers].mean(), 0.8, label)
@@ -184,6 +200,31 @@ class FlagTest(unittest.TestCase):
                          bits(FINDER.findEssentialMat(g.points1, g.points2, g.K1, cv.USACV20, 0.999, 1.0, 1000)))
         self.assertEqual(bits(FINDER.findEssentialMat(g.points1, g.points2, g.K1, None, g.K1, None, cv.USACV20)),
                          bits(FINDER.findEssentialMat(g.points1, g.points2, g.focal, g.pp, cv.USACV20, 0.999, 1.0)))
+
+    def test_defaults_of_the_maps_are_those_of_opencv(self):
+        a, b = MOVED.points1, MOVED.points2
+        for function in (FINDER.estimateAffine2D, FINDER.estimateAffinePartial2D):
+            self.assertEqual(bits(function(a, b, None, cv.USACV20)), bits(function(a, b, None, cv.USACV20, 3, 2000, 0.99, 10)))
+            self.assertEqual(bits(function(a, b, method=cv.USACV20)), bits(function(a, b, None, cv.USACV20)))
+
+    def test_steps_of_the_last_polish(self):
+        a, b = MOVED.points1, MOVED.points2
+        for function in (FINDER.estimateAffine2D, FINDER.estimateAffinePartial2D):
+            params = usac.Params()
+            params.polishing, params.threshold, params.maxIterations = usac.POLISHING_NONE, 3, 2000
+            plain = function(a, b, None, cv.USACV20, refineIters=0)
+            self.assertEqual(bits(plain), bits(function(a, b, params)))
+            self.assertNotEqual(bits(plain), bits(function(a, b, None, cv.USACV20)))
+            for wrong in (dict(refineIters=2**40), dict(maxIters=2**40), dict(maxIters=0)):
+                with self.assertRaises(cv.error) as context:
+                    function(a, b, None, cv.USACV20, **wrong)
+                self.assertIn("polishingSteps" if "refineIters" in wrong else "maxIterations", str(context.exception))
+
+    def test_too_few_points_for_a_map(self):
+        for function in (FINDER.estimateAffine2D, FINDER.estimateAffinePartial2D):
+            model, inliers = function(np.zeros((1, 2)), np.zeros((1, 2)), None, cv.USACV20)
+            self.assertIsNone(model)
+            self.assertEqual(bits(inliers), bits(np.zeros((1, 1), np.uint8)))
 
     def test_none_in_the_place_of_the_mask(self):
         # OpenCV's findFundamentalMat takes a None there for maxIters = 0

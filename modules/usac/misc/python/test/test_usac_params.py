@@ -22,9 +22,9 @@ class ParamsTest(unittest.TestCase):
         self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "ordering", "scores",
                               "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence",
                               "degeneracy", "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach",
-                              "significance"}, set(fields(params)))
+                              "significance", "initialModel"}, set(fields(params)))
         for name in fields(params):
-            if name == "scores":
+            if name in ("scores", "initialModel"):
                 continue
             value = getattr(params, name) + (0.25 if isinstance(getattr(params, name), float) else 1)
             setattr(params, name, value)

@@ -19,7 +19,8 @@ NATIVE = cv._native if HAS_LOADER else cv
 FINDER = cv if HAS_LOADER else usac  # where find* take our flags
 needsLoader = unittest.skipUnless(HAS_LOADER, "built with OPENCV_SKIP_PYTHON_LOADER")
 
-FUNCTIONS = ("findHomography", "findFundamentalMat", "findEssentialMat")
+FUNCTIONS = ("findHomography", "findFundamentalMat", "findEssentialMat", "estimateAffine2D", "estimateAffinePartial2D",
+             "solvePnPRansac")
 FLAGS = {name: value for name, value in vars(NATIVE).items() if name.startswith("USACV20")}
 THRESHOLD = 2.0
 
@@ -49,8 +50,17 @@ class Scene(object):
         self.inliers[bad] = False
         self.focal, self.pp = 800., (320., 240.)
 
+    def moveTo(self, similarity):
+        """Image 2 becomes the similarity of image 1."""
+        noise = self.points2 - self.true2
+        self.true2 = self.true1.dot(similarity[:, :2].T) + similarity[:, 2]
+        self.points2[self.inliers] = (self.true2 + noise)[self.inliers]
+        return self
+
     def error(self, problem, model):
         """Mean error in pixels of the noise-free inliers."""
+        if model.shape == (2, 3):
+            return np.linalg.norm(self.true1.dot(model[:, :2].T) + model[:, 2] - self.true2, axis=1)[self.inliers].mean()
         a, b = self.true1[self.inliers], self.true2[self.inliers]
         scale = 1.
         if problem == "Essential":
@@ -69,17 +79,34 @@ class Scene(object):
 PLANE = Scene(planar=True)
 GENERAL = Scene(planar=False)
 DISTORTED = Scene(planar=False, distorted=True)
+MOVED = Scene(planar=True).moveTo(np.array([[0.9, -0.2, 40.], [0.2, 0.9, -25.]]))
+
+
+def formsOfMaps(method):
+    """Those of the maps of the plane among forms()."""
+    m, T = MOVED, THRESHOLD
+    a, b = m.points1, m.points2
+    return [(problem, function, m, args, kwargs)
+            for problem, function in (("Affinity2D", "estimateAffine2D"), ("Similarity2D", "estimateAffinePartial2D"))
+            for args, kwargs in (
+                ((a, b, None, method, T, 1000, 0.99, 100), {}),
+                ((a, b, None, method, T, 1000), {}),
+                ((a, b, None, method, T), dict(maxIters=1000, confidence=0.99, refineIters=100)),
+                ((a, b, None, method), dict(ransacReprojThreshold=T, maxIters=1000)),
+                ((a, b, None), dict(method=method, ransacReprojThreshold=T, maxIters=1000)),
+                ((a, b), dict(method=method, ransacReprojThreshold=T, maxIters=1000, inliers=None)),
+                ((), dict(from_=a, to=b, method=method, ransacReprojThreshold=T, maxIters=1000, confidence=0.99)))]
 
 
 def forms(method):
-    """All signatures of the three functions: (problem, function, scene, positional arguments, keyword arguments).
+    """All signatures of the functions of two images: (problem, function, scene, positional arguments, keyword arguments).
 
     Calls with the same problem and scene estimate the same thing with the same parameters."""
     p, g, d = PLANE, GENERAL, DISTORTED
     pa, pb, ga, gb, da, db = p.points1, p.points2, g.points1, g.points2, d.points1, d.points2
-    H, F, E = FUNCTIONS
+    H, F, E = FUNCTIONS[:3]
     T = THRESHOLD
-    return [
+    return formsOfMaps(method) + [
         ("Homography", H, p, (pa, pb, method, T, None, 1000, 0.99), {}),
         ("Homography", H, p, (pa, pb, method, T, None), dict(maxIters=1000, confidence=0.99)),
         ("Homography", H, p, (pa, pb, method, T), dict(confidence=0.99, maxIters=1000, mask=None)),
@@ -122,9 +149,14 @@ def formsOfOpencv():
 
 def paramsForms(params):
     """The same for the signatures with `params`."""
-    p, g, d = PLANE, GENERAL, DISTORTED
-    H, F, E = FUNCTIONS
+    p, g, d, m = PLANE, GENERAL, DISTORTED, MOVED
+    H, F, E, A, S = FUNCTIONS[:5]
     return [
+        ("Affinity2D", A, m, (m.points1, m.points2, params), {}),
+        ("Affinity2D", A, m, (m.points1, m.points2, params, None), {}),
+        ("Affinity2D", A, m, (), dict(pts1=m.points1, pts2=m.points2, inliers=None, params=params)),
+        ("Similarity2D", S, m, (m.points1, m.points2, params), {}),
+        ("Similarity2D", S, m, (m.points1, m.points2), dict(params=params)),
         ("Homography", H, p, (p.points1, p.points2, params), {}),
         ("Homography", H, p, (p.points1, p.points2, params, None), {}),
         ("Homography", H, p, (p.points1, p.points2), dict(params=params)),

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""USACv20: robust estimation of homographies, fundamental and essential matrices.
+"""USACv20: robust estimation of homographies, affinities, similarities, fundamental and essential matrices, camera poses.
 
 Three levels of use:
 
@@ -10,6 +10,8 @@ Three levels of use:
    cv2.USACV20_MAGSAC, cv2.USACV20_PARALLEL.
 
        H, mask = cv2.findHomography(points1, points2, cv2.USACV20, 3.0)
+       A, inliers = cv2.estimateAffine2D(points1, points2, None, cv2.USACV20, 3.0)
+       found, rvec, tvec, inliers = cv2.solvePnPRansac(objectPoints, imagePoints, K, None, flags=cv2.USACV20)
 
    The flags are integers, from 0x4000 on; a program may keep them in a variable or a file.
 
@@ -28,7 +30,8 @@ and report.stop says why; report.chance bounds the probability that random match
 whether maxIters ended the search; with Params.fromMethod(cv2.USACV20) report.stop == STOP_MAX_ITERATIONS does.
 
 The loader of cv2 imports this package and adds all else of the extension module's own `usacv20` to it: the enumerations,
-Params, Report, isUsacV20Method, and find* as the extension has them (with flags of the module and of OpenCV alike).
+Params, Report, isUsacV20Method, and find*, estimateAffine* and solvePnPRansac as the extension has them (with flags of the
+module and of OpenCV alike).
 """
 
 import functools
@@ -62,6 +65,24 @@ def estimateHomography(points1, points2, params=None, mask=None):
     return _native.estimateHomography(points1, points2, params, mask)
 
 
+def estimateAffinity2D(points1, points2, params=None, mask=None):
+    """estimateAffinity2D(points1, points2[, params[, mask]]) -> retval, mask, report
+
+    Estimates the affine map of image 1 to image 2. Arguments and results are those of estimateHomography, but retval is the
+    2x3 array [A t] of cv2.estimateAffine2D and cv2.warpAffine, x2 = A x1 + t.
+    """
+    return _native.estimateAffinity2D(points1, points2, params, mask)
+
+
+def estimateSimilarity2D(points1, points2, params=None, mask=None):
+    """estimateSimilarity2D(points1, points2[, params[, mask]]) -> retval, mask, report
+
+    Estimates rotation, uniform scale and translation from image 1 to image 2. Arguments and results are those of
+    estimateAffinity2D; retval has the rows (a, -b, x) and (b, a, y), as that of cv2.estimateAffinePartial2D.
+    """
+    return _native.estimateSimilarity2D(points1, points2, params, mask)
+
+
 def estimateFundamental(points1, points2, params=None, mask=None):
     """estimateFundamental(points1, points2[, params[, mask]]) -> retval, mask, report
 
@@ -90,6 +111,23 @@ def estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2=None, distC
                                      params, mask)
 
 
+def estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix, distCoeffs=None, params=None, mask=None):
+    """estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix[, distCoeffs[, params[, mask]]]) -> retval, mask, report
+
+    Estimates the pose of a calibrated camera from points of space and their images, x ~ K (R X + t).
+
+    objectPoints -- N points of space: Nx3, 3xN, Nx1x3 or 1xNx3
+    imagePoints -- N pixels, as the points of estimateHomography
+    cameraMatrix -- 3x3 camera matrix
+    distCoeffs -- distortion as in cv2.projectPoints; None: none
+    params -- Params; params.threshold is the reprojection error in pixels of the image as it was taken
+    retval -- 3x4 array of float64, [R t], or None if there is none
+
+    The other arguments and results are those of estimateHomography.
+    """
+    return _native.estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix, distCoeffs, params, mask)
+
+
 def _isFlag(value):
     return isinstance(value, numbers.Integral) and value in _FLAGS
 
@@ -112,11 +150,12 @@ def _argument(name, place, args, kwargs):
     return args[place] if place < len(args) else None
 
 
-def _divert(name, methodPlace, paramsPlace):
+def _divert(name, methodPlace, paramsPlace, method="method"):
     """Makes cv2.<name> call usacv20.<name> where the arguments hold a flag or a Params of this module.
 
     methodPlace -- function that tells from the positional arguments at which place `method` is among them
     paramsPlace -- the place of `params`
+    method -- name of the argument for the flag
     All other calls go to OpenCV's function as they are.
     """
     original = getattr(cv2._native, name)
@@ -124,16 +163,19 @@ def _divert(name, methodPlace, paramsPlace):
 
     @functools.wraps(original)
     def find(*args, **kwargs):
-        if (_isFlag(_argument("method", methodPlace(args), args, kwargs))
+        if (_isFlag(_argument(method, methodPlace(args), args, kwargs))
                 or isinstance(_argument("params", paramsPlace, args, kwargs), Params)):
             return ours(*args, **kwargs)
         return original(*args, **kwargs)
 
-    find.__doc__ = "{}\n\nWith `method` one of cv2.USACV20* or `params` a cv2.usacv20.Params:\n\n{}".format(
-        original.__doc__, ours.__doc__)
+    find.__doc__ = "{}\n\nWith `{}` one of cv2.USACV20* or `params` a cv2.usacv20.Params:\n\n{}".format(
+        original.__doc__, method, ours.__doc__)
     setattr(cv2, name, find)
 
 
 _divert("findHomography", lambda args: 2, 2)
 _divert("findFundamentalMat", lambda args: 2, 2)
 _divert("findEssentialMat", _essentialMethodPlace, 6)
+_divert("estimateAffine2D", lambda args: 3, 2)
+_divert("estimateAffinePartial2D", lambda args: 3, 2)
+_divert("solvePnPRansac", lambda args: 11, 7, "flags")

@@ -1,0 +1,290 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""cv2.solvePnPRansac with the flags of the module, estimateAbsolutePose, and a model to begin with."""
+
+import unittest
+
+import cv2 as cv
+import numpy as np
+
+from usac_common import FINDER, FLAGS, MOVED, NATIVE, PLANE, THRESHOLD, bits, estimate, needsLoader, outcome, usac
+from usac_pose import FEW, POSE, formsOfPose, paramsFormsOfPose
+
+
+def pose(scene, params, *args):
+    """(model, mask, report)"""
+    return usac.estimateAbsolutePose(scene.X, scene.x, scene.K, scene.d, params, *args)
+
+
+def solve(scene, **kwargs):
+    return FINDER.solvePnPRansac(scene.X, scene.x, scene.K, scene.d, **kwargs)
+
+
+def indices(mask):
+    """What the inliers of solvePnPRansac are for this mask."""
+    return np.flatnonzero(mask).astype(np.int32).reshape(-1, 1)
+
+
+class PoseFlagTest(unittest.TestCase):
+
+    def test_every_flag_in_every_form(self):
+        for name, flag in sorted(FLAGS.items()):
+            params = usac.Params.fromMethod(flag)
+            params.threshold, params.confidence, params.maxIterations = THRESHOLD, 0.99, 1000
+            model, mask, _ = pose(POSE, params)
+            for args, kwargs in formsOfPose(flag):
+                label = "{} {} {}".format(name, len(args), sorted(kwargs))
+                self.check(FINDER.solvePnPRansac(*args, **kwargs), model, mask, label)
+
+    def check(self, result, model, mask, label):
+        self.assertEqual(len(result), 4, label)
+        found, rvec, tvec, inliers = result
+        self.assertIs(found, True, label)
+        self.assertEqual((rvec.shape, rvec.dtype), ((3, 1), np.float64), label)
+        self.assertEqual((tvec.shape, tvec.dtype), ((3, 1), np.float64), label)
+        self.assertEqual(bits(tvec), bits(model[:, 3:].copy()), label)
+        np.testing.assert_allclose(cv.Rodrigues(rvec)[0], model[:, :3], atol=1e-12)
+        self.assertEqual(bits(inliers), bits(indices(mask)), label)
+        self.assertGreater(POSE.inliers[inliers.ravel()].mean(), 0.95, label)
+        self.assertGreater(len(inliers), 0.8 * POSE.inliers.sum(), label)
+        self.assertLess(POSE.error(rvec, tvec), 0.3, label)
+
+    def test_params_in_the_place_of_a_flag(self):
+        params = usac.Params()
+        params.threshold, params.maxIterations = THRESHOLD, 1000
+        expected = bits(solve(POSE, reprojectionError=THRESHOLD, iterationsCount=1000, flags=cv.USACV20))
+        for args, kwargs in paramsFormsOfPose(params):
+            found, cameraMatrix, rvec, tvec, inliers = FINDER.solvePnPRansac(*args, **kwargs)
+            self.assertEqual(bits((found, rvec, tvec, inliers)), expected)
+            self.assertEqual(bits(cameraMatrix), bits(POSE.K))
+        theirs = NATIVE.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, params=cv.UsacParams())
+        self.assertEqual([type(value) for value in theirs], [bool] + [np.ndarray] * 4)
+
+    def test_defaults_are_those_of_opencv(self):
+        expected = bits(solve(POSE, useExtrinsicGuess=False, iterationsCount=100, reprojectionError=8.0, confidence=0.99,
+                              flags=cv.USACV20))
+        self.assertEqual(bits(solve(POSE, flags=cv.USACV20)), expected)
+        self.assertEqual(bits(usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d)), expected)
+
+    def test_integers_of_numpy(self):
+        for kind in (np.int32, np.int64, np.uint16):
+            self.assertEqual(bits(solve(POSE, flags=kind(cv.USACV20))), bits(solve(POSE, flags=cv.USACV20)))
+
+    def test_arrays_of_the_caller(self):
+        found, rvec, tvec, inliers = solve(POSE, flags=cv.USACV20)
+        given = [np.full((3, 1), 7.), np.full((3, 1), 7.), np.full(inliers.shape, 7, np.int32)]
+        result = FINDER.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, given[0], given[1], inliers=given[2], flags=cv.USACV20)
+        self.assertEqual(bits(result), bits((found, rvec, tvec, inliers)))
+        self.assertEqual(bits(given), bits([rvec, tvec, inliers]))
+
+    def test_no_pose(self):
+        same = np.ones_like(POSE.X)
+        for X, x in ((same, POSE.x), (POSE.X[:2], POSE.x[:2]), (POSE.X * np.nan, POSE.x)):
+            found, _, _, inliers = FINDER.solvePnPRansac(X, x, POSE.K, POSE.d, flags=cv.USACV20)
+            self.assertIs(found, False)
+            self.assertTrue(inliers is None or len(inliers) == 0)
+            rvec, tvec = np.full((3, 1), 7.), np.full((3, 1), 5.)
+            self.assertIs(FINDER.solvePnPRansac(X, x, POSE.K, POSE.d, rvec, tvec, flags=cv.USACV20)[0], False)
+            self.assertEqual((set(rvec.ravel()), set(tvec.ravel())), ({7.}, {5.}))
+            model, mask, report = usac.estimateAbsolutePose(X, x, POSE.K)
+            self.assertIsNone(model)
+            self.assertEqual(bits(mask), bits(np.zeros((len(X), 1), np.uint8)))
+            self.assertIn(report.stop, (usac.STOP_TOO_FEW_POINTS, usac.STOP_NO_MODEL))
+
+
+class OpencvFlagTest(unittest.TestCase):
+    """What carries none of our flags gives what OpenCV's own function gives, byte for byte."""
+
+    FLAGS = (cv.SOLVEPNP_ITERATIVE, cv.SOLVEPNP_EPNP, cv.SOLVEPNP_P3P, cv.SOLVEPNP_AP3P, cv.SOLVEPNP_SQPNP, cv.USAC_DEFAULT,
+             cv.USAC_FAST, cv.USAC_ACCURATE, cv.USAC_PROSAC, cv.USAC_MAGSAC)
+
+    def test_are_handed_on(self):
+        found = 0
+        for flag in self.FLAGS:
+            for args, kwargs in formsOfPose(flag):
+                expected = outcome(NATIVE.solvePnPRansac, args, kwargs)
+                self.assertEqual(outcome(usac.solvePnPRansac, args, kwargs), expected, flag)
+                self.assertEqual(outcome(cv.solvePnPRansac, args, kwargs), expected, flag)
+                found += expected[0] is True
+        self.assertGreater(found, len(self.FLAGS))  # poses, not only equal exceptions
+
+    @needsLoader
+    def test_other_calls(self):
+        s, X, x = POSE, POSE.X, POSE.x
+        for args, kwargs in paramsFormsOfPose(cv.UsacParams()) + [
+                ((X, x, s.K, s.d), {}), ((X, x, s.K, None), {}), ((X, x, s.K), {}), ((), {}), ((X, x[:50], s.K, s.d), {}),
+                ((X, x, s.K, s.d), dict(flags="USACV20")), ((X, x, s.K, s.d), dict(method=cv.USACV20)),
+                ((X, x, s.K, s.d), dict(flags=max(FLAGS.values()) + 1)), ((X, x, s.K, s.d), dict(flags=2**40)),
+                ((X, x, s.K, s.d), dict(iterationsCount=cv.USACV20))]:
+            self.assertEqual(outcome(cv.solvePnPRansac, args, kwargs), outcome(NATIVE.solvePnPRansac, args, kwargs),
+                             "{} {}".format(len(args), sorted(kwargs)))
+
+    def test_numbers_that_are_no_flag(self):
+        for flag in (-1, 1000, max(FLAGS.values()) + 1):
+            with self.assertRaises(cv.error) as context:
+                usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, flags=flag)
+            self.assertIn("flags", str(context.exception))
+
+
+class BeginTest(unittest.TestCase):
+    """A pose, or another model, that is tried before the first sample."""
+
+    def guess(self, rvec, tvec, **kwargs):
+        return FINDER.solvePnPRansac(FEW.X, FEW.x, FEW.K, FEW.d, rvec, tvec, True, 10, THRESHOLD, flags=cv.USACV20, **kwargs)
+
+    def test_guess(self):
+        r, t = FEW.r + [0.003, -0.002, 0.002], FEW.t
+        found, rvec, tvec, inliers = self.guess(r.copy(), t.copy())
+        self.assertIs(found, True)
+        self.assertLess(FEW.error(rvec, tvec), 0.5)
+        self.assertGreater(FEW.inliers[inliers.ravel()].mean(), 0.8)
+        expected = bits((found, rvec.reshape(3, 1), tvec.reshape(3, 1), inliers))
+        for given in ((r[:, None].copy(), t[:, None].copy()), (r[None].copy(), t[None].copy()), (r.copy(), t[:, None].copy())):
+            found, rvec, tvec, inliers = self.guess(*given)
+            self.assertEqual(bits((found, rvec.reshape(3, 1), tvec.reshape(3, 1), inliers)), expected)
+        self.assertEqual(bits(self.guess(np.float32(r), np.float32(t))[3]), expected[3])
+        away = self.guess(r + 1, t)
+        self.assertFalse(away[0] and FEW.error(away[1], away[2]) < 5)
+
+    def test_wrong_guess(self):
+        t = FEW.t
+        for rvec, tvec, word in ((np.zeros(2), t, "rvec"), (t, np.zeros((2, 1)), "tvec"), (t * np.nan, t, "rvec"),
+                                 (t, t * np.inf, "tvec"), (None, t, "rvec"), (np.zeros(3), None, "tvec")):
+            with self.assertRaises(cv.error) as context:
+                self.guess(rvec, tvec)
+            self.assertIn(word, str(context.exception))
+
+    def test_initial_pose(self):
+        params = usac.Params()
+        params.threshold, params.maxIterations = THRESHOLD, 5
+        model = pose(FEW, params)[0]
+        self.assertFalse(model is not None and FEW.errorOf(model) < 5)  # five samples do not find it
+        for begin in (FEW.pose, np.float32(FEW.pose), np.asfortranarray(FEW.pose)):
+            params.setInitialModel(begin)
+            np.testing.assert_allclose(params.initialModel, FEW.pose.ravel(), rtol=1e-6)
+            model, mask, report = pose(FEW, params)
+            self.assertLess(FEW.errorOf(model), 0.5)
+            self.assertGreater(mask.ravel()[FEW.inliers].mean(), 0.8)
+            self.assertLessEqual(report.iterations, 5)
+        other = usac.Params()
+        other.threshold, other.maxIterations = THRESHOLD, 5
+        for begin in (FEW.pose.ravel(), list(FEW.pose.ravel()), tuple(FEW.pose.ravel())):
+            other.initialModel = begin
+            params.setInitialModel(FEW.pose)
+            self.assertEqual(bits(pose(FEW, other)[:2]), bits(pose(FEW, params)[:2]))
+        self.assertIn("initialModel=<12 values>", repr(params))
+        params.setInitialModel(np.empty((0, 0)))
+        self.assertEqual(len(params.initialModel), 0)
+
+    def test_initial_model_of_two_views(self):
+        for problem, scene in (("Homography", PLANE), ("Affinity2D", MOVED), ("Similarity2D", MOVED)):
+            params = usac.Params()
+            params.threshold = THRESHOLD
+            model, mask, before = estimate(problem, scene, params)
+            params.setInitialModel(model)
+            again, maskAgain, after = estimate(problem, scene, params)
+            self.assertLess(scene.error(problem, again), 1.0, problem)
+            self.assertGreaterEqual(after.inliers, 0.98 * before.inliers)
+            self.assertEqual(after.inliers, int(maskAgain.sum()))
+            params.setInitialModel(model + 100)
+            self.assertLess(scene.error(problem, estimate(problem, scene, params)[0]), 1.0, problem)
+
+    def test_wrong_initial_models(self):
+        params = usac.Params()
+        for wrong in (np.eye(3), np.zeros(5), np.full((3, 4), np.nan)):
+            params.initialModel = wrong.ravel()
+            with self.assertRaises(cv.error) as context:
+                pose(POSE, params)
+            self.assertIn("initialModel", str(context.exception))
+        self.assertRaises(cv.error, params.setInitialModel, np.zeros((3, 4, 2)))
+        self.assertRaises((TypeError, cv.error), params.setInitialModel, "text")
+        self.assertRaises(TypeError, setattr, params, "initialModel", "text")
+
+
+class PoseInputTest(unittest.TestCase):
+
+    def test_points(self):
+        X, x, K, d = np.rint(POSE.X * 50), np.rint(POSE.x), POSE.K, POSE.d
+        call = lambda X, x: FINDER.solvePnPRansac(X, x, K, d, flags=cv.USACV20)
+        expected = bits(call(X, x))
+        self.assertIs(expected[0], True)
+        wide = np.zeros((len(X), 6))
+        wide[:, 1:4] = X
+        for P, p in ((np.float32(X), np.float32(x)), (np.int32(X), np.int32(x)), (np.int16(X), x), (X[:, None], x[:, None]),
+                     (X[None], x[None]), (X.T, x.T), (np.ascontiguousarray(X.T), x), (np.asfortranarray(X), np.asfortranarray(x)),
+                     (wide[:, 1:4], x), (X[::-1][::-1], np.repeat(x, 2, axis=0)[::2])):
+            self.assertEqual(bits(call(P, p)), expected)
+            self.assertEqual(bits(usac.estimateAbsolutePose(P, p, K, d)[:2]), bits(usac.estimateAbsolutePose(X, x, K, d)[:2]))
+
+    def test_cameras(self):
+        X, x, K, d = POSE.X, POSE.x, np.rint(POSE.K), POSE.d
+        call = lambda K, d: usac.estimateAbsolutePose(X, x, K, d)[:2]
+        expected = bits(call(K, d))
+        for other in (np.float32(K), np.int32(K), np.asfortranarray(K), 2 * K):
+            self.assertEqual(bits(call(other, d)), expected)
+        for other in (d[None], d[:, None], np.hstack([d, np.zeros(3)]), np.hstack([d, np.zeros(9)]), np.repeat(d, 2)[::2]):
+            self.assertEqual(bits(call(K, other)), expected)
+        for length in (4, 5, 8, 12, 14):
+            self.assertEqual(bits(call(K, np.zeros(length))), bits(call(K, None)))
+        self.assertNotEqual(bits(call(K, None)), expected)
+
+    def test_input_is_not_changed(self):
+        arrays = [POSE.X, POSE.x, POSE.K, POSE.d]
+        before = bits(arrays)
+        solve(POSE, flags=cv.USACV20)
+        FINDER.solvePnPRansac(*arrays, params=usac.Params())
+        self.assertEqual(bits(arrays), before)
+        for array in arrays:
+            array.setflags(write=False)
+        try:
+            self.assertIs(solve(POSE, flags=cv.USACV20)[0], True)
+            self.assertIsNotNone(pose(POSE, usac.Params())[0])
+        finally:
+            for array in arrays:
+                array.setflags(write=True)
+
+    def test_optional_arguments_and_mask(self):
+        X, x, K, d = POSE.X, POSE.x, POSE.K, POSE.d
+        expected = bits(pose(POSE, usac.Params())[:2])
+        self.assertEqual(bits(usac.estimateAbsolutePose(X, x, K, d)[:2]), expected)
+        self.assertEqual(bits(usac.estimateAbsolutePose(objectPoints=X, imagePoints=x, cameraMatrix=K, distCoeffs=d,
+                                                        params=usac.Params(), mask=None)[:2]), expected)
+        given = np.full((len(X), 1), 7, np.uint8)
+        model, mask, report = pose(POSE, usac.Params(), given)
+        self.assertEqual((model.shape, model.dtype), ((3, 4), np.float64))
+        self.assertEqual(bits(given), bits(mask))
+        self.assertEqual(report.inliers, int(mask.sum()))
+        np.testing.assert_allclose(model[:, :3].dot(model[:, :3].T), np.eye(3), atol=1e-12)
+        self.assertGreater(np.linalg.det(model[:, :3]), 0)
+
+    def test_the_mask_is_of_the_image_as_it_was_taken(self):
+        params = usac.Params()
+        params.threshold = 1.0
+        model, mask, _ = pose(POSE, params)
+        seen = cv.projectPoints(POSE.X, cv.Rodrigues(model[:, :3])[0], model[:, 3], POSE.K, POSE.d)[0].reshape(-1, 2)
+        error = np.linalg.norm(seen - POSE.x, axis=1)
+        clear = np.abs(error - 1) > 1e-9
+        np.testing.assert_array_equal(mask.ravel()[clear], (error <= 1)[clear])
+
+    def test_mistakes_are_named(self):
+        X, x, K, d = POSE.X, POSE.x, POSE.K, POSE.d
+        symmetric, degensac = usac.Params(), usac.Params()
+        symmetric.residual, degensac.degeneracy = usac.RESIDUAL_SYMMETRIC, usac.DEGENERACY_DEGENSAC
+        for word, args, kwargs in (
+                ("objectPoints", (X[:, :2], x, K, d), {}), ("imagePoints", (X, x[:, :1], K, d), {}),
+                ("Points", (X, x[:50], K, d), {}), ("cameraMatrix", (X, x, np.eye(2), d), {}),
+                ("cameraMatrix", (X, x, K.T, d), {}), ("distCoeffs", (X, x, K, np.zeros(3)), {}),
+                ("hreshold", (X, x, K, d), dict(reprojectionError=-1.)), ("onfidence", (X, x, K, d), dict(confidence=1.5)),
+                ("max", (X, x, K, d), dict(iterationsCount=0)), ("residual", (X, x, K, d), dict(params=symmetric)),
+                ("degeneracy", (X, x, K, d), dict(params=degensac))):
+            kwargs = kwargs if "params" in kwargs else dict(kwargs, flags=cv.USACV20)
+            with self.assertRaises(cv.error, msg=word) as context:
+                FINDER.solvePnPRansac(*args, **kwargs)
+            self.assertIn(word, str(context.exception))
+
+
+if __name__ == "__main__":
+    unittest.main()

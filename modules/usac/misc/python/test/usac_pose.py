@@ -1,0 +1,66 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Scenes and call forms of cv2.solvePnPRansac that the Python tests of the module usac share."""
+
+import cv2 as cv
+import numpy as np
+
+THRESHOLD = 2.0  # pixels
+
+
+class PoseScene(object):
+    """Points of space X and their images x by a distorted camera, inliers with noise, in no order."""
+
+    def __init__(self, count, good):
+        rng = np.random.RandomState(5)
+        self.K = np.array([[800., 0, 320], [0, 790., 240], [0, 0, 1]])
+        self.d = np.array([-0.1, 0.02, 0.001, -0.001, 0])
+        self.r, self.t = np.array([0.2, -0.3, 0.1]), np.array([0.3, -0.2, 6.])
+        self.pose = np.hstack((cv.Rodrigues(self.r)[0], self.t[:, None]))
+        self.X = rng.uniform([-2, -1.5, -1], [2, 1.5, 1], (count, 3))
+        self.true = cv.projectPoints(self.X, self.r, self.t, self.K, self.d)[0].reshape(-1, 2)
+        self.x = self.true + rng.normal(0, 0.3, (count, 2))
+        bad = rng.permutation(count)[good:]
+        self.x[bad] = rng.uniform(0, [640, 480], (len(bad), 2))
+        self.inliers = np.ones(count, bool)
+        self.inliers[bad] = False
+
+    def error(self, rvec, tvec):
+        """Mean error in pixels of the noise-free points."""
+        seen = cv.projectPoints(self.X, rvec, tvec, self.K, self.d)[0].reshape(-1, 2)
+        return np.linalg.norm(seen - self.true, axis=1).mean()
+
+    def errorOf(self, pose):
+        return self.error(cv.Rodrigues(pose[:, :3])[0], pose[:, 3])
+
+
+POSE = PoseScene(300, 200)
+FEW = PoseScene(600, 30)  # a sample is right once in 8000
+
+
+def formsOfPose(method):
+    """The signatures of solvePnPRansac with a flag: (positional arguments, keyword arguments), the same call all of them."""
+    s, T = POSE, THRESHOLD
+    X, x, K, d = s.X, s.x, s.K, s.d
+    return [
+        ((X, x, K, d, None, None, False, 1000, T, 0.99, None, method), {}),
+        ((X, x, K, d, None, None, False, 1000, T, 0.99, None), dict(flags=method)),
+        ((X, x, K, d, None, None, False, 1000, T), dict(confidence=0.99, inliers=None, flags=method)),
+        ((X, x, K, d), dict(iterationsCount=1000, reprojectionError=T, flags=method)),
+        ((X, x, K), dict(distCoeffs=d, rvec=None, tvec=None, useExtrinsicGuess=False, iterationsCount=1000,
+                         reprojectionError=T, confidence=0.99, flags=method)),
+        ((), dict(objectPoints=X, imagePoints=x, cameraMatrix=K, distCoeffs=d, iterationsCount=1000, reprojectionError=T,
+                  flags=method))]
+
+
+def paramsFormsOfPose(params):
+    """The same for the signatures with `params`."""
+    s = POSE
+    return [
+        ((s.X, s.x, s.K, s.d, None, None, None, params), {}),
+        ((s.X, s.x, s.K, s.d, None, None), dict(inliers=None, params=params)),
+        ((s.X, s.x, s.K, s.d), dict(params=params)),
+        ((), dict(objectPoints=s.X, imagePoints=s.x, cameraMatrix=s.K, distCoeffs=s.d, params=params))]
