@@ -6,6 +6,7 @@
 
 #include "arguments.hpp"
 #include "params_fields.hpp"
+#include "problems/problem_kind.hpp"
 
 namespace benchmark {
 
@@ -53,9 +54,11 @@ void EstimatorMethod::prepare(const ImagePair& pair, const Settings& settings)
     task.points1 = pair.points1;
     task.points2 = pair.points2;
     task.scores = useScores ? pair.scores : std::vector<float>();
-    const bool cameras = settings.problem == cv::usacv20::ESSENTIAL;
-    task.K1 = cameras ? pair.K1 : cv::Matx33d::eye();
-    task.K2 = cameras ? pair.K2 : cv::Matx33d::eye();
+    const ProblemKind& kind = kindOf(settings.problem);
+    task.objectPoints = pair.objectPoints;
+    task.distortion = pair.distortion;
+    task.K1 = kind.hasCamera1() ? pair.K1 : cv::Matx33d::eye();
+    task.K2 = kind.hasCamera2() ? pair.K2 : cv::Matx33d::eye();
 }
 
 void EstimatorMethod::run(const ImagePair&, Estimate& estimate) { estimate = estimator(task); }
@@ -63,9 +66,10 @@ void EstimatorMethod::run(const ImagePair&, Estimate& estimate) { estimate = est
 void EstimatorMethod::tell(const ImagePair& pair, Estimate& estimate)
 {
     const cv::Mat &model = estimate.model, &mask = estimate.mask;
-    require(model.empty() || (model.type() == CV_64F && model.size() == cv::Size(3, 3)),
-            "expected a model of 3 x 3 doubles or none");
-    require(mask.empty() || (mask.type() == CV_8U && mask.total() == pair.points1.size() && mask.isContinuous()),
+    const cv::Size size = kindOf(task.settings.problem).modelSize;
+    require(model.empty() || (model.type() == CV_64F && model.size() == size),
+            cv::format("expected a model of %d x %d doubles or none", size.height, size.width));
+    require(mask.empty() || (mask.type() == CV_8U && mask.total() == pair.points2.size() && mask.isContinuous()),
             "expected a mask with a byte for each correspondence or none");
 }
 

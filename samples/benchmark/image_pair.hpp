@@ -14,32 +14,43 @@ namespace benchmark {
 
 using cv::usacv20::ProblemType;
 
-//! The letter of a problem in names and tables: H, F or E.
+//! The letter of a problem in names and tables, see problemLetters().
 char letterOf(ProblemType problem);
 
 //! The problem of a letter. @return false for any other letter.
 bool problemOf(char letter, ProblemType& problem);
 
-/** Tentative correspondences of two images and the truth about them. */
+/** Tentative correspondences and the truth about them: of two images, or of object points and one image, which is image
+2 then. */
 struct ImagePair
 {
     std::string name;
     std::vector<cv::Point2f> points1, points2;
-    std::vector<float> scores;  //!< one a correspondence, lower is better
+    std::vector<cv::Point3f> objectPoints;  //!< P: in the place of points1
+    std::vector<float> scores;              //!< one a correspondence, lower is better
 
     cv::Size2d size1, size2;
-    bool hasHomography, hasCameras, hasPose;  //!< which of the matrices below are known
-    cv::Matx33d H;                            //!< image 1 -> image 2
+    bool hasHomography, hasCamera1, hasCamera2, hasPose;  //!< which of the matrices below are known
+    cv::Matx33d H;                                        //!< image 1 -> image 2
     cv::Matx33d K1, K2;
-    cv::Matx33d R;  //!< x2 ~ R x1 + t
+    std::vector<double> distortion;  //!< P: coefficients of calib3d; empty: none
+    cv::Matx33d R;                   //!< x2 ~ R x1 + t
     cv::Vec3d t;
+    double depth;                             //!< P: of the scene, median over the right matches
     std::vector<cv::Point2d> truth1, truth2;  //!< correspondences that are known to be right
     bool truthIsHomography;                   //!< errors are measured against H, not against truth2
 
-    ImagePair() : hasHomography(false), hasCameras(false), hasPose(false), truthIsHomography(false) {}
+    ImagePair()
+        : hasHomography(false), hasCamera1(false), hasCamera2(false), hasPose(false), depth(0), truthIsHomography(false)
+    {}
+
+    //! Number of the correspondences.
+    int size() const { return (int)points2.size(); }
+    //! The correspondences in another order, with the cameras, without the truth.
+    ImagePair reordered(const std::vector<int>& order) const;
 };
 
-/** Reads `<path>.corr` and `<path>.json`.
+/** Reads `<path>.corr` and `<path>.json`, for P `<path>.txt`, `<path>.score` and `<path>.json`.
 Whatever `problem` needs and the files lack raises std::runtime_error with file and line. */
 ImagePair readImagePair(const std::string& path, ProblemType problem);
 

@@ -5,7 +5,7 @@
 #include "meter.hpp"
 
 #include <iostream>
-#include "measures.hpp"
+#include "problems/problem_kind.hpp"
 #include "stopwatch.hpp"
 
 namespace benchmark {
@@ -32,11 +32,12 @@ Run Meter::measure(Method& method, const ImagePair& pair, Settings settings, int
         complain(method, settings.problem, pair, error.what());
     }
     run.repeat = repeat;
-    run.error = modelError(pair, settings.problem, estimate.model);
-    run.failed = !(run.error <= failureLimit(pair, settings.problem));
-    const bool posed = pair.hasPose && settings.problem != cv::usacv20::HOMOGRAPHY;
-    run.poseError = posed ? poseError(pair, settings.problem, estimate) : -1;
-    run.cost = modelCost(pair, settings.problem, estimate.model, settings.threshold);
+    const ProblemKind& kind = kindOf(settings.problem);
+    run.error = kind.modelError(pair, estimate.model);
+    run.centerError = kind.centerError(pair, estimate.model);
+    run.failed = kind.failed(pair, run.error, run.centerError);
+    run.poseError = kind.poseError(pair, estimate);
+    run.cost = kind.modelCost(pair, estimate.model, settings.threshold);
     run.iterations = estimate.iterations;
     run.inliers = estimate.mask.empty() ? 0 : cv::countNonZero(estimate.mask);
     return run;

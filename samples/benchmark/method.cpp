@@ -7,13 +7,14 @@
 #include <stdexcept>
 #include "module_method.hpp"
 #include "opencv_method.hpp"
+#include "problems/problem_kind.hpp"
 #include "registry.hpp"
 
 namespace benchmark {
 
 Settings::Settings(ProblemType problem_)
-    : problem(problem_), threshold(problem_ == cv::usacv20::HOMOGRAPHY ? 2 : 1), confidence(0.99),
-      maxIterations(problem_ == cv::usacv20::HOMOGRAPHY ? 10000 : 1000), seed(1)
+    : problem(problem_), threshold(kindOf(problem_).threshold), confidence(0.99),
+      maxIterations(kindOf(problem_).maxIterations), seed(1)
 {}
 
 cv::Ptr<Method> createMethod(const std::string& name)

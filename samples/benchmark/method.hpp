@@ -11,8 +11,8 @@
 
 namespace benchmark {
 
-//! What all methods are given alike. Defaults are the paper's: confidence 0.99; H: 2 pixels, 10 000 iterations; F and
-//! E: 1 pixel, 1000 iterations.
+//! What all methods are given alike. Defaults: confidence 0.99, the others as the ProblemKind has them; for H, F and E
+//! those of the paper.
 struct Settings
 {
     explicit Settings(ProblemType problem = cv::usacv20::HOMOGRAPHY);

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 #include "params_fields.hpp"
+#include "problems/problem_kind.hpp"
 
 namespace benchmark {
 
@@ -74,13 +75,7 @@ void ModuleMethod::prepare(const ImagePair& pair, const Settings& settings)
 
 void ModuleMethod::run(const ImagePair& pair, Estimate& estimate)
 {
-    if (problem == cv::usacv20::HOMOGRAPHY)
-        estimate.model = cv::findHomography(pair.points1, pair.points2, estimate.mask, params);
-    else if (problem == cv::usacv20::FUNDAMENTAL)
-        estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, estimate.mask, params);
-    else
-        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2, cv::noArray(),
-                                              cv::noArray(), estimate.mask, params);
+    kindOf(problem).callModule(pair, params, estimate);
 }
 
 void ModuleMethod::tell(const ImagePair& pair, Estimate& estimate)
@@ -95,7 +90,7 @@ void ModuleMethod::tell(const ImagePair& pair, Estimate& estimate)
 
 cv::Ptr<cv::usacv20::Usac> ModuleMethod::estimator(const ImagePair& pair) const
 {
-    return cv::usacv20::Usac::create(problem, pair.points1, pair.points2, params, pair.K1, pair.K2);
+    return kindOf(problem).estimator(pair, params);
 }
 
 Params ModuleMethod::paramsOf(const std::string& name)

@@ -19,6 +19,13 @@ matrix, after the same change of coordinates to the mean camera that the functio
 the form with cv::UsacParams, filled with what the flag stands for (calib3d sets the lengths of the iterated local
 optimization of USAC_FAST in a way that cv::UsacParams cannot express).
 
+A: `cv::estimateAffine2D(points1, points2, mask, flag, threshold, maxIters, confidence)`, with 10 steps of its last
+refinement. S: the same of `cv::estimateAffinePartial2D`, which has RANSAC and LMEDS only.
+
+P: `cv::solvePnPRansac(objectPoints, points2, K2, distortion, rvec, tvec, false, maxIters, threshold, confidence,
+inliers, flag)`; PNP_ITERATIVE is its flag SOLVEPNP_ITERATIVE and so on. To make a matrix of the rotation and a mask of
+the indices takes a microsecond or two, which is in the time.
+
 These functions seed themselves; every repeat gives the same answer (USAC_PARALLEL: nearly). */
 class OpenCVMethod : public Method
 {
@@ -35,10 +42,9 @@ public:
 
 private:
     void runSorted(const ImagePair& pair, Estimate& estimate) const;
-    void find(const ImagePair& pair, const std::vector<cv::Point2f>& points1, const std::vector<cv::Point2f>& points2,
-              Estimate& estimate) const;
 
     int flag;
+    std::string problems;  //!< letters of those that it solves
     bool sortPoints;
     Settings settings;
 };

@@ -6,22 +6,23 @@
 
 #include "arguments.hpp"
 #include "pair_list.hpp"
+#include "problems/problem_kind.hpp"
 
 namespace benchmark {
 
 namespace {
 
 const char KEYS[] = "{help h usage ? | | print this }"
-                    "{list           | | list of pairs, <dataset>.<H,F or E>.list; may be repeated }"
+                    "{list           | | list of pairs, <dataset>.<letter of its problem>.list; may be repeated }"
                     "{data           | | folder of data: all lists in its folder 'lists'; may be repeated }"
-                    "{problem        | | H, F or E: problem of all lists (default: as the name of each list tells); of "
-                    "--data only its lists }"
+                    "{problem        | | H, F, E, A, S or P: problem of all lists (default: as the name of each list "
+                    "tells); of --data only its lists }"
                     "{methods        |USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
                     "| names with commas; may be repeated; see below }"
                     "{baseline       | | method that times and errors are compared with (default: the first cv: "
                     "method, else the first) }"
-                    "{threshold      | | inlier threshold in pixels (default: H 2, F and E 1) }"
-                    "{maxIters       | | most iterations (default: H 10000, F and E 1000) }"
+                    "{threshold      | | inlier threshold in pixels (default: H 2, F and E 1, A and S 3, P 4) }"
+                    "{maxIters       | | most iterations (default: H 10000, F, E and P 1000, A and S 2000) }"
                     "{confidence     |0.99| confidence }"
                     "{repeats        |5| runs of each method on each pair }"
                     "{seed           |1| seed of the first repeat, the next ones count up }"
@@ -69,7 +70,8 @@ bool Options::parse(int argc, char** argv)
 
     const std::string letter = parser.get<cv::String>("problem");
     ProblemType ignored;
-    require(letter.empty() || (letter.size() == 1 && problemOf(letter[0], ignored)), "--problem: expected H, F or E");
+    require(letter.empty() || (letter.size() == 1 && problemOf(letter[0], ignored)),
+            "--problem: expected one of the letters " + problemLetters());
     problem = letter.empty() ? '\0' : letter[0];
 
     lists = arguments.all("list");

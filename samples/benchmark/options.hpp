@@ -17,7 +17,7 @@ struct Options
     std::vector<std::string> lists, methods;
     std::string baseline;      //!< name of a method
     std::string csv, runsCsv;  //!< files to write, empty: none
-    char problem;              //!< H, F, E or '\0': as the name of each list says
+    char problem;              //!< a letter, or '\0': as the name of each list says
     int repeats, seed, threads;
 
     //! What the methods are given; what the command line leaves open is that of the paper.

@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <stdexcept>
+#include "problems/problem_kind.hpp"
 
 namespace benchmark {
 
@@ -47,7 +48,7 @@ PairList readPairList(const std::string& file, char letter)
     list.name = splitName(file, letterOfName);
     if (!problemOf(letter ? letter : letterOfName, list.problem))
         throw std::runtime_error(file +
-                                 ": the name tells no problem (.H.list, .F.list, .E.list), --problem is not given");
+                                 ": the name tells no problem (.H.list, .F.list and so on), --problem is not given");
 
     std::ifstream in(file.c_str());
     if (!in)
@@ -75,7 +76,7 @@ PairList readPairList(const std::string& file, char letter)
 std::vector<std::string> findLists(const std::string& folder, char letter)
 {
     std::vector<std::string> result;
-    const std::string letters = letter ? std::string(1, letter) : "HFE";
+    const std::string letters = letter ? std::string(1, letter) : problemLetters();
     for (size_t i = 0; i < letters.size(); ++i)
     {
         std::vector<cv::String> files;

@@ -9,7 +9,8 @@ import os
 
 import numpy as np
 
-PROBLEMS = ("H", "F", "E")
+PROBLEMS = ("H", "F", "E", "A", "S")  # of pairs of images
+LISTS = PROBLEMS + ("P",)  # of which there are lists; views.py has the files of P
 KINDS = ("annotated", "labels", "homography", "pose", "exact")
 _MATRICES = ("H", "K1", "K2", "R")
 
@@ -28,45 +29,47 @@ class Pair:
     def __init__(self, problems, points1, points2, scores, size1, size2, gt_points, gt_kind,
                  H=None, K1=None, K2=None, R=None, t=None, extra=None):
         self.problems = list(problems)
-        self.points1, self.points2 = _array(points1, (-1, 2), "points1"), _array(points2, (-1, 2), "points2")
-        self.scores = _array(scores, (-1,), "scores")
-        self.size1, self.size2 = _array(size1, (2,), "size1"), _array(size2, (2,), "size2")
-        self.gt_points, self.gt_kind = _array(gt_points, (-1, 4), "gt_points"), gt_kind
-        self.H, self.K1, self.K2 = _array(H, (3, 3), "H"), _array(K1, (3, 3), "K1"), _array(K2, (3, 3), "K2")
-        self.R, self.t = _array(R, (3, 3), "R"), _array(t, (3,), "t")
+        self.points1, self.points2 = to_array(points1, (-1, 2), "points1"), to_array(points2, (-1, 2), "points2")
+        self.scores = to_array(scores, (-1,), "scores")
+        self.size1, self.size2 = to_array(size1, (2,), "size1"), to_array(size2, (2,), "size2")
+        self.gt_points, self.gt_kind = to_array(gt_points, (-1, 4), "gt_points"), gt_kind
+        self.H, self.K1, self.K2 = to_array(H, (3, 3), "H"), to_array(K1, (3, 3), "K1"), to_array(K2, (3, 3), "K2")
+        self.R, self.t = to_array(R, (3, 3), "R"), to_array(t, (3,), "t")
         self.extra = dict(extra or {})
 
     def check(self):
         """Raises PairError if the program could not use the pair, or would measure nonsense."""
-        _require(self.problems and set(self.problems) <= set(PROBLEMS), "problem: expected some of H, F, E")
-        _require(len(self.points1) > 0, "no correspondences")
-        _require(len(self.points1) == len(self.points2) == len(self.scores), "points and scores differ in number")
+        require(self.problems and set(self.problems) <= set(PROBLEMS), "problem: expected some of " + ", ".join(PROBLEMS))
+        require(len(self.points1) > 0, "no correspondences")
+        require(len(self.points1) == len(self.points2) == len(self.scores), "points and scores differ in number")
         for name in ("points1", "points2", "scores", "size1", "size2", "gt_points", "H", "K1", "K2", "R", "t"):
             value = getattr(self, name)
-            _require(value is None or np.isfinite(value).all(), name + ": not finite")
-        _require((self.size1 > 0).all() and (self.size2 > 0).all(), "size1, size2: expected positive numbers")
-        _require(self.gt_kind in KINDS, "gt_kind: expected one of " + ", ".join(KINDS))
-        _require(len(self.gt_points) > 0, "gt_points: none, the error cannot be measured")
+            require(value is None or np.isfinite(value).all(), name + ": not finite")
+        require((self.size1 > 0).all() and (self.size2 > 0).all(), "size1, size2: expected positive numbers")
+        require(self.gt_kind in KINDS, "gt_kind: expected one of " + ", ".join(KINDS))
+        require(len(self.gt_points) > 0, "gt_points: none, the error cannot be measured")
         self._check_models()
 
     def _check_models(self):
-        _require("E" not in self.problems or (self.K1 is not None and self.K2 is not None), "K1, K2: needed for E")
-        _require(self.gt_kind != "homography" or self.H is not None, "H: needed where gt_kind is homography")
-        _require((self.R is None) == (self.t is None), "R and t come together")
+        require("E" not in self.problems or (self.K1 is not None and self.K2 is not None), "K1, K2: needed for E")
+        require(self.gt_kind != "homography" or self.H is not None, "H: needed where gt_kind is homography")
+        require((self.R is None) == (self.t is None), "R and t come together")
         for name in ("H", "K1", "K2"):
             value = getattr(self, name)
-            _require(value is None or abs(np.linalg.det(value)) > 0, name + ": singular")
+            require(value is None or abs(np.linalg.det(value)) > 0, name + ": singular")
         if self.R is not None:
-            _require(np.abs(self.R @ self.R.T - np.eye(3)).max() < 1e-3 and np.linalg.det(self.R) > 0, "R: no rotation")
-            _require(np.linalg.norm(self.t) > 0, "t: zero, there is no epipolar geometry")
+            require(np.abs(self.R @ self.R.T - np.eye(3)).max() < 1e-3 and np.linalg.det(self.R) > 0, "R: no rotation")
+            require(np.linalg.norm(self.t) > 0, "t: zero, there is no epipolar geometry")
 
 
-def _require(condition, what):
+def require(condition, what):
+    """Raises PairError with the text if the condition does not hold."""
     if not condition:
         raise PairError(what)
 
 
-def _array(value, shape, name):
+def to_array(value, shape, name):
+    """In double; None stays None. Raises PairError for another shape."""
     if value is None:
         return None
     try:
@@ -102,7 +105,9 @@ def _sizes(size):
     return [int(v) if v == int(v) else float(v) for v in size]
 
 
-def _read_correspondences(file):
+def read_rows_of_numbers(file, counts, expected):
+    """The numbers of each line of a text file that is not empty. Raises PairError with file and line where there are not as many
+    as one of `counts`."""
     rows = []
     with open(file) as lines:
         for number, line in enumerate(lines, 1):
@@ -112,15 +117,21 @@ def _read_correspondences(file):
                 values = [float(v) for v in line.split()]
             except ValueError:
                 values = []
-            if len(values) not in (4, 5):
-                raise PairError("%s:%d: expected 'x1 y1 x2 y2 score'" % (file, number))
-            rows.append(values if len(values) == 5 else values + [1.0])
+            if len(values) not in counts:
+                raise PairError("%s:%d: expected %s" % (file, number, expected))
+            rows.append(values)
+    return rows
+
+
+def _read_correspondences(file):
+    rows = read_rows_of_numbers(file, (4, 5), "'x1 y1 x2 y2 score'")
     if not rows:
         raise PairError(file + ":1: no correspondences")
-    return np.array(rows)
+    return np.array([row if len(row) == 5 else row + [1.0] for row in rows])
 
 
-def _read_description(file):
+def read_description(file):
+    """The object of a JSON file. Raises PairError with file and line."""
     with open(file) as text:
         try:
             description = json.load(text)
@@ -135,14 +146,14 @@ def read_pair(path):
     """The pair of <path>.corr and <path>.json, checked."""
     rows = _read_correspondences(path + ".corr")
     file = path + ".json"
-    known = _read_description(file)
+    known = read_description(file)
     try:
         problems = known.pop("problem", None)
         models = {name: known.pop(name, None) for name in _MATRICES + ("t",)}
         sizes = [known.pop(name, None) for name in ("size1", "size2")]
-        _require(None not in sizes, "size1, size2: missing")
+        require(None not in sizes, "size1, size2: missing")
         if problems is None:  # as the program has it: any that the rest allows
-            problems = PROBLEMS if models["K1"] and models["K2"] else PROBLEMS[:2]
+            problems = [p for p in PROBLEMS if p != "E" or (models["K1"] and models["K2"])]
         problems = [problems] if isinstance(problems, str) else problems
         pair = Pair(problems, rows[:, :2], rows[:, 2:4], rows[:, 4], sizes[0], sizes[1],
                     known.pop("gt_points", None) or [], known.pop("gt_kind", None), extra=known, **models)
@@ -154,7 +165,7 @@ def read_pair(path):
 
 def list_file(folder, dataset, problem):
     """Where the list of a data set and a problem belongs."""
-    _require(problem in PROBLEMS, "problem: expected H, F or E")
+    require(problem in LISTS, "problem: expected one of " + ", ".join(LISTS))
     return os.path.join(folder, "lists", "%s.%s.list" % (dataset, problem))
 
 
@@ -184,8 +195,8 @@ def read_list(file):
 def split_name(file):
     """("homogr", "H") of "lists/homogr.H.list"."""
     parts = os.path.basename(file).rsplit(".", 2)
-    if len(parts) != 3 or parts[2] != "list" or parts[1] not in PROBLEMS or not parts[0]:
-        raise PairError(file + ": expected a name that ends in .H.list, .F.list or .E.list")
+    if len(parts) != 3 or parts[2] != "list" or parts[1] not in LISTS or not parts[0]:
+        raise PairError(file + ": expected a name that ends in .H.list, .F.list and so on")
     return parts[0], parts[1]
 
 

@@ -34,7 +34,9 @@ struct Assignment
         if (isIt(name))
             params.*member = assigned.integer();
     }
-    void operator()(const char*, std::vector<float> Params::*, const FieldValues&) {}
+    template <class T>
+    void operator()(const char*, std::vector<T> Params::*, const FieldValues&)
+    {}
 
     bool isIt(const char* name)
     {

@@ -25,7 +25,9 @@ from rows import read_rows
 # Colors of Okabe and Ito, which the color-blind can tell apart; line styles and markers go round with another period.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "h")
-TITLES = {"H": "homography", "F": "fundamental matrix", "E": "essential matrix"}
+TITLES = {"H": "homography", "F": "fundamental matrix", "E": "essential matrix", "A": "affinity",
+          "S": "similarity", "P": "absolute pose"}
+DEGREES = ("P",)  # problems whose error is an angle
 COLUMNS = ("list", "problem", "pair", "method", "error", "failed", "cpu_ms", "wall_ms")
 STYLE = {"font.size": 9, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
          "grid.color": "#dddddd", "grid.linewidth": 0.6, "axes.edgecolor": "#666666", "axes.axisbelow": True,
@@ -160,6 +162,10 @@ def _distribution(axes, samples, look, xlabel):
     axes.set_xlabel(xlabel)
 
 
+def error_label(problem):
+    return "error of the rotation, degrees" if problem in DEGREES else "error, pixels"
+
+
 def time_label(time):
     return "%s time of a run, ms" % ("CPU" if time == "cpu" else "wall")
 
@@ -169,7 +175,7 @@ def draw_list(name, problem, runs, look, time):
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.5), layout="constrained", sharey=True)
     pairs = len({pair for r in runs.values() for pair in r.pairs})
     figure.suptitle("%s: %s, %d pairs" % (name, TITLES.get(problem, problem), pairs), fontsize=10.5)
-    _distribution(left, {m: (r.errors, None) for m, r in runs.items()}, look, "error, pixels")
+    _distribution(left, {m: (r.errors, None) for m, r in runs.items()}, look, error_label(problem))
     _distribution(right, {m: (r.times, None) for m, r in runs.items()}, look, time_label(time))
     left.set_ylabel("runs")
     look.legend(figure, list(runs))
@@ -205,7 +211,8 @@ def draw_scatter(results, look, time):
             thin(axis, *axis.get_view_interval())
         axes.set_title("%s, %d of %d lists" % (TITLES[problem], len(solved), len(lists)))
         axes.set_xlabel("median " + time_label(time))
-    panels[0][0].set_ylabel("median error, pixels")
+        if axes is panels[0][0] or problem in DEGREES:
+            axes.set_ylabel("median " + error_label(problem))
     look.legend(figure, look.methods, markers=True)
     return figure
 
@@ -235,7 +242,7 @@ def draw_summary(results, look, time):
     for column, problem in enumerate(problems):
         lists = sum(key[1] == problem for key in results)
         panels[0][column].set_title("%s, %d lists" % (TITLES[problem], lists))
-        _distribution(panels[0][column], _pooled(results, problem, look, "errors"), look, "error, pixels")
+        _distribution(panels[0][column], _pooled(results, problem, look, "errors"), look, error_label(problem))
         _distribution(panels[1][column], _pooled(results, problem, look, "times"), look, time_label(time))
     for row in panels:
         row[0].set_ylabel("runs")

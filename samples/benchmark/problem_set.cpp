@@ -5,6 +5,7 @@
 #include "problem_set.hpp"
 
 #include <stdexcept>
+#include "problems/problem_kind.hpp"
 
 namespace benchmark {
 
@@ -15,7 +16,7 @@ ProblemSet::ProblemSet(const char* letters_) : letters(letters_)
     for (size_t i = 0; i < letters.size(); ++i)
         known = known && problemOf(letters[i], ignored);
     if (!known)
-        throw std::runtime_error("'" + letters + "': expected problems, some of the letters H, F and E");
+        throw std::runtime_error("'" + letters + "': expected problems, some of the letters " + problemLetters());
 }
 
 }  // namespace benchmark

@@ -27,7 +27,7 @@ ListResult Runner::run(const PairList& list)
             continue;
 
         const bool first = result.pairs.empty();
-        const ListResult::PairInfo info = {pair.name, (int)pair.points1.size()};
+        const ListResult::PairInfo info = {pair.name, pair.size()};
         result.pairs.push_back(info);
         for (int repeat = first ? -1 : 0; repeat < options.repeats; ++repeat)  // -1 warms up
             for (size_t m : shuffledOrder())

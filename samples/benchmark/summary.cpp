@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "problems/problem_kind.hpp"
 
 namespace benchmark {
 
@@ -15,9 +16,9 @@ namespace {
 const double NOT_KNOWN = std::numeric_limits<double>::quiet_NaN();
 
 //! All figures that averages are plain means of.
-double Summary::*const MEANS[] = {&Summary::failures,   &Summary::medianCpu, &Summary::meanCpu,
-                                  &Summary::medianWall, &Summary::meanWall,  &Summary::auc5,
-                                  &Summary::auc10,      &Summary::auc20,     &Summary::medianIterations};
+double Summary::*const MEANS[] = {
+    &Summary::failures, &Summary::medianCpu, &Summary::meanCpu, &Summary::medianWall, &Summary::meanWall,
+    &Summary::auc1,     &Summary::auc5,      &Summary::auc10,   &Summary::auc20,      &Summary::medianIterations};
 
 double Summary::*const RATIOS[] = {&Summary::errorRatio, &Summary::medianCpuRatio, &Summary::meanCpuRatio,
                                    &Summary::medianWallRatio, &Summary::meanWallRatio};
@@ -74,31 +75,39 @@ double areaUnderCurve(const std::vector<Run>& runs, double threshold)
     return 100 * mean(parts);
 }
 
-Summary summarizeRuns(const std::vector<Run>& runs)
+Summary summarizeRuns(const std::vector<Run>& runs, ProblemType problem)
 {
     Summary summary;
     if (runs.empty())
         return summary;
-    std::vector<double> errors, iterations;
+    std::vector<double> errors, centers, iterations;
     int failures = 0;
     for (size_t i = 0; i < runs.size(); ++i)
     {
         failures += runs[i].failed;
         errors.push_back(runs[i].failed ? std::numeric_limits<double>::infinity() : runs[i].error);
+        if (runs[i].centerError >= 0)
+            centers.push_back(runs[i].failed ? std::numeric_limits<double>::infinity() : runs[i].centerError);
         if (runs[i].iterations >= 0)
             iterations.push_back(runs[i].iterations);
     }
     const std::vector<double> cpu = medianPerPair(runs, &Run::cpuMs), wall = medianPerPair(runs, &Run::wallMs);
     summary.lists = summary.errorLists = 1;
     summary.medianError = median(errors);
+    summary.medianCenter = median(centers);
     summary.failures = 100. * failures / runs.size();
     summary.medianCpu = median(cpu);
     summary.meanCpu = mean(cpu);
     summary.medianWall = median(wall);
     summary.meanWall = mean(wall);
-    summary.auc5 = areaUnderCurve(runs, 5);
-    summary.auc10 = areaUnderCurve(runs, 10);
-    summary.auc20 = areaUnderCurve(runs, 20);
+    if (kindOf(problem).inPixels())
+    {
+        summary.auc5 = areaUnderCurve(runs, 5);
+        summary.auc10 = areaUnderCurve(runs, 10);
+        summary.auc20 = areaUnderCurve(runs, 20);
+    }
+    else
+        summary.auc1 = areaUnderCurve(runs, 1);
     summary.medianIterations = median(iterations);
     return summary;
 }
@@ -127,7 +136,7 @@ double geometricMean(std::vector<double> values)
 
 }  // namespace
 
-Summary::Summary() : lists(0), errorLists(0), medianError(NOT_KNOWN)
+Summary::Summary() : lists(0), errorLists(0), medianError(NOT_KNOWN), medianCenter(NOT_KNOWN)
 {
     for (double Summary::*figure : MEANS)
         this->*figure = NOT_KNOWN;
@@ -139,7 +148,7 @@ std::vector<Summary> summarize(const ListResult& result, int baseline)
 {
     std::vector<Summary> summaries;
     for (size_t m = 0; m < result.runs.size(); ++m)
-        summaries.push_back(summarizeRuns(result.runs[m]));
+        summaries.push_back(summarizeRuns(result.runs[m], result.problem));
     const Summary reference = summaries[baseline];
     for (size_t m = 0; m < summaries.size(); ++m)
     {
@@ -168,6 +177,7 @@ std::vector<Summary> average(const std::vector<std::vector<Summary>>& lists)
         const std::vector<double> errors = collect(solved, m, &Summary::medianError);
         result[m].errorLists = (int)errors.size();
         result[m].medianError = mean(errors);
+        result[m].medianCenter = mean(collect(solved, m, &Summary::medianCenter));
         for (double Summary::*figure : MEANS)
             result[m].*figure = mean(collect(lists, m, figure));
         for (double Summary::*figure : RATIOS)

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <sstream>
+#include "problems/problem_kind.hpp"
 
 namespace benchmark {
 
@@ -17,24 +19,27 @@ struct Column
 {
     const char *title, *csvName, *format;  //!< no title: not in Markdown
     double Summary::*figure;
+    bool ofAll;  //!< false: files have it only where it is known
 };
 
 const Column COLUMNS[] = {
-    {"median error", "median_error", "%.3f", &Summary::medianError},
-    {"failures", "failures_percent", "%.1f", &Summary::failures},
-    {"CPU median", "median_cpu_ms", "%.3f", &Summary::medianCpu},
-    {"CPU mean", "mean_cpu_ms", "%.3f", &Summary::meanCpu},
-    {"wall median", "median_wall_ms", "%.3f", &Summary::medianWall},
-    {0, "mean_wall_ms", "%.3f", &Summary::meanWall},
-    {"AUC@5", "auc5", "%.1f", &Summary::auc5},
-    {"AUC@10", "auc10", "%.1f", &Summary::auc10},
-    {"AUC@20", "auc20", "%.1f", &Summary::auc20},
-    {"iterations", "median_iterations", "%.0f", &Summary::medianIterations},
-    {"error ratio", "error_ratio", "%.3f", &Summary::errorRatio},
-    {"CPU median ratio", "median_cpu_ratio", "%.3f", &Summary::medianCpuRatio},
-    {"CPU mean ratio", "mean_cpu_ratio", "%.3f", &Summary::meanCpuRatio},
-    {"wall median ratio", "median_wall_ratio", "%.3f", &Summary::medianWallRatio},
-    {0, "mean_wall_ratio", "%.3f", &Summary::meanWallRatio},
+    {"median error", "median_error", "%.3f", &Summary::medianError, true},
+    {"center error", "median_center_percent", "%.3f", &Summary::medianCenter, false},
+    {"failures", "failures_percent", "%.1f", &Summary::failures, true},
+    {"CPU median", "median_cpu_ms", "%.3f", &Summary::medianCpu, true},
+    {"CPU mean", "mean_cpu_ms", "%.3f", &Summary::meanCpu, true},
+    {"wall median", "median_wall_ms", "%.3f", &Summary::medianWall, true},
+    {0, "mean_wall_ms", "%.3f", &Summary::meanWall, true},
+    {"AUC@1", "auc1", "%.1f", &Summary::auc1, false},
+    {"AUC@5", "auc5", "%.1f", &Summary::auc5, true},
+    {"AUC@10", "auc10", "%.1f", &Summary::auc10, true},
+    {"AUC@20", "auc20", "%.1f", &Summary::auc20, true},
+    {"iterations", "median_iterations", "%.0f", &Summary::medianIterations, true},
+    {"error ratio", "error_ratio", "%.3f", &Summary::errorRatio, true},
+    {"CPU median ratio", "median_cpu_ratio", "%.3f", &Summary::medianCpuRatio, true},
+    {"CPU mean ratio", "mean_cpu_ratio", "%.3f", &Summary::meanCpuRatio, true},
+    {"wall median ratio", "median_wall_ratio", "%.3f", &Summary::medianWallRatio, true},
+    {0, "mean_wall_ratio", "%.3f", &Summary::meanWallRatio, true},
 };
 
 //! A number as text, `unknown` if it is NaN.
@@ -67,15 +72,17 @@ bool isShown(const std::vector<Summary>& rows, const Column& column)
 }  // namespace
 
 Tables::Tables(const Options& options_, const std::vector<ListResult>& results_)
-    : options(options_), results(results_), baseline(0)
+    : options(options_), results(results_), baseline(0), inPixels(false), inDegrees(false)
 {
+    for (const ListResult& result : results)
+        (kindOf(result.problem).inPixels() ? inPixels : inDegrees) = true;
     const std::vector<std::string>& methods = options.methods;
     baseline = (int)(std::find(methods.begin(), methods.end(), options.baseline) - methods.begin());
     for (size_t i = 0; i < results.size(); ++i)
         addList(results[i]);
     addAverages("");
-    for (int problem = cv::usacv20::HOMOGRAPHY; problem <= cv::usacv20::ESSENTIAL; ++problem)
-        addAverages(std::string(1, letterOf((ProblemType)problem)));
+    for (char letter : problemLetters())
+        addAverages(std::string(1, letter));
 }
 
 void Tables::addList(const ListResult& result)
@@ -106,6 +113,9 @@ void Tables::addAverages(const std::string& problem)
         if (!problem.empty() && tables[i].problem != problem)
             continue;
         chosen.push_back(tables[i].rows);
+        if (problem.empty() && inPixels && !kindOf(results[i].problem).inPixels())
+            for (Summary& row : chosen.back())
+                row.medianError = std::numeric_limits<double>::quiet_NaN();  // not to be added to pixels
         table.pairs += tables[i].pairs;
     }
     table.rows = average(chosen);
@@ -129,6 +139,9 @@ void Tables::markdown(std::ostream& out) const
            "Averages: means over lists, of the error over those lists only where no method failed on half of the runs "
            "or "
            "more (their number is in brackets); of the ratios geometric means.\n";
+    if (inDegrees)
+        out << "\nP: the error is that of the rotation in degrees, so it is left out of averages over lists of other "
+               "problems, too; center error: of the camera, percent of the depth of the scene; AUC: of the rotation.\n";
     for (size_t i = 0; i < tables.size(); ++i)
         markdownTable(out, tables[i]);
 }
@@ -169,7 +182,8 @@ void Tables::csv(std::ostream& out) const
 {
     out << "list,problem,pairs,method";
     for (const Column& column : COLUMNS)
-        out << ',' << column.csvName;
+        if (column.ofAll || inDegrees)
+            out << ',' << column.csvName;
     out << '\n';
     for (size_t i = 0; i < tables.size(); ++i)
         for (size_t m = 0; m < tables[i].rows.size(); ++m)
@@ -179,7 +193,8 @@ void Tables::csv(std::ostream& out) const
             out << quoted(tables[i].name) << ',' << tables[i].problem << ',' << tables[i].pairs << ','
                 << quoted(options.methods[m]);
             for (const Column& column : COLUMNS)
-                out << ',' << field(tables[i].rows[m].*column.figure);
+                if (column.ofAll || inDegrees)
+                    out << ',' << field(tables[i].rows[m].*column.figure);
             out << '\n';
         }
 }
@@ -187,7 +202,8 @@ void Tables::csv(std::ostream& out) const
 void Tables::runsCsv(std::ostream& out) const
 {
     out << "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers,"
-           "cost\n";
+           "cost"
+        << (inDegrees ? ",center_error\n" : "\n");
     for (size_t i = 0; i < results.size(); ++i)
         for (size_t m = 0; m < results[i].runs.size(); ++m)
             for (size_t k = 0; k < results[i].runs[m].size(); ++k)
@@ -199,7 +215,10 @@ void Tables::runsCsv(std::ostream& out) const
                     << ',' << run.failed << ',' << (run.poseError < 0 ? std::string() : field(run.poseError)) << ','
                     << field(run.cpuMs) << ',' << field(run.wallMs) << ','
                     << (run.iterations < 0 ? std::string() : field(run.iterations)) << ',' << run.inliers << ','
-                    << field(run.cost) << '\n';
+                    << field(run.cost);
+                if (inDegrees)
+                    out << ',' << (run.centerError < 0 ? std::string() : field(run.centerError));
+                out << '\n';
             }
 }
 

@@ -39,7 +39,8 @@ private:
 
     const Options& options;
     const std::vector<ListResult>& results;
-    int baseline;  //!< index of a method
+    int baseline;              //!< index of a method
+    bool inPixels, inDegrees;  //!< units of the errors that there are
     std::vector<Table> tables;
 };
 

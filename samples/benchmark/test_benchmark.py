@@ -193,6 +193,22 @@ class PlotTest(FolderTest):
             with open(self.path("out", name + ".png"), "rb") as picture:
                 self.assertTrue(picture.read().startswith(b"\x89PNG"), name)
 
+    def test_errors_of_poses_are_angles(self):
+        with open(self.runs()) as lines:
+            rows = lines.read()
+        self.put("runs.csv", rows.replace('"set",E', '"set",P'))
+        results = plot.read_runs([self.path("runs.csv")], "cpu", [])
+        self.assertEqual(list(results), [("set", "H"), ("set", "P")])
+        look = plot.Look(results)
+        angle, pixels = "error of the rotation, degrees", "error, pixels"
+        for problem, label in (("H", pixels), ("P", angle)):
+            figure = plot.draw_list("set", problem, results["set", problem], look, "cpu")
+            self.assertEqual(figure.axes[0].get_xlabel(), label)
+        self.assertEqual([axes.get_ylabel() for axes in plot.draw_scatter(results, look, "cpu").axes],
+                         ["median " + pixels, "median " + angle])
+        self.assertEqual([axes.get_xlabel() for axes in plot.draw_summary(results, look, "cpu").axes[:2]], [pixels, angle])
+        plot.plt.close("all")
+
     def test_same_runs_make_the_same_picture(self):
         results = plot.read_runs([self.runs()], "cpu", [])
         pictures = []

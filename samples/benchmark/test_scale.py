@@ -37,7 +37,7 @@ with open(options["csv"], "w") as out:
     out.write("list,problem,pairs,method,median_error\\n")
     for file in lists:
         name, problem = file.split("/")[-1].split(".")[:2]
-        factor = float(options["threshold"]) / {"H": 2, "F": 1}[problem]
+        factor = float(options["threshold"]) / {"H": 2, "F": 1, "S": 3, "P": 4}[problem]
         for power, method in enumerate(options["methods"].split(",")):
             fails = power and name == "hard" and factor > 2
             out.write('"%%s",%%s,3,"%%s",%%s\\n' %% (name, problem, method, "inf" if fails else 0.5 * factor ** power))
@@ -135,6 +135,15 @@ class ThresholdTest(FolderTest):
         self.assertAlmostEqual(ratios.mean(), 4)
         self.assertEqual(str(ratios), "4.000 (2, 1 broken)")
         self.assertTrue(math.isnan(threshold.Ratios([math.inf], [1]).mean()))
+
+    def test_right_thresholds(self):
+        """Those of all problems; what it is told of the errors depends on the lists."""
+        for names, more in ((["easy.F"], ""), (["easy.S"], ", A and S 3 px"), (["easy.P"], ", P 4 px (errors in degrees)")):
+            lists = ["--list=" + self.put("lists/%s.list" % name) for name in names]
+            with contextlib.redirect_stdout(io.StringIO()) as out:
+                self.assertEqual(threshold.main(["--program", self.program(), "--methods=a"] + lists), 0)
+            self.assertIn("; right thresholds: H 2 px, F and E 1 px%s.\n" % more, out.getvalue())
+            self.assertIn("| %s easy | 0.500 / 0.500 / 0.500 |\n" % names[0][-1], out.getvalue())
 
     def test_table(self):
         for name in ("easy.H", "hard.H", "easy.F"):

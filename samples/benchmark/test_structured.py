@@ -130,7 +130,7 @@ class StructuredTest(FolderTest):
                                     ("--orders=1.5", "--orders"), ("--orders=sorted", "--orders"),
                                     ("--sizes=0", "--sizes"), ("--sizes=4", "no such scene"), ("--ratios=1.1", "--ratios"),
                                     ("--table=long", "--table"),
-                                    ("--runs=0", "--runs"), ("--confidence=1", "--confidence"), ("--maxIters=0", "--maxIters"),
+                                    ("--problems=A", "--problems"), ("--runs=0", "--runs"), ("--confidence=1", "--confidence"), ("--maxIters=0", "--maxIters"),
                                     ("--by=color", "color"), ("--noises=1", "--noises"), ("--methods=cv:RANSAC+scores", "scores"),
                                     ("--kinds=", "--kinds"), ("--unknown=1", "--unknown"),
                                     ("--csv=" + self.path("no", "x.csv"), "no")):

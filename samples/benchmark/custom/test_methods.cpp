@@ -2,14 +2,15 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Methods of its own for test_custom.py: what they do is known beforehand. With the argument "mistakes" alone it prints
-// what the registry says about registrations that it must refuse, a line each.
+// Methods of its own for test_custom.py, test_problems.py and test_views.py: what they do is known beforehand. With the
+// argument "mistakes" alone it prints what the registry says about registrations that it must refuse, a line each.
 
 #include <iostream>
 #include <stdexcept>
 #include "benchmark.hpp"
 #include "components_method.hpp"
 #include "estimator_method.hpp"
+#include "problems/problem_kind.hpp"
 #include "program.hpp"
 
 namespace {
@@ -44,6 +45,15 @@ Estimate echo(const Task& task)
     return estimate;
 }
 
+//! The identity, whatever the matches are; all of them are inliers.
+Estimate identity(const Task& task)
+{
+    Estimate estimate;
+    estimate.model = cv::Mat::eye(kindOf(task.settings.problem).modelSize, CV_64F);
+    estimate.mask = cv::Mat::ones((int)task.points2.size(), 1, CV_8U);
+    return estimate;
+}
+
 Estimate complain(const Task&) { throw std::runtime_error("not today"); }
 
 Estimate shortMask(const Task&)
@@ -69,6 +79,7 @@ void registerAll()
     traits.fields["number"] = 3;
     registerMethod("custom:same", withComponents(Params::ransac(), sameSampler, "HF"));
     registerMethod("custom:echo", wholeEstimator(echo, traits));
+    registerMethod("custom:identity", wholeEstimator(identity, EstimatorTraits("ASP")));
     registerMethod("custom:noSampler", withComponents(Params::ransac(), noSampler));
     registerMethod("custom:complain", wholeEstimator(complain));
     registerMethod("custom:shortMask", wholeEstimator(shortMask));

@@ -86,7 +86,8 @@ void ScaleOptions::parseKinds(const cv::CommandLineParser& parser, const Argumen
     for (size_t i = 0; i < letters.size(); ++i)
     {
         ProblemType problem = cv::usacv20::HOMOGRAPHY;
-        require(letters[i].size() == 1 && problemOf(letters[i][0], problem), "--problems: expected H, F, E");
+        require(letters[i].size() == 1 && problemOf(letters[i][0], problem) && problem <= cv::usacv20::ESSENTIAL,
+                "--problems: expected H, F, E");
         problems.push_back(problem);
     }
     methods = namesOf(parser, arguments, "methods");

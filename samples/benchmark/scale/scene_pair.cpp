@@ -14,7 +14,7 @@ ImagePair toImagePair(const opencv_test::Scene& scene)
     pair.points2.assign(scene.points2.begin(), scene.points2.end());
     pair.scores = scene.scores;
     pair.size1 = pair.size2 = cv::Size2d(opencv_test::SCENE_WIDTH, opencv_test::SCENE_HEIGHT);
-    pair.hasCameras = pair.hasPose = true;
+    pair.hasCamera1 = pair.hasCamera2 = pair.hasPose = true;
     pair.K1 = pair.K2 = scene.K;
     pair.R = scene.R;
     pair.t = scene.t;

@@ -5,22 +5,16 @@
 #ifndef OPENCV_USACV20_BENCHMARK_PAIR_WRITER_HPP
 #define OPENCV_USACV20_BENCHMARK_PAIR_WRITER_HPP
 
-#include <fstream>
-#include <string>
-#include <vector>
-#include "opencv2/core.hpp"
+#include "list_writer.hpp"
 #include "scenes.hpp"
 
 namespace benchmark {
 
-/** Writes scenes as a data set of the benchmark.
-
-`<folder>/lists/<name>.<letter>.list` for each letter names the pairs, `<folder>/pairs/<name>/<number>.corr` and `.json`
-hold them. Files of the same names are replaced. What cannot be written raises std::runtime_error. */
+/** Writes scenes of two images as a data set of the benchmark, `.corr` and `.json` for each pair, see ListWriter. */
 class PairWriter
 {
 public:
-    //! @param letters the problems that the pairs are for: "H" or "FE".
+    //! @param letters the problems that the pairs are for: "H", "FE", "A" or "S".
     PairWriter(const std::string& folder, const std::string& name, const std::string& letters);
 
     void write(const opencv_test::Scene& scene);
@@ -29,9 +23,8 @@ private:
     void writeCorrespondences(const std::string& file, const opencv_test::Scene& scene) const;
     void writeTruth(const std::string& file, const opencv_test::Scene& scene) const;
 
-    std::string folder, name, letters;
-    std::vector<cv::Ptr<std::ofstream>> lists;  //!< one a letter
-    int count;                                  //!< pairs so far
+    std::string letters;
+    ListWriter list;
 };
 
 }  // namespace benchmark

@@ -1,0 +1,115 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "absolute_pose.hpp"
+
+#include "opencv2/calib3d.hpp"
+#include "squared_errors.hpp"
+#include "view_files.hpp"
+
+namespace benchmark {
+
+namespace {
+
+const double MAX_ROTATION_ERROR = 5;  //!< degrees
+const double MAX_CENTER_ERROR = 5;    //!< percent of the depth of the scene
+
+//! @return false if the model has another shape, or is not finite.
+bool toPose(const cv::Mat& model, cv::Matx33d& R, cv::Vec3d& t)
+{
+    if (model.rows != 3 || model.cols != 4)
+        return false;
+    cv::Mat right;
+    model.col(3).convertTo(right, CV_64F);
+    for (int i = 0; i < 3; ++i)
+        t[i] = right.at<double>(i);
+    return toMatrix(model.colRange(0, 3), R) && std::isfinite(t[0] + t[1] + t[2]);
+}
+
+}  // namespace
+
+AbsolutePose::AbsolutePose() : ProblemKind(cv::usacv20::ABSOLUTE_POSE, 'P', cv::Size(4, 3), 4, 1000) {}
+
+void AbsolutePose::read(const std::string& path, ImagePair& pair) const
+{
+    readObjectPoints(path + ".txt", pair);
+    readScores(path + ".score", pair);
+    readViewTruth(TruthReader(path + ".json"), letter, pair);
+}
+
+double AbsolutePose::modelError(const ImagePair& pair, const cv::Mat& model) const
+{
+    cv::Matx33d R;
+    cv::Vec3d t;
+    return toPose(model, R, t) ? angleBetween(R, pair.R) : std::numeric_limits<double>::infinity();
+}
+
+double AbsolutePose::failureLimit(const ImagePair&) const { return MAX_ROTATION_ERROR; }
+
+double AbsolutePose::modelCost(const ImagePair& pair, const cv::Mat& model, double threshold_) const
+{
+    cv::Matx33d R;
+    cv::Vec3d t;
+    if (!toPose(model, R, t))
+        return 1;
+    const std::vector<cv::Point3d> points(pair.objectPoints.begin(), pair.objectPoints.end());
+    std::vector<cv::Point2d> images;
+    cv::Vec3d rotation;
+    cv::Rodrigues(R, rotation);
+    cv::projectPoints(points, rotation, t, pair.K2, pair.distortion, images);
+    return truncatedMean(pair.size(), threshold_, [&](int i) {
+        const cv::Point2d d = images[i] - cv::Point2d(pair.points2[i]);
+        const bool inFront = R(2, 0) * points[i].x + R(2, 1) * points[i].y + R(2, 2) * points[i].z + t[2] > 0;
+        return inFront ? d.dot(d) : std::numeric_limits<double>::infinity();
+    });
+}
+
+double AbsolutePose::poseError(const ImagePair& pair, const Estimate& estimate) const
+{
+    const double error = modelError(pair, estimate.model);
+    return std::isfinite(error) ? error : 180;
+}
+
+double AbsolutePose::centerError(const ImagePair& pair, const cv::Mat& model) const
+{
+    cv::Matx33d R;
+    cv::Vec3d t;
+    if (!toPose(model, R, t))
+        return std::numeric_limits<double>::infinity();
+    return 100 * cv::norm(R.t() * t - pair.R.t() * pair.t) / pair.depth;
+}
+
+bool AbsolutePose::failed(const ImagePair& pair, double error, double center) const
+{
+    return ProblemKind::failed(pair, error, center) || !(center <= MAX_CENTER_ERROR);
+}
+
+cv::Ptr<cv::usacv20::Usac> AbsolutePose::estimator(const ImagePair& pair, const cv::usacv20::Params& params) const
+{
+    return cv::usacv20::Usac::create(type, pair.objectPoints, pair.points2, params, pair.K2, cv::noArray(),
+                                     pair.distortion);
+}
+
+void AbsolutePose::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+{
+    estimate.model = cv::usacv20::estimateAbsolutePose(pair.objectPoints, pair.points2, pair.K2, pair.distortion,
+                                                       params, estimate.mask);
+}
+
+void AbsolutePose::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+{
+    cv::Mat rotation, translation;
+    std::vector<int> inliers;
+    if (!cv::solvePnPRansac(pair.objectPoints, pair.points2, pair.K2, pair.distortion, rotation, translation, false,
+                            settings.maxIterations, (float)settings.threshold, settings.confidence, inliers, flag))
+        return;
+    cv::Mat R;
+    cv::Rodrigues(rotation, R);
+    cv::hconcat(R, translation, estimate.model);
+    estimate.mask = cv::Mat::zeros(pair.size(), 1, CV_8U);
+    for (int inlier : inliers)
+        estimate.mask.at<uchar>(inlier) = 1;
+}
+
+}  // namespace benchmark

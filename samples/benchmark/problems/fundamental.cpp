@@ -1,0 +1,31 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "fundamental.hpp"
+
+#include "opencv2/calib3d.hpp"
+
+namespace benchmark {
+
+Fundamental::Fundamental() : Epipolar(cv::usacv20::FUNDAMENTAL, 'F', cv::Size(3, 3), 1, 1000) {}
+
+void Fundamental::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+{
+    estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, estimate.mask, params);
+}
+
+void Fundamental::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+{
+    estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, flag, settings.threshold, settings.confidence,
+                                            settings.maxIterations, estimate.mask);
+}
+
+cv::Matx33d Fundamental::toFundamental(const ImagePair&, const cv::Matx33d& model) const { return model; }
+
+cv::Matx33d Fundamental::toEssential(const ImagePair& pair, const cv::Matx33d& model) const
+{
+    return pair.K2.t() * model * pair.K1;
+}
+
+}  // namespace benchmark

@@ -1,0 +1,28 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_FUNDAMENTAL_HPP
+#define OPENCV_USACV20_BENCHMARK_FUNDAMENTAL_HPP
+
+#include "epipolar.hpp"
+
+namespace benchmark {
+
+//! F.
+class Fundamental : public Epipolar
+{
+public:
+    Fundamental();
+
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const CV_OVERRIDE;
+
+protected:
+    cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
+    cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
+};
+
+}  // namespace benchmark
+
+#endif

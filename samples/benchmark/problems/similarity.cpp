@@ -1,0 +1,24 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "similarity.hpp"
+
+#include "opencv2/calib3d.hpp"
+
+namespace benchmark {
+
+Similarity::Similarity() : PlaneMap(cv::usacv20::SIMILARITY, 'S', cv::Size(3, 2), 3, 2000) {}
+
+void Similarity::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+{
+    estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask, params);
+}
+
+void Similarity::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+{
+    estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask, flag, settings.threshold,
+                                                 (size_t)settings.maxIterations, settings.confidence);
+}
+
+}  // namespace benchmark

@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_SQUARED_ERRORS_HPP
+#define OPENCV_USACV20_BENCHMARK_SQUARED_ERRORS_HPP
+
+#include <cmath>
+#include <limits>
+#include "opencv2/core.hpp"
+
+namespace benchmark {
+
+//! The model in double. A function that returns several stacked models is held to the first. @return false if it has
+//! another shape, or is not finite.
+bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix);
+
+inline cv::Vec3d homogeneous(const cv::Point2d& point) { return cv::Vec3d(point.x, point.y, 1); }
+
+inline double diagonal(const cv::Size2d& size)
+{
+    return std::sqrt(size.width * size.width + size.height * size.height);
+}
+
+//! Root of the mean of squared errors `errorOf(i)`; infinite if it is not finite.
+template <class Error>
+double rootOfMean(int count, const Error& errorOf)
+{
+    double sum = 0;
+    for (int i = 0; i < count; ++i)
+        sum += errorOf(i);
+    const double error = std::sqrt(sum / count);
+    return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+}
+
+//! Mean of min(1, squared error / threshold^2).
+template <class Error>
+double truncatedMean(int count, double threshold, const Error& errorOf)
+{
+    double sum = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        const double cost = errorOf(i) / (threshold * threshold);
+        sum += cost < 1 ? cost : 1;  // also for NaN
+    }
+    return sum / count;
+}
+
+//! Degrees; from the chord |R1 - R2| = 2 sqrt(2) sin(angle / 2), which is exact for small angles, too.
+double angleBetween(const cv::Matx33d& R1, const cv::Matx33d& R2);
+double angleBetween(const cv::Vec3d& a, const cv::Vec3d& b);
+
+}  // namespace benchmark
+
+#endif

@@ -1,0 +1,24 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_TWO_VIEW_FILES_HPP
+#define OPENCV_USACV20_BENCHMARK_TWO_VIEW_FILES_HPP
+
+#include "image_pair.hpp"
+#include "truth_reader.hpp"
+
+namespace benchmark {
+
+//! Reads `x1 y1 x2 y2 score` lines. Raises std::runtime_error with file and line.
+void readCorrespondences(const std::string& file, ImagePair& pair);
+
+//! Reads what is known of two images.
+void readTwoViewTruth(const TruthReader& in, char letter, ImagePair& pair);
+
+//! Tells if there is nothing that an error could be measured with.
+void checkTruePoints(const TruthReader& in, const ImagePair& pair);
+
+}  // namespace benchmark
+
+#endif

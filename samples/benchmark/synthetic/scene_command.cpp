@@ -1,0 +1,165 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "scene_command.hpp"
+
+#include <stdexcept>
+#include "arguments.hpp"
+
+namespace benchmark {
+
+using namespace opencv_test;
+
+namespace {
+
+const char KEYS[] =
+    "{help h usage ? | | print this }"
+    "{out            | | folder of data to write to; made if it is not there }"
+    "{scene          |general| general: F and E; plane: F and E, many points on one plane; planar: H; affinity: A; "
+    "similarity: S; view: P, object points at any depth; viewPlane: P, on a plane }"
+    "{name           | | of the data set (default: synthetic_<scene>) }"
+    "{pairs          |10| number of pairs }"
+    "{size           |1000| matches of a pair }"
+    "{inliers        |0.5| part of them that is right, above 0 }"
+    "{noise          |0.5| standard deviation of the right matches in each coordinate, pixels }"
+    "{planeFraction  |0.8| --scene=plane: part of the right matches that is on the plane }"
+    "{thickness      |0| --scene=viewPlane: standard deviation of the distances from the plane over its own distance }"
+    "{distortion     |0| P: first radial coefficient of the camera, -0.5 to 0.5 }"
+    "{duplicates     |0| part of the right matches that repeats others }"
+    "{angle          |12| rotation between the cameras, degrees; not for P, where any pose is drawn }"
+    "{outliers       |uniform| wrong matches; uniform: anywhere; local: right but for 5 to 50 pixels in image 2; "
+    "manyToOne: about ten with the same point of image 2, that of a right match; clustered: from one square of 80 "
+    "pixels to another; second: they agree with another model, in a square of 160 pixels (P: as many as "
+    "half of the right ones, the others are anywhere). P: not local and manyToOne }"
+    "{scores         |0.5| probability that a right match has a better score than a wrong one; 0.5: scores tell "
+    "nothing, "
+    "1: all }"
+    "{seed           |1| of the first pair, the next ones count up }";
+
+bool isPart(double value) { return value >= 0 && value <= 1; }
+
+//! What a kind of scene is for.
+struct SceneKind
+{
+    const char* name;
+    ProblemType problem;  //!< of the generator of image pairs; views have another one
+    const char* letters;
+};
+
+const SceneKind SCENES[] = {
+    {"general", cv::usacv20::FUNDAMENTAL, "FE"},  {"plane", cv::usacv20::FUNDAMENTAL, "FE"},
+    {"planar", cv::usacv20::HOMOGRAPHY, "H"},     {"affinity", cv::usacv20::AFFINITY, "A"},
+    {"similarity", cv::usacv20::SIMILARITY, "S"}, {"view", cv::usacv20::HOMOGRAPHY, "P"},
+    {"viewPlane", cv::usacv20::HOMOGRAPHY, "P"},
+};
+
+struct OutlierKind
+{
+    const char* name;
+    OutlierModel model;
+};
+
+const OutlierKind OUTLIERS[] = {
+    {"uniform", OUTLIERS_UNIFORM},     {"local", OUTLIERS_LOCAL},         {"manyToOne", OUTLIERS_MANY_TO_ONE},
+    {"clustered", OUTLIERS_CLUSTERED}, {"second", OUTLIERS_SECOND_MODEL},
+};
+
+//! The kind of that name; there being none raises std::runtime_error with the names of all.
+template <class Kind, size_t count>
+const Kind& find(const Kind (&kinds)[count], const std::string& name, const std::string& option)
+{
+    std::string names;
+    for (const Kind& kind : kinds)
+    {
+        if (name == kind.name)
+            return kind;
+        names += (names.empty() ? "" : ", ") + std::string(kind.name);
+    }
+    throw std::runtime_error("--" + option + ": expected one of " + names);
+}
+
+//! What the options of a kind of scene are for that kind alone.
+void requireKinds(const std::string& scene, bool isView, const Arguments& arguments)
+{
+    require(scene == "plane" || arguments.all("planeFraction").empty(), "--planeFraction: for --scene=plane only");
+    require(scene == "viewPlane" || arguments.all("thickness").empty(), "--thickness: for --scene=viewPlane only");
+    require(isView || arguments.all("distortion").empty(), "--distortion: for --scene=view and viewPlane only");
+    require(!isView || arguments.all("angle").empty(), "--angle: for pairs of images only");
+}
+
+//! Reads the options of pairs of images.
+void readImages(const cv::CommandLineParser& parser, const std::string& scene, SceneOptions& options)
+{
+    const int size = integerOf(parser, "size"), seed = integerOf(parser, "seed");
+    const double inliers = numberOf(parser, "inliers"), duplicates = numberOf(parser, "duplicates");
+    options.noise = numberOf(parser, "noise");
+    options.planeFraction = scene == "plane" ? numberOf(parser, "planeFraction") : 0;
+    options.angle = numberOf(parser, "angle");
+    options.outlierModel = find(OUTLIERS, parser.get<cv::String>("outliers"), "outliers").model;
+    options.scoreInformation = numberOf(parser, "scores");
+    options.seed = seed;
+    require(options.noise >= 0, "--noise: expected 0 or more");
+    require(seed >= 0, "--seed: expected 0 or more");
+    require(options.angle >= 0 && options.angle <= 60, "--angle: expected a number between 0 and 60");
+    require(isPart(inliers) && isPart(options.planeFraction) && duplicates >= 0 && duplicates < 1,
+            "--inliers, --planeFraction, --duplicates: expected numbers between 0 and 1");
+    require(options.scoreInformation > 0 && options.scoreInformation <= 1,
+            "--scores: expected a number above 0 up to 1");
+    options.setSize(size, inliers);
+    options.duplicates = (int)(options.inliers * duplicates);
+    require(options.inliers > 0 && options.outliers >= 0, "--size, --inliers: there is no right match");
+}
+
+//! Reads those of views. @param images what both have in common
+void readView(const cv::CommandLineParser& parser, const std::string& scene, const SceneOptions& images,
+              ViewOptions& options)
+{
+    options.inliers = images.inliers;
+    options.outliers = images.outliers;
+    options.duplicates = images.duplicates;
+    options.noise = images.noise;
+    options.outlierModel = images.outlierModel;
+    options.scoreInformation = images.scoreInformation;
+    options.seed = images.seed;
+    options.onPlane = scene == "viewPlane";
+    options.thickness = numberOf(parser, "thickness");
+    options.distortion = numberOf(parser, "distortion");
+    require(images.outlierModel != OUTLIERS_LOCAL && images.outlierModel != OUTLIERS_MANY_TO_ONE,
+            "--outliers: local and manyToOne are for pairs of images only");
+    require(options.thickness >= 0 && options.thickness <= 0.5, "--thickness: expected a number between 0 and 0.5");
+    require(options.distortion >= -0.5 && options.distortion <= 0.5,
+            "--distortion: expected a number between -0.5 and 0.5");
+}
+
+}  // namespace
+
+bool SceneCommand::parse(int argc, char** argv)
+{
+    cv::CommandLineParser parser(argc, argv, KEYS);
+    const Arguments arguments(argc, argv, parser);
+    parser.about(
+        "Writes synthetic scenes with exact truth as data for usac_benchmark. The same options write the same files.");
+    if (parser.has("help") || argc == 1)
+    {
+        parser.printMessage();
+        return false;
+    }
+    const std::string scene = parser.get<cv::String>("scene");
+    const SceneKind& kind = find(SCENES, scene, "scene");
+    folder = parser.get<cv::String>("out");
+    name = parser.has("name") ? std::string(parser.get<cv::String>("name")) : "synthetic_" + scene;
+    problem = kind.problem;
+    letters = kind.letters;
+    pairs = integerOf(parser, "pairs");
+    require(!folder.empty(), "--out: expected a folder");
+    require(name.find_first_of("/\\") == std::string::npos, "--name: expected a name without folders");
+    require(pairs > 0, "--pairs: expected a number above 0");
+    requireKinds(scene, isView(), arguments);
+    readImages(parser, scene, images);
+    if (isView())
+        readView(parser, scene, images, view);
+    return true;
+}
+
+}  // namespace benchmark

@@ -1,0 +1,216 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "view_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include "opencv2/calib3d.hpp"
+
+namespace benchmark {
+
+using cv::Matx33d;
+using cv::Point2d;
+using cv::RNG;
+using cv::Vec3d;
+
+namespace {
+
+const double WIDTH = opencv_test::SCENE_WIDTH, HEIGHT = opencv_test::SCENE_HEIGHT, FOCAL = 600, MARGIN = 5;
+const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6.5, LEAST_DEPTH = 1, MOST_DEPTH = 20;
+const double MAX_TILT = 50, MIN_TURN = 15, MAX_TURN = 40;  //!< degrees; of the plane, of the second pose
+//! Sides of the squares of clustered matches and of those of a second pose, pixels.
+const double CLUSTER = 80, PATCH = 160;
+
+struct Square
+{
+    Point2d corner;
+    double side;
+
+    Point2d draw(RNG& rng) const { return corner + Point2d(rng.uniform(0., side), rng.uniform(0., side)); }
+};
+
+Square randomSquare(RNG& rng, double side)
+{
+    const Square square = {
+        Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - side), rng.uniform(MARGIN, HEIGHT - MARGIN - side)), side};
+    return square;
+}
+
+Point2d randomPixel(RNG& rng)
+{
+    return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
+}
+
+Vec3d randomDirection(RNG& rng)
+{
+    Vec3d v;
+    do
+        v = Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+    while (cv::norm(v) > 1 || cv::norm(v) < 0.1);
+    return v * (1 / cv::norm(v));
+}
+
+Matx33d rotation(const Vec3d& axis, double degrees)
+{
+    Matx33d R;
+    cv::Rodrigues(axis * (degrees * CV_PI / 180), R);
+    return R;
+}
+
+/** Makes single matches. Its random numbers are those that the caller hands over, but for the geometry, which is made
+from the seed. Points X are in the coordinates of the camera. */
+class ViewGeometry
+{
+public:
+    ViewGeometry(const ViewOptions& options_, RNG& rng) : options(options_)
+    {
+        const double tilt = rng.uniform(0., MAX_TILT), heading = rng.uniform(0., 2 * CV_PI);
+        normal = rotation(Vec3d(std::cos(heading), std::sin(heading), 0), tilt) * Vec3d(0, 0, 1);
+        turn = rotation(randomDirection(rng), rng.uniform(MIN_TURN, MAX_TURN));
+        shift = randomDirection(rng) * 0.5;
+        from = randomSquare(rng, CLUSTER);
+        to = randomSquare(rng, CLUSTER);
+        patch = randomSquare(rng, PATCH);
+    }
+
+    //! A point of the object and its image.
+    void right(RNG& rng, Vec3d& X, Point2d& x) const
+    {
+        while (!follow(rng, randomPixel(rng), X) || !see(X, x))
+            ;
+    }
+
+    //! The i-th wrong match. @return whether it gets noise
+    bool wrong(int i, RNG& rng, Vec3d& X, Point2d& x) const
+    {
+        if (options.outlierModel == opencv_test::OUTLIERS_SECOND_MODEL && i < options.inliers / 2 && second(rng, X, x))
+            return true;
+        if (options.outlierModel == opencv_test::OUTLIERS_CLUSTERED)
+        {
+            while (!follow(rng, from.draw(rng), X))
+                ;
+            x = to.draw(rng);
+            return true;
+        }
+        right(rng, X, x);
+        x = randomPixel(rng);
+        return false;
+    }
+
+private:
+    //! A point of the object on the ray of a pixel.
+    bool follow(RNG& rng, const Point2d& pixel, Vec3d& X) const
+    {
+        const Vec3d ray((pixel.x - WIDTH / 2) / FOCAL, (pixel.y - HEIGHT / 2) / FOCAL, 1);
+        if (!options.onPlane)
+        {
+            X = ray * rng.uniform(NEAREST, FARTHEST);
+            return true;
+        }
+        X = ray * (normal[2] * MIDDLE / normal.dot(ray));
+        if (options.thickness > 0)
+            X += normal * rng.gaussian(options.thickness * normal[2] * MIDDLE);
+        return X[2] > LEAST_DEPTH && X[2] < MOST_DEPTH;
+    }
+
+    //! @return false if the point is out of sight.
+    bool see(const Vec3d& X, Point2d& x) const
+    {
+        const Point2d p(X[0] / X[2], X[1] / X[2]);
+        const Point2d distorted = p * (1 + options.distortion * p.dot(p));
+        x = Point2d(FOCAL * distorted.x + WIDTH / 2, FOCAL * distorted.y + HEIGHT / 2);
+        return X[2] > LEAST_DEPTH && x.x > MARGIN && x.x < WIDTH - MARGIN && x.y > MARGIN && x.y < HEIGHT - MARGIN;
+    }
+
+    //! A point of the object with the image of the object as it stands after another motion. @return false if the
+    //! square of its points is out of sight then
+    bool second(RNG& rng, Vec3d& X, Point2d& x) const
+    {
+        const Vec3d middle(0, 0, MIDDLE);
+        for (int tries = 0; tries < 1000; ++tries)
+            if (follow(rng, patch.draw(rng), X) && see(turn * (X - middle) + middle + shift, x))
+                return true;
+        return false;
+    }
+
+    const ViewOptions& options;
+    Vec3d normal;  //!< of the plane, which the optical axis meets at MIDDLE
+    Matx33d turn;  //!< of the object, for the second pose
+    Vec3d shift;
+    Square from, to, patch;
+};
+
+//! Numbers from 0 in random order.
+std::vector<int> shuffled(int size, RNG& rng)
+{
+    std::vector<int> order(size);
+    for (int i = 0; i < size; ++i)
+    {
+        order[i] = i;
+        std::swap(order[i], order[rng.uniform(0, i + 1)]);
+    }
+    return order;
+}
+
+//! As those of the scenes of the tests. They have random numbers of their own, so that the points do not depend on
+//! them.
+std::vector<float> makeScores(const std::vector<uchar>& truth, const ViewOptions& options)
+{
+    const double q = options.scoreInformation;
+    RNG rng(0x9e3779b9 + 7919 * options.seed);
+    std::vector<float> scores;
+    for (uchar right : truth)
+    {
+        const double u = rng.uniform(0., 1.);
+        scores.push_back((float)(right ? 1 - std::pow(u, (1 - q) / q) : u));
+    }
+    return scores;
+}
+
+}  // namespace
+
+ViewScene makeViewScene(const ViewOptions& options)
+{
+    RNG rng(0x6b8b4567 + 7919 * options.seed);
+    const ViewGeometry geometry(options, rng);
+    ViewScene scene;
+    scene.K = Matx33d(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
+    scene.R = rotation(randomDirection(rng), rng.uniform(0., 180.));
+    scene.t = Vec3d(0, 0, MIDDLE) + randomDirection(rng);
+    scene.distortion = options.distortion;
+
+    const int size = options.inliers + options.outliers, own = options.inliers - options.duplicates;
+    CV_Assert(own > 0);
+    const std::vector<int> order = shuffled(size, rng);
+    scene.objectPoints.resize(size);
+    scene.points.resize(size);
+    scene.truth.assign(size, 0);
+    for (int i = 0; i < size; ++i)
+    {
+        const int row = order[i];
+        scene.truth[row] = i < options.inliers;
+        if (i >= own && i < options.inliers)
+        {
+            const int copied = order[rng.uniform(0, own)];
+            scene.objectPoints[row] = scene.objectPoints[copied];
+            scene.points[row] = scene.points[copied];
+            continue;
+        }
+        Vec3d X;
+        Point2d x;
+        bool noisy = true;
+        if (i < own)
+            geometry.right(rng, X, x);
+        else
+            noisy = geometry.wrong(i - options.inliers, rng, X, x);
+        const double noise = noisy ? options.noise : 0;
+        scene.objectPoints[row] = cv::Point3d(scene.R.t() * (X - scene.t));
+        scene.points[row] = x + Point2d(rng.gaussian(noise), rng.gaussian(noise));
+    }
+    scene.scores = makeScores(scene.truth, options);
+    return scene;
+}
+
+}  // namespace benchmark
