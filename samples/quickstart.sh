@@ -14,7 +14,7 @@ set -eu
 project=$(cd "$(dirname "$0")/.." && pwd)
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac_quickstart}
 packages="g++ make cmake libeigen3-dev libopencv-dev"
-files="graf1.png graf3.png H1to3p.xml aloeL.jpg aloeR.jpg aloeGT.png left01.jpg right01.jpg stereo_calib.xml"
+files="graf1.png graf3.png H1to3p.xml aloeL.jpg aloeR.jpg aloeGT.png left01.jpg right01.jpg stereo_calib.xml box.png box_in_scene.png"
 pictures=$work/pictures
 mkdir -p "$pictures"
 build=$work/build-$(printf %s "$project" | cksum | cut -d " " -f 1)
@@ -75,7 +75,7 @@ build()
     cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release > "$work/configure.log" 2>&1 ||
         { cat "$work/configure.log"; return 1; }
     cmake --build "$build" -j "$(nproc)" --target example_usac_homography example_usac_fundamental \
-        example_usac_essential example_usac_custom_sampler
+        example_usac_essential example_usac_absolute_pose example_usac_custom_sampler
 }
 
 sample() # name, arguments
@@ -93,6 +93,7 @@ build
 sample homography --output="$pictures/homography.jpg"
 sample fundamental --output="$pictures/fundamental.jpg"
 sample essential --output="$pictures/essential.jpg"
+sample absolute_pose box.png --output="$pictures/absolute_pose.jpg"
 sample custom_sampler
 finished=yes
 echo

@@ -22,6 +22,7 @@ namespace tools {
 struct Matches
 {
     std::vector<cv::Point2f> points1, points2;
+    std::vector<float> ratios;  //!< of the distances of the best and the second best match
 };
 
 //! What one method made of the matches.
@@ -98,6 +99,7 @@ inline Matches match(const cv::Mat& image1, const cv::Mat& image2, const cv::Com
             continue;
         matches.points1.push_back(keypoints1[nearest[i][0].queryIdx].pt);
         matches.points2.push_back(keypoints2[nearest[i][0].trainIdx].pt);
+        matches.ratios.push_back(nearest[i][0].distance / nearest[i][1].distance);
     }
     return matches;
 }

@@ -62,14 +62,20 @@ def _detect(image, features):
     return keypoints, np.sqrt(descriptors / np.maximum(descriptors.sum(axis=1, keepdims=True), 1e-9))
 
 
-def match(image1, image2, args):
-    """Points of both images, N x 2, whose descriptors match clearly better than the second best."""
+def match_with_ratios(image1, image2, args):
+    """Points of both images, N x 2, whose descriptors match clearly better than the second best, and by how much."""
     keypoints1, descriptors1 = _detect(image1, args.features)
     keypoints2, descriptors2 = _detect(image2, args.features)
     pairs = cv2.BFMatcher(cv2.NORM_L2).knnMatch(descriptors1, descriptors2, 2)
-    good = [pair[0] for pair in pairs if len(pair) == 2 and pair[0].distance < args.ratio * pair[1].distance]
-    return (np.float32([keypoints1[m.queryIdx].pt for m in good]).reshape(-1, 2),
-            np.float32([keypoints2[m.trainIdx].pt for m in good]).reshape(-1, 2))
+    good = [pair for pair in pairs if len(pair) == 2 and pair[0].distance < args.ratio * pair[1].distance]
+    return (np.float32([keypoints1[best.queryIdx].pt for best, _ in good]).reshape(-1, 2),
+            np.float32([keypoints2[best.trainIdx].pt for best, _ in good]).reshape(-1, 2),
+            np.float32([best.distance / second.distance for best, second in good]))
+
+
+def match(image1, image2, args):
+    """The points of match_with_ratios()."""
+    return match_with_ratios(image1, image2, args)[:2]
 
 
 def measure(method, runs, estimate):

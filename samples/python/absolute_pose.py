@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""From images of a flat object to the pose of the camera.
+
+The object's own image gives points of space (Z = 0), their matches in the scene are their images, cv2.solvePnPRansac finds the
+pose, and its axes are drawn into the scene. The pose of the first scene is the initial model of the second. Without images a
+board is made and photographed here, and the true poses are known.
+"""
+
+import sys
+
+import cv2
+import numpy as np
+
+import tools
+
+
+def places_in_space(pixels, shape):
+    """With the origin in the middle of the object, X to the right, Y up, Z to the viewer; the width is 1."""
+    height, width = shape[:2]
+    return np.float64([((x - 0.5 * width) / width, (0.5 * height - y) / width, 0) for x, y in pixels]).reshape(-1, 3)
+
+
+def corners_of(shape):
+    height, width = shape[:2]
+    return np.float32([(0, 0), (width, 0), (width, height), (0, height)])
+
+
+def read_camera(args, shape):
+    """Camera matrix and distortion from a file of OpenCV's calibration sample, or a focal length as many cameras have it."""
+    if args.camera:
+        storage = cv2.FileStorage(tools.find_file(args.camera), cv2.FILE_STORAGE_READ)
+        return storage.getNode("camera_matrix").mat(), storage.getNode("distortion_coefficients").mat()
+    focal = args.focal or 1.2 * max(shape[:2])
+    return np.array([[focal, 0, (shape[1] - 1) / 2], [0, focal, (shape[0] - 1) / 2], [0, 0, 1]]), None
+
+
+def pose_of(rvec, tvec):
+    return np.hstack((cv2.Rodrigues(rvec)[0], np.reshape(tvec, (3, 1))))
+
+
+def texture(width, height, seed):
+    """Something to match everywhere: noise of three sizes."""
+    rng, image = np.random.RandomState(seed), np.zeros((height, width, 3))
+    for step in (4, 12, 36):
+        noise = rng.uniform(-1, 1, (height // step + 2, width // step + 2, 3))
+        image += cv2.resize(noise, (width, height), interpolation=cv2.INTER_CUBIC)
+    return cv2.normalize(image, None, 0, 255, cv2.NORM_MINMAX).astype(np.uint8)
+
+
+def distort(image, matrix, distortion):
+    """What a lens makes of the image of a pinhole."""
+    if distortion is None:
+        return image
+    height, width = image.shape[:2]
+    pixels = np.dstack(np.meshgrid(np.arange(width), np.arange(height))).reshape(-1, 1, 2).astype(np.float32)
+    places = cv2.undistortPoints(pixels, matrix, distortion, P=matrix).reshape(height, width, 2)
+    return cv2.remap(image, places, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT)
+
+
+def photograph(board, rvec, tvec, seed, args):
+    """The board as a camera of this pose sees it, partly behind something and in front of something else; the true pose."""
+    image = texture(640, 480, seed)
+    matrix, distortion = read_camera(args, image.shape)
+    rvec, tvec = np.float64(rvec), np.float64(tvec)
+    corners = corners_of(board.shape)
+    seen = cv2.projectPoints(places_in_space(corners, board.shape), rvec, tvec, matrix, None)[0]
+    homography = cv2.getPerspectiveTransform(corners, seen.reshape(4, 2).astype(np.float32))
+    image = cv2.warpPerspective(board, homography, (640, 480), image, borderMode=cv2.BORDER_TRANSPARENT)
+    image = distort(image, matrix, distortion)
+    image[300:460, 20:140] = board[:160, :120]  # wrong, but consistent matches
+    image[150:290, 260:420] = texture(160, 140, seed + 1)
+    return image, pose_of(rvec, tvec)
+
+
+def angle_between(a, b):
+    """Angle of the rotation between two poses in degrees."""
+    return np.degrees(np.linalg.norm(cv2.Rodrigues(a[:, :3].T.dot(b[:, :3]))[0]))
+
+
+def estimate(name, flag, places, pixels, camera, args):
+    """The call a user writes; `flag` is OpenCV's or this module's."""
+    def call():
+        found, rvec, tvec, inliers = cv2.solvePnPRansac(
+            places, pixels, camera[0], camera[1], iterationsCount=args.iterations, reprojectionError=args.threshold,
+            confidence=args.confidence, flags=flag)
+        mask = np.zeros((len(pixels), 1), np.uint8)
+        if found:
+            mask[inliers.ravel()] = 1
+        return (pose_of(rvec, tvec) if found else None), mask
+    return tools.measure(name, args.runs, call)
+
+
+def estimate_with(name, places, pixels, ratios, camera, before, args):
+    """The same with all that a flag does not know: the scores of the matches and the pose before, if there is one."""
+    params = tools.usacv20_params(args, args.iterations)
+    params.scores = ratios
+    if before is not None:
+        params.setInitialModel(before)
+    result = tools.measure(name, args.runs, lambda: cv2.usacv20.estimateAbsolutePose(
+        places, pixels, camera[0], camera[1], params)[:2])
+    report = cv2.usacv20.estimateAbsolutePose(places, pixels, camera[0], camera[1], params)[2]
+    result.iterations = report.iterations
+    print("%s: %s" % (name, report.describe()))
+    return result
+
+
+def draw(board, image, points, pixels, result, camera):
+    """Matches, axes and outline of the object."""
+    canvas = tools.draw_inliers(board, image, points, pixels, result.mask, 30)
+    right = np.ascontiguousarray(canvas[:image.shape[0], board.shape[1]:])
+    rvec, tvec = cv2.Rodrigues(result.model[:, :3])[0], np.ascontiguousarray(result.model[:, 3:])
+    places = places_in_space(corners_of(board.shape), board.shape)
+    outline = cv2.projectPoints(places, rvec, tvec, camera[0], camera[1])[0]
+    cv2.polylines(right, [outline.round().astype(np.int32)], True, (0, 140, 255), 2, cv2.LINE_AA)
+    cv2.drawFrameAxes(right, camera[0], camera[1], rvec, tvec, 0.4, 3)
+    canvas[:image.shape[0], board.shape[1]:] = right
+    return canvas
+
+
+def find_pose(board, image, truth, before, args):
+    """Prints the table of a scene. Returns the result of the last method and the picture, None without a pose."""
+    points, pixels, ratios = tools.match_with_ratios(board, image, args)
+    places, camera = places_in_space(points, board.shape), read_camera(args, image.shape)
+    results = [estimate(name, flag, places, pixels, camera, args)
+               for name, flag in (("ITERATIVE", cv2.SOLVEPNP_ITERATIVE), ("USAC_DEFAULT", cv2.USAC_DEFAULT),
+                                  ("USACV20", cv2.USACV20))]
+    results.append(estimate_with("with scores", places, pixels, ratios, camera, None, args))
+    if before is not None:
+        results.append(estimate_with("with the last", places, pixels, ratios, camera, before, args))
+    for result in results:
+        if truth is not None and result.model is not None:
+            result.error = angle_between(result.model, truth)
+            result.errorText = "%.2f deg, %.4f" % (result.error, np.linalg.norm(result.model[:, 3] - truth[:, 3]))
+    print("error: rotation, place of the object in its widths")
+    tools.print_table(len(pixels), results, args.runs)
+    ours = results[-1]
+    if ours.model is None:
+        return ours, None
+    print("[R t] =\n%s\n" % ours.model)
+    return ours, draw(board, image, points, pixels, ours, camera)
+
+
+def main():
+    parser = tools.arguments(__doc__, None, "box_in_scene.png", "absolute_pose_py.jpg", 2.0)
+    parser.add_argument("next", nargs="?", help="the scene a moment later, found from the pose before")
+    parser.add_argument("--camera", help="file with camera_matrix and distortion_coefficients; none: a guess")
+    parser.add_argument("--focal", type=float, help="focal length in pixels of the guess; none: 1.2 times the longer side")
+    parser.add_argument("--iterations", type=int, default=2000, help="largest number of samples")
+    args = parser.parse_args()
+    if args.image1:
+        board = tools.read_image(args.image1)
+        scenes = [(tools.read_image(name), None) for name in (args.image2, args.next) if name]
+    else:
+        board = texture(400, 300, 1)
+        scenes = [photograph(board, (2.7, 0.3, -0.5), (0.1, 0.02, 2), 2, args),
+                  photograph(board, (2.68, 0.34, -0.47), (0.13, 0, 2.05), 4, args)]
+    before, code, pictures = None, 0, []
+    for image, truth in scenes:
+        ours, picture = find_pose(board, image, truth, before, args)
+        before = ours.model
+        pictures += [] if picture is None else [picture]
+        code |= tools.exit_code(ours, 1)
+    if pictures:
+        width = max(picture.shape[1] for picture in pictures)
+        pictures = [cv2.copyMakeBorder(p, 0, 0, 0, width - p.shape[1], cv2.BORDER_CONSTANT, value=(255, 255, 255))
+                    for p in pictures]
+        tools.write_picture(args.output, np.vstack(pictures), ours, " in the last scene (green); axes: X red, Y green, Z blue")
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())
