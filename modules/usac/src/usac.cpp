@@ -46,14 +46,15 @@ class UsacImpl : public Usac
 {
 public:
     UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2, const Params& params_)
-        : params(params_), problem(problem_), givenReach(params_.reach)
+        : params(params_), problem(problem_), keepsImage(true), givenReach(params_.reach)
     {
         checkProblem(*problem, params.residual);  // before its numbers are used
         seeImage(problem->createResidual(params.residual));
+        keepsImage = !imageResidual.empty();
         setPoints(points1, points2);
         parts = made = createComponents(*problem, params);
         imageParts = parts;  // so that a run finds its lists as long as they have to be
-        fitted = made.residual;
+        fitted = rated = made.residual;
     }
 
     Components& components() CV_OVERRIDE { return parts; }
@@ -63,7 +64,7 @@ public:
     {
         created = getTickCount();
         params.reach = givenReach;
-        data.read(*problem, points1, points2, params, arena, !imageResidual.empty());
+        data.read(*problem, points1, points2, params, arena, keepsImage);
     }
 
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
@@ -77,8 +78,9 @@ public:
         {
             parts.nonMinimalSolver = made.nonMinimalSolver = problem->createNonMinimalSolver(parts.residual);
             fitted = parts.residual;
-            seeImage(fitted);
         }
+        if (parts.residual != rated)
+            seeImage(parts.residual);
         arena.clear();
         const Context context(data.points(), parts, params, arena);
         parts.start(context);
@@ -196,7 +198,8 @@ private:
     //! What polishing and mask take in the place of a residual of the search, if there is something better.
     void seeImage(const Ptr<Residual>& residual)
     {
-        imageResidual = problem->createImageResidual(residual);
+        rated = residual;
+        imageResidual = keepsImage ? problem->createImageResidual(residual) : Ptr<Residual>();
         imageFit = imageResidual ? problem->createNonMinimalSolver(imageResidual) : Ptr<NonMinimalSolver>();
     }
 
@@ -263,9 +266,11 @@ private:
     Components parts;
     Components made;                 //!< for `params`, some of which the caller may have replaced
     Ptr<Residual> fitted;            //!< that made.nonMinimalSolver fits
+    Ptr<Residual> rated;             //!< that of the last run
     Ptr<Residual> imageResidual;     //!< Problem::createImageResidual of that; empty: there is none
     Ptr<NonMinimalSolver> imageFit;  //!< its least squares
     Components imageParts;           //!< while polishing
+    bool keepsImage;                 //!< the points are there as they were seen, too
     const double givenReach;
 };
 

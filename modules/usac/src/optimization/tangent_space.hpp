@@ -5,12 +5,22 @@
 #ifndef OPENCV_USACV20_TANGENT_SPACE_HPP
 #define OPENCV_USACV20_TANGENT_SPACE_HPP
 
+#include <Eigen/Geometry>
 #include "optimization/normal_equations.hpp"
 
 namespace cv {
 namespace usacv20 {
 
 typedef Eigen::Matrix<double, 3, 3, Eigen::RowMajor> RowMajor3;
+
+//! The rotation about a vector by its length.
+inline Eigen::Matrix3d rotationOf(const Eigen::Vector3d& w)
+{
+    const double angle = w.norm();
+    if (angle < 1e-300)
+        return Eigen::Matrix3d::Identity();
+    return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
+}
 
 //! Normal equations in the parameters from those in the entries of the model: A = B^T JtJ B, b = B^T Jtr.
 template <int DIMENSION, int SIZE>

@@ -64,32 +64,28 @@ int LensResidual::linearize(const Model& model, const double* datum, double* err
     return 2;
 }
 
+double LensResidual::squared(const Model& model, const double* const* columns, int i) const
+{
+    double datum[COLUMNS];
+    for (int k = 0; k < COLUMNS; ++k)
+        datum[k] = columns[k][i];
+    Vec2d seenAt;
+    const bool seen = project(model, datum, seenAt, 0);
+    const double dx = seenAt[0] - datum[3], dy = seenAt[1] - datum[4];
+    return seen ? dx * dx + dy * dy : INFINITY;
+}
+
 void LensResidual::squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const
 {
     for (int i = 0; i < count; ++i)
-    {
-        double datum[COLUMNS];
-        for (int k = 0; k < COLUMNS; ++k)
-            datum[k] = columns[k][i];
-        Vec2d seenAt;
-        const bool seen = project(model, datum, seenAt, 0);
-        const double dx = seenAt[0] - datum[3], dy = seenAt[1] - datum[4];
-        errors[i] = seen ? dx * dx + dy * dy : INFINITY;
-    }
+        errors[i] = squared(model, columns, i);
 }
 
 void LensResidual::squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
                                  float* errors) const
 {
     for (int i = begin; i < end; ++i)
-    {
-        const double* columns[COLUMNS];
-        for (int k = 0; k < COLUMNS; ++k)
-            columns[k] = points.exact[k] + i;
-        double error;
-        squaredErrors(model, columns, 1, &error);
-        errors[i - begin] = (float)error;
-    }
+        errors[i - begin] = (float)squared(model, points.exact, i);
 }
 
 }  // namespace usacv20

@@ -27,6 +27,7 @@ public:
     int linearize(const Model& model, const double* datum, double* error, double* derivative) const CV_OVERRIDE;
 
 private:
+    double squared(const Model& model, const double* const* columns, int i) const;
     bool project(const Model& model, const double* datum, Vec2d& seenAt, Matx<double, 2, 3>* derivative) const;
 
     const PoseCamera camera;

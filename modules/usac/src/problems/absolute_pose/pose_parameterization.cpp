@@ -5,23 +5,10 @@
 #include "precomp.hpp"
 #include "problems/absolute_pose/pose_parameterization.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 namespace cv {
 namespace usacv20 {
-
-namespace {
-
-Eigen::Matrix3d rotationOf(const Eigen::Vector3d& w)
-{
-    const double angle = w.norm();
-    if (angle < 1e-300)
-        return Eigen::Matrix3d::Identity();
-    return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
-}
-
-}  // namespace
 
 PoseParameterization::PoseParameterization(const Matx33d& camera, const Model& model)
     : K(Eigen::Map<const RowMajor3>(camera.val))

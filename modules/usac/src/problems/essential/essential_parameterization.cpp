@@ -5,23 +5,10 @@
 #include "precomp.hpp"
 #include "problems/essential/essential_parameterization.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 namespace cv {
 namespace usacv20 {
-
-namespace {
-
-Eigen::Matrix3d rotation(const Eigen::Vector3d& w)
-{
-    const double angle = w.norm();
-    if (angle < 1e-300)
-        return Eigen::Matrix3d::Identity();
-    return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
-}
-
-}  // namespace
 
 EssentialParameterization::EssentialParameterization(const Model& model)
 {
@@ -49,8 +36,8 @@ EssentialParameterization::Basis EssentialParameterization::tangent() const
 EssentialParameterization EssentialParameterization::plus(const Step& step) const
 {
     EssentialParameterization result(*this);
-    result.U = U * rotation(step.head<3>());
-    result.V = V * rotation(Eigen::Vector3d(step[3], step[4], 0));
+    result.U = U * rotationOf(step.head<3>());
+    result.V = V * rotationOf(Eigen::Vector3d(step[3], step[4], 0));
     return result;
 }
 

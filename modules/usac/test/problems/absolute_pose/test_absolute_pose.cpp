@@ -307,6 +307,62 @@ TEST(Usac_AbsolutePose, wrong_arguments_are_named)
     expectException([&]() { estimateAbsolutePose(object, image, K, none, degensac); }, "degeneracy");
 }
 
+//! Errors of the search, without the lens, by a residual of a program's own.
+class PlainResidual : public Residual
+{
+public:
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
+    {
+        builtIn->squaredErrors(points, model, begin, end, errors);
+    }
+    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
+    {
+        builtIn->squaredErrors(model, columns, count, errors);
+    }
+
+    Ptr<Residual> builtIn;
+};
+
+//! The mask is that of the residual in use, whatever else is replaced, and of the lens again when it is put back.
+TEST(Usac_AbsolutePose, replaced_residual_makes_the_mask)
+{
+    PoseSceneOptions options;
+    options.coefficients = 5;
+    const PoseScene s = makePoseScene(options);
+    const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, s.object, s.image, Params(), s.K, noArray(), s.distortion);
+    Mat lens, plain, again;
+    ASSERT_FALSE(usac->run(lens).empty());
+    const Ptr<Residual> builtIn = usac->components().residual;
+    const Ptr<NonMinimalSolver> solver = usac->components().nonMinimalSolver;
+    const Ptr<PlainResidual> own = makePtr<PlainResidual>();
+    own->builtIn = builtIn;
+    usac->components().residual = own;
+    usac->components().nonMinimalSolver = usac->points().problem->createNonMinimalSolver(builtIn);
+    const Mat pose = usac->run(plain);
+    ASSERT_FALSE(pose.empty());
+    std::vector<Point2d> flat;
+    undistortPoints(s.image, flat, s.K, s.distortion, noArray(), s.K);
+    const Matx34d P(Mat(Mat(s.K) * pose));
+    int inliers = 0;
+    for (int i = 0; i < s.size(); ++i)
+    {
+        const Vec3d x = P * Vec4d(s.object[i].x, s.object[i].y, s.object[i].z, 1);
+        const double error = cv::norm(Point2d(x[0] / x[2], x[1] / x[2]) - flat[i]);
+        inliers += plain.at<uchar>(i);
+        if (std::abs(error - 1.5) > 0.01)  // undistortPoints is not exact
+        {
+            EXPECT_EQ(x[2] > 0 && error <= 1.5 ? 1 : 0, plain.at<uchar>(i)) << error;
+        }
+    }
+    EXPECT_GT(inliers, 100);
+    usac->setPoints(s.object, s.image);
+    usac->components().residual = builtIn;
+    usac->components().nonMinimalSolver = solver;
+    ASSERT_FALSE(usac->run(again).empty());
+    EXPECT_EQ(0, cvtest::norm(lens, again, NORM_INF));
+}
+
 TEST(Usac_AbsolutePose, too_few_points)
 {
     const PoseScene scene = makePoseScene();
