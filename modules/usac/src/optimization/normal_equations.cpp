@@ -11,23 +11,26 @@ namespace usacv20 {
 
 namespace {
 
-void fromTransferSums(const double* sums, NormalEquations& equations)
+/** Of the error of a projection by a matrix of 3 rows of N: products of the point with itself (the upper triangle)
+times 1, u, v, u^2 + v^2; the gradient; the cost. */
+template <int N>
+void fromProjectionSums(const double* sums, NormalEquationsOf<3 * N>& equations)
 {
-    static const int SYMMETRIC[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+    enum { PRODUCTS = N * (N + 1) / 2 };
     equations.JtJ.setZero();
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j)
         {
-            const int n = SYMMETRIC[i][j];
-            equations.JtJ(i, j) = equations.JtJ(3 + i, 3 + j) = sums[n];
-            equations.JtJ(6 + i, j) = -sums[6 + n];
-            equations.JtJ(6 + i, 3 + j) = -sums[12 + n];
-            equations.JtJ(6 + i, 6 + j) = sums[18 + n];
+            const int low = std::min(i, j), n = low * N - low * (low - 1) / 2 + std::abs(i - j);
+            equations.JtJ(i, j) = equations.JtJ(N + i, N + j) = sums[n];
+            equations.JtJ(2 * N + i, j) = -sums[PRODUCTS + n];
+            equations.JtJ(2 * N + i, N + j) = -sums[2 * PRODUCTS + n];
+            equations.JtJ(2 * N + i, 2 * N + j) = sums[3 * PRODUCTS + n];
         }
-    for (int i = 0; i < 9; ++i)
-        equations.Jtr[i] = sums[24 + i];
-    equations.JtJ.triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
-    equations.cost = sums[33];
+    for (int i = 0; i < 3 * N; ++i)
+        equations.Jtr[i] = sums[4 * PRODUCTS + i];
+    equations.JtJ.template triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
+    equations.cost = sums[4 * PRODUCTS + 3 * N];
 }
 
 //! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of the triangle holds
@@ -41,25 +44,6 @@ void fromEpipolarSums(const double* sums, NormalEquations& equations)
         equations.Jtr[i] = sums[45 + i];
     equations.JtJ.triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
     equations.cost = sums[54];
-}
-
-void fromReprojectionSums(const double* sums, CameraEquations& equations)
-{
-    static const int SYMMETRIC[4][4] = {{0, 1, 2, 3}, {1, 4, 5, 6}, {2, 5, 7, 8}, {3, 6, 8, 9}};
-    equations.JtJ.setZero();
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-        {
-            const int n = SYMMETRIC[i][j];
-            equations.JtJ(i, j) = equations.JtJ(4 + i, 4 + j) = sums[n];
-            equations.JtJ(8 + i, j) = -sums[10 + n];
-            equations.JtJ(8 + i, 4 + j) = -sums[20 + n];
-            equations.JtJ(8 + i, 8 + j) = sums[30 + n];
-        }
-    for (int i = 0; i < 12; ++i)
-        equations.Jtr[i] = sums[40 + i];
-    equations.JtJ.triangularView<Eigen::StrictlyUpper>() = equations.JtJ.transpose();
-    equations.cost = sums[52];
 }
 
 /** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG = -G dH G the
@@ -129,13 +113,13 @@ void NormalEquationsOf<9>::accumulate(const Residual& residual, const PointChunk
         return;
     }
     points.sum(kernel, TRANSFER_SUMS, model.val, false, sums);
-    fromTransferSums(sums, *this);
+    fromProjectionSums<3>(sums, *this);
     if (kind == Residual::SYMMETRIC_TRANSFER)
     {
         const Matx33d G = Matx33d(model).inv();
         NormalEquations inverse;
         points.sum(kernel, TRANSFER_SUMS, G.val, true, sums);
-        fromTransferSums(sums, inverse);
+        fromProjectionSums<3>(sums, inverse);
         addInverse(inverse, G, *this);
     }
 }
@@ -150,7 +134,7 @@ void NormalEquationsOf<12>::accumulate(const Residual& residual, const PointChun
     }
     double sums[REPROJECTION_SUMS];
     points.sum(kernels().sums[Residual::REPROJECTION], REPROJECTION_SUMS, model.val, false, sums);
-    fromReprojectionSums(sums, *this);
+    fromProjectionSums<4>(sums, *this);
 }
 
 template <int SIZE>
