@@ -23,7 +23,7 @@ report()
     fi
 }
 
-grep -rnE '\bproblem(Type)?\b *(==|!=)|\[[A-Za-z_.>()-]*\bproblem(Type)?\]|switch *\([A-Za-z_.>-]*\bproblem(Type)?\)|case (HOMOGRAPHY|FUNDAMENTAL|ESSENTIAL|AFFINITY|SIMILARITY)\b' \
+grep -rnE '\bproblem(Type)?\b *(==|!=)|\[[A-Za-z_.>()-]*\bproblem(Type)?\]|switch *\([A-Za-z_.>-]*\bproblem(Type)?\)|case (HOMOGRAPHY|FUNDAMENTAL|ESSENTIAL|AFFINITY|SIMILARITY|ABSOLUTE_POSE|RIGID_3D|SIMILARITY_3D)\b' \
     --include='*.[ch]pp' "$src" | grep -v "^$src/problems/" > "$mistakes"
 report "compares or counts problems outside $src/problems"
 find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'END { if (NR > 400) print FILENAME ": " NR " lines" }' {} \; > "$mistakes"

@@ -82,6 +82,26 @@ Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputA
         ->run(mask);
 }
 
+Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+{
+    return Usac::create(RIGID_3D, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+{
+    return Usac::create(RIGID_3D, points1, points2, params)->run(mask);
+}
+
+Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+{
+    return Usac::create(SIMILARITY_3D, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+{
+    return Usac::create(SIMILARITY_3D, points1, points2, params)->run(mask);
+}
+
 }  // namespace usacv20
 
 }  // namespace cv

@@ -58,9 +58,9 @@ void checkProblem(const Problem& problem, int residual)
     if (first < 1 || first > 3 || second < 0 || second > 3)
         CV_Error_(Error::StsOutOfRange, ("problem %s: points of 1 to 3 coordinates are expected, not of %d and %d",
                                          name.c_str(), first, second));
-    if (dimensions < 1 || dimensions > std::min(2, second > 0 ? second : first))
+    if (dimensions < 1 || dimensions > std::min(3, second > 0 ? second : first))
         CV_Error_(Error::StsOutOfRange,
-                  ("problem %s: errors of 1 or 2 dimensions, no more than a point has, are expected, not of %d",
+                  ("problem %s: errors of 1 to 3 dimensions, no more than a point has, are expected, not of %d",
                    name.c_str(), dimensions));
     if (problem.dimension() < 1 || m * dimensions < problem.dimension())
         CV_Error_(Error::StsOutOfRange,

@@ -87,6 +87,7 @@ const NonMinimalSolver& Context::nonMinimalSolver() const
 }
 
 Residual::Kind Residual::kind() const { return CUSTOM; }
+bool Residual::homogeneous() const { return true; }
 
 int Residual::error(const Model& model, const double* datum, double* error) const
 {

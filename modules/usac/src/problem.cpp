@@ -78,7 +78,9 @@ double Problem::randomInlierRatio(const Correspondences& points) const
     const Box last(points, points.coordinates[1] ? 1 : 0);
     const double t = points.threshold;
     // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both are equal
-    const double around = errorDimension() > 1 ? CV_PI * t * t : 2 * (points.coordinates[1] ? std::sqrt(2.) : 1.) * t;
+    const double around = errorDimension() == 3   ? 4 * CV_PI / 3 * t * t * t
+                          : errorDimension() == 2 ? CV_PI * t * t
+                                                  : 2 * (points.coordinates[1] ? std::sqrt(2.) : 1.) * t;
     const double within = around * last.largestSection(errorDimension()), whole = last.volume();
     return within < whole ? within / whole : 1;
 }

@@ -6,7 +6,8 @@
 #define OPENCV_USACV20_USAC_HPP
 
 /**
-@defgroup usacv20 USACv20: robust estimation of homographies, affine maps, epipolar geometry and camera poses
+@defgroup usacv20 USACv20: robust estimation of homographies, affine maps, epipolar geometry, camera poses and motions
+of space
 
 The RANSAC framework of @cite ivashechkin2021usacv20 behind the functions of the module calib3d. Three levels of use:
 
@@ -16,7 +17,8 @@ module or of OpenCV: `cv::usacv20::findHomography(points1, points2, method, 3.0,
 cv::estimateAffinePartial2D, cv::findFundamentalMat, cv::findEssentialMat and cv::solvePnPRansac.
 2. A usacv20::Params with all options, match scores among them, and a usacv20::Report:
    usacv20::estimateHomography, usacv20::estimateAffinity2D, usacv20::estimateSimilarity2D,
-usacv20::estimateFundamental, usacv20::estimateEssential, usacv20::estimateAbsolutePose.
+usacv20::estimateFundamental, usacv20::estimateEssential, usacv20::estimateAbsolutePose, usacv20::estimateRigid3D,
+usacv20::estimateSimilarity3D.
 3. A component of one's own: usacv20::Usac::create builds the default set, each can be replaced before
 usacv20::Usac::run.
 */

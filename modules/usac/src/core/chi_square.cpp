@@ -35,10 +35,11 @@ double chiSquareQuantile(double p, int degrees)
 
 double thresholdInSigmas(int degrees)
 {
-    static const double ONE = std::sqrt(chiSquareQuantile(QUANTILE, 1)),
-                        TWO = std::sqrt(chiSquareQuantile(QUANTILE, 2));
-    CV_Assert(degrees == 1 || degrees == 2);
-    return degrees == 1 ? ONE : TWO;
+    static const double SIGMAS[] = {std::sqrt(chiSquareQuantile(QUANTILE, 1)),
+                                    std::sqrt(chiSquareQuantile(QUANTILE, 2)),
+                                    std::sqrt(chiSquareQuantile(QUANTILE, 3))};
+    CV_Assert(degrees >= 1 && degrees <= 3);
+    return SIGMAS[degrees - 1];
 }
 
 }  // namespace usacv20

@@ -21,6 +21,17 @@ constexpr int STEPS = 4;
 //! more points than outliers explain, and so much of the core. Half: the same; double: errors of H +1 % on the lists.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
+int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
+
+//! Density of the error of an inlier to the power of the degrees of freedom, at 0.
+double peakOf(double variance, int degrees)
+{
+    if (degrees == 2)
+        return 1 / (2 * variance);
+    const double one = std::sqrt(2 / (CV_PI * variance));
+    return degrees == 1 ? one : one / (3 * variance);
+}
+
 }  // namespace
 
 double NoiseScale::estimate(const float* squaredErrors, int count, double threshold, int degrees)
@@ -42,12 +53,11 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
         return 1 / thresholdInSigmas(degrees);
     for (int i = 0; i < BINS; ++i)
         near[i] /= std::max(members[i], 1);
-    const double outlier = degrees == 1 ? 1. / REACH
-                                        : 1 / limit;  // densities; of the square for two degrees of freedom
+    const double outlier = 1. / power(REACH, degrees);  // densities of the error to the power of the degrees of freedom
     double variance = FIRST_VARIANCE, part = FIRST_PART;
     for (int step = 0; step < STEPS; ++step)
     {
-        const double peak = degrees == 1 ? std::sqrt(2 / (CV_PI * variance)) : 1 / (2 * variance);
+        const double peak = peakOf(variance, degrees);
         double sum = 0, squares = 0;
         for (int i = 0; i < BINS; ++i)
         {
@@ -71,8 +81,8 @@ bool NoiseScale::hasTail(const int* members, double sigma, int degrees)
     int core = 0, tail = 0, outside = 0;
     for (int i = 0; i < BINS; ++i)
         (i < first ? core : i < INSIDE ? tail : outside) += members[i];
-    const double inner = degrees == 1 ? INSIDE - first : INSIDE * INSIDE - first * first;
-    const double outer = degrees == 1 ? BINS - INSIDE : BINS * BINS - INSIDE * INSIDE;
+    const double inner = power(INSIDE, degrees) - power(first, degrees);
+    const double outer = power(BINS, degrees) - power(INSIDE, degrees);
     const double expected = outside * inner / outer;
     return tail > expected + DEVIATIONS * std::sqrt(expected) + PART_OF_CORE * core;
 }

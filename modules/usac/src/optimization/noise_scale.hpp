@@ -11,9 +11,9 @@ namespace usacv20 {
 /** @brief Standard deviation of the noise of the inliers in units of the threshold, by expectation and maximization.
 
 The errors within #REACH thresholds are a mixture of those of inliers (half normal for one degree of freedom, Rayleigh's
-distribution for two) and of outliers (uniform in the same sense) @cite torr2000mlesac. At most #MOST errors are looked
-at, the first ones, in #BINS bins of equal width, each by the mean square of its errors. With fewer than #LEAST of them
-the noise that the threshold stands for is returned, 1 / thresholdInSigmas(degrees).
+distribution for two, Maxwell's for three) and of outliers (uniform in the same sense) @cite torr2000mlesac. At most
+#MOST errors are looked at, the first ones, in #BINS bins of equal width, each by the mean square of its errors. With
+fewer than #LEAST of them the noise that the threshold stands for is returned, 1 / thresholdInSigmas(degrees).
 
 Noise that is less than #leastSigma needs evidence: that next to no error lies between four of its standard deviations
 and the threshold, but those that outliers explain, whose density shows beyond the threshold. Else the noise has long
@@ -34,7 +34,7 @@ public:
     //! evidence. Half, double: errors of H +1 % on the lists.
     static double leastSigma() { return 0.27; }
 
-    //! @param squaredErrors `count` squared errors @param threshold not squared @param degrees 1 or 2
+    //! @param squaredErrors `count` squared errors @param threshold not squared @param degrees 1 to 3
     static double estimate(const float* squaredErrors, int count, double threshold, int degrees);
 
 private:

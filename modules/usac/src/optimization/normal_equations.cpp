@@ -141,9 +141,9 @@ template <int SIZE>
 double NormalEquationsOf<SIZE>::costOf(const Residual& residual, const PointChunks& points, const Model& model)
 {
     const Residual::Kind kind = residual.kind();
-    if (kind == Residual::CUSTOM)
+    const SumsKernel kernel = kind == Residual::CUSTOM ? 0 : kernels().costs[kind];
+    if (!kernel)
         return costOfPoints(residual, points, model);
-    const SumsKernel kernel = kernels().costs[kind];
     double cost, back = 0;
     points.sum(kernel, 1, model.val, false, &cost);
     if (kind == Residual::SYMMETRIC_TRANSFER)

@@ -27,9 +27,9 @@ struct NormalEquationsOf
     static double costOf(const Residual& residual, const PointChunks& points, const Model& model);
 };
 
-//! Of a 3x3 matrix, and of the 3x4 matrix of a camera.
+//! Of a 3x3 matrix, and of the 3x4 matrix of a camera or of a motion of space.
 typedef NormalEquationsOf<9> NormalEquations;
-typedef NormalEquationsOf<12> CameraEquations;
+typedef NormalEquationsOf<12> SpaceEquations;
 
 }  // namespace usacv20
 }  // namespace cv

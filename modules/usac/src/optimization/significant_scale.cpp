@@ -14,9 +14,9 @@ namespace {
 //! LOWEST on.
 constexpr int LOWEST = -4, BINS = 128;
 //! Derived, see the class; they multiply as REACH in usac.cpp does.
-//! Median of the points within the r that is found, in standard deviations of the noise; two and one degrees of
+//! Median of the points within the r that is found, in standard deviations of the noise; of one to three degrees of
 //! freedom.
-constexpr double MEDIAN_TWO = 1.15, MEDIAN_ONE = 0.64;
+constexpr double MEDIANS[] = {0.64, 1.15, 1.52};
 
 //! Exponent and first bit of the mantissa. Larger ones than there are bins for, and NaN, are in none.
 int binOf(float square)
@@ -37,8 +37,13 @@ double surprise(double k, double n, double p)
     return n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
 }
 
-//! The median error of the points up to a bin, with errors evenly spread (two degrees of freedom: over the area) in
-//! their bin.
+//! r^degrees.
+double volumeOf(double square, int degrees)
+{
+    return degrees == 2 ? square : degrees == 1 ? std::sqrt(square) : square * std::sqrt(square);
+}
+
+//! The median error of the points up to a bin, with errors evenly spread (over the area, over the volume) in their bin.
 double medianOf(const int* members, int last, int within, int degrees)
 {
     const double half = 0.5 * within;
@@ -47,9 +52,8 @@ double medianOf(const int* members, int last, int within, int degrees)
         before += members[bin++];
     const double part = (half - before) / std::max(members[bin], 1), begin = bin > 0 ? endOf(bin - 1) : 0,
                  end = endOf(bin);
-    if (degrees == 2)
-        return std::sqrt(begin + part * (end - begin));
-    return std::sqrt(begin) + part * (std::sqrt(end) - std::sqrt(begin));
+    const double first = volumeOf(begin, degrees), volume = first + part * (volumeOf(end, degrees) - first);
+    return degrees == 2 ? std::sqrt(volume) : degrees == 1 ? volume : std::cbrt(volume);
 }
 
 }  // namespace
@@ -72,7 +76,7 @@ double SignificantScale::estimate(const float* squaredErrors, int count, double 
     for (int bin = 0, within = 0; bin < BINS; ++bin)
     {
         within += members[bin];
-        const double end = endOf(bin), p = chance * (degrees == 2 ? end : std::sqrt(end));
+        const double p = chance * volumeOf(endOf(bin), degrees);
         if (p >= 1)
             break;
         const double value = within > sampleSize ? surprise(within - sampleSize, size - sampleSize, p) : 0;
@@ -83,9 +87,7 @@ double SignificantScale::estimate(const float* squaredErrors, int count, double 
             foundWithin = within;
         }
     }
-    return found < 0
-               ? 0
-               : medianOf(members, found, foundWithin, degrees) / (degrees == 2 ? MEDIAN_TWO : MEDIAN_ONE) * threshold;
+    return found < 0 ? 0 : medianOf(members, found, foundWithin, degrees) / MEDIANS[degrees - 1] * threshold;
 }
 
 }  // namespace usacv20

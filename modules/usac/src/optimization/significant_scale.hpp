@@ -15,9 +15,10 @@ with the probability p(r) = chance (r / threshold)^degrees, and by Chernoff's bo
 the probability exp(-n D(k/n, p)), D being the divergence of Kullback and Leibler; r has the least bound, as in an
 a-contrario RANSAC
 @cite moisan2004probabilistic. With Gaussian noise that is 2.4 to 2.9 sigma for two degrees of freedom (errors in the
-plane) and 1.7 to 2.4 sigma for one, with 10 to 100 % of inliers, so their median is 1.15 or 0.64 sigma, up to 3 %. It
-is the median that gives the scale: where half of the inliers are much closer than others (a second plane, not far from
-the first), it is that half's. The points of the sample are inliers anyway and do not count for the bound.
+plane), 1.7 to 2.4 sigma for one and 2.9 to 3.2 sigma for three, with 10 to 100 % of inliers, so their median is 1.15,
+0.64 or 1.52 sigma, up to 3 %. It is the median that gives the scale: where half of the inliers are much closer than
+others (a second plane, not far from the first), it is that half's. The points of the sample are inliers anyway and do
+not count for the bound.
 
 The radii grow by factors of 1.15 and 1.22, from a quarter of the threshold up to where p is 1. At most #MOST errors are
 looked at, the first ones. */
@@ -29,7 +30,7 @@ public:
     /** @param squaredErrors, count of all points under the model, in random order
     @param threshold unit of the radii, not squared
     @param chance that a point is within the threshold of a wrong model
-    @param degrees of freedom of the error, 1 or 2
+    @param degrees of freedom of the error, 1 to 3
     @param sampleSize m points of a minimal sample
     @return sigma, 0 where even the least bound would be met by one of the n^m samples */
     static double estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees,

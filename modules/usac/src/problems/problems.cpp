@@ -9,6 +9,7 @@
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/homography/homography.hpp"
 #include "problems/problems.hpp"
+#include "problems/rigid_motion/rigid_motion.hpp"
 #include "problems/similarity/similarity.hpp"
 
 namespace cv {
@@ -25,6 +26,8 @@ Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArra
     case SIMILARITY: return createSimilarityProblem();
     case ESSENTIAL: return createEssentialProblem(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
     case ABSOLUTE_POSE: return createAbsolutePoseProblem(cameraMatrix1, distCoeffs1);
+    case RIGID_3D: return createRigid3DProblem();
+    case SIMILARITY_3D: return createSimilarity3DProblem();
     }
     CV_Error_(Error::StsBadArg, ("problem: one of ProblemType is expected, not %d", (int)type));
 }

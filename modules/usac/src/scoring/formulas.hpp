@@ -107,6 +107,21 @@ struct ReprojectionError
     }
 };
 
+/** Distance in space, squared: |A X1 + t - X2|^2 for the 3x4 matrix [A t]. */
+struct SpaceTransferError
+{
+    enum { COLUMNS = 6, NUMBERS = 12 };
+
+    template <typename T>
+    static inline T squared(const T* m, T X1, T Y1, T Z1, T X2, T Y2, T Z2)
+    {
+        const T dx = m[0] * X1 + m[1] * Y1 + m[2] * Z1 + m[3] - X2;
+        const T dy = m[4] * X1 + m[5] * Y1 + m[6] * Z1 + m[7] - Y2;
+        const T dz = m[8] * X1 + m[9] * Y1 + m[10] * Z1 + m[11] - Z2;
+        return dx * dx + dy * dy + dz * dz;
+    }
+};
+
 }  // namespace
 
 }  // namespace usacv20

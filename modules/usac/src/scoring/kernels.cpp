@@ -31,14 +31,19 @@ const Kernels& kernels()
     return best;
 }
 
-void toFloat(const Model& model, float* m)
+void toFloat(const Model& model, float* m, bool homogeneous)
 {
-    double largest = 0;
+    double factor = 1, limit = FLT_MAX;
+    if (homogeneous)
+    {
+        double largest = 0;
+        for (int i = 0; i < model.size(); ++i)
+            largest = std::max(largest, std::abs(model.val[i]));
+        factor = largest > 0 ? 1 / largest : 0;
+        limit = 1;
+    }
     for (int i = 0; i < model.size(); ++i)
-        largest = std::max(largest, std::abs(model.val[i]));
-    const double factor = largest > 0 ? 1 / largest : 0;
-    for (int i = 0; i < model.size(); ++i)
-        m[i] = (float)(model.val[i] * factor);
+        m[i] = (float)std::min(std::max(model.val[i] * factor, -limit), limit);
 }
 
 }  // namespace usacv20

@@ -42,8 +42,8 @@ struct Kernels
     ErrorKernel errors[Residual::CUSTOM];
     FusedKernel msac[Residual::CUSTOM];
     FusedKernel inliers[Residual::CUSTOM];
-    SumsKernel sums[Residual::CUSTOM];
-    SumsKernel costs[Residual::CUSTOM];
+    SumsKernel sums[Residual::CUSTOM];   //!< null where fits are in closed form
+    SumsKernel costs[Residual::CUSTOM];  //!< the same
     ArcsKernel arcs;
 };
 
@@ -58,8 +58,8 @@ Kernels avx512Kernels();
 //! The best kernels of this processor, as far as OPENCV_CPU_DISABLE lets them be used.
 const Kernels& kernels();
 
-//! Model::size() numbers in the precision of the kernels, scaled so that no float overflows.
-void toFloat(const Model& model, float* m);
+//! Model::size() numbers in the precision of the kernels; of a homogeneous model scaled so that no float overflows.
+void toFloat(const Model& model, float* m, bool homogeneous = true);
 
 }  // namespace usacv20
 }  // namespace cv

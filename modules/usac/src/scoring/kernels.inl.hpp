@@ -123,6 +123,7 @@ Kernels allKernels()
     all.arcs = arcsKernel;
     addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums, symmetricEpipolarCost, all);
     addKernels<ReprojectionError>(Residual::REPROJECTION, reprojectionSums, reprojectionCost, all);
+    addKernels<SpaceTransferError>(Residual::SPACE_TRANSFER, 0, 0, all);
     return all;
 }
 

@@ -43,8 +43,8 @@ double MarginalizedWeights::sumOfLosses(float* u, int count) const
 
 const MarginalizedWeights& MarginalizedWeights::of(int degrees)
 {
-    static const MarginalizedWeights one(1), two(2);
-    return degrees == 1 ? one : two;
+    static const MarginalizedWeights one(1), two(2), three(3);
+    return degrees == 1 ? one : degrees == 2 ? two : three;
 }
 
 MarginalizedWeights::MarginalizedWeights(int degrees) : a(0.5 * (degrees - 1))

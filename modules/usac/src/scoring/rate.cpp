@@ -23,7 +23,7 @@ public:
         : points(context.points), score(score_), residual(*context.components.residual), kernel(score.fused(residual)),
           limit((float)(points.threshold * points.threshold)), model(model_)
     {
-        toFloat(model, m);
+        toFloat(model, m, residual.homogeneous());
     }
 
     void add(int begin, int end, Quality& sum) const

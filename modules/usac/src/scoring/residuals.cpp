@@ -29,7 +29,7 @@ public:
                        float* errors) const CV_OVERRIDE
     {
         float m[MAX_MODEL_SIZE];
-        toFloat(model, m);
+        toFloat(model, m, homogeneous());
         kernels().errors[KIND](points, m, begin, end, errors);
     }
 
@@ -39,6 +39,12 @@ public:
     }
 
     Kind kind() const CV_OVERRIDE { return KIND; }
+};
+
+class SpaceTransferResidual : public FormulaResidual<SpaceTransferError, Residual::SPACE_TRANSFER>
+{
+public:
+    bool homogeneous() const CV_OVERRIDE { return false; }
 };
 
 }  // namespace
@@ -61,6 +67,8 @@ Ptr<Residual> createReprojectionResidual()
 {
     return makePtr<FormulaResidual<ReprojectionError, Residual::REPROJECTION>>();
 }
+
+Ptr<Residual> createSpaceTransferResidual() { return makePtr<SpaceTransferResidual>(); }
 
 }  // namespace usacv20
 }  // namespace cv

@@ -20,6 +20,8 @@ Ptr<Residual> createSymmetricTransferResidual();
 Ptr<Residual> createSymmetricEpipolarResidual();
 //! Absolute pose: error in the image, see ReprojectionError.
 Ptr<Residual> createReprojectionResidual();
+//! Rigid motion: distance in space 2, see SpaceTransferError.
+Ptr<Residual> createSpaceTransferResidual();
 
 }  // namespace usacv20
 }  // namespace cv

@@ -181,7 +181,7 @@ public:
 class CV_EXPORTS Residual : public Component
 {
 public:
-    enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, REPROJECTION, CUSTOM };
+    enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, REPROJECTION, SPACE_TRANSFER, CUSTOM };
     //! Most components of an error.
     enum { MAX_COMPONENTS = 4 };
 
@@ -206,10 +206,13 @@ public:
     virtual int linearize(const Model& model, const double* datum, double* error, double* derivative) const;
     //! Names the formula, so that a Score can offer a fused kernel for it. Default: CUSTOM, which has none.
     virtual Kind kind() const;
+    //! True, the default: any multiple of a model is the same model, so that a FusedKernel gets it with the largest
+    //! number 1. False: it gets the numbers as they are.
+    virtual bool homogeneous() const;
 };
 
 /** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over Correspondences::column.
-`model` are the Model::size() numbers as float, scaled so that the largest is 1. It is worth its while if it becomes
+`model` are the Model::size() numbers as float, see Residual::homogeneous. It is worth its while if it becomes
 vector code, also for blocks of 32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model, float squaredThreshold, int begin,
                             int end, Quality& sum);

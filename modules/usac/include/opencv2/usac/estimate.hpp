@@ -133,6 +133,41 @@ CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoi
                                     InputArray distCoeffs = noArray(), const Params& params = Params(),
                                     OutputArray mask = noArray());
 
+/** @brief Estimates the rotation and translation of space that take points to their counterparts: X2 = R X1 + t.
+
+@param points1 N points of space 1: N x 3 or 3 x N with 1 channel, or with 3 channels, any depth.
+@param points2 their N counterparts in space 2, in the same unit.
+@param params options; `threshold` is the distance in space 2, in the unit of the points, so that its default will
+rarely do.
+@param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned motion is at most the threshold, else 0.
+@param report output, what the run learned.
+@return 3x4, CV_64F, [R t]; empty if there is none, and `report` says why.
+
+Minimal samples have three points @cite horn1987closed; many points are fitted in closed form @cite umeyama1991least.
+Points on a line determine no rotation. Points with NaN or infinite coordinates, as depth cameras give them, are never
+inliers. */
+CV_EXPORTS_W Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                                 CV_OUT Report& report);
+//! @overload
+CV_EXPORTS Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params = Params(),
+                               OutputArray mask = noArray());
+
+/** @brief Estimates rotation, uniform scale and translation of space: X2 = s R X1 + t, s > 0.
+
+As of a reconstruction whose unit is unknown to points that were measured.
+
+@param points1 N points of space 1, as in #estimateRigid3D, in any unit.
+@param points2 their N counterparts in space 2.
+@param params options; `threshold` is the distance in space 2, in the unit of `points2`.
+@param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the threshold, else 0.
+@param report output, what the run learned.
+@return 3x4, CV_64F, [s R t]; empty if there is none, and `report` says why. */
+CV_EXPORTS_W Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                                      CV_OUT Report& report);
+//! @overload
+CV_EXPORTS Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params = Params(),
+                                    OutputArray mask = noArray());
+
 //! @}
 
 }  // namespace usacv20

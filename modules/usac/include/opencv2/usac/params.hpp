@@ -57,12 +57,14 @@ namespace usacv20 {
 
 //! The model that is estimated.
 enum ProblemType {
-    HOMOGRAPHY = 0,    //!< 3x3 homography from 4 or more correspondences
-    FUNDAMENTAL = 1,   //!< 3x3 fundamental matrix from 7 or more correspondences
-    ESSENTIAL = 2,     //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
-    AFFINITY = 3,      //!< 2x3 affine map from 3 or more correspondences
-    SIMILARITY = 4,    //!< 2x3 map by rotation, uniform scale and translation from 2 or more correspondences
-    ABSOLUTE_POSE = 5  //!< 3x4 pose of a calibrated camera from 3 or more points of space and their images
+    HOMOGRAPHY = 0,     //!< 3x3 homography from 4 or more correspondences
+    FUNDAMENTAL = 1,    //!< 3x3 fundamental matrix from 7 or more correspondences
+    ESSENTIAL = 2,      //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
+    AFFINITY = 3,       //!< 2x3 affine map from 3 or more correspondences
+    SIMILARITY = 4,     //!< 2x3 map by rotation, uniform scale and translation from 2 or more correspondences
+    ABSOLUTE_POSE = 5,  //!< 3x4 pose of a calibrated camera from 3 or more points of space and their images
+    RIGID_3D = 6,       //!< 3x4 rotation and translation of space from 3 or more pairs of points of space
+    SIMILARITY_3D = 7   //!< the same with a uniform scale
 };
 
 //! How minimal samples are drawn (paper, section "Sampling"); all but one of Params::orderedEvery samples are uniform
@@ -89,10 +91,11 @@ enum NeighborhoodType {
 
 //! Which error of a point is minimized and compared with the threshold.
 enum ResidualType {
-    //! H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose: reprojection error
+    //! H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose: reprojection error. Motions of
+    //! space: distance in space 2
     RESIDUAL_STANDARD = 0,
     //! H, affine maps: root of the summed squared transfer errors in both images. F, E: of the squared distances to
-    //! both epipolar lines. Absolute pose: refused, as it has one image
+    //! both epipolar lines. Absolute pose, motions of space: refused
     RESIDUAL_SYMMETRIC = 1
 };
 
@@ -154,7 +157,7 @@ enum TerminationFlags {
 };
 
 //! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy"). All bits: all checks
-//! that the problem has. The 2-D affinity and similarity have #DEGENERACY_REPEATED, and refuse sets with
+//! that the problem has. Affine maps, poses and motions of space have #DEGENERACY_REPEATED, and refuse sets with
 //! #DEGENERACY_DEGENSAC but that of all bits, so usac2013(), too.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION =
@@ -186,7 +189,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP Params();
 
     //! Inlier threshold in pixels, not squared; > 0. H, affine maps: distance in image 2. F, E: Sampson distance.
-    //! Absolute pose: reprojection error in the image as it was taken. Default 1.5.
+    //! Absolute pose: reprojection error in the image as it was taken. Motions of space: distance in space 2, in the
+    //! unit of the points. Default 1.5.
     CV_PROP_RW double threshold;
     /** Probability that the search does not miss a better model (#TERMINATION_P_NAPSAC: one that is significantly
     better, see `relaxation`), unless `maxIterations` ends it; in (0, 1). Default 0.99. */

@@ -40,7 +40,8 @@ public:
     //! Degrees of freedom of a model; at most errorDimension() times the size of a sample.
     virtual int dimension() const = 0;
     /** Degrees of freedom of the error of an inlier, that is the codimension of the manifold on which exact data lie in
-    the space of a datum: 2 where a point is mapped to a point (H), 1 where it is mapped to a line (F, E). 1 or 2. So it
+    the space of a datum: 2 where a point is mapped to a point of a plane (H), 3 where to one of space, 1 where it is
+    mapped to a line (F, E). 1 to 3. So it
     is for symmetric errors, too: their terms are functions of each other, so the second term changes the scale of the
     error only. */
     virtual int errorDimension() const = 0;

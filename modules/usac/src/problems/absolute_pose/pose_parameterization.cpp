@@ -3,9 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "optimization/closest_rotation.hpp"
 #include "problems/absolute_pose/pose_parameterization.hpp"
-
-#include <Eigen/SVD>
 
 namespace cv {
 namespace usacv20 {
@@ -15,12 +14,9 @@ PoseParameterization::PoseParameterization(const Matx33d& camera, const Model& m
 {
     const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> M(model.val);
     const Eigen::Matrix<double, 3, 4> pose = K.inverse() * M;
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(pose.leftCols<3>(), Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Matrix3d U = svd.matrixU();
-    if (U.determinant() * svd.matrixV().determinant() < 0)
-        U.col(2) = -U.col(2);
-    R = U * svd.matrixV().transpose();
-    t = pose.col(3) * (3 / svd.singularValues().sum());
+    const ClosestRotation closest(pose.leftCols<3>());
+    R = closest.rotation;
+    t = pose.col(3) * (3 / closest.singularValues.sum());
 }
 
 PoseParameterization::PoseParameterization(const Matx33d& camera, const Matx33d& rotation, const Vec3d& translation)
@@ -34,12 +30,8 @@ PoseParameterization::Basis PoseParameterization::tangent() const
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k)
     {
-        Eigen::Vector3d axis = zero;
-        axis[k] = 1;
-        Eigen::Matrix3d turned;
-        for (int j = 0; j < 3; ++j)
-            turned.col(j) = axis.cross(R.col(j));
-        const Model rotated = withCamera(turned, zero), moved = withCamera(Eigen::Matrix3d::Zero(), axis);
+        const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
+        const Model rotated = withCamera(turnedAbout(axis, R), zero), moved = withCamera(Eigen::Matrix3d::Zero(), axis);
         for (int i = 0; i < NUMBERS; ++i)
         {
             basis(i, k) = rotated.val[i];

@@ -36,7 +36,7 @@ public:
     //! Derivatives of the model, as a 12-vector row by row, by the parameters at zero.
     Basis tangent() const;
     //! Normal equations in the parameters from those in the entries of the model.
-    void project(const CameraEquations& sums, Matrix& A, Step& b) const
+    void project(const SpaceEquations& sums, Matrix& A, Step& b) const
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);
     }

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""USACv20: robust estimation of homographies, affinities, similarities, fundamental and essential matrices, camera poses.
+"""USACv20: robust estimation of homographies, affinities, similarities, fundamental and essential matrices, camera
+poses, motions of space.
 
 Three levels of use:
 
@@ -126,6 +127,29 @@ def estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix, distCoeffs=Non
     The other arguments and results are those of estimateHomography.
     """
     return _native.estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix, distCoeffs, params, mask)
+
+
+def estimateRigid3D(points1, points2, params=None, mask=None):
+    """estimateRigid3D(points1, points2[, params[, mask]]) -> retval, mask, report
+
+    Estimates rotation and translation of space, X2 = R X1 + t.
+
+    points1, points2 -- N points of each space in one unit: Nx3, 3xN, Nx1x3 or 1xNx3
+    params -- Params; params.threshold is the distance in space 2, in the unit of the points: its default will rarely do
+    retval -- 3x4 array of float64, [R t], or None if there is none
+
+    The other arguments and results are those of estimateHomography.
+    """
+    return _native.estimateRigid3D(points1, points2, params, mask)
+
+
+def estimateSimilarity3D(points1, points2, params=None, mask=None):
+    """estimateSimilarity3D(points1, points2[, params[, mask]]) -> retval, mask, report
+
+    Estimates rotation, uniform scale and translation of space, X2 = s R X1 + t, s > 0. Arguments and results are those
+    of estimateRigid3D; points1 may have any unit, and retval is [s R t].
+    """
+    return _native.estimateSimilarity3D(points1, points2, params, mask)
 
 
 def _isFlag(value):

@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_CLOSEST_ROTATION_HPP
+#define OPENCV_USACV20_CLOSEST_ROTATION_HPP
+
+#include <Eigen/SVD>
+
+namespace cv {
+namespace usacv20 {
+
+/** The rotation that is the closest to a matrix M in the Frobenius norm, and has the largest trace of R^T M, by the
+singular value decomposition. */
+struct ClosestRotation
+{
+    explicit ClosestRotation(const Eigen::Matrix3d& M)
+    {
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        Eigen::Matrix3d U = svd.matrixU();
+        singularValues = svd.singularValues();
+        const bool mirrored = U.determinant() * svd.matrixV().determinant() < 0;
+        if (mirrored)
+            U.col(2) = -U.col(2);
+        rotation = U * svd.matrixV().transpose();
+        scale = (singularValues[0] + singularValues[1] + (mirrored ? -1 : 1) * singularValues[2]) / 3;
+    }
+
+    Eigen::Matrix3d rotation;
+    double scale;                    //!< by which it is the closest: a third of that trace
+    Eigen::Vector3d singularValues;  //!< of M, the largest first
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,27 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_RIGID_MOTION_HPP
+#define OPENCV_USACV20_RIGID_MOTION_HPP
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Rotation and translation of space, see RigidMotionProblem.
+Ptr<Problem> createRigid3DProblem();
+//! With a uniform scale.
+Ptr<Problem> createSimilarity3DProblem();
+//! From 3 points, see TriangleSolver. `scaled`: with a scale, else it is 1.
+Ptr<MinimalSolver> createTriangleSolver(bool scaled);
+//! Least squares of a residual: in closed form where it is the distance in space 2, else by steps (LeastSquaresSolver).
+Ptr<NonMinimalSolver> createRigidFit(const Ptr<Residual>& residual, bool scaled);
+//! Least squares of the distance in space 2, see RigidLeastSquares.
+Ptr<NonMinimalSolver> createRigidLeastSquares(bool scaled);
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,60 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_RIGID_PARAMETERIZATION_HPP
+#define OPENCV_USACV20_RIGID_PARAMETERIZATION_HPP
+
+#include "optimization/tangent_space.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! [A t].
+inline Model motionOf(const Eigen::Matrix3d& A, const Eigen::Vector3d& t)
+{
+    Model result(3, 4);
+    Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> M(result.val);
+    M.leftCols<3>() = A;
+    M.col(3) = t;
+    return result;
+}
+
+/** @brief A rigid motion of space [s R t] and a minimal parameterization around it: a rotation that is applied after
+the present one, as a vector, what is added to the translation and, if it is `SCALED`, by what part the scale grows.
+Parameters 0 are the motion itself. */
+template <bool SCALED>
+class RigidParameterization
+{
+public:
+    enum { DIMENSION = SCALED ? 7 : 6, NUMBERS = 12 };
+    typedef Eigen::Matrix<double, NUMBERS, DIMENSION> Basis;
+    typedef Eigen::Matrix<double, DIMENSION, 1> Step;
+    typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
+
+    //! Around the motion whose linear part is the closest to that of the model.
+    explicit RigidParameterization(const Model& model);
+
+    //! False if all points become one.
+    bool hasFullRank() const { return scale > 0; }
+    //! Derivatives of the model, as a 12-vector row by row, by the parameters at zero.
+    Basis tangent() const;
+    //! Normal equations in the parameters from those in the entries of the model.
+    void project(const SpaceEquations& sums, Matrix& A, Step& b) const
+    {
+        projectOnTangents<DIMENSION>(sums, tangent(), A, b);
+    }
+    //! The parameterization around the model that has these parameters.
+    RigidParameterization plus(const Step& step) const;
+    Model model() const { return motionOf(scale * R, t); }
+
+private:
+    Eigen::Matrix3d R;
+    Eigen::Vector3d t;
+    double scale;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
