@@ -64,7 +64,7 @@ struct Reach
 };
 
 /** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in pixels, by an exact
-kd-tree of cv::flann.
+kd-tree of cv::flann. Where the arrays have no common unit (Problem::commonUnit; a pose) in that of the last one.
 
 Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbors have k, 2 k, 4 k
 and 8 k of them, those of a radius r have the points within r, 2 r, 4 r and 8 r. P-NAPSAC needs layers that grow, as it
@@ -156,12 +156,13 @@ private:
         const double unit2 = p.threshold / (context.params.threshold * context.params.reach),
                      unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
         const double LARGEST = 1e18;  // its square is a float
-        columns = p.columns();
+        const int first = p.problem->commonUnit() || p.coordinates[1] == 0 ? 0 : p.coordinates[0];
+        columns = p.columns() - first;
         coordinates = context.arena.take<float>((size_t)columns * size);
         for (int i = 0; i < size; ++i)
             for (int k = 0; k < columns; ++k)
             {
-                const double value = p.exact[k][i] / (k < p.coordinates[0] ? unit1 : unit2);
+                const double value = p.exact[first + k][i] / (first + k < p.coordinates[0] ? unit1 : unit2);
                 coordinates[(size_t)columns * i + k] = (float)std::max(-LARGEST, std::min(value, LARGEST));
             }
         known = context.arena.take<Surroundings>(size);

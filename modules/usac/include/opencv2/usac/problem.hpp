@@ -50,7 +50,8 @@ public:
     //! What messages call array 0 or 1. Default: points1, points2.
     virtual String arrayName(int array) const;
     //! True, the default: both arrays have the unit of the threshold, so that points of either that are nearer to each
-    //! other are taken for the same. False: in array 0 only equal points are.
+    //! other are taken for the same. False: in array 0 only equal points are, and #NEIGHBORHOOD_KNN and
+    //! #NEIGHBORHOOD_RADIUS look for neighbors in array 1 alone.
     virtual bool commonUnit() const;
     //! For the sequential test, and for the size of the batches.
     virtual SampleCost sampleCost() const = 0;
