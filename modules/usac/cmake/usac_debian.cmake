@@ -1,0 +1,31 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# Debian packages of the stand-alone build, made by `cpack -G DEB` in its build tree: the library and what programs are built
+# with. Configured with CMAKE_INSTALL_PREFIX=/usr they go where Debian has such files. Dependencies are those of the
+# libraries that the build was linked with (dpkg-shlibdeps of dpkg-dev).
+
+set(CPACK_PACKAGE_NAME opencv-usac)
+set(CPACK_PACKAGE_CONTACT "The opencv_usac developers <opencv-usac@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL library dev)
+
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME "libopencv-usac${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "USACv20 robust estimation for OpenCV, library
+ Homographies, affine maps, fundamental and essential matrices, poses of cameras
+ and rigid motions from matches of which many are wrong.")
+
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libopencv-usac-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
+  "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libopencv-core-dev, libopencv-calib3d-dev")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "USACv20 robust estimation for OpenCV, development files
+ Headers, the CMake package opencv_usac and the pkg-config file.")
+
+include(CPack)

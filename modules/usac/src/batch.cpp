@@ -1,0 +1,193 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include <atomic>
+#include "opencv2/usac/batch.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+Estimate estimate(const Task& task)
+{
+    Estimate result;
+    try
+    {
+        result.model = Usac::create(task.problem, task.points1, task.points2, task.params, task.cameraMatrix1,
+                                    task.cameraMatrix2, task.distCoeffs1, task.distCoeffs2)
+                           ->run(result.mask, &result.report);
+    }
+    catch (const Exception& mistake)
+    {
+        result = Estimate();
+        result.error = mistake.err;
+    }
+    catch (const std::exception& mistake)
+    {
+        result = Estimate();
+        result.error = mistake.what();
+    }
+    return result;
+}
+
+bool isList(InputArrayOfArrays list)
+{
+    const int kind = list.kind();
+    return list.isMatVector() || list.isUMatVector() || kind == _InputArray::STD_VECTOR_VECTOR ||
+           kind == _InputArray::STD_ARRAY_MAT;
+}
+
+//! A list of arrays: an entry for each task, one for all, or none.
+class OneOrEach
+{
+public:
+    OneOrEach(InputArrayOfArrays list, const char* name, size_t tasks, bool noneIsRight)
+    {
+        if (isList(list))
+            list.getMatVector(arrays);
+        else if (!list.empty())
+            arrays.push_back(list.getMat());
+        if (arrays.size() != tasks && arrays.size() != 1 && !(arrays.empty() && noneIsRight))
+            CV_Error_(Error::StsUnmatchedSizes,
+                      ("%s: 1 or %d entries are expected, not %d", name, (int)tasks, (int)arrays.size()));
+    }
+
+    Mat operator[](size_t task) const { return arrays.empty() ? Mat() : arrays[arrays.size() == 1 ? 0 : task]; }
+
+private:
+    std::vector<Mat> arrays;
+};
+
+std::vector<Mat> readLists(InputArrayOfArrays lists, const char* name)
+{
+    std::vector<Mat> result;
+    if (isList(lists))
+        lists.getMatVector(result);
+    else if (!lists.empty())
+        CV_Error_(Error::StsBadArg, ("%s: a list of lists of points is expected, not one list", name));
+    return result;
+}
+
+std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1, InputArrayOfArrays points2,
+                            const char* name1, const char* name2, const ParamsOfTasks& params)
+{
+    const std::vector<Mat> first = readLists(points1, name1), second = readLists(points2, name2);
+    const size_t count = first.size();
+    if (count != second.size())
+        CV_Error_(Error::StsUnmatchedSizes, ("%s and %s: as many entries are expected, not %d and %d", name1, name2,
+                                             (int)count, (int)second.size()));
+    if (params.size() != 1 && params.size() != count)
+        CV_Error_(Error::StsUnmatchedSizes, ("params: 1 or %d are expected, not %d", (int)count, (int)params.size()));
+    std::vector<Task> tasks;
+    tasks.reserve(count);
+    for (size_t i = 0; i < count; ++i)
+        tasks.push_back(Task(problem, first[i], second[i], params[i]));
+    return tasks;
+}
+
+std::vector<Estimate> estimatePairs(ProblemType problem, InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                    const ParamsOfTasks& params, int threads)
+{
+    return estimateBatch(makeTasks(problem, points1, points2, "points1", "points2", params), threads);
+}
+
+}  // namespace
+
+std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads)
+{
+    if (threads < 0)
+        CV_Error_(Error::StsOutOfRange, ("threads: 0 or more are expected, not %d", threads));
+    const int count = (int)tasks.size(), all = std::max(getNumThreads(), 1);
+    const int workers = std::min(std::min(threads > 0 ? threads : all, all), count);
+    std::vector<Estimate> results(tasks.size());
+    std::atomic<int> next(0);
+    const auto work = [&](const Range& range) {
+        for (int worker = range.start; worker < range.end; ++worker)
+            for (int i = next++; i < count; i = next++)
+                results[i] = estimate(tasks[i]);
+    };
+    if (workers > 1)
+        parallel_for_(Range(0, workers), work, workers);
+    else
+        work(Range(0, 1));
+    return results;
+}
+
+std::vector<Estimate> estimateHomographies(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                           const ParamsOfTasks& params, int threads)
+{
+    return estimatePairs(HOMOGRAPHY, points1, points2, params, threads);
+}
+
+std::vector<Estimate> estimateAffinities2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                           const ParamsOfTasks& params, int threads)
+{
+    return estimatePairs(AFFINITY, points1, points2, params, threads);
+}
+
+std::vector<Estimate> estimateSimilarities2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                             const ParamsOfTasks& params, int threads)
+{
+    return estimatePairs(SIMILARITY, points1, points2, params, threads);
+}
+
+std::vector<Estimate> estimateFundamentals(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                           const ParamsOfTasks& params, int threads)
+{
+    return estimatePairs(FUNDAMENTAL, points1, points2, params, threads);
+}
+
+std::vector<Estimate> estimateRigids3D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                       const ParamsOfTasks& params, int threads)
+{
+    return estimatePairs(RIGID_3D, points1, points2, params, threads);
+}
+
+std::vector<Estimate> estimateSimilarities3D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                             const ParamsOfTasks& params, int threads)
+{
+    return estimatePairs(SIMILARITY_3D, points1, points2, params, threads);
+}
+
+std::vector<Estimate> estimateEssentials(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                         InputArrayOfArrays cameraMatrices1, InputArrayOfArrays cameraMatrices2,
+                                         InputArrayOfArrays distCoeffs1, InputArrayOfArrays distCoeffs2,
+                                         const ParamsOfTasks& params, int threads)
+{
+    std::vector<Task> tasks = makeTasks(ESSENTIAL, points1, points2, "points1", "points2", params);
+    const size_t count = tasks.size();
+    const OneOrEach camera1(cameraMatrices1, "cameraMatrices1", count, count == 0),
+        camera2(cameraMatrices2, "cameraMatrices2", count, true), lens1(distCoeffs1, "distCoeffs1", count, true),
+        lens2(distCoeffs2, "distCoeffs2", count, true);
+    for (size_t i = 0; i < count; ++i)
+    {
+        tasks[i].cameraMatrix1 = camera1[i];
+        tasks[i].cameraMatrix2 = camera2[i];
+        tasks[i].distCoeffs1 = lens1[i];
+        tasks[i].distCoeffs2 = lens2[i];
+    }
+    return estimateBatch(tasks, threads);
+}
+
+std::vector<Estimate> estimateAbsolutePoses(InputArrayOfArrays objectPoints, InputArrayOfArrays imagePoints,
+                                            InputArrayOfArrays cameraMatrices, InputArrayOfArrays distCoeffs,
+                                            const ParamsOfTasks& params, int threads)
+{
+    std::vector<Task> tasks = makeTasks(ABSOLUTE_POSE, objectPoints, imagePoints, "objectPoints", "imagePoints",
+                                        params);
+    const size_t count = tasks.size();
+    const OneOrEach camera(cameraMatrices, "cameraMatrices", count, count == 0),
+        lens(distCoeffs, "distCoeffs", count, true);
+    for (size_t i = 0; i < count; ++i)
+    {
+        tasks[i].cameraMatrix1 = camera[i];
+        tasks[i].distCoeffs1 = lens[i];
+    }
+    return estimateBatch(tasks, threads);
+}
+
+}  // namespace usacv20
+}  // namespace cv
