@@ -9,7 +9,7 @@
 namespace opencv_test {
 namespace {
 
-CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY)
+CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, RIGID_3D, SIMILARITY_3D)
 typedef TestBaseWithParam<tuple<Problem, int>> UsacGraphCut;
 
 //! The best model of a sample of right matches: what the local optimization starts from.

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_PERF_SCENE_HPP
 #define OPENCV_USACV20_PERF_SCENE_HPP
 
+#include "problems/rigid_motion/rigid_scenes.hpp"
 #include "scenes.hpp"
 
 namespace opencv_test {
@@ -13,29 +14,48 @@ namespace opencv_test {
 struct PerfScene
 {
     PerfScene(ProblemType problem, int size, const Params& params_ = Params())
-        : params(params_), scene(makeScene(problem, optionsOf(size))), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params, arena),
-          model(problem == ESSENTIAL ? scene.model : toInternal(usac->points(), scene.model))
+        : params(params_), usac(isSpace(problem) ? createSpace(problem, size) : createTwoView(problem, size)),
+          context(usac->points(), usac->components(), params, arena)
     {
         usac->components().start(context);
     }
 
     //! The i-th point is a right match.
-    bool isRight(int i) const { return scene.truth[usac->points().inputIndex[i]] != 0; }
+    bool isRight(int i) const { return truth[usac->points().inputIndex[i]] != 0; }
 
     const Params params;
-    const Scene scene;
+    std::vector<uchar> truth;  //!< of the rows
+    Model model;               //!< the true one, in the coordinates of the components
     const Ptr<Usac> usac;
     Arena arena;
     const Context context;
-    const Model model;  //!< the true one, in the coordinates of the components
 
 private:
-    static SceneOptions optionsOf(int size)
+    static bool isSpace(ProblemType problem) { return problem == RIGID_3D || problem == SIMILARITY_3D; }
+
+    Ptr<Usac> createTwoView(ProblemType problem, int size)
     {
         SceneOptions options;
         options.setSize(size, 0.5);
-        return options;
+        const Scene scene = makeScene(problem, options);
+        const Ptr<Usac> created = createUsac(scene, params);
+        truth = scene.truth;
+        model = problem == ESSENTIAL ? scene.model : toInternal(created->points(), scene.model);
+        return created;
+    }
+
+    Ptr<Usac> createSpace(ProblemType problem, int size)
+    {
+        RigidSceneOptions options;
+        options.size = size;
+        options.inlierRatio = 0.5;
+        options.unit = params.threshold / (3.5 * options.noise);
+        const RigidScene scene = makeRigidScene(options);
+        const Ptr<Usac> created = Usac::create(problem, scene.points1, scene.points2, params);
+        const std::vector<double> motion(scene.motion.val, scene.motion.val + 12);
+        truth = scene.truth;
+        CV_Assert(created->points().problem->fromOutput(motion, created->points(), model));
+        return created;
     }
 
     PerfScene(const PerfScene&);

@@ -8,7 +8,7 @@
 namespace opencv_test {
 namespace {
 
-CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY)
+CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, RIGID_3D, SIMILARITY_3D)
 typedef TestBaseWithParam<Problem> UsacSolver;
 
 //! 10 000 samples a call. Half of the matches are wrong, so nearly all samples hold some, as in a real run.

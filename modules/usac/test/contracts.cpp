@@ -8,7 +8,8 @@ namespace opencv_test {
 
 const char* nameOf(ProblemType problem)
 {
-    static const char* names[] = {"homography", "fundamental", "essential", "affinity", "similarity", "absolutePose"};
+    static const char* names[] = {"homography", "fundamental",  "essential", "affinity",
+                                  "similarity", "absolutePose", "rigid3D",   "similarity3D"};
     return names[problem];
 }
 
@@ -93,7 +94,7 @@ std::vector<NamedPreset> allPresets(ProblemType problem)
 {
     std::vector<NamedPreset> all = allPresets();
     for (size_t i = 0; i < all.size(); ++i)
-        if ((problem == AFFINITY || problem == SIMILARITY || problem == ABSOLUTE_POSE) &&
+        if (problem != HOMOGRAPHY && problem != FUNDAMENTAL && problem != ESSENTIAL &&
             all[i].name == std::string("usac2013"))
             all[i].params.degeneracy = DEGENERACY_REPEATED;
     return all;

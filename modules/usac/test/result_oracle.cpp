@@ -3,7 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "result_oracle.hpp"
+#include "bounded.hpp"
 #include "pose_oracle.hpp"
+#include "rigid_oracle.hpp"
 #include "scenes.hpp"
 
 #include <algorithm>
@@ -20,52 +22,6 @@ using cv::format;
 namespace opencv_test {
 
 namespace {
-
-/** A number with a bound of what rounding to double may have changed in it: for sums and products in any order, some
-times the error of this one. So there is no tolerance to choose. Infinite where an intermediate result leaves the range
-of double. */
-struct Bounded
-{
-    Bounded(long double v = 0, long double e = 0) : value(v), error(e)
-    {
-        if (!(std::abs(value) + error < DBL_MAX))
-            error = HUGE_VALL;
-    }
-    long double value, error;
-};
-
-const long double UNIT = 8 * DBL_EPSILON;
-
-Bounded operator+(const Bounded& a, const Bounded& b)
-{
-    const long double v = a.value + b.value;
-    return Bounded(v, a.error + b.error + UNIT * std::abs(v));
-}
-
-Bounded operator-(const Bounded& a, const Bounded& b) { return a + Bounded(-b.value, b.error); }
-
-Bounded operator*(const Bounded& a, const Bounded& b)
-{
-    const long double v = a.value * b.value;
-    return Bounded(v, std::abs(a.value) * b.error + (std::abs(b.value) + b.error) * a.error + UNIT * std::abs(v) +
-                          DBL_MIN);
-}
-
-Bounded operator/(const Bounded& a, const Bounded& b)
-{
-    const long double least = std::abs(b.value) - b.error;
-    if (!(least > DBL_MIN))
-        return Bounded(0, HUGE_VALL);
-    const long double v = a.value / b.value;
-    return Bounded(v, (a.error + std::abs(v) * b.error) / least + UNIT * std::abs(v) + DBL_MIN);
-}
-
-Bounded squareRoot(const Bounded& a)
-{
-    const long double high = std::sqrt(std::max(a.value, 0.L) + a.error),
-                      low = std::sqrt(std::max(a.value - a.error, 0.L));
-    return Bounded((high + low) / 2, (high - low) / 2 + UNIT * high);
-}
 
 struct BoundedPoint
 {
@@ -241,7 +197,8 @@ std::string brokenReport(const Report& report, int inliers)
 std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat& mask, const Report& report)
 {
     const bool pose = call.problem == ABSOLUTE_POSE;
-    const int count = (int)(pose ? call.object.size() : call.points1.size());
+    const bool space = call.problem == RIGID_3D || call.problem == SIMILARITY_3D;
+    const int count = (int)(pose || space ? call.object.size() : call.points1.size());
     if (mask.rows != count || (count > 0 && (mask.cols != 1 || mask.type() != CV_8UC1)))
         return format("the mask is %d x %d, type %d", mask.rows, mask.cols, mask.type());
     const int inliers = count ? cv::countNonZero(mask) : 0;
@@ -260,6 +217,8 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
         return format("the threshold is %.17g", report.threshold);
     if (pose)
         return brokenPose(call, report.threshold, model, mask);
+    if (space)
+        return brokenMotion(call, report.threshold, model, mask);
     const int rows = call.problem == AFFINITY || call.problem == SIMILARITY ? 2 : 3;
     if (model.size() != cv::Size(3, rows) || model.type() != CV_64FC1)
         return format("the model is %d x %d, type %d", model.rows, model.cols, model.type());

@@ -16,7 +16,8 @@ struct EstimatorCall
 {
     cv::usacv20::ProblemType problem;
     std::vector<cv::Point2d> points1, points2;
-    std::vector<cv::Point3d> object;  //!< absolute pose: in the place of points1
+    std::vector<cv::Point3d> object;  //!< absolute pose, motions of space: in the place of points1
+    std::vector<cv::Point3d> space2;  //!< motions of space: in the place of points2
     cv::usacv20::Params params;
     cv::Mat K1, K2, d1, d2;  //!< E; absolute pose: K1 and d1; K2, d1, d2 may be empty
 };

@@ -40,7 +40,7 @@ struct NamedPreset
 };
 
 std::vector<NamedPreset> allPresets();
-//! For affinities and similarities usac2013() is without DEGENSAC, which they refuse.
+//! But for H, F and E usac2013() is without DEGENSAC, which the others refuse.
 std::vector<NamedPreset> allPresets(ProblemType problem);
 
 /** Every preset on the points, by the estimate function and by Usac::create, and every flag by the find functions: no

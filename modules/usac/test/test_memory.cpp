@@ -4,6 +4,7 @@
 
 #include "allocation_counter.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
+#include "problems/rigid_motion/rigid_scenes.hpp"
 #include "test_contracts.hpp"
 
 // What a run allocates: the model that it returns, and nothing in the loop.
@@ -65,6 +66,7 @@ void addVariants(std::vector<Variant>& variants, const Params& base, const char*
 //! The presets, and the default with another component.
 std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& scores)
 {
+    const bool hasSymmetric = problem < ABSOLUTE_POSE;
     std::vector<Variant> variants;
     Params scored;
     for (size_t i = 0; i < scores.size(); ++i)
@@ -90,7 +92,7 @@ std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& 
         addVariants(variants, base, "polishing", &Params::polishing, 4);
         addVariants(variants, base, "verification", &Params::verification, 3);
         addVariants(variants, base, "termination", &Params::termination, 5, true);
-        addVariants(variants, base, "residual", &Params::residual, problem == ABSOLUTE_POSE ? 1 : 2);
+        addVariants(variants, base, "residual", &Params::residual, hasSymmetric ? 2 : 1);
         addVariants(variants, base, "ordering", &Params::ordering, 4);
     }
     for (size_t i = 0; i < variants.size(); ++i)
@@ -278,6 +280,47 @@ TEST(Usac_Memory_Pose, nothingButTheModel)
             }
         }
         EXPECT_GT(found, 2 * (int)variants.size());
+    }
+}
+
+//! Motions of space, and other points of them.
+TEST(Usac_Memory_Space, nothingButTheModel)
+{
+    if (!allocationsAreCounted())
+        return;
+    const long model = allocationsOfModel();
+    for (ProblemType problem : {RIGID_3D, SIMILARITY_3D})
+    {
+        RigidSceneOptions options;
+        options.size = 400;
+        const RigidScene scene = makeRigidScene(options);
+        options.size = 100;
+        const RigidScene fewer = makeRigidScene(options);
+        estimateRigid3D(scene.points1, scene.points2);  // kernels are chosen
+        int found = 0, runs = 0;
+        for (const Variant& variant : allVariants(problem, scene.scores))
+        {
+            SCOPED_TRACE(variant.name);
+            Params params = variant.params;
+            params.threshold = scene.threshold;
+            const Ptr<Usac> usac = Usac::create(problem, scene.points1, scene.points2, params);
+            Mat mask(scene.size(), 1, CV_8U);
+            Report report;
+            for (int run = 0; run < 3; ++run, ++runs)
+            {
+                bool any = false;
+                const long count = allocationsOf(*usac, mask, report, any);
+                EXPECT_EQ(any ? model : 0, count) << "run " << run;
+                found += any;
+            }
+            if (!params.scores.empty())
+                continue;
+            const long before = allocationsSoFar();
+            usac->setPoints(fewer.points1, fewer.points2);
+            EXPECT_EQ(0, allocationsSoFar() - before);
+        }
+        EXPECT_GT(runs, 200);
+        EXPECT_EQ(runs, found);
     }
 }
 

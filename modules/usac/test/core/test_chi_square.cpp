@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
+#include "problems/rigid_motion/rigid_scenes.hpp"
 #include "core/chi_square.hpp"
 
 namespace opencv_test {
@@ -15,9 +16,11 @@ TEST(Usac_Statistics, chiSquareKnownValues)
     EXPECT_NEAR(3.841458820694124, chiSquareQuantile(0.95, 1), 1e-12);
     EXPECT_NEAR(0.454936423119573, chiSquareQuantile(0.5, 1), 1e-12);
     EXPECT_NEAR(-2 * std::log(0.01), chiSquareQuantile(0.99, 2), 1e-12);
+    EXPECT_NEAR(11.34486673014437, chiSquareQuantile(0.99, 3), 1e-11);
     EXPECT_NEAR(13.27670413598762, chiSquareQuantile(0.99, 4), 1e-11);
     EXPECT_NEAR(std::sqrt(6.634896601021214), thresholdInSigmas(1), 1e-12);
     EXPECT_NEAR(std::sqrt(-2 * std::log(0.01)), thresholdInSigmas(2), 1e-12);
+    EXPECT_NEAR(std::sqrt(11.34486673014437), thresholdInSigmas(3), 1e-12);
     EXPECT_EQ(0, chiSquareQuantile(0, 3));
     for (int degrees = 1; degrees < 9; ++degrees)
         for (double p = 0.001; p < 1; p += 0.037)
@@ -83,6 +86,36 @@ TEST(Usac_Statistics, degreesOfFreedomOfTheErrors)
     }
 }
 
+//! A motion of space, with noise in both spaces: three.
+TEST(Usac_Statistics, degreesOfFreedomInSpace)
+{
+    RigidSceneOptions options;
+    options.noise = 0;
+    options.inlierRatio = 1;
+    const RigidScene scene = makeRigidScene(options);
+    RNG rng(1);
+    for (double noise1 : {0., 0.01})
+    {
+        std::vector<double> errors;
+        for (int i = 0; i < 60000; ++i)
+        {
+            const Vec3d at(scene.points1[i % 200]), to(scene.points2[i % 200]);
+            const Vec3d off1(rng.gaussian(noise1), rng.gaussian(noise1), rng.gaussian(noise1));
+            const Vec3d off2(rng.gaussian(0.01), rng.gaussian(0.01), rng.gaussian(0.01));
+            const Vec3d error = moved(scene.motion, Point3d(at + off1)) - to - off2;
+            errors.push_back(error.dot(error));
+        }
+        std::sort(errors.begin(), errors.end());
+        const double expected = chiSquareQuantile(0.9, 3) / chiSquareQuantile(0.3, 3);
+        EXPECT_NEAR(expected, errors[54000] / errors[18000], 0.03 * expected);
+        const double limit = std::sqrt(1e-4 + noise1 * noise1) * thresholdInSigmas(3);
+        const auto within = std::lower_bound(errors.begin(), errors.end(), limit * limit) - errors.begin();
+        EXPECT_NEAR(0.99, within / 60000., 0.0015);
+    }
+    for (int type = RIGID_3D; type <= SIMILARITY_3D; ++type)
+        EXPECT_EQ(3, Usac::create((ProblemType)type, scene.points1, scene.points2)->points().problem->errorDimension());
+}
+
 //! The scale of Sampson's distance is that of the noise in each coordinate: 99 in 100 inliers lie within k sigma.
 TEST(Usac_Statistics, thresholdKeepsInliers)
 {
@@ -103,7 +136,7 @@ TEST(Usac_Statistics, chiSquareOfNonsense)
     EXPECT_THROW(chiSquareQuantile(1, 1), cv::Exception);
     EXPECT_THROW(chiSquareQuantile(0.5, 0), cv::Exception);
     EXPECT_THROW(thresholdInSigmas(0), cv::Exception);
-    EXPECT_THROW(thresholdInSigmas(3), cv::Exception);
+    EXPECT_THROW(thresholdInSigmas(4), cv::Exception);
 }
 
 }

@@ -45,6 +45,10 @@ Answer run(const FuzzInput& input, int threads)
         else if (input.problem == ABSOLUTE_POSE)
             answer.model = estimateAbsolutePose(input.object, input.points2, input.K1, input.d1, params, answer.mask,
                                                 answer.report);
+        else if (input.problem == RIGID_3D)
+            answer.model = estimateRigid3D(input.object, input.space2, params, answer.mask, answer.report);
+        else if (input.problem == SIMILARITY_3D)
+            answer.model = estimateSimilarity3D(input.object, input.space2, params, answer.mask, answer.report);
         else
             answer.model = estimateEssential(input.points1, input.points2, input.K1, input.K2, input.d1, input.d2,
                                              params, answer.mask, answer.report);
@@ -72,11 +76,14 @@ bool wrongDistortion(const Mat& d)
     return d.total() == 3 || !cv::checkRange(d);  // no other wrong length in a FuzzInput
 }
 
+bool isSpace(ProblemType problem) { return problem == RIGID_3D || problem == SIMILARITY_3D; }
+
 //! 1: the call has to be refused, 0: it must not, -1: either.
 int wrongArguments(const FuzzInput& input)
 {
-    const size_t count = input.problem == ABSOLUTE_POSE ? input.object.size() : input.points1.size();
-    int wrong = count != input.points2.size();
+    const bool space = isSpace(input.problem);
+    const size_t count = space || input.problem == ABSOLUTE_POSE ? input.object.size() : input.points1.size();
+    int wrong = count != (space ? input.space2.size() : input.points2.size());
     try
     {
         input.params.check((int)count);
@@ -89,7 +96,7 @@ int wrongArguments(const FuzzInput& input)
     const bool plane = input.problem == HOMOGRAPHY || input.problem == FUNDAMENTAL || input.problem == ESSENTIAL;
     if (!plane && (degeneracy & DEGENERACY_DEGENSAC) && degeneracy != Params().degeneracy)
         wrong = 1;
-    if (input.problem == ABSOLUTE_POSE && input.params.residual == RESIDUAL_SYMMETRIC)
+    if ((space || input.problem == ABSOLUTE_POSE) && input.params.residual == RESIDUAL_SYMMETRIC)
         wrong = 1;
     if (wrong == 1 || (input.problem != ESSENTIAL && input.problem != ABSOLUTE_POSE))
         return wrong;
@@ -157,11 +164,12 @@ std::string brokenAnswer(const FuzzInput& input, const Answer& answer)
 std::string brokenContract(const FuzzInput& input)
 {
     const std::vector<Point2d> before1 = input.points1, before2 = input.points2;
-    const std::vector<Point3d> object = input.object;
+    const std::vector<Point3d> object = input.object, space2 = input.space2;
     const Mat K1 = input.K1.clone(), d1 = input.d1.clone(), K2 = input.K2.clone();
     const Answer first = run(input, 1), second = run(input, input.otherThreads);
     if (!sameBits(before1, input.points1) || !sameBits(before2, input.points2) || !sameBits(K1, input.K1) ||
-        !sameBits(K2, input.K2) || !sameBits(object, input.object) || !sameBits(d1, input.d1))
+        !sameBits(K2, input.K2) || !sameBits(object, input.object) || !sameBits(space2, input.space2) ||
+        !sameBits(d1, input.d1))
         return "the input has changed";
     const std::string broken = brokenAnswer(input, first);
     return broken.empty() ? brokenRepetition(first, second) : broken;

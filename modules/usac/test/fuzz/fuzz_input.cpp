@@ -7,6 +7,7 @@
 #include <algorithm>
 #include "fuzz/fuzz_bytes.hpp"
 #include "fuzz/fuzz_pose.hpp"
+#include "fuzz/fuzz_rigid.hpp"
 #include "params_fields.hpp"
 #include "scenes.hpp"
 
@@ -160,8 +161,10 @@ FuzzInput readFuzzInput(const uchar* data, size_t size)
 {
     Bytes bytes(data, size);
     FuzzInput input;
-    const int problem = bytes.byte();  // so, and not modulo 6, for the sake of the kept inputs
-    input.problem = problem == 5 || (problem > 96 && problem < 128) ? ABSOLUTE_POSE
+    const int problem = bytes.byte();  // so, and not modulo 8, for the sake of the kept inputs
+    const bool space = problem == 6 || problem == 7 || (problem > 64 && problem < 89);
+    input.problem = space                                             ? (problem % 2 ? SIMILARITY_3D : RIGID_3D)
+                    : problem == 5 || (problem > 96 && problem < 128) ? ABSOLUTE_POSE
                     : problem == 3 || problem == 4 || (problem >= 128 && problem < 240)
                         ? (ProblemType)(problem % 2 ? AFFINITY : SIMILARITY)
                         : (ProblemType)(problem % 3);
@@ -178,9 +181,11 @@ FuzzInput readFuzzInput(const uchar* data, size_t size)
     }
     if (input.problem == ABSOLUTE_POSE)
         readPosePoints(bytes, input);
+    else if (space)
+        readSpacePoints(bytes, input);
     else
         readPoints(bytes, input);
-    readScores(bytes, input.points2.size(), input.params);
+    readScores(bytes, space ? input.space2.size() : input.points2.size(), input.params);
     return input;
 }
 

@@ -12,7 +12,7 @@ namespace {
 //! Gaussian noise of known size among uniform outliers.
 TEST(Usac_Statistics, noiseScale)
 {
-    for (int degrees = 1; degrees <= 2; ++degrees)
+    for (int degrees = 1; degrees <= 3; ++degrees)
         for (int k = 0; k < 4; ++k)
         {
             const double sigma = 0.2 * (k + 1);  // in thresholds of 3 pixels
@@ -20,9 +20,14 @@ TEST(Usac_Statistics, noiseScale)
             std::vector<float> errors;
             for (int i = 0; i < 400; ++i)
             {
-                const double a = rng.gaussian(3 * sigma), b = degrees == 2 ? rng.gaussian(3 * sigma) : 0;
-                const double far = rng.uniform(0., 1.), reach = 3 * NoiseScale::REACH;
-                errors.push_back((float)(i % 4 ? a * a + b * b : reach * reach * (degrees == 2 ? far : far * far)));
+                double square = 0;
+                for (int axis = 0; axis < degrees; ++axis)
+                {
+                    const double a = rng.gaussian(3 * sigma);
+                    square += a * a;
+                }
+                const double far = 3 * NoiseScale::REACH * std::pow(rng.uniform(0., 1.), 1. / degrees);
+                errors.push_back((float)(i % 4 ? square : far * far));
             }
             EXPECT_NEAR(sigma, NoiseScale::estimate(errors.data(), 400, 3, degrees), 0.2 * sigma)
                 << degrees << " " << sigma;
@@ -31,7 +36,41 @@ TEST(Usac_Statistics, noiseScale)
     EXPECT_EQ(1 / thresholdInSigmas(1), NoiseScale::estimate(few.data(), (int)few.size(), 1, 1));
     const std::vector<float> exact(100, 0.f), nothing(100, std::numeric_limits<float>::quiet_NaN());
     EXPECT_LT(NoiseScale::estimate(exact.data(), 100, 1, 1), 1e-2);
-    EXPECT_EQ(1 / thresholdInSigmas(2), NoiseScale::estimate(nothing.data(), 100, 1, 2));
+    for (int degrees = 2; degrees <= 3; ++degrees)
+        EXPECT_EQ(1 / thresholdInSigmas(degrees), NoiseScale::estimate(nothing.data(), 100, 1, degrees));
+}
+
+//! Less noise than NoiseScale::leastSigma needs evidence: that next to nothing lies between it and the threshold, but
+//! for what the outliers explain.
+TEST(Usac_Statistics, noiseScaleNeedsEvidence)
+{
+    for (int degrees = 1; degrees <= 3; ++degrees)
+        for (int tail = 0; tail < 2; ++tail)
+        {
+            RNG rng(5);
+            std::vector<float> errors;
+            for (int i = 0; i < 200; ++i)
+            {
+                double square = 0;
+                for (int axis = 0; axis < degrees; ++axis)
+                {
+                    const double a = rng.gaussian(0.05);
+                    square += a * a;
+                }
+                const double within = rng.uniform(0.4, 1.),
+                             far = NoiseScale::REACH * std::pow(rng.uniform(0., 1.), 1. / degrees);
+                errors.push_back((float)(i % 8 ? square : tail ? within * within : far * far));
+            }
+            const double sigma = NoiseScale::estimate(errors.data(), 200, 1, degrees);
+            if (tail)
+            {
+                EXPECT_GE(sigma, NoiseScale::leastSigma()) << degrees;
+            }
+            else
+            {
+                EXPECT_NEAR(0.05, sigma, 0.02) << degrees;
+            }
+        }
 }
 
 }

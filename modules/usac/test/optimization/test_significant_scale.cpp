@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Errors of inliers with a standard deviation of 1 in each of `degrees` directions, others anywhere in a square of 400
-//! by 400.
+//! Errors of inliers with a standard deviation of 1 in each of `degrees` directions, others anywhere in a cube of side
+//! 400 of so many.
 std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
 {
     std::vector<float> errors;
@@ -18,21 +18,27 @@ std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
         const bool inlier = i * 7 % size < inliers;  // in any order
         const double x = inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
         const double y = inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
-        errors.push_back((float)(x * x + (degrees == 2 ? y * y : 0)));
+        const double z = degrees < 3 ? 0 : inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
+        errors.push_back((float)(x * x + (degrees >= 2 ? y * y : 0) + z * z));
     }
     return errors;
 }
 
+//! About that of H, of F and of a motion of space.
+int sampleSizeOf(int degrees) { return degrees == 3 ? 3 : 8 / degrees; }
+
 double scaleOf(const std::vector<float>& errors, int degrees, double unit)
 {
-    const double chance = degrees == 2 ? CV_PI * unit * unit / (400. * 400) : 2 * unit / 400;
-    return SignificantScale::estimate(errors.data(), (int)errors.size(), unit, chance, degrees, 8 / degrees);
+    const double part = unit / 400, chance = degrees == 3   ? 4 * CV_PI / 3 * part * part * part
+                                             : degrees == 2 ? CV_PI * part * part
+                                                            : 2 * part;
+    return SignificantScale::estimate(errors.data(), (int)errors.size(), unit, chance, degrees, sampleSizeOf(degrees));
 }
 
 //! Within 15 % of the noise, by whatever threshold, and the same within the width of a bin.
 TEST(Usac_SignificantScale, isThatOfTheNoise)
 {
-    for (int degrees = 1; degrees <= 2; ++degrees)
+    for (int degrees = 1; degrees <= 3; ++degrees)
         for (int part = 0; part < 3; ++part)
         {
             const int inliers = part == 0 ? 300 : part == 1 ? 500 : 1001;
@@ -47,24 +53,28 @@ TEST(Usac_SignificantScale, isThatOfTheNoise)
 }
 
 //! That of the narrow half, if there are two.
-TEST(Usac_SignificantScale, ofTwoPlanes)
+TEST(Usac_SignificantScale, ofTwoSurfaces)
 {
-    RNG rng(7);
-    std::vector<float> errors = drawErrors(rng, 2, 1000, 1000);
-    for (int i = 0; i < 1000; i += 3)
-        errors[i] *= 100;
-    EXPECT_NEAR(1, scaleOf(errors, 2, 0.1), 0.3);
+    for (int degrees = 2; degrees <= 3; ++degrees)
+    {
+        RNG rng(7);
+        std::vector<float> errors = drawErrors(rng, degrees, 1000, 1000);
+        for (int i = 0; i < 1000; i += 3)
+            errors[i] *= 100;
+        EXPECT_NEAR(1, scaleOf(errors, degrees, 0.1), 0.3);
+    }
 }
 
 TEST(Usac_SignificantScale, noneOfRandomErrors)
 {
-    for (int degrees = 1; degrees <= 2; ++degrees)
+    for (int degrees = 1; degrees <= 3; ++degrees)
         for (int seed = 1; seed < 20; ++seed)
         {
             RNG rng(seed);
             const std::vector<float> errors = drawErrors(rng, degrees, 0, 1001);
             EXPECT_EQ(0, scaleOf(errors, degrees, 0.1));
-            EXPECT_EQ(0, scaleOf(std::vector<float>(errors.begin(), errors.begin() + 8 / degrees), degrees, 0.1));
+            const std::vector<float> sample(errors.begin(), errors.begin() + sampleSizeOf(degrees));
+            EXPECT_EQ(0, scaleOf(sample, degrees, 0.1));
         }
     const std::vector<float> undefined(100, std::numeric_limits<float>::quiet_NaN());
     EXPECT_EQ(0, scaleOf(undefined, 2, 0.1));

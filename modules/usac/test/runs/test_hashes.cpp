@@ -4,6 +4,7 @@
 
 #include "results.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
+#include "problems/rigid_motion/rigid_scenes.hpp"
 #include "real_set.hpp"
 #include "scoring/kernels.hpp"
 
@@ -12,7 +13,7 @@
 #include <sstream>
 #include <Eigen/Dense>
 
-// Hashes of the results of every preset on the sets of test_data/ and four synthetic scenes, against those of
+// Hashes of the results of every preset on the sets of test_data/ and synthetic scenes, against those of
 // test_data/hashes.txt: no unnoticed change of a result. After an intended one, all rows are written anew by
 //
 //     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
@@ -123,10 +124,10 @@ std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<flo
     return all;
 }
 
-//! An absolute pose has no symmetric residual.
-std::vector<NamedPreset> hashedPoseParams(const std::vector<float>& scores)
+//! Poses and motions of space have no symmetric residual.
+std::vector<NamedPreset> hashedSpaceParams(ProblemType problem, const std::vector<float>& scores)
 {
-    std::vector<NamedPreset> all = hashedParams(ABSOLUTE_POSE, scores);
+    std::vector<NamedPreset> all = hashedParams(problem, scores);
     for (size_t i = all.size(); i-- > 0;)
         if (all[i].params.residual == RESIDUAL_SYMMETRIC)
             all.erase(all.begin() + i);
@@ -185,7 +186,24 @@ void addPoseRows(const std::string& name, int coefficients, std::vector<Row>& ro
     const auto estimate = [&](const Params& params, Mat& mask, Report& report) {
         return estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, params, mask, report);
     };
-    addRows(name, hashedPoseParams(scene.scores), 2, estimate, rows);
+    addRows(name, hashedSpaceParams(ABSOLUTE_POSE, scene.scores), 2, estimate, rows);
+}
+
+//! A synthetic scene of a motion of space. Scores are in no order; the radius of neighborhoods is in units of pixels.
+void addRigidRows(ProblemType problem, std::vector<Row>& rows)
+{
+    RigidSceneOptions options;
+    options.size = 600;
+    options.inlierRatio = 0.33;
+    options.scoreInformation = 0.7;
+    options.unit = 200;
+    options.modelScale = problem == SIMILARITY_3D ? 1.5 : 1;
+    const RigidScene scene = makeRigidScene(options);
+    const auto estimate = [&](const Params& params, Mat& mask, Report& report) {
+        return problem == RIGID_3D ? estimateRigid3D(scene.points1, scene.points2, params, mask, report)
+                                   : estimateSimilarity3D(scene.points1, scene.points2, params, mask, report);
+    };
+    addRows(nameOf(problem), hashedSpaceParams(problem, scene.scores), scene.threshold, estimate, rows);
 }
 
 Table makeTable()
@@ -201,6 +219,8 @@ Table makeTable()
     addRows(SIMILARITY, table.rows);
     addPoseRows("absolutePose", 0, table.rows);
     addPoseRows("absolutePose_lens", 5, table.rows);
+    addRigidRows(RIGID_3D, table.rows);
+    addRigidRows(SIMILARITY_3D, table.rows);
     return table;
 }
 

@@ -7,6 +7,7 @@
 
 #include "test_precomp.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
+#include "problems/rigid_motion/rigid_scenes.hpp"
 #include "run_context.hpp"
 #include "scoring/kernels.hpp"
 #include "scoring/residuals.hpp"
@@ -61,6 +62,11 @@ struct Fixture
             createPoses(seed);
             return;
         }
+        if (kind == Residual::SPACE_TRANSFER)
+        {
+            createMotions(seed);
+            return;
+        }
         SceneOptions options;
         options.inliers = COUNT / 2;
         options.outliers = COUNT - COUNT / 2;
@@ -102,7 +108,32 @@ struct Fixture
         }
     }
 
+    //! Their scale is part of the models.
+    void createMotions(uint64 seed)
+    {
+        RigidSceneOptions options;
+        options.size = COUNT;
+        options.inlierRatio = 0.5;
+        options.seed = seed;
+        options.modelScale = 3;
+        const RigidScene motions = makeRigidScene(options);
+        params.threshold = motions.threshold;
+        usac = Usac::create(SIMILARITY_3D, motions.points1, motions.points2, params);
+        Model truth;
+        const std::vector<double> motion(motions.motion.val, motions.motion.val + 12);
+        ASSERT_TRUE(points().problem->fromOutput(motion, points(), truth));
+        RNG rng(seed);
+        for (int i = 0; i < 20; ++i)
+        {
+            Model model = truth;
+            for (int k = 0; k < 12; ++k)
+                model.val[k] += rng.gaussian(0.0005 * i * i);
+            models.push_back(model);
+        }
+    }
+
     const Correspondences& points() const { return usac->points(); }
+    bool homogeneous() const { return usac->components().residual->homogeneous(); }
     float limit() const { return (float)(points().threshold * points().threshold); }
 
     Residual::Kind kind;
@@ -120,11 +151,20 @@ double directReprojection(const Correspondences& p, const Matx34d& P, int i)
     return x[2] > 0 ? error.dot(error) : INFINITY;
 }
 
+double directSpaceTransfer(const Correspondences& p, const Matx34d& motion, int i)
+{
+    const Vec3d x2(p.column[3][i], p.column[4][i], p.column[5][i]);
+    const Vec3d off = motion * Vec4d(p.column[0][i], p.column[1][i], p.column[2][i], 1) - x2;
+    return off.dot(off);
+}
+
 //! Squared error of a point in double, in the coordinates of the kernels.
 double directError(const Correspondences& p, Residual::Kind kind, const Model& model, int i)
 {
     if (kind == Residual::REPROJECTION)
         return directReprojection(p, model, i);
+    if (kind == Residual::SPACE_TRANSFER)
+        return directSpaceTransfer(p, model, i);
     const Matx33d M = model;
     const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1), y = M * x1;
     const Vec3d z = M.t() * x2, back = M.inv() * x2;

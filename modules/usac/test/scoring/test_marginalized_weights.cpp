@@ -38,7 +38,7 @@ struct WeightedError
 
 TEST(Usac_Statistics, marginalizedWeightsAgainstIntegration)
 {
-    for (int degrees = 1; degrees <= 2; ++degrees)
+    for (int degrees = 1; degrees <= 3; ++degrees)
     {
         const MarginalizedWeights weights(degrees);
         const double k = thresholdInSigmas(degrees);
@@ -58,7 +58,7 @@ TEST(Usac_Statistics, marginalizedWeightsAgainstIntegration)
 TEST(Usac_Statistics, marginalizedWeightsTables)
 {
     const float infinite = std::numeric_limits<float>::infinity(), undefined = std::numeric_limits<float>::quiet_NaN();
-    for (int degrees = 1; degrees <= 2; ++degrees)
+    for (int degrees = 1; degrees <= 3; ++degrees)
     {
         const MarginalizedWeights weights(degrees);
         EXPECT_EQ(0.f, weights.tabulatedLoss(0));
@@ -80,6 +80,9 @@ TEST(Usac_Statistics, marginalizedWeightsTables)
             lastWeight = weight;
         }
     }
+    for (int degrees = 1; degrees <= 3; ++degrees)  // that of the degrees
+        EXPECT_EQ(MarginalizedWeights(degrees).tabulatedLoss(0.3f),
+                  MarginalizedWeights::of(degrees).tabulatedLoss(0.3f));
     EXPECT_EQ(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()),
               &MarginalizedWeights::of(problemObject(ESSENTIAL).errorDimension()));
     EXPECT_NE(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()),

@@ -20,7 +20,7 @@ TEST_P(Usac_Scores_Kernels, againstDirectEvaluation)
         const Model& model = f.models[end % f.models.size()];
         const int begin = end % 3 == 0 ? 0 : end % 3 == 1 ? end / 2 : std::max(0, end - 17);
         float m[MAX_MODEL_SIZE];
-        toFloat(model, m);
+        toFloat(model, m, f.homogeneous());
         const Direct expected = directScore(f, model, begin, end);
         inliersSeen += expected.inliers;
         for (size_t k = 0; k < all.size(); ++k)
@@ -45,7 +45,7 @@ TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
         for (int begin = 0; begin < end; begin = 2 * begin + 1 + end % 5)
         {
             float m[MAX_MODEL_SIZE];
-            toFloat(f.models[(end + begin) % f.models.size()], m);
+            toFloat(f.models[(end + begin) % f.models.size()], m, f.homogeneous());
             for (int score = 0; score < 2; ++score)
             {
                 std::vector<Quality> sums(all.size(), Quality(0, 0));
@@ -104,7 +104,7 @@ TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
             const FusedKernel kernel = scores[s]->fused(*residual);
             ASSERT_TRUE(kernel != 0);
             float m[MAX_MODEL_SIZE];
-            toFloat(f.models[k], m);
+            toFloat(f.models[k], m, f.homogeneous());
             Quality fused(0, 0), plain(0, 0);
             kernel(f.points(), m, f.limit(), 0, COUNT, fused);
             residual->squaredErrors(f.points(), f.models[k], 0, COUNT, errors.data());

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "problems/rigid_motion/rigid_scenes.hpp"
 #include "scenes.hpp"
 
 namespace opencv_test {
@@ -67,6 +68,76 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
         {
             EXPECT_GE(half, calls / 25) << "problem " << problem;
         }
+    }
+}
+
+//! The same of random pairs of points of space, whose models have few inliers by chance, too.
+TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
+{
+    const int sizes[] = {15, 60, 300};
+    const Params presets[] = {Params::usacV20(), Params::magsacPlusPlus(), Params::loRansac()};
+    for (int type = RIGID_3D; type <= SIMILARITY_3D; ++type)
+    {
+        int calls = 0, below[3] = {0}, half = 0;
+        const double levels[] = {0.1, 0.01, 0.001};
+        for (double threshold : {0.05, 0.3})  // of a cube of side 2: parts of 7e-5 and 1.4 % of its volume
+            for (int size : sizes)
+                for (int p = 0; p < 3; ++p)
+                    for (int run = 0; run < 40; ++run, ++calls)
+                    {
+                        RNG rng(1000 * size + run);
+                        Mat points1(size, 3, CV_64F), points2(size, 3, CV_64F);
+                        rng.fill(points1, RNG::UNIFORM, -1, 1);
+                        rng.fill(points2, RNG::UNIFORM, -1, 1);
+                        Params params = presets[p];
+                        params.maxIterations = 300;
+                        params.significance = 1;
+                        params.threshold = threshold;
+                        Report report;
+                        Usac::create((ProblemType)type, points1, points2, params)->run(noArray(), &report);
+                        half += report.chance <= 0.5;
+                        for (int level = 0; level < 3; ++level)
+                            below[level] += report.chance <= levels[level];
+                    }
+        for (int level = 0; level < 3; ++level)
+        {
+            const double expected = calls * levels[level];
+            EXPECT_LE(below[level], expected + 3 * std::sqrt(expected)) << "problem " << type << " " << levels[level];
+        }
+        if (cvtest::debugLevel > 0)
+            printf("problem %d: %d calls, below %d %d %d, half %d\n", type, calls, below[0], below[1], below[2], half);
+    }
+}
+
+//! By default random pairs give no motion, and right ones one, even if few of many are right.
+TEST(Usac_Significance, randomAndRightPairsInSpace)
+{
+    for (int type = RIGID_3D; type <= SIMILARITY_3D; ++type)
+    {
+        int models = 0, found = 0;
+        for (int seed = 1; seed <= 20; ++seed)
+        {
+            RNG rng(seed);
+            Mat points1(200, 3, CV_64F), points2(200, 3, CV_64F);
+            rng.fill(points1, RNG::UNIFORM, -1, 1);
+            rng.fill(points2, RNG::UNIFORM, -1, 1);
+            Params params;
+            params.threshold = 0.2;
+            params.maxIterations = 1000;
+            Report report;
+            models += !Usac::create((ProblemType)type, points1, points2, params)->run(noArray(), &report).empty();
+            EXPECT_GT(report.chance, 0.01);
+            RigidSceneOptions options;
+            options.seed = seed;
+            options.inlierRatio = 0.1;
+            const RigidScene scene = makeRigidScene(options);
+            params.threshold = scene.threshold;
+            params.maxIterations = 20000;
+            const Ptr<Usac> usac = Usac::create((ProblemType)type, scene.points1, scene.points2, params);
+            found += !usac->run(noArray(), &report).empty() && report.chance < 1e-3;
+        }
+        EXPECT_LE(models, 1) << type;
+        EXPECT_EQ(20, found) << type;
     }
 }
 

@@ -24,11 +24,11 @@ struct Triangle
         corners.colwise() -= center;
         const Eigen::Vector3d side = corners.col(1) - corners.col(0), other = corners.col(2) - corners.col(0);
         const Eigen::Vector3d normal = side.cross(other);
-        const double area = normal.squaredNorm(), sides = side.squaredNorm() * other.squaredNorm();
-        regular = area > DBL_EPSILON * sides && sides <= DBL_MAX;
+        const double area = normal.squaredNorm(), longest = std::max(side.squaredNorm(), other.squaredNorm());
+        regular = area > DBL_EPSILON * longest * longest && area <= DBL_MAX;
         axes.col(0) = side.normalized();
-        axes.col(2) = normal.normalized();
-        axes.col(1) = axes.col(2).cross(axes.col(0));
+        axes.col(1) = normal.normalized().cross(axes.col(0)).normalized();
+        axes.col(2) = axes.col(0).cross(axes.col(1));  // not the normal, which of a thin one is not quite upright
     }
 
     //! Corners in the plane, from the center.
@@ -37,8 +37,8 @@ struct Triangle
     Eigen::Matrix3d corners;  //!< from the center, a column each
     Eigen::Matrix3d axes;     //!< orthonormal, as columns
     Eigen::Vector3d center;
-    bool
-        regular;  //!< the sine of its first angle is more than the root of the rounding, so that the normal has a sense
+    //! Its height over its longest side is more than the root of the rounding, so that the normal has a sense.
+    bool regular;
 };
 
 /** Rigid motion from three points by least squares @cite horn1987closed: the best rotation takes the plane of the first

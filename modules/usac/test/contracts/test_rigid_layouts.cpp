@@ -1,0 +1,206 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "contracts/expected_answer.hpp"
+#include "contracts/rigid_contracts.hpp"
+
+// Points of both spaces in every layout and type give the same bits; what is no list of points is refused.
+
+namespace opencv_test {
+namespace {
+
+//! Nx3, CV_64F.
+struct SpaceArrays
+{
+    Mat points1, points2;
+};
+
+SpaceArrays arraysOf(const RigidScene& scene)
+{
+    const SpaceArrays arrays = {Mat(scene.points1).reshape(1).clone(), Mat(scene.points2).reshape(1).clone()};
+    return arrays;
+}
+
+//! The answer that every other form of the same points has to repeat to the bit.
+class ExpectedMotion
+{
+public:
+    ExpectedMotion(ProblemType type_, const SpaceArrays& arrays, double threshold) : type(type_)
+    {
+        params.threshold = threshold;
+        Report report;
+        motion = estimateMotion(type, arrays.points1, arrays.points2, params, mask, report);
+        EXPECT_FALSE(motion.empty());
+        EXPECT_GT(countNonZero(mask), 50);
+    }
+
+    void compare(const char* what, InputArray points1, InputArray points2) const
+    {
+        SCOPED_TRACE(what);
+        Mat other;
+        Report report;
+        EXPECT_TRUE(sameBits(motion, estimateMotion(type, points1, points2, params, other, report)));
+        EXPECT_TRUE(sameBits(mask, other));
+        other = type == RIGID_3D ? estimateRigid3D(points1, points2, params)
+                                 : estimateSimilarity3D(points1, points2, params);
+        EXPECT_TRUE(sameBits(motion, other)) << "without mask and report";
+    }
+
+private:
+    const ProblemType type;
+    Params params;
+    Mat motion, mask;
+};
+
+//! 1xNx3 or Nx1x3.
+Mat solid(const Mat& points, bool across)
+{
+    return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);
+}
+
+template <class Point>
+std::vector<Point> vectorOf(const Mat& points)
+{
+    std::vector<Point> result;
+    points.reshape(3).copyTo(result);
+    return result;
+}
+
+class Usac_RigidLayouts : public UsacProblem
+{};
+INSTANTIATE_TEST_CASE_P(/**/, Usac_RigidLayouts, testing::ValuesIn(SPACE_PROBLEMS));
+
+TEST_P(Usac_RigidLayouts, every_shape)
+{
+    const RigidScene scene = makeRigidScene();
+    const SpaceArrays a = arraysOf(scene);
+    const ExpectedMotion expected(problem(), a, scene.threshold);
+    const char* names[] = {"Nx3", "3xN", "Nx1, 3 channels", "1xN, 3 channels", "Nx1x3", "1xNx3"};
+    Mat lists[2][6];
+    for (int side = 0; side < 2; ++side)
+    {
+        const Mat& p = side ? a.points2 : a.points1;
+        const Mat all[] = {p, p.t(), p.reshape(3), p.reshape(3, 1), solid(p, false), solid(p, true)};
+        std::copy(all, all + 6, lists[side]);
+    }
+    for (int i = 0; i < 6; ++i)
+    {
+        expected.compare(names[i], lists[0][i], lists[1][i]);
+        expected.compare(names[i], lists[0][i], lists[1][(i + 1) % 6]);
+        if (i < 4)
+            expected.compare(names[i], partOfLarger(lists[0][i]), partOfLarger(lists[1][i]));
+        expected.compare(names[i], lists[0][i].getUMat(ACCESS_READ), lists[1][i].getUMat(ACCESS_READ));
+    }
+    expected.compare("vectors", scene.points1, scene.points2);
+    expected.compare("10x20, 3 channels", a.points1.reshape(3, 10), a.points2.reshape(3, 20));
+    expected.compare("columns far apart", partOfLarger(a.points1).colRange(0, 3), a.points2.colRange(0, 3));
+}
+
+//! Coordinates that every type holds.
+TEST_P(Usac_RigidLayouts, every_depth)
+{
+    RigidSceneOptions options;
+    options.unit = 20;
+    const RigidScene scene = makeRigidScene(options);
+    SpaceArrays a = arraysOf(scene);
+    for (Mat* points : {&a.points1, &a.points2})
+    {
+        double least = 0;
+        minMaxLoc(*points, &least);
+        *points = *points - least;
+        points->convertTo(*points, CV_8U);
+        points->convertTo(*points, CV_64F);
+        *points = cv::min(*points, 127);
+    }
+    const ExpectedMotion expected(problem(), a, scene.threshold + 1);
+    for (int depth = CV_8U; depth <= CV_16F; ++depth)
+    {
+        SCOPED_TRACE(cv::format("depth %d", depth));
+        Mat p1, p2;
+        a.points1.convertTo(p1, depth);
+        a.points2.convertTo(p2, depth);
+        expected.compare("Nx3", p1, p2);
+        expected.compare("3xN", p1.t(), p2.t());
+        expected.compare("Nx1, 3 channels", p1.reshape(3), p2.reshape(3));
+        expected.compare("Nx1x3", solid(p1, false), solid(p2, false));
+        expected.compare("part of a larger matrix", partOfLarger(p1), partOfLarger(p2));
+        expected.compare("integers or so and doubles", p1, a.points2);
+        expected.compare("doubles and integers or so", a.points1, p2);
+        if (depth == CV_32F)
+            expected.compare("vectors", vectorOf<Point3f>(p1), vectorOf<Point3f>(p2));
+        if (depth == CV_32S)
+            expected.compare("vectors", vectorOf<Point3i>(p1), vectorOf<Vec3i>(p2));
+    }
+}
+
+TEST_P(Usac_RigidLayouts, input_is_unchanged_to_the_bit)
+{
+    const RigidScene scene = makeRigidScene();
+    const SpaceArrays a = arraysOf(scene);
+    for (int depth : {CV_32S, CV_32F, CV_64F})
+    {
+        Mat wide(scene.size(), 8, depth, Scalar(7)), p1 = wide.colRange(1, 4), p2 = wide.colRange(5, 8);
+        a.points1.convertTo(p1, depth, 100);
+        a.points2.convertTo(p2, depth, 100);
+        const Mat before = wide.clone();
+        for (const NamedPreset& preset : allPresets(problem()))
+        {
+            Params params = preset.params;
+            params.threshold = 100 * scene.threshold;
+            params.maxIterations = 100;
+            Mat mask;
+            Report report;
+            estimateMotion(problem(), p1, p2, params, mask, report);
+        }
+        EXPECT_TRUE(sameBits(before, wide)) << "depth " << depth;
+    }
+}
+
+TEST_P(Usac_RigidLayouts, wrong_arguments_are_named)
+{
+    const RigidScene scene = makeRigidScene();
+    const SpaceArrays a = arraysOf(scene);
+    const int count = scene.size();
+    Mat mask;
+    Report report;
+    const auto refuses = [&](InputArray points1, InputArray points2, const Params& params, const char* words) {
+        expectException([&]() { estimateMotion(problem(), points1, points2, params, mask, report); }, words);
+    };
+    const Params params;
+    const Mat wrong[] = {Mat(count, 2, CV_64F), Mat(count, 4, CV_64F), Mat(count, 1, CV_64FC2), Mat(2, count, CV_32F),
+                         Mat(4, count, CV_32F), Mat(count, 1, CV_64F), Mat(count, 1, CV_64FC4)};
+    for (const Mat& points : wrong)
+    {
+        refuses(points, a.points2, params, "points1");
+        refuses(a.points1, points, params, "points2");
+    }
+    refuses(a.points1.rowRange(0, 9), a.points2, params, "points1 and points2");
+    refuses(a.points1, Mat(), params, "points1 and points2");
+    Params other = params;
+    other.residual = RESIDUAL_SYMMETRIC;
+    refuses(a.points1, a.points2, other, "residual");
+    for (int flags : {(int)DEGENERACY_DEGENSAC, DEGENERACY_DEGENSAC | DEGENERACY_REPEATED})
+    {
+        other = params;
+        other.degeneracy = flags;
+        refuses(a.points1, a.points2, other, "degeneracy");
+        refuses(a.points1, a.points2, other, problem() == RIGID_3D ? "rigid3D" : "similarity3D");
+    }
+    refuses(a.points1, a.points2, Params::usac2013(), "degeneracy");
+    other = params;
+    other.threshold = 0;
+    refuses(a.points1, a.points2, other, "threshold");
+    other = params;
+    other.scores.assign(5, 1.f);
+    refuses(a.points1, a.points2, other, "scores");
+    for (int numbers : {9, 6, 11, 13})
+    {
+        other = params;
+        other.initialModel.assign(numbers, 0.5);
+        refuses(a.points1, a.points2, other, "initialModel");
+    }
+}
+
+}
+}  // namespace

@@ -1,0 +1,342 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "rigid_scenes.hpp"
+#include "space_points.hpp"
+#include "optimization/closest_rotation.hpp"
+#include "optimization/least_squares.hpp"
+#include "problems/rigid_motion/rigid_motion.hpp"
+#include "problems/rigid_motion/rigid_parameterization.hpp"
+
+#include <numeric>
+
+// Rigid motions of many points by least squares in closed form, and their parameterization.
+
+namespace opencv_test {
+namespace {
+
+struct Fit
+{
+    Fit(bool scaled, const RigidScene& scene, const std::vector<double>& weights = std::vector<double>(),
+        int count = -1)
+    {
+        const SpacePoints own(scene.points1, scene.points2);
+        Model model;
+        found = createRigidLeastSquares(scaled)->fit(own.view(), own.indices(), count < 0 ? scene.size() : count,
+                                                     weights.empty() ? 0 : weights.data(), model, 1);
+        if (found)
+            motion = model;
+    }
+
+    bool found;
+    Matx34d motion;
+};
+
+RigidScene sceneOf(RigidShape shape, double noise, uint64 seed, double modelScale = 1)
+{
+    RigidSceneOptions options;
+    options.size = 50;
+    options.inlierRatio = 0.8;
+    options.shape = shape;
+    options.noise = noise;
+    options.seed = seed;
+    options.modelScale = modelScale;
+    return makeRigidScene(options);
+}
+
+std::vector<double> randomWeights(int count, RNG& rng)
+{
+    std::vector<double> weights;
+    for (int i = 0; i < count; ++i)
+        weights.push_back(i % 7 == 3 ? 0 : rng.uniform(0.01, 1.));
+    return weights;
+}
+
+double costOf(const RigidScene& scene, const std::vector<double>& weights, const Matx34d& motion)
+{
+    double sum = 0;
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const Vec3d off = moved(motion, scene.points1[i]) - Vec3d(scene.points2[i]);
+        sum += (weights.empty() ? 1 : weights[i]) * off.dot(off);
+    }
+    return sum;
+}
+
+const RigidShape SHAPES[] = {RIGID_CLOUD, RIGID_PLANE, RIGID_NEAR_PLANE, RIGID_NEAR_LINE, RIGID_CLUSTER};
+
+/** The derivatives of the cost by the six or seven parameters of a motion, by finite differences, are zero, and every
+step that is not small raises it. */
+template <bool SCALED>
+void expectMinimum(const RigidScene& scene, const std::vector<double>& weights)
+{
+    typedef RigidParameterization<SCALED> Parameters;
+    const Fit fit(SCALED, scene, weights);
+    ASSERT_TRUE(fit.found);
+    const double cost = costOf(scene, weights, fit.motion), h = 1e-4;
+    const Parameters here((Model(fit.motion)));
+    for (int k = 0; k < Parameters::DIMENSION; ++k)
+    {
+        double costs[2];
+        for (int side = 0; side < 2; ++side)
+        {
+            typename Parameters::Step step = Parameters::Step::Zero();
+            step[k] = side ? h : -h;
+            costs[side] = costOf(scene, weights, Matx34d(here.plus(step).model()));
+            EXPECT_GT(costs[side], cost) << "parameter " << k;
+        }
+        const double gradient = (costs[1] - costs[0]) / (2 * h), curvature = (costs[1] + costs[0] - 2 * cost) / (h * h);
+        EXPECT_LE(std::abs(gradient), 1e-6 * curvature) << "parameter " << k;
+    }
+    RNG rng(3);
+    for (int trial = 0; trial < 20; ++trial)
+    {
+        const Matx33d R = randomRotation(rng);
+        const double scale = SCALED ? std::exp(rng.uniform(-1., 1.)) : 1;
+        const Vec3d t(rng.uniform(-2., 2.), rng.uniform(-2., 2.), rng.uniform(-2., 2.));
+        EXPECT_GT(costOf(scene, weights, motionFrom(scale, R, t)), cost) << "anywhere else";
+    }
+}
+
+TEST(Usac_RigidLeastSquares, isTheMinimum)
+{
+    RNG rng(1);
+    for (RigidShape shape : SHAPES)
+        for (int seed = 1; seed <= 10; ++seed)
+            for (double scale : {1., 0.3})
+            {
+                SCOPED_TRACE(cv::format("shape %d, seed %d, scale %g", shape, seed, scale));
+                const RigidScene scene = sceneOf(shape, 0.01, seed, scale);
+                const std::vector<double> weights = randomWeights(scene.size(), rng), none;
+                expectMinimum<false>(scene, weights);
+                expectMinimum<true>(scene, weights);
+                expectMinimum<false>(scene, none);
+                expectMinimum<true>(scene, none);
+            }
+}
+
+TEST(Usac_RigidLeastSquares, sameAsOpenCV)
+{
+    for (RigidShape shape : SHAPES)
+        for (int seed = 1; seed <= 10; ++seed)
+        {
+            const RigidScene scene = sceneOf(shape, 0.01, seed, 0.5);
+            double scale = 0;
+            const Mat scaled = cv::estimateAffine3D(scene.points1, scene.points2, &scale, true);
+            const Mat rigid = cv::estimateAffine3D(scene.points1, scene.points2, (double*)0, true);
+            const Fit own(true, scene), ownRigid(false, scene);
+            ASSERT_TRUE(own.found && ownRigid.found);
+            const Matx34d expected(scaled);
+            const Vec3d t(expected(0, 3), expected(1, 3), expected(2, 3));
+            EXPECT_LE(cv::norm(own.motion - motionFrom(scale, expected.get_minor<3, 3>(0, 0), t)), 1e-11);
+            EXPECT_LE(cv::norm(ownRigid.motion - Matx34d(rigid)), 1e-11);
+        }
+}
+
+//! The same error as three components, of which the library knows nothing.
+class OwnError : public Residual
+{
+public:
+    void squaredErrors(const Correspondences& p, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
+    {
+        for (int i = begin; i < end; ++i)
+        {
+            const double datum[] = {p.exact[0][i], p.exact[1][i], p.exact[2][i],
+                                    p.exact[3][i], p.exact[4][i], p.exact[5][i]};
+            double e[3];
+            error(model, datum, e);
+            errors[i - begin] = (float)(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+        }
+    }
+
+    void squaredErrors(const Model& model, const double* const* c, int count, double* errors) const CV_OVERRIDE
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            const double datum[] = {c[0][i], c[1][i], c[2][i], c[3][i], c[4][i], c[5][i]};
+            double e[3];
+            error(model, datum, e);
+            errors[i] = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+        }
+    }
+
+    int error(const Model& model, const double* d, double* e) const CV_OVERRIDE
+    {
+        const Vec3d x = moved(Matx34d(model), Point3d(d[0], d[1], d[2])) - Vec3d(d[3], d[4], d[5]);
+        std::copy(x.val, x.val + 3, e);
+        return 3;
+    }
+};
+
+//! Steps of Gauss and Newton for a residual of one's own arrive where the closed form is.
+TEST(Usac_RigidLeastSquares, sameAsBySteps)
+{
+    RNG rng(2);
+    for (int scaled = 0; scaled < 2; ++scaled)
+    {
+        const Ptr<NonMinimalSolver> steps = createRigidFit(makePtr<OwnError>(), scaled != 0);
+        for (RigidShape shape : SHAPES)
+            for (int seed = 1; seed <= 5; ++seed)
+            {
+                SCOPED_TRACE(cv::format("shape %d, seed %d, scaled %d", shape, seed, scaled));
+                RigidScene scene = sceneOf(shape, 0.01, seed);
+                for (int i = 0; i < scene.size(); ++i)  // near where the steps begin, as after a search
+                    if (!scene.truth[i])
+                        scene.points2[i] = Point3d(moved(scene.motion, scene.points1[i]) * 1.02);
+                const std::vector<double> weights = randomWeights(scene.size(), rng);
+                const SpacePoints own(scene.points1, scene.points2);
+                Model model(scene.motion);
+                for (int repeat = 0; repeat < 5; ++repeat)
+                    ASSERT_TRUE(steps->fit(own.view(), own.indices(), scene.size(), weights.data(), model, 10));
+                const Fit fit(scaled != 0, scene, weights);
+                ASSERT_TRUE(fit.found);
+                EXPECT_LE(motionError(scene, Matx34d(model) - fit.motion + scene.motion), 1e-6);
+                const double best = costOf(scene, weights, fit.motion);
+                EXPECT_NEAR(best, costOf(scene, weights, Matx34d(model)), 1e-8 * best);
+            }
+    }
+}
+
+//! A million times their extent from the origin, where six of the sixteen digits are gone.
+TEST(Usac_RigidLeastSquares, farFromTheOrigin)
+{
+    for (int scaled = 0; scaled < 2; ++scaled)
+        for (RigidShape shape : SHAPES)
+        {
+            RigidSceneOptions options;
+            options.noise = 0;
+            options.shape = shape;
+            options.inlierRatio = 1;
+            options.offset1 = Vec3d(2e6, -1e6, 5e5);
+            options.offset2 = Vec3d(-3e6, 1e6, 1e6);
+            options.modelScale = scaled ? 2 : 1;
+            const RigidScene scene = makeRigidScene(options);
+            const Fit fit(scaled != 0, scene);
+            ASSERT_TRUE(fit.found) << shape;
+            EXPECT_LE(motionError(scene, fit.motion), 5e-9) << shape;
+            EXPECT_LE(rotationError(scene, fit.motion), 1e-5) << shape;
+        }
+}
+
+//! Points of a line, few points, no weight: there is no motion.
+TEST(Usac_RigidLeastSquares, refused)
+{
+    for (int scaled = 0; scaled < 2; ++scaled)
+        for (int seed = 1; seed <= 50; ++seed)
+        {
+            RigidScene scene = sceneOf(RIGID_LINE, 0, seed);
+            EXPECT_FALSE(Fit(scaled != 0, scene).found) << seed << ": space 2 has outliers, space 1 is a line";
+            RigidSceneOptions options;
+            options.shape = RIGID_LINE;
+            options.inlierRatio = 1;
+            options.noise = 0;
+            options.seed = seed;
+            options.offset1 = seed % 2 ? Vec3d(1e6, 0, -1e5) : Vec3d();
+            EXPECT_FALSE(Fit(scaled != 0, makeRigidScene(options)).found) << seed;
+            scene = sceneOf(RIGID_CLOUD, 0.01, seed);
+            EXPECT_FALSE(Fit(scaled != 0, scene, std::vector<double>(), 2).found);
+            EXPECT_FALSE(Fit(scaled != 0, scene, std::vector<double>(scene.size(), 0.)).found);
+            std::vector<double> two(scene.size(), 0.);
+            two[5] = two[9] = 1;
+            EXPECT_FALSE(Fit(scaled != 0, scene, two).found);
+            std::fill(scene.points2.begin(), scene.points2.end(), Point3d(1, 2, 3));
+            EXPECT_FALSE(Fit(scaled != 0, scene).found) << "all at one place";
+            scene.points2[7].y = NAN;
+            EXPECT_FALSE(Fit(scaled != 0, scene).found);
+        }
+}
+
+//! A mirror image is no motion: the best rotation has determinant 1, and nothing near it is better.
+TEST(Usac_RigidLeastSquares, mirrored)
+{
+    for (int seed = 1; seed <= 20; ++seed)
+    {
+        RigidSceneOptions options;
+        options.inlierRatio = 1;
+        options.seed = seed;
+        options.shape = seed % 2 ? RIGID_CLOUD : RIGID_NEAR_PLANE;
+        RigidScene scene = makeRigidScene(options);
+        for (Point3d& p : scene.points2)
+            p.x = -p.x;
+        const Fit rigid(false, scene), scaled(true, scene);
+        ASSERT_TRUE(rigid.found && scaled.found);
+        EXPECT_NEAR(1, determinant(rigid.motion.get_minor<3, 3>(0, 0)), 1e-12);
+        EXPECT_GT(determinant(scaled.motion.get_minor<3, 3>(0, 0)), 0);
+        expectMinimum<false>(scene, std::vector<double>());
+        expectMinimum<true>(scene, std::vector<double>());
+    }
+}
+
+//! Of what is no matrix of numbers there is no rotation, rather than any.
+TEST(Usac_RigidLeastSquares, closestRotationOfNoNumbers)
+{
+    for (double value : {NAN, INFINITY, -INFINITY})
+        for (int k = 0; k < 9; ++k)
+        {
+            Eigen::Matrix3d M = Eigen::Matrix3d::Identity();
+            M(k / 3, k % 3) = value;
+            const ClosestRotation closest(M);
+            EXPECT_FALSE(closest.rotation.allFinite());
+            EXPECT_FALSE(closest.singularValues.allFinite());
+            EXPECT_FALSE(std::abs(closest.scale) <= DBL_MAX);
+        }
+}
+
+template <bool SCALED>
+void checkParameters()
+{
+    typedef RigidParameterization<SCALED> Parameters;
+    RNG rng(4);
+    const Matx33d R = randomRotation(rng);
+    const Model model = motionFrom(SCALED ? 1.7 : 1, R, Vec3d(0.3, -0.8, 0.5));
+    const Parameters here(model);
+    const Model same = here.model();
+    for (int k = 0; k < 12; ++k)
+        EXPECT_NEAR(model.val[k], same.val[k], 1e-14);
+    const typename Parameters::Basis basis = here.tangent();
+    const double h = 1e-5;
+    for (int k = 0; k < Parameters::DIMENSION; ++k)
+    {
+        typename Parameters::Step step = Parameters::Step::Zero();
+        step[k] = h;
+        const Model ahead = here.plus(step).model(), behind = here.plus(-step).model();
+        for (int i = 0; i < 12; ++i)
+            EXPECT_NEAR(basis(i, k), (ahead.val[i] - behind.val[i]) / (2 * h), 1e-9) << k << " " << i;
+    }
+    SpaceEquations sums;
+    sums.JtJ.setRandom();
+    sums.JtJ = (sums.JtJ * sums.JtJ.transpose()).eval();
+    sums.Jtr.setRandom();
+    typename Parameters::Matrix A;
+    typename Parameters::Step b;
+    here.project(sums, A, b);
+    EXPECT_LE((A - basis.transpose() * sums.JtJ * basis).norm(), 1e-12 * A.norm());
+    EXPECT_LE((b - basis.transpose() * sums.Jtr).norm(), 1e-12 * b.norm());
+    EXPECT_TRUE(here.hasFullRank());
+    // of a matrix that is no rotation, the closest motion
+    Matx34d rough = Matx34d(model);
+    for (int k = 0; k < 12; ++k)
+        rough.val[k] += rng.gaussian(0.05);
+    const Matx34d closest = Parameters(Model(rough)).model();
+    for (int trial = 0; trial < 100; ++trial)
+    {
+        typename Parameters::Step step;
+        for (int k = 0; k < Parameters::DIMENSION; ++k)
+            step[k] = k >= 3 && k < 6 ? 0 : rng.gaussian(0.1);
+        const Matx34d other = Parameters(Model(closest)).plus(step).model();
+        EXPECT_LE(cv::norm(closest - rough), cv::norm(other - rough));
+    }
+}
+
+TEST(Usac_RigidParameterization, tangentsAndSteps)
+{
+    checkParameters<false>();
+    checkParameters<true>();
+    EXPECT_FALSE(RigidParameterization<true>(Model(Matx34d::zeros())).hasFullRank());
+}
+
+}
+}  // namespace

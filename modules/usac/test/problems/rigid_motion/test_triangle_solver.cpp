@@ -1,0 +1,324 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "rigid_scenes.hpp"
+#include "space_points.hpp"
+#include "problems/rigid_motion/rigid_motion.hpp"
+
+// Rigid motions from three points, with and without a scale.
+
+namespace opencv_test {
+namespace {
+
+typedef std::vector<Vec3d> Triangle;
+
+//! False if there is no model.
+bool solve(bool scaled, const Triangle& from, const Triangle& to, Matx34d& motion)
+{
+    const SpacePoints own(from, to);
+    Model models[MAX_MODELS];
+    const int count = createTriangleSolver(scaled)->solve(own.view(), own.indices(), models);
+    EXPECT_TRUE(count == 0 || count == 1);
+    if (count == 1)
+        motion = models[0];
+    return count == 1;
+}
+
+//! Least height over longest side: 0.87 of an equilateral one, 0 of points on a line.
+double thicknessOf(const Triangle& t)
+{
+    double longest = 0;
+    for (int k = 0; k < 3; ++k)
+        longest = std::max(longest, cv::norm(t[k] - t[(k + 1) % 3]));
+    return cv::norm((t[1] - t[0]).cross(t[2] - t[0])) / (longest * longest);
+}
+
+double sizeOf(const Triangle& t)
+{
+    const Vec3d mean = (t[0] + t[1] + t[2]) * (1. / 3);
+    return std::max(std::max(cv::norm(t[0] - mean), cv::norm(t[1] - mean)), cv::norm(t[2] - mean));
+}
+
+enum Kind { CUBE, EQUILATERAL, RIGHT_ANGLE, NEEDLE, FLAT, THIN, FAR_FROM_THE_ORIGIN, KINDS };
+const char* const NAMES[] = {"cube", "equilateral", "right angle", "needle", "flat", "thin", "far from the origin"};
+
+//! The corners are in any order.
+Triangle randomTriangle(Kind kind, RNG& rng)
+{
+    Triangle t(3);
+    const Matx33d R = randomRotation(rng);
+    const double at = rng.uniform(0.1, 0.9), tenth = rng.uniform(0.05, 0.15),
+                 thin = std::pow(10., -rng.uniform(1., 9.));
+    const Vec3d corners[][3] = {{Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0.5, std::sqrt(0.75), 0)},
+                                {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, rng.uniform(0.3, 3.), 0)},
+                                {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(1, 0.1 * tenth, 0)},
+                                {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(at, 0.2 * tenth, 0)},
+                                {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(at, thin, 0)}};
+    const double far = kind == FAR_FROM_THE_ORIGIN ? 1000 : 1;
+    const Vec3d offset(far * rng.uniform(-1., 1.), far * rng.uniform(-1., 1.), far * rng.uniform(-1., 1.));
+    const int first = rng.uniform(0, 3), step = rng.uniform(1, 3);
+    do
+        for (int k = 0; k < 3; ++k)
+        {
+            const Vec3d any(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+            const bool table = kind >= EQUILATERAL && kind <= THIN;
+            t[(first + step * k) % 3] = (table ? R * corners[kind - EQUILATERAL][k] : any) + offset;
+        }
+    while (kind != THIN && thicknessOf(t) < 2e-3);
+    return t;
+}
+
+//! Where a motion takes the corners, rounded once.
+Triangle movedCorners(const Matx34d& motion, const Triangle& from)
+{
+    Triangle to(3);
+    for (int k = 0; k < 3; ++k)
+        for (int r = 0; r < 3; ++r)
+        {
+            long double sum = motion(r, 3);
+            for (int c = 0; c < 3; ++c)
+                sum += (long double)motion(r, c) * from[k][c];
+            to[k][r] = (double)sum;
+        }
+    return to;
+}
+
+Matx34d randomMotion(bool scaled, RNG& rng)
+{
+    const double scale = scaled ? std::exp(rng.uniform(-3., 3.)) : 1;
+    const Matx33d R = randomRotation(rng);
+    return motionFrom(scale, R, scale * Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+}
+
+//! Difference of the linear parts relative to the scale, or of where the mean goes relative to the triangle's size.
+double motionDistance(const Matx34d& a, const Matx34d& truth, const Triangle& from)
+{
+    const double scale = cv::norm(truth.get_minor<3, 3>(0, 0)) / std::sqrt(3.);
+    const Matx34d d = a - truth;
+    const Vec3d mean = (from[0] + from[1] + from[2]) * (1. / 3);
+    const double shift = cv::norm(d * Vec4d(mean[0], mean[1], mean[2], 1)) / sizeOf(from);
+    return std::max(cv::norm(d.get_minor<3, 3>(0, 0)), shift) / scale;
+}
+
+double largestNumber(const Triangle& t)
+{
+    double largest = 0;
+    for (int k = 0; k < 3; ++k)
+        largest = std::max(largest, cv::norm(t[k], NORM_INF));
+    return largest;
+}
+
+/** The angle by which the rounding of the corners alone may turn a triangle about its longest side: no solver does
+better. */
+double indeterminacyOf(const Triangle& from, const Triangle& to)
+{
+    double result = 0;
+    for (const Triangle* t : {&from, &to})
+        result += DBL_EPSILON * largestNumber(*t) / (sizeOf(*t) * thicknessOf(*t));
+    return result;
+}
+
+/** The true motion within 1e-6, but for triangles so thin that their rounding hides it: those whose least height is
+less than some thirty million roundings of their coordinates. */
+void expectTruth(int samples)
+{
+    for (int scaled = 0; scaled < 2; ++scaled)
+        for (int kind = 0; kind < KINDS; ++kind)
+        {
+            RNG rng(1 + kind);
+            int missed = 0, hidden = 0, none = 0, notRotations = 0;
+            double worst = 0;
+            for (int i = 0; i < samples; ++i)
+            {
+                const Triangle from = randomTriangle((Kind)kind, rng);
+                const Matx34d truth = randomMotion(scaled != 0, rng);
+                const Triangle to = movedCorners(truth, from);
+                const double unavoidable = indeterminacyOf(from, to);
+                Matx34d found;
+                if (unavoidable > 3e-8)
+                {
+                    ++hidden;
+                    continue;
+                }
+                if (!solve(scaled != 0, from, to, found))
+                {
+                    ++none;
+                    continue;
+                }
+                const double error = motionDistance(found, truth, from);
+                missed += !(error < 1e-6);
+                worst = std::max(worst, error / unavoidable);
+                const Matx33d A = found.get_minor<3, 3>(0, 0), R = A * (std::sqrt(3.) / cv::norm(A));
+                notRotations += !(cv::norm(R * R.t() - Matx33d::eye()) < 1e-12 && determinant(R) > 0);
+                notRotations += !scaled && !(std::abs(cv::norm(A) - std::sqrt(3.)) < 1e-12);
+            }
+            SCOPED_TRACE(cv::format("%s, %s", NAMES[kind], scaled ? "with a scale" : "without a scale"));
+            EXPECT_EQ(0, missed);
+            EXPECT_EQ(0, none);
+            EXPECT_EQ(0, notRotations);
+            EXPECT_LE(worst, 30) << "times what rounding explains";
+            EXPECT_LE(hidden, kind == THIN ? 3 * samples / 10 : 0);
+            if (cvtest::debugLevel > 0)
+                printf("%s, scaled %d: error at most %.1f times the rounding, %d hidden\n", NAMES[kind], scaled, worst,
+                       hidden);
+        }
+}
+
+TEST(Usac_TriangleSolver, exact) { expectTruth(20000); }
+
+//! Run with --gtest_filter=Usac_TriangleSolver.exactMillion --test_tag_enable=verylong.
+TEST(Usac_TriangleSolver, exactMillion)
+{
+    applyTestTag(CV_TEST_TAG_VERYLONG);
+    expectTruth(1000000);
+}
+
+double costOf(const Matx34d& motion, const Triangle& from, const Triangle& to)
+{
+    double sum = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+        const Vec3d off = moved(motion, Point3d(from[k])) - to[k];
+        sum += off.dot(off);
+    }
+    return sum;
+}
+
+//! Triangles that have nothing to do with each other: it is the motion of least squares.
+TEST(Usac_TriangleSolver, leastSquaresOfAnyTriangles)
+{
+    for (int scaled = 0; scaled < 2; ++scaled)
+    {
+        const Ptr<NonMinimalSolver> fit = createRigidLeastSquares(scaled != 0);
+        RNG rng(20);
+        for (int i = 0; i < 20000; ++i)
+        {
+            const Kind kinds[] = {CUBE, EQUILATERAL, RIGHT_ANGLE, NEEDLE, FLAT};
+            const Triangle from = randomTriangle(kinds[i % 5], rng), to = randomTriangle(kinds[i / 5 % 5], rng);
+            const SpacePoints own(from, to);
+            Matx34d found;
+            Model model;
+            ASSERT_TRUE(solve(scaled != 0, from, to, found));
+            ASSERT_TRUE(fit->fit(own.view(), own.indices(), 3, 0, model, 1));
+            const Matx34d best = model;
+            const double thin = thicknessOf(from) * thicknessOf(to), cost = costOf(best, from, to);
+            EXPECT_NEAR(cost, costOf(found, from, to), 1e-13 * (1 + cost)) << i;
+            EXPECT_LE(motionDistance(found, best, from), 1e-13 / thin) << i;
+            EXPECT_GT(determinant(found.get_minor<3, 3>(0, 0)), 0) << i;
+        }
+    }
+}
+
+//! A mirror image of three points is a turned one.
+TEST(Usac_TriangleSolver, mirrored)
+{
+    RNG rng(21);
+    for (int i = 0; i < 3000; ++i)
+    {
+        const Triangle from = randomTriangle(CUBE, rng);
+        const Matx34d motion = randomMotion(true, rng);
+        Triangle to = movedCorners(motion, from);
+        for (Vec3d& corner : to)
+            corner[0] = -corner[0];
+        Matx34d found;
+        ASSERT_TRUE(solve(true, from, to, found));
+        EXPECT_GT(determinant(found.get_minor<3, 3>(0, 0)), 0);
+        EXPECT_LE(std::sqrt(costOf(found, from, to)), 1e-11 * cv::norm(motion));
+    }
+}
+
+TEST(Usac_TriangleSolver, anyOrderOfTheCorners)
+{
+    const int orders[][3] = {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    RNG rng(22);
+    for (int i = 0; i < 3000; ++i)
+    {
+        const bool scaled = i % 2 != 0;
+        const Triangle from = randomTriangle((Kind)(i % THIN), rng), to = randomTriangle((Kind)(i / THIN % THIN), rng);
+        Matx34d first, other;
+        ASSERT_TRUE(solve(scaled, from, to, first));
+        for (const int(&order)[3] : orders)
+        {
+            const Triangle a = {from[order[0]], from[order[1]], from[order[2]]};
+            const Triangle b = {to[order[0]], to[order[1]], to[order[2]]};
+            ASSERT_TRUE(solve(scaled, a, b, other));
+            EXPECT_LE(motionDistance(other, first, from), 1e-13 / (thicknessOf(from) * thicknessOf(to)));
+        }
+    }
+}
+
+//! Points of a line and points in one place, but for their rounding: there is no model, in either space.
+TEST(Usac_TriangleSolver, degenerate)
+{
+    RNG rng(23);
+    for (int i = 0; i < 3000; ++i)
+    {
+        const bool scaled = i % 2 != 0;
+        const Triangle right = randomTriangle(i % 3 ? CUBE : FAR_FROM_THE_ORIGIN, rng);
+        const int k = i % 3, a = (k + 1) % 3, b = (k + 2) % 3;
+        const double at = i % 5 == 0 ? 0.5 : rng.uniform(-2., 3.);
+        Triangle line = right, pair = right, close = right, one = right;
+        line[k] = right[a] + at * (right[b] - right[a]);
+        pair[k] = right[a];
+        for (int c = 0; c < 3; ++c)
+            close[k][c] = right[a][c] * (1 + (c - 1) * DBL_EPSILON);
+        one[a] = one[b] = one[k];
+        for (const Triangle& wrong : {line, pair, close, one})
+        {
+            Matx34d motion;
+            EXPECT_FALSE(solve(scaled, wrong, right, motion));
+            EXPECT_FALSE(solve(scaled, right, wrong, motion));
+            EXPECT_FALSE(solve(scaled, wrong, wrong, motion));
+        }
+    }
+}
+
+//! Half of them are on a line.
+TEST(Usac_TriangleSolver, smallIntegers)
+{
+    RNG rng(24);
+    int found = 0, none = 0;
+    for (int i = 0; i < 30000; ++i)
+    {
+        Triangle t[2] = {Triangle(3), Triangle(3)};
+        bool expected = true;
+        for (int side = 0; side < 2; ++side)
+        {
+            for (int k = 0; k < 3; ++k)
+                t[side][k] = Vec3d(rng.uniform(-1, 2), rng.uniform(-1, 2), rng.uniform(0, 2));
+            expected = expected && thicknessOf(t[side]) > 0;  // exact, or NaN
+        }
+        Matx34d motion;
+        const bool solved = solve(i % 2 != 0, t[0], t[1], motion);
+        EXPECT_EQ(expected, solved);
+        (solved ? found : none) += 1;
+        EXPECT_TRUE(!solved || checkRange(Mat(motion)));
+    }
+    EXPECT_GT(found, 10000);
+    EXPECT_GT(none, 3000);
+}
+
+//! No numbers, or such that their squares are none.
+TEST(Usac_TriangleSolver, notFinite)
+{
+    const double wrong[] = {NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, 1e160};
+    RNG rng(25);
+    for (int i = 0; i < 100; ++i)
+    {
+        const Triangle right = randomTriangle(CUBE, rng);
+        for (double value : wrong)
+            for (int k = 0; k < 9; ++k)
+            {
+                Triangle other = right;
+                other[k / 3][k % 3] = value;
+                Matx34d motion;
+                EXPECT_FALSE(solve(i % 2 != 0, other, right, motion)) << value << " at " << k;
+                EXPECT_FALSE(solve(i % 2 != 0, right, other, motion)) << value << " at " << k;
+            }
+    }
+}
+
+}
+}  // namespace
