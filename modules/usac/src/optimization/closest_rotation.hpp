@@ -5,31 +5,26 @@
 #ifndef OPENCV_USACV20_CLOSEST_ROTATION_HPP
 #define OPENCV_USACV20_CLOSEST_ROTATION_HPP
 
-#include <cmath>
+#include <limits>
 #include <Eigen/SVD>
 
 namespace cv {
 namespace usacv20 {
 
-//! All of it is NaN if the matrix is not finite: Eigen by itself leaves then what was in the memory.
-struct FullSvd : Eigen::JacobiSVD<Eigen::Matrix3d>
-{
-    explicit FullSvd(const Eigen::Matrix3d& M)
-    {
-        m_matrixU.setConstant(NAN);
-        m_matrixV.setConstant(NAN);
-        m_singularValues.setConstant(NAN);
-        compute(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    }
-};
-
 /** The rotation that is the closest to a matrix M in the Frobenius norm, and has the largest trace of R^T M, by the
-singular value decomposition. NaN if M is not finite. */
+singular value decomposition. All of it is NaN where M is not finite. */
 struct ClosestRotation
 {
     explicit ClosestRotation(const Eigen::Matrix3d& M)
     {
-        const FullSvd svd(M);
+        if (!M.allFinite())  // then the decomposition would leave its factors as they happen to be
+        {
+            scale = std::numeric_limits<double>::quiet_NaN();
+            rotation.setConstant(scale);
+            singularValues.setConstant(scale);
+            return;
+        }
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
         Eigen::Matrix3d U = svd.matrixU();
         singularValues = svd.singularValues();
         const bool mirrored = U.determinant() * svd.matrixV().determinant() < 0;
