@@ -289,7 +289,7 @@ TEST_P(Usac_RigidOptions, run_again)
     }
 }
 
-//! Of points of both spaces, against all distances.
+//! Of points of both spaces, against all distances; of space 2 alone where space 1 has another unit.
 TEST_P(Usac_RigidOptions, nearest_neighbors)
 {
     RigidSceneOptions options = optionsOf(problem(), 0.6);
@@ -307,7 +307,7 @@ TEST_P(Usac_RigidOptions, nearest_neighbors)
         {
             const int a = p.inputIndex[i], b = p.inputIndex[k];
             const Point3d off1 = scene.points1[a] - scene.points1[b], off2 = scene.points2[a] - scene.points2[b];
-            all.push_back(std::make_pair(off1.dot(off1) + off2.dot(off2), k));
+            all.push_back(std::make_pair((problem() == RIGID_3D ? off1.dot(off1) : 0) + off2.dot(off2), k));
         }
         std::sort(all.begin(), all.end());
         const int* members = 0;
