@@ -40,7 +40,7 @@ Estimate checkedMotion(ProblemType type, const RigidScene& scene, const Params& 
     return found;
 }
 
-std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double threshold, int maxIterations)
+std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit, int maxIterations)
 {
     const std::vector<NamedPreset> presets = allPresets(type);
     std::vector<Mat> motions;
@@ -48,7 +48,7 @@ std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double
     {
         SCOPED_TRACE(presets[i].name);
         Params params = presets[i].params;
-        params.threshold = threshold;
+        params.threshold = limit;
         params.maxIterations = maxIterations;
         const Estimate found = checkedMotion(type, scene, params);
         motions.push_back(found.model);

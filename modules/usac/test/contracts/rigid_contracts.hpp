@@ -35,7 +35,7 @@ Estimate checkedMotion(ProblemType type, const RigidScene& scene, const Params& 
 
 /** Every preset on the scene: no exception, what is promised of the result, the same bits again and with any number of
 threads, input as it was. @return the motions of the presets */
-std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double threshold, int maxIterations = 100);
+std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit, int maxIterations = 100);
 
 }  // namespace opencv_test
 
