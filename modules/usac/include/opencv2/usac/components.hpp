@@ -196,7 +196,8 @@ public:
     @param datum one number of each column
     @param error output, at most #MAX_COMPONENTS numbers
     @return their number. Default: one, the root of the squared error. That is the distance to a curve but for its sign;
-    for an error with two components it is better to write this method: the root has no derivative where the error is 0.
+    for an error with two or three components it is better to write this method: the root has no derivative where the
+    error is 0.
   */
     virtual int error(const Model& model, const double* datum, double* error) const;
     /** @brief The same, with the derivative by the entries of the model: what a model is fitted with.

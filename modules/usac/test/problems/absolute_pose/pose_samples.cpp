@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "pose_samples.hpp"
+#include "problems/random_rotation.hpp"
 
 #include <algorithm>
 #include <cfloat>
@@ -17,18 +18,6 @@ const char* const POSE_SAMPLE_NAMES[POSE_SAMPLE_KINDS] = {
     "5 degrees", "120 degrees",   "flat triangle"};
 
 namespace {
-
-Matx33d randomRotation(RNG& rng)
-{
-    Vec4d q;
-    for (int i = 0; i < 4; ++i)
-        q[i] = rng.gaussian(1);
-    q *= 1 / cv::norm(q);
-    const double w = q[0], x = q[1], y = q[2], z = q[3];
-    return Matx33d(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
-                   1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
-                   1 - 2 * (x * x + y * y));
-}
 
 Vec3d randomPoint(PoseSampleKind kind, RNG& rng)
 {

@@ -211,18 +211,6 @@ double motionError(const RigidScene& scene, const Matx34d& motion)
     return std::sqrt(squares / count) / scene.unit;
 }
 
-Matx33d randomRotation(RNG& rng)
-{
-    Vec4d q;
-    for (int i = 0; i < 4; ++i)
-        q[i] = rng.gaussian(1);
-    q *= 1 / cv::norm(q);
-    const double w = q[0], x = q[1], y = q[2], z = q[3];
-    return Matx33d(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
-                   1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
-                   1 - 2 * (x * x + y * y));
-}
-
 Matx34d motionFrom(double scale, const Matx33d& R, const Vec3d& t)
 {
     const Matx33d A = R * scale;

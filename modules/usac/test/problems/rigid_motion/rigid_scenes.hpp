@@ -7,6 +7,7 @@
 
 #include <vector>
 #include "opencv2/core.hpp"
+#include "problems/random_rotation.hpp"
 
 namespace opencv_test {
 
@@ -80,9 +81,6 @@ double rotationError(const RigidScene& scene, const cv::Matx34d& motion);
 
 //! Root mean square over the true matches of the distance between where the two take a point, in units of the scene.
 double motionError(const RigidScene& scene, const cv::Matx34d& motion);
-
-//! Of any axis, uniform.
-cv::Matx33d randomRotation(cv::RNG& rng);
 
 //! [scale * R, t].
 cv::Matx34d motionFrom(double scale, const cv::Matx33d& R, const cv::Vec3d& t);
