@@ -53,6 +53,7 @@ void EstimatorMethod::prepare(const ImagePair& pair, const Settings& settings)
     setFields();  // what was asked for by name wins
     task.points1 = pair.points1;
     task.points2 = pair.points2;
+    task.spacePoints2 = pair.spacePoints2;
     task.scores = useScores ? pair.scores : std::vector<float>();
     const ProblemKind& kind = kindOf(settings.problem);
     task.objectPoints = pair.objectPoints;
@@ -69,7 +70,7 @@ void EstimatorMethod::tell(const ImagePair& pair, Estimate& estimate)
     const cv::Size size = kindOf(task.settings.problem).modelSize;
     require(model.empty() || (model.type() == CV_64F && model.size() == size),
             cv::format("expected a model of %d x %d doubles or none", size.height, size.width));
-    require(mask.empty() || (mask.type() == CV_8U && mask.total() == pair.points2.size() && mask.isContinuous()),
+    require(mask.empty() || (mask.type() == CV_8U && (int)mask.total() == pair.size() && mask.isContinuous()),
             "expected a mask with a byte for each correspondence or none");
 }
 

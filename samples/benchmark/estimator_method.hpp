@@ -19,7 +19,8 @@ struct Task
 {
     Settings settings;                          //!< problem, threshold in pixels, confidence, limit of iterations, seed
     std::vector<cv::Point2f> points1, points2;  //!< pixels
-    std::vector<cv::Point3f> objectPoints;      //!< P: in the place of points1
+    std::vector<cv::Point3f> objectPoints;      //!< P, R, M: in the place of points1
+    std::vector<cv::Point3f> spacePoints2;      //!< R, M: in the place of points2
     std::vector<float> scores;                  //!< one a correspondence, lower is better; empty without `+scores`
     cv::Matx33d K1, K2;                         //!< E: camera matrices; P: K2 alone; others: identity
     std::vector<double> distortion;             //!< P: of the camera; empty: none
@@ -28,8 +29,8 @@ struct Task
 };
 
 /** Estimates a model. Called for each run; this call is what is measured. An exception counts as a failure.
-@return the model, of CV_64F as the functions of calib3d return it (3 x 3, A and S 2 x 3, P [R t]), or empty: none;
-mask, N values of CV_8U, or empty: all (for the pose); number of iterations, or -1 */
+@return the model, of CV_64F as the functions of calib3d return it (3 x 3, A and S 2 x 3, P and R [R t], M [s R t]), or
+empty: none; mask, N values of CV_8U, or empty: all (for the pose); number of iterations, or -1 */
 typedef std::function<Estimate(const Task& task)> Estimator;
 
 //! What a whole estimator can do.

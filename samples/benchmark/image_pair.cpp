@@ -27,6 +27,7 @@ ImagePair ImagePair::reordered(const std::vector<int>& order) const
     result.points1 = inOrder(points1, order);
     result.points2 = inOrder(points2, order);
     result.objectPoints = inOrder(objectPoints, order);
+    result.spacePoints2 = inOrder(spacePoints2, order);
     result.K1 = K1;
     result.K2 = K2;
     result.distortion = distortion;

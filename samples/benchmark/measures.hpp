@@ -14,17 +14,18 @@ namespace benchmark {
 
 H: transfer error, the distance in image 2 between a point mapped by the estimate and its counterpart, or between the
 points mapped by the estimate and by the true H where that is the truth; A and S: the same. F: Sampson distance. E: the
-same of K2^-T E K1^-1. P: not pixels, but the angle between the estimated and the true rotation, degrees. */
+same of K2^-T E K1^-1. P: not pixels, but the angle between the estimated and the true rotation, degrees; R and M: the
+same. */
 double modelError(const ImagePair& pair, ProblemType problem, const cv::Mat& model);
 
 /** Error above which an estimate is a failure: 1 % of the diagonal of image 2 (H, A, S, whose error lies in that image)
-or of the mean of both diagonals (F and E); P: 5 degrees. */
+or of the mean of both diagonals (F and E); P, R and M: 5 degrees. */
 double failureLimit(const ImagePair& pair, ProblemType problem);
 
 /** What estimators minimize, whatever the truth is: mean of min(1, (error / threshold)^2) over the correspondences,
-with the errors of modelError (P: of the reprojection, 1 behind the camera); 1 without a model. Tells an estimate that a
-longer search would improve from one that only the truth speaks against.
-@param threshold pixels */
+with the errors of modelError (P: of the reprojection, 1 behind the camera; R, M: distances in space 2); 1 without a
+model. Tells an estimate that a longer search would improve from one that only the truth speaks against.
+@param threshold pixels; R, M: in the unit of space 2 */
 double modelCost(const ImagePair& pair, ProblemType problem, const cv::Mat& model, double threshold);
 
 /** The larger one of the angles between the estimated and the true rotation and between the estimated and the true

@@ -16,10 +16,10 @@ namespace benchmark {
 struct Run
 {
     int pair, repeat;  //!< pair: index into ListResult::pairs
-    double error;      //!< pixels, for P degrees; infinite without a model
+    double error;      //!< pixels, for P, R and M degrees; infinite without a model
     bool failed;
     double poseError;    //!< degrees, negative where the pair has no pose
-    double centerError;  //!< of the camera, percent of the depth of the scene; negative for all problems but P
+    double centerError;  //!< see ProblemKind::centerError; negative for problems without one
     double cost;         //!< what the estimators minimize, see modelCost
     double cpuMs, wallMs;
     int iterations;  //!< negative where the method does not tell

@@ -18,7 +18,7 @@ struct Settings
     explicit Settings(ProblemType problem = cv::usacv20::HOMOGRAPHY);
 
     ProblemType problem;
-    double threshold;  //!< pixels
+    double threshold;  //!< pixels; R, M: in the unit of space 2
     double confidence;
     int maxIterations;
     int seed;  //!< of this repeat, for the methods that have one

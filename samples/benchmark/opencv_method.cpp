@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include "opencv2/calib3d.hpp"
-#include "problems/problem_kind.hpp"
+#include "problems/rigid_motion.hpp"
 
 namespace benchmark {
 
@@ -36,6 +36,8 @@ const Flag FLAGS[] = {
     {"PNP_AP3P", cv::SOLVEPNP_AP3P, "P"},
     {"PNP_EPNP", cv::SOLVEPNP_EPNP, "P"},
     {"PNP_SQPNP", cv::SOLVEPNP_SQPNP, "P"},
+    {"AFFINE3D", RigidMotion::AFFINE3D, "RM"},
+    {"AFFINE3D_REFIT", RigidMotion::AFFINE3D_REFIT, "RM"},
 };
 
 }  // namespace

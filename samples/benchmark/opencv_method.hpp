@@ -26,6 +26,8 @@ P: `cv::solvePnPRansac(objectPoints, points2, K2, distortion, rvec, tvec, false,
 inliers, flag)`; PNP_ITERATIVE is its flag SOLVEPNP_ITERATIVE and so on. To make a matrix of the rotation and a mask of
 the indices takes a microsecond or two, which is in the time.
 
+R and M: no flags of calib3d, but its functions for affine maps of space, see RigidMotion::Rival.
+
 These functions seed themselves; every repeat gives the same answer (USAC_PARALLEL: nearly). */
 class OpenCVMethod : public Method
 {

@@ -10,7 +10,7 @@ import os
 import numpy as np
 
 PROBLEMS = ("H", "F", "E", "A", "S")  # of pairs of images
-LISTS = PROBLEMS + ("P",)  # of which there are lists; views.py has the files of P
+LISTS = PROBLEMS + ("P", "R", "M")  # of which there are lists; views.py has the files of P, spaces.py those of R and M
 KINDS = ("annotated", "labels", "homography", "pose", "exact")
 _MATRICES = ("H", "K1", "K2", "R")
 
@@ -128,6 +128,24 @@ def _read_correspondences(file):
     if not rows:
         raise PairError(file + ":1: no correspondences")
     return np.array([row if len(row) == 5 else row + [1.0] for row in rows])
+
+
+def write_rows(path, rows, digits, scores, description):
+    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. digits: format of the numbers of a row."""
+    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+    text = json.dumps(description, separators=(",", ":"), allow_nan=False)
+    np.savetxt(path + ".txt", rows, digits)
+    np.savetxt(path + ".score", scores, "%.6g")
+    with open(path + ".json", "w") as out:
+        out.write(text + "\n")
+
+
+def read_scored_rows(path, count, expected):
+    """The rows of <path>.txt, of `count` numbers each, and the scores of <path>.score; without it all scores are 1."""
+    rows = np.array(read_rows_of_numbers(path + ".txt", (count,), expected)).reshape(-1, count)
+    if os.path.exists(path + ".score"):
+        return rows, read_rows_of_numbers(path + ".score", (1,), "a score")
+    return rows, np.ones(len(rows))
 
 
 def read_description(file):

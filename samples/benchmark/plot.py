@@ -26,8 +26,8 @@ from rows import read_rows
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "h")
 TITLES = {"H": "homography", "F": "fundamental matrix", "E": "essential matrix", "A": "affinity",
-          "S": "similarity", "P": "absolute pose"}
-DEGREES = ("P",)  # problems whose error is an angle
+          "S": "similarity", "P": "absolute pose", "R": "rigid motion", "M": "rigid motion and scale"}
+DEGREES = ("P", "R", "M")  # problems whose error is an angle
 COLUMNS = ("list", "problem", "pair", "method", "error", "failed", "cpu_ms", "wall_ms")
 STYLE = {"font.size": 9, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
          "grid.color": "#dddddd", "grid.linewidth": 0.6, "axes.edgecolor": "#666666", "axes.axisbelow": True,

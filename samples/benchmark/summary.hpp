@@ -20,12 +20,12 @@ struct Summary
 
     int lists;            //!< how many it is about; 0: the method does not solve the problem, or no pair could be read
     int errorLists;       //!< how many `medianError` is about
-    double medianError;   //!< pixels, for P degrees; a failure has an infinite error
-    double medianCenter;  //!< P: error of the camera center, percent of the depth; a failure has an infinite one
+    double medianError;   //!< pixels, for P, R and M degrees; a failure has an infinite error
+    double medianCenter;  //!< of ProblemKind::centerError; a failure has an infinite one
     double failures;      //!< percent
     double medianCpu, meanCpu, medianWall, meanWall;  //!< ms
-    /** Mean of max(0, 1 - pose error / threshold) for 1 degree (P, of the rotation) or for 5, 10 and 20 degrees (E and
-    F), in percent: the area under the cumulative distribution of the pose error from 0 to the threshold, without
+    /** Mean of max(0, 1 - pose error / threshold) for 1 degree (P, R, M, of the rotation) or for 5, 10 and 20 degrees
+    (E and F), in percent: the area under the cumulative distribution of the pose error from 0 to the threshold, without
     interpolation between its steps. */
     double auc1, auc5, auc10, auc20;
     double medianIterations;

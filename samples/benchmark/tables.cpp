@@ -140,8 +140,10 @@ void Tables::markdown(std::ostream& out) const
            "or "
            "more (their number is in brackets); of the ratios geometric means.\n";
     if (inDegrees)
-        out << "\nP: the error is that of the rotation in degrees, so it is left out of averages over lists of other "
-               "problems, too; center error: of the camera, percent of the depth of the scene; AUC: of the rotation.\n";
+        out << "\nP, R, M: the error is that of the rotation in degrees, so it is left out of averages over lists of "
+               "other problems, too; center error: of the camera, percent of the depth of the scene, R, M: RMS "
+               "distance "
+               "of the right points, percent of the size of the scene; AUC: of the rotation.\n";
     for (size_t i = 0; i < tables.size(); ++i)
         markdownTable(out, tables[i]);
 }

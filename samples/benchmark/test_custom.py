@@ -172,14 +172,14 @@ class CustomTest(FolderTest):
         for name, custom in (("usac_custom_benchmark", ", custom:ransac, custom:spread, custom:tukey."), ("usac_benchmark", ".")):
             done = self.run_program(name, "--help")
             self.assertEqual(done.returncode, 0)
-            self.assertIn("cv:PNP_SQPNP" + custom + "\n", done.stdout)
+            self.assertIn("cv:AFFINE3D_REFIT" + custom + "\n", done.stdout)
 
     def test_refused_registrations(self):
         done = self.run_program("usac_test_methods", "mistakes")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         form = "registerMethod: '%s': expected custom: and letters, digits, '_', '-' or '.'"
         names = ("mine", "custom:", "custom:a,b", "custom:a{b", "custom:a+scores", "Custom:a")
-        problems = "'%s': expected problems, some of the letters HFEASP"
+        problems = "'%s': expected problems, some of the letters HFEASPRM"
         self.assertEqual(done.stdout.splitlines(), [
             "registerMethod: custom:same is registered already"] + [form % name for name in names] + [
             "registerMethod: custom:empty: the factory is empty", "withComponents: the change is empty",

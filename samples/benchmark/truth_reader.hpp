@@ -23,13 +23,13 @@ int readNumbers(const std::string& line, double* values, int count);
 struct NumberRow
 {
     int count;  //!< of numbers; -1: there is something else on the line
-    double values[5];
+    double values[6];
     int line;
 };
 
 /** Calls `take` for each line of a text file that is not empty, in their order. It raises an error for a wrong count;
 numbers that are not finite raise std::runtime_error with file and line behind that.
-@param most numbers that a line may have, up to 5 */
+@param most numbers that a line may have, up to 6 */
 void readRows(const std::string& file, int most, const std::function<void(const NumberRow&)>& take);
 
 /** Reads the members of a pair's description, a file of JSON; what they complain about comes with file, line and name.

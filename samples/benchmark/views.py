@@ -6,12 +6,9 @@
 
 Lists of them are written with pairs.write_list(pairs.list_file(folder, dataset, "P"), paths)."""
 
-import json
-import os
-
 import numpy as np
 
-from pairs import PairError, read_description, read_rows_of_numbers, require, to_array
+from pairs import PairError, read_description, read_scored_rows, require, to_array, write_rows
 
 _DISTORTION = (0, 4, 5, 8, 12, 14)
 
@@ -57,26 +54,18 @@ def write_view(path, view):
         view.check()
     except PairError as error:
         raise PairError("%s: not written: %s" % (path, error)) from None
-    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
     description = {"problem": ["P"], "K": view.K.tolist(), "R": view.R.tolist(), "t": view.t.tolist()}
     if len(view.dist_coeffs):
         description["distCoeffs"] = view.dist_coeffs.tolist()
     if view.right is not None:
         description["gt_mask"] = view.right
     description.update(view.extra)
-    text = json.dumps(description, separators=(",", ":"), allow_nan=False)
-    np.savetxt(path + ".txt", np.hstack((view.object_points, view.points)), "%.6f %.6f %.6f %.4f %.4f")
-    np.savetxt(path + ".score", view.scores, "%.6g")
-    with open(path + ".json", "w") as out:
-        out.write(text + "\n")
+    write_rows(path, np.hstack((view.object_points, view.points)), "%.6f %.6f %.6f %.4f %.4f", view.scores, description)
 
 
 def read_view(path):
     """The view of <path>.txt, <path>.score (without it all scores are 1) and <path>.json, checked."""
-    rows = np.array(read_rows_of_numbers(path + ".txt", (5,), "'X Y Z u v'")).reshape(-1, 5)
-    scores = np.ones(len(rows))
-    if os.path.exists(path + ".score"):
-        scores = read_rows_of_numbers(path + ".score", (1,), "a score")
+    rows, scores = read_scored_rows(path, 5, "'X Y Z u v'")
     file = path + ".json"
     known = read_description(file)
     try:

@@ -28,7 +28,7 @@ function(usac_add_benchmark name)
 endfunction()
 
 usac_add_benchmark(usac_benchmark "${_benchmark}/main.cpp" LIBRARIES usac_benchmark_lib)
-foreach(_name synthetic scale structured)
+foreach(_name synthetic scale structured tracking)
   file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/${_name}/*.cpp" "${_benchmark}/${_name}/*.hpp")
   list(REMOVE_ITEM _sources "${_benchmark}/scale/scene_pair.cpp")
   usac_add_benchmark(usac_${_name} ${_sources} LIBRARIES usac_benchmark_scenes)

@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Methods of its own for test_custom.py, test_problems.py and test_views.py: what they do is known beforehand. With the
-// argument "mistakes" alone it prints what the registry says about registrations that it must refuse, a line each.
+// Methods of its own for test_custom.py, test_problems.py, test_views.py and test_spaces.py: what they do is known
+// beforehand. With the argument "mistakes" alone it prints what the registry says about registrations that it must
+// refuse, a line each.
 
 #include <iostream>
 #include <stdexcept>
@@ -50,7 +51,7 @@ Estimate identity(const Task& task)
 {
     Estimate estimate;
     estimate.model = cv::Mat::eye(kindOf(task.settings.problem).modelSize, CV_64F);
-    estimate.mask = cv::Mat::ones((int)task.points2.size(), 1, CV_8U);
+    estimate.mask = cv::Mat::ones((int)(task.points2.size() + task.spacePoints2.size()), 1, CV_8U);
     return estimate;
 }
 
@@ -79,7 +80,7 @@ void registerAll()
     traits.fields["number"] = 3;
     registerMethod("custom:same", withComponents(Params::ransac(), sameSampler, "HF"));
     registerMethod("custom:echo", wholeEstimator(echo, traits));
-    registerMethod("custom:identity", wholeEstimator(identity, EstimatorTraits("ASP")));
+    registerMethod("custom:identity", wholeEstimator(identity, EstimatorTraits("ASPRM")));
     registerMethod("custom:noSampler", withComponents(Params::ransac(), noSampler));
     registerMethod("custom:complain", wholeEstimator(complain));
     registerMethod("custom:shortMask", wholeEstimator(shortMask));

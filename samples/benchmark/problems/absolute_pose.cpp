@@ -10,26 +10,7 @@
 
 namespace benchmark {
 
-namespace {
-
-const double MAX_ROTATION_ERROR = 5;  //!< degrees
-const double MAX_CENTER_ERROR = 5;    //!< percent of the depth of the scene
-
-//! @return false if the model has another shape, or is not finite.
-bool toPose(const cv::Mat& model, cv::Matx33d& R, cv::Vec3d& t)
-{
-    if (model.rows != 3 || model.cols != 4)
-        return false;
-    cv::Mat right;
-    model.col(3).convertTo(right, CV_64F);
-    for (int i = 0; i < 3; ++i)
-        t[i] = right.at<double>(i);
-    return toMatrix(model.colRange(0, 3), R) && std::isfinite(t[0] + t[1] + t[2]);
-}
-
-}  // namespace
-
-AbsolutePose::AbsolutePose() : ProblemKind(cv::usacv20::ABSOLUTE_POSE, 'P', cv::Size(4, 3), 4, 1000) {}
+AbsolutePose::AbsolutePose() : MotionKind(cv::usacv20::ABSOLUTE_POSE, 'P', 4, 1000) {}
 
 void AbsolutePose::read(const std::string& path, ImagePair& pair) const
 {
@@ -42,16 +23,14 @@ double AbsolutePose::modelError(const ImagePair& pair, const cv::Mat& model) con
 {
     cv::Matx33d R;
     cv::Vec3d t;
-    return toPose(model, R, t) ? angleBetween(R, pair.R) : std::numeric_limits<double>::infinity();
+    return toMotion(model, R, t) ? angleBetween(R, pair.R) : std::numeric_limits<double>::infinity();
 }
-
-double AbsolutePose::failureLimit(const ImagePair&) const { return MAX_ROTATION_ERROR; }
 
 double AbsolutePose::modelCost(const ImagePair& pair, const cv::Mat& model, double threshold_) const
 {
     cv::Matx33d R;
     cv::Vec3d t;
-    if (!toPose(model, R, t))
+    if (!toMotion(model, R, t))
         return 1;
     const std::vector<cv::Point3d> points(pair.objectPoints.begin(), pair.objectPoints.end());
     std::vector<cv::Point2d> images;
@@ -65,24 +44,13 @@ double AbsolutePose::modelCost(const ImagePair& pair, const cv::Mat& model, doub
     });
 }
 
-double AbsolutePose::poseError(const ImagePair& pair, const Estimate& estimate) const
-{
-    const double error = modelError(pair, estimate.model);
-    return std::isfinite(error) ? error : 180;
-}
-
 double AbsolutePose::centerError(const ImagePair& pair, const cv::Mat& model) const
 {
     cv::Matx33d R;
     cv::Vec3d t;
-    if (!toPose(model, R, t))
+    if (!toMotion(model, R, t))
         return std::numeric_limits<double>::infinity();
     return 100 * cv::norm(R.t() * t - pair.R.t() * pair.t) / pair.depth;
-}
-
-bool AbsolutePose::failed(const ImagePair& pair, double error, double center) const
-{
-    return ProblemKind::failed(pair, error, center) || !(center <= MAX_CENTER_ERROR);
 }
 
 cv::Ptr<cv::usacv20::Usac> AbsolutePose::estimator(const ImagePair& pair, const cv::usacv20::Params& params) const

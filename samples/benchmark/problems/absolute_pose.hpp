@@ -5,28 +5,22 @@
 #ifndef OPENCV_USACV20_BENCHMARK_ABSOLUTE_POSE_HPP
 #define OPENCV_USACV20_BENCHMARK_ABSOLUTE_POSE_HPP
 
-#include "problem_kind.hpp"
+#include "motion_kind.hpp"
 
 namespace benchmark {
 
-/** P, the pose [R t] of a camera from object points and their images, x ~ R X + t.
-
-Its error is that of the rotation in degrees; above 5, or with an error of the camera center above 5 % of the depth of
-the scene, it is a failure. */
-class AbsolutePose : public ProblemKind
+//! P, the pose [R t] of a camera from object points and their images, x ~ R X + t. The error of the camera center is in
+//! percent of the depth of the scene.
+class AbsolutePose : public MotionKind
 {
 public:
     AbsolutePose();
 
-    bool inPixels() const CV_OVERRIDE { return false; }
     bool hasCamera2() const CV_OVERRIDE { return true; }
     void read(const std::string& path, ImagePair& pair) const CV_OVERRIDE;
     double modelError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
-    double failureLimit(const ImagePair& pair) const CV_OVERRIDE;
     double modelCost(const ImagePair& pair, const cv::Mat& model, double threshold) const CV_OVERRIDE;
-    double poseError(const ImagePair& pair, const Estimate& estimate) const CV_OVERRIDE;
     double centerError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
-    bool failed(const ImagePair& pair, double error, double centerError) const CV_OVERRIDE;
 
     cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair, const cv::usacv20::Params& params) const CV_OVERRIDE;
     void callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const CV_OVERRIDE;

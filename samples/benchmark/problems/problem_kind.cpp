@@ -9,6 +9,7 @@
 #include "essential.hpp"
 #include "fundamental.hpp"
 #include "homography.hpp"
+#include "rigid_motion.hpp"
 #include "similarity.hpp"
 #include "two_view_files.hpp"
 
@@ -25,8 +26,9 @@ const std::vector<const ProblemKind*>& kinds()
     static const Affinity affinity;
     static const Similarity similarity;
     static const AbsolutePose absolutePose;
-    static const std::vector<const ProblemKind*> all = {&homography, &fundamental, &essential,
-                                                        &affinity,   &similarity,  &absolutePose};
+    static const RigidMotion rigid(false), scaled(true);
+    static const std::vector<const ProblemKind*> all = {&homography, &fundamental,  &essential, &affinity,
+                                                        &similarity, &absolutePose, &rigid,     &scaled};
     return all;
 }
 

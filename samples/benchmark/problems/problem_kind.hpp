@@ -40,7 +40,8 @@ public:
     virtual double failureLimit(const ImagePair& pair) const = 0;
     virtual double modelCost(const ImagePair& pair, const cv::Mat& model, double threshold) const = 0;
     virtual double poseError(const ImagePair& pair, const Estimate& estimate) const;
-    //! Of the camera, percent of the depth of the scene; infinite without a model.
+    //! Of the camera, percent of the depth of the scene, or what the problem has in its place; infinite without a
+    //! model.
     virtual double centerError(const ImagePair& pair, const cv::Mat& model) const;
     //! @param error, centerError those of the model. Default: the error is above failureLimit().
     virtual bool failed(const ImagePair& pair, double error, double centerError) const;

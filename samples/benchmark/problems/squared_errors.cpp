@@ -21,6 +21,17 @@ bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix)
     return true;
 }
 
+bool toMotion(const cv::Mat& model, cv::Matx33d& A, cv::Vec3d& t)
+{
+    if (model.rows != 3 || model.cols != 4)
+        return false;
+    cv::Mat right;
+    model.col(3).convertTo(right, CV_64F);
+    for (int i = 0; i < 3; ++i)
+        t[i] = right.at<double>(i);
+    return toMatrix(model.colRange(0, 3), A) && std::isfinite(t[0] + t[1] + t[2]);
+}
+
 double angleBetween(const cv::Matx33d& R1, const cv::Matx33d& R2)
 {
     return 2 * std::asin(std::min(1., cv::norm(R1 - R2) / (2 * std::sqrt(2.)))) * 180 / CV_PI;

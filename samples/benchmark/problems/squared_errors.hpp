@@ -15,6 +15,9 @@ namespace benchmark {
 //! another shape, or is not finite.
 bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix);
 
+//! The 3x4 model [A t] in double. @return false if it has another shape, or is not finite.
+bool toMotion(const cv::Mat& model, cv::Matx33d& A, cv::Vec3d& t);
+
 inline cv::Vec3d homogeneous(const cv::Point2d& point) { return cv::Vec3d(point.x, point.y, 1); }
 
 inline double diagonal(const cv::Size2d& size)

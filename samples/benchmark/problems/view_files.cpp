@@ -23,19 +23,6 @@ void readDistortion(const Json& json, std::vector<double>& distortion)
         throw std::runtime_error("expected 4, 5, 8, 12 or 14 coefficients");
 }
 
-void readIndices(const Json& json, int size, std::vector<int>& indices)
-{
-    if (json.isNull())
-        return;
-    for (const Json& value : json.array())
-    {
-        const double index = value.number();
-        if (!(index >= 0 && index < size && index == (int)index))
-            throw std::runtime_error("expected numbers of matches, the first one 0");
-        indices.push_back((int)index);
-    }
-}
-
 //! Median distance of the right matches from the camera along its axis, of all matches if it is not known which are
 //! right.
 double depthOf(const ImagePair& pair, const std::vector<int>& right)
@@ -67,7 +54,7 @@ void readObjectPoints(const std::string& file, ImagePair& pair)
 
 void readScores(const std::string& file, ImagePair& pair)
 {
-    pair.scores.assign(pair.points2.size(), 1.f);
+    pair.scores.assign(pair.size(), 1.f);
     if (!std::ifstream(file.c_str()))
         return;
     size_t count = 0;
@@ -82,6 +69,19 @@ void readScores(const std::string& file, ImagePair& pair)
     });
     if (count != pair.scores.size())
         failAt(file, last, cv::format("%d scores, but %d correspondences", (int)count, pair.size()));
+}
+
+void readIndices(const Json& json, int size, std::vector<int>& indices)
+{
+    if (json.isNull())
+        return;
+    for (const Json& value : json.array())
+    {
+        const double index = value.number();
+        if (!(index >= 0 && index < size && index == (int)index))
+            throw std::runtime_error("expected numbers of matches, the first one 0");
+        indices.push_back((int)index);
+    }
 }
 
 void readViewTruth(const TruthReader& in, char letter, ImagePair& pair)

@@ -17,6 +17,9 @@ void readObjectPoints(const std::string& file, ImagePair& pair);
 //! Reads a score a line, one for each match; where there is no such file, all are 1.
 void readScores(const std::string& file, ImagePair& pair);
 
+//! Reads numbers of matches; null: none.
+void readIndices(const Json& json, int size, std::vector<int>& indices);
+
 //! Reads what is known of the camera and of its pose, behind the points.
 void readViewTruth(const TruthReader& in, char letter, ImagePair& pair);
 

@@ -49,6 +49,14 @@ void closeFile(std::ofstream& out, const std::string& file)
         throw std::runtime_error(file + ": cannot be written");
 }
 
+void writeScores(const std::string& file, const std::vector<float>& scores)
+{
+    std::ofstream out(file.c_str());
+    for (float score : scores)
+        out << cv::format("%.6g\n", score);
+    closeFile(out, file);
+}
+
 void openJson(cv::FileStorage& out, const std::string& file)
 {
     out.open(file, cv::FileStorage::WRITE | cv::FileStorage::FORMAT_JSON);

@@ -34,6 +34,9 @@ private:
 //! Raises std::runtime_error if what was written to the file did not get there.
 void closeFile(std::ofstream& out, const std::string& file);
 
+//! Writes a score a line.
+void writeScores(const std::string& file, const std::vector<float>& scores);
+
 //! A new JSON file. One that cannot be opened raises std::runtime_error.
 void openJson(cv::FileStorage& out, const std::string& file);
 //! Writes the first rows of a matrix.

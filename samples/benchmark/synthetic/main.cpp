@@ -11,6 +11,7 @@
 #include "pair_writer.hpp"
 #include "program.hpp"
 #include "scene_command.hpp"
+#include "space_writer.hpp"
 #include "view_writer.hpp"
 
 using namespace benchmark;
@@ -31,6 +32,13 @@ void writeViews(SceneCommand& command)
         writer.write(makeViewScene(command.view));
 }
 
+void writeSpaces(SceneCommand& command)
+{
+    SpaceWriter writer(command.folder, command.name, command.letters);
+    for (int i = 0; i < command.pairs; ++i, ++command.space.seed)
+        writer.write(makeSpaceScene(command.space));
+}
+
 int run(int argc, char** argv)
 {
     SceneCommand command;
@@ -38,6 +46,8 @@ int run(int argc, char** argv)
         return 0;
     if (command.isView())
         writeViews(command);
+    else if (command.isSpace())
+        writeSpaces(command);
     else
         writePairs(command);
     return 0;

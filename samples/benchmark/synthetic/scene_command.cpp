@@ -17,21 +17,25 @@ const char KEYS[] =
     "{help h usage ? | | print this }"
     "{out            | | folder of data to write to; made if it is not there }"
     "{scene          |general| general: F and E; plane: F and E, many points on one plane; planar: H; affinity: A; "
-    "similarity: S; view: P, object points at any depth; viewPlane: P, on a plane }"
+    "similarity: S; view: P, object points at any depth; viewPlane: P, on a plane; rigid: R, points of space; "
+    "rigidScaled: M, the same with a scale }"
     "{name           | | of the data set (default: synthetic_<scene>) }"
     "{pairs          |10| number of pairs }"
     "{size           |1000| matches of a pair }"
     "{inliers        |0.5| part of them that is right, above 0 }"
-    "{noise          |0.5| standard deviation of the right matches in each coordinate, pixels }"
+    "{noise          |0.5| standard deviation of the right matches in each coordinate, pixels; R, M: in space 2, where "
+    "the cloud is 200 wide times the scale }"
     "{planeFraction  |0.8| --scene=plane: part of the right matches that is on the plane }"
-    "{thickness      |0| --scene=viewPlane: standard deviation of the distances from the plane over its own distance }"
+    "{thickness      |0| --scene=viewPlane: standard deviation of the distances from the plane over its own distance; "
+    "R, M: if given, the cloud is a plane with that part of its width, else a cube }"
     "{distortion     |0| P: first radial coefficient of the camera, -0.5 to 0.5 }"
     "{duplicates     |0| part of the right matches that repeats others }"
-    "{angle          |12| rotation between the cameras, degrees; not for P, where any pose is drawn }"
+    "{angle          |12| rotation between the cameras, degrees; not for P, R and M, where any pose is drawn }"
     "{outliers       |uniform| wrong matches; uniform: anywhere; local: right but for 5 to 50 pixels in image 2; "
     "manyToOne: about ten with the same point of image 2, that of a right match; clustered: from one square of 80 "
-    "pixels to another; second: they agree with another model, in a square of 160 pixels (P: as many as "
-    "half of the right ones, the others are anywhere). P: not local and manyToOne }"
+    "pixels to another; second: they agree with another model, in a square of 160 pixels (P, R, M: as "
+    "many as half of the right ones, the others are anywhere). P, R, M: not local and manyToOne; R, M: cubes of an "
+    "eighth and a quarter of the width }"
     "{scores         |0.5| probability that a right match has a better score than a wrong one; 0.5: scores tell "
     "nothing, "
     "1: all }"
@@ -43,15 +47,16 @@ bool isPart(double value) { return value >= 0 && value <= 1; }
 struct SceneKind
 {
     const char* name;
-    ProblemType problem;  //!< of the generator of image pairs; views have another one
+    ProblemType problem;  //!< of the generator of image pairs; views and motions of space have others
     const char* letters;
 };
 
 const SceneKind SCENES[] = {
-    {"general", cv::usacv20::FUNDAMENTAL, "FE"},  {"plane", cv::usacv20::FUNDAMENTAL, "FE"},
-    {"planar", cv::usacv20::HOMOGRAPHY, "H"},     {"affinity", cv::usacv20::AFFINITY, "A"},
-    {"similarity", cv::usacv20::SIMILARITY, "S"}, {"view", cv::usacv20::HOMOGRAPHY, "P"},
-    {"viewPlane", cv::usacv20::HOMOGRAPHY, "P"},
+    {"general", cv::usacv20::FUNDAMENTAL, "FE"},   {"plane", cv::usacv20::FUNDAMENTAL, "FE"},
+    {"planar", cv::usacv20::HOMOGRAPHY, "H"},      {"affinity", cv::usacv20::AFFINITY, "A"},
+    {"similarity", cv::usacv20::SIMILARITY, "S"},  {"view", cv::usacv20::HOMOGRAPHY, "P"},
+    {"viewPlane", cv::usacv20::HOMOGRAPHY, "P"},   {"rigid", cv::usacv20::HOMOGRAPHY, "R"},
+    {"rigidScaled", cv::usacv20::HOMOGRAPHY, "M"},
 };
 
 struct OutlierKind
@@ -80,12 +85,15 @@ const Kind& find(const Kind (&kinds)[count], const std::string& name, const std:
 }
 
 //! What the options of a kind of scene are for that kind alone.
-void requireKinds(const std::string& scene, bool isView, const Arguments& arguments)
+void requireKinds(const std::string& scene, const SceneCommand& command, const Arguments& arguments)
 {
     require(scene == "plane" || arguments.all("planeFraction").empty(), "--planeFraction: for --scene=plane only");
-    require(scene == "viewPlane" || arguments.all("thickness").empty(), "--thickness: for --scene=viewPlane only");
-    require(isView || arguments.all("distortion").empty(), "--distortion: for --scene=view and viewPlane only");
-    require(!isView || arguments.all("angle").empty(), "--angle: for pairs of images only");
+    require(scene == "viewPlane" || command.isSpace() || arguments.all("thickness").empty(),
+            "--thickness: for --scene=viewPlane, rigid and rigidScaled only");
+    require(command.isView() || arguments.all("distortion").empty(),
+            "--distortion: for --scene=view and viewPlane only");
+    require(!(command.isView() || command.isSpace()) || arguments.all("angle").empty(),
+            "--angle: for pairs of images only");
 }
 
 //! Reads the options of pairs of images.
@@ -111,9 +119,9 @@ void readImages(const cv::CommandLineParser& parser, const std::string& scene, S
     require(options.inliers > 0 && options.outliers >= 0, "--size, --inliers: there is no right match");
 }
 
-//! Reads those of views. @param images what both have in common
-void readView(const cv::CommandLineParser& parser, const std::string& scene, const SceneOptions& images,
-              ViewOptions& options)
+//! What views and motions of space have in common with pairs of images.
+template <class Options>
+void readMatches(const SceneOptions& images, Options& options)
 {
     options.inliers = images.inliers;
     options.outliers = images.outliers;
@@ -122,12 +130,25 @@ void readView(const cv::CommandLineParser& parser, const std::string& scene, con
     options.outlierModel = images.outlierModel;
     options.scoreInformation = images.scoreInformation;
     options.seed = images.seed;
-    options.onPlane = scene == "viewPlane";
-    options.thickness = numberOf(parser, "thickness");
-    options.distortion = numberOf(parser, "distortion");
     require(images.outlierModel != OUTLIERS_LOCAL && images.outlierModel != OUTLIERS_MANY_TO_ONE,
             "--outliers: local and manyToOne are for pairs of images only");
-    require(options.thickness >= 0 && options.thickness <= 0.5, "--thickness: expected a number between 0 and 0.5");
+}
+
+double readThickness(const cv::CommandLineParser& parser)
+{
+    const double thickness = numberOf(parser, "thickness");
+    require(thickness >= 0 && thickness <= 0.5, "--thickness: expected a number between 0 and 0.5");
+    return thickness;
+}
+
+//! Reads the options of views. @param images what both have in common
+void readView(const cv::CommandLineParser& parser, const std::string& scene, const SceneOptions& images,
+              ViewOptions& options)
+{
+    readMatches(images, options);
+    options.onPlane = scene == "viewPlane";
+    options.thickness = readThickness(parser);
+    options.distortion = numberOf(parser, "distortion");
     require(options.distortion >= -0.5 && options.distortion <= 0.5,
             "--distortion: expected a number between -0.5 and 0.5");
 }
@@ -155,10 +176,17 @@ bool SceneCommand::parse(int argc, char** argv)
     require(!folder.empty(), "--out: expected a folder");
     require(name.find_first_of("/\\") == std::string::npos, "--name: expected a name without folders");
     require(pairs > 0, "--pairs: expected a number above 0");
-    requireKinds(scene, isView(), arguments);
+    requireKinds(scene, *this, arguments);
     readImages(parser, scene, images);
     if (isView())
         readView(parser, scene, images, view);
+    if (isSpace())
+    {
+        readMatches(images, space);
+        space.scaled = letters == "M";
+        space.flat = !arguments.all("thickness").empty();
+        space.thickness = readThickness(parser);
+    }
     return true;
 }
 

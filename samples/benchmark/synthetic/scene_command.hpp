@@ -8,6 +8,7 @@
 #include <string>
 #include "image_pair.hpp"
 #include "scenes.hpp"
+#include "space_scene.hpp"
 #include "view_scene.hpp"
 
 namespace benchmark {
@@ -17,13 +18,15 @@ struct SceneCommand
 {
     std::string folder, name;
     std::string letters;               //!< of the problems that the scenes are for
-    ProblemType problem;               //!< of the generator, but for views
+    ProblemType problem;               //!< of the generator, but for views and motions of space
     int pairs;                         //!< number of scenes
     opencv_test::SceneOptions images;  //!< of the first one; the seeds count up
     ViewOptions view;                  //!< the same for views
+    SpaceOptions space;                //!< and for motions of space
 
-    //! Are the scenes views of object points? Else they are pairs of images.
+    //! Are the scenes views of object points, or motions of space? Else they are pairs of images.
     bool isView() const { return letters == "P"; }
+    bool isSpace() const { return letters == "R" || letters == "M"; }
 
     //! @return false if only help was asked for, which has been printed then. A mistake raises std::runtime_error.
     bool parse(int argc, char** argv);

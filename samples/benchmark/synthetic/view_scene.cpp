@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include "opencv2/calib3d.hpp"
+#include "random_geometry.hpp"
 
 namespace benchmark {
 
@@ -43,22 +43,6 @@ Point2d randomPixel(RNG& rng)
     return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
 }
 
-Vec3d randomDirection(RNG& rng)
-{
-    Vec3d v;
-    do
-        v = Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
-    while (cv::norm(v) > 1 || cv::norm(v) < 0.1);
-    return v * (1 / cv::norm(v));
-}
-
-Matx33d rotation(const Vec3d& axis, double degrees)
-{
-    Matx33d R;
-    cv::Rodrigues(axis * (degrees * CV_PI / 180), R);
-    return R;
-}
-
 /** Makes single matches. Its random numbers are those that the caller hands over, but for the geometry, which is made
 from the seed. Points X are in the coordinates of the camera. */
 class ViewGeometry
@@ -67,8 +51,8 @@ public:
     ViewGeometry(const ViewOptions& options_, RNG& rng) : options(options_)
     {
         const double tilt = rng.uniform(0., MAX_TILT), heading = rng.uniform(0., 2 * CV_PI);
-        normal = rotation(Vec3d(std::cos(heading), std::sin(heading), 0), tilt) * Vec3d(0, 0, 1);
-        turn = rotation(randomDirection(rng), rng.uniform(MIN_TURN, MAX_TURN));
+        normal = rotationAbout(Vec3d(std::cos(heading), std::sin(heading), 0), tilt) * Vec3d(0, 0, 1);
+        turn = rotationAbout(randomDirection(rng), rng.uniform(MIN_TURN, MAX_TURN));
         shift = randomDirection(rng) * 0.5;
         from = randomSquare(rng, CLUSTER);
         to = randomSquare(rng, CLUSTER);
@@ -142,33 +126,6 @@ private:
     Square from, to, patch;
 };
 
-//! Numbers from 0 in random order.
-std::vector<int> shuffled(int size, RNG& rng)
-{
-    std::vector<int> order(size);
-    for (int i = 0; i < size; ++i)
-    {
-        order[i] = i;
-        std::swap(order[i], order[rng.uniform(0, i + 1)]);
-    }
-    return order;
-}
-
-//! As those of the scenes of the tests. They have random numbers of their own, so that the points do not depend on
-//! them.
-std::vector<float> makeScores(const std::vector<uchar>& truth, const ViewOptions& options)
-{
-    const double q = options.scoreInformation;
-    RNG rng(0x9e3779b9 + 7919 * options.seed);
-    std::vector<float> scores;
-    for (uchar right : truth)
-    {
-        const double u = rng.uniform(0., 1.);
-        scores.push_back((float)(right ? 1 - std::pow(u, (1 - q) / q) : u));
-    }
-    return scores;
-}
-
 }  // namespace
 
 ViewScene makeViewScene(const ViewOptions& options)
@@ -177,39 +134,30 @@ ViewScene makeViewScene(const ViewOptions& options)
     const ViewGeometry geometry(options, rng);
     ViewScene scene;
     scene.K = Matx33d(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
-    scene.R = rotation(randomDirection(rng), rng.uniform(0., 180.));
+    scene.R = rotationAbout(randomDirection(rng), rng.uniform(0., 180.));
     scene.t = Vec3d(0, 0, MIDDLE) + randomDirection(rng);
     scene.distortion = options.distortion;
 
-    const int size = options.inliers + options.outliers, own = options.inliers - options.duplicates;
-    CV_Assert(own > 0);
-    const std::vector<int> order = shuffled(size, rng);
-    scene.objectPoints.resize(size);
-    scene.points.resize(size);
-    scene.truth.assign(size, 0);
-    for (int i = 0; i < size; ++i)
-    {
-        const int row = order[i];
-        scene.truth[row] = i < options.inliers;
-        if (i >= own && i < options.inliers)
-        {
-            const int copied = order[rng.uniform(0, own)];
-            scene.objectPoints[row] = scene.objectPoints[copied];
-            scene.points[row] = scene.points[copied];
-            continue;
-        }
+    scene.objectPoints.resize(options.inliers + options.outliers);
+    scene.points.resize(scene.objectPoints.size());
+    const auto make = [&](int row, int i) {
         Vec3d X;
         Point2d x;
         bool noisy = true;
-        if (i < own)
+        if (i < 0)
             geometry.right(rng, X, x);
         else
-            noisy = geometry.wrong(i - options.inliers, rng, X, x);
+            noisy = geometry.wrong(i, rng, X, x);
         const double noise = noisy ? options.noise : 0;
         scene.objectPoints[row] = cv::Point3d(scene.R.t() * (X - scene.t));
         scene.points[row] = x + Point2d(rng.gaussian(noise), rng.gaussian(noise));
-    }
-    scene.scores = makeScores(scene.truth, options);
+    };
+    const auto copy = [&](int row, int from) {
+        scene.objectPoints[row] = scene.objectPoints[from];
+        scene.points[row] = scene.points[from];
+    };
+    scene.truth = makeRows(options.inliers, options.outliers, options.duplicates, rng, make, copy);
+    scene.scores = opencv_test::makeScores(scene.truth, options.scoreInformation, options.seed);
     return scene;
 }
 

@@ -21,14 +21,6 @@ void writeMatches(const std::string& file, const ViewScene& scene)
     closeFile(out, file);
 }
 
-void writeScores(const std::string& file, const ViewScene& scene)
-{
-    std::ofstream out(file.c_str());
-    for (float score : scene.scores)
-        out << cv::format("%.6g\n", score);
-    closeFile(out, file);
-}
-
 void writeTruth(const std::string& file, const ViewScene& scene)
 {
     cv::FileStorage out;
@@ -55,7 +47,7 @@ void ViewWriter::write(const ViewScene& scene)
 {
     const std::string view = list.next();
     writeMatches(view + ".txt", scene);
-    writeScores(view + ".score", scene);
+    writeScores(view + ".score", scene.scores);
     writeTruth(view + ".json", scene);
 }
 

@@ -1,0 +1,29 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_MOTION_KIND_HPP
+#define OPENCV_USACV20_BENCHMARK_MOTION_KIND_HPP
+
+#include "problem_kind.hpp"
+
+namespace benchmark {
+
+/** Problems whose model is a motion, 3x4. Their error is that of the rotation in degrees; above 5, or with a center
+error above 5 %, an estimate is a failure. */
+class MotionKind : public ProblemKind
+{
+public:
+    MotionKind(ProblemType type_, char letter_, double threshold_, int maxIterations_)
+        : ProblemKind(type_, letter_, cv::Size(4, 3), threshold_, maxIterations_)
+    {}
+
+    bool inPixels() const CV_OVERRIDE { return false; }
+    double failureLimit(const ImagePair& pair) const CV_OVERRIDE;
+    double poseError(const ImagePair& pair, const Estimate& estimate) const CV_OVERRIDE;
+    bool failed(const ImagePair& pair, double error, double centerError) const CV_OVERRIDE;
+};
+
+}  // namespace benchmark
+
+#endif

@@ -1,0 +1,47 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_RANDOM_GEOMETRY_HPP
+#define OPENCV_USACV20_BENCHMARK_RANDOM_GEOMETRY_HPP
+
+#include <vector>
+#include "opencv2/core.hpp"
+
+namespace benchmark {
+
+//! Of unit length.
+cv::Vec3d randomDirection(cv::RNG& rng);
+
+//! @param axis of unit length
+cv::Matx33d rotationAbout(const cv::Vec3d& axis, double degrees);
+
+//! Numbers from 0 in random order.
+std::vector<int> shuffled(int size, cv::RNG& rng);
+
+/** Makes the matches of a scene in random order.
+@param duplicates of the right matches, this many are copies of others
+@param make `make(row, i)` makes a match, a right one for i < 0, else the i-th wrong one
+@param copy `copy(row, from)` makes one that repeats another one
+@return for each row, whether it is right */
+template <class Make, class Copy>
+std::vector<uchar> makeRows(int inliers, int outliers, int duplicates, cv::RNG& rng, const Make& make, const Copy& copy)
+{
+    const int size = inliers + outliers, own = inliers - duplicates;
+    CV_Assert(own > 0);
+    const std::vector<int> order = shuffled(size, rng);
+    std::vector<uchar> truth(size);
+    for (int i = 0; i < size; ++i)
+    {
+        truth[order[i]] = i < inliers;
+        if (i >= own && i < inliers)
+            copy(order[i], order[rng.uniform(0, own)]);
+        else
+            make(order[i], i < own ? -1 : i - inliers);
+    }
+    return truth;
+}
+
+}  // namespace benchmark
+
+#endif
