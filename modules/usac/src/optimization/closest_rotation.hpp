@@ -25,13 +25,6 @@ struct ClosestRotation
             return;
         }
         const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        if (svd.info() != Eigen::Success)  // which leaves the factors as they happen to be
-        {
-            scale = std::numeric_limits<double>::quiet_NaN();
-            rotation.setConstant(scale);
-            singularValues.setConstant(scale);
-            return;
-        }
         Eigen::Matrix3d U = svd.matrixU();
         singularValues = svd.singularValues();
         const bool mirrored = U.determinant() * svd.matrixV().determinant() < 0;
