@@ -5,6 +5,7 @@
 # How the module is compiled, the same inside OpenCV and stand-alone.
 
 option(USAC_WERROR "Warnings of the module's own targets are errors" OFF)
+set(USAC_SOURCE_FLAGS "" CACHE STRING "Compiler options of the module's own source files, after those of the build type")
 
 include(CheckCXXSourceCompiles)
 
@@ -50,7 +51,7 @@ endforeach()
 # Options of the module's source files; properties of files, because in opencv_world they have no target of their own.
 function(usac_source_options)
   foreach(source ${ARGN})
-    set(options ${USAC_ARITHMETIC_FLAGS})
+    set(options ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS})
     if(source MATCHES "_avx2\\.cpp$" AND USAC_COMPILES_AVX2)
       list(APPEND options ${USAC_AVX2_FLAGS})
     elseif(source MATCHES "_avx512\\.cpp$" AND USAC_COMPILES_AVX512)
