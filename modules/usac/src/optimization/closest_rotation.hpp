@@ -17,14 +17,19 @@ struct ClosestRotation
 {
     explicit ClosestRotation(const Eigen::Matrix3d& M)
     {
-        if (!M.allFinite())  // then the decomposition would leave its factors as they happen to be
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
+#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // which leaves the factors as they happen to be where M is not finite
+        const bool solved = svd.info() == Eigen::Success;
+#else
+        const bool solved = M.allFinite();
+#endif
+        if (!solved)
         {
             scale = std::numeric_limits<double>::quiet_NaN();
             rotation.setConstant(scale);
             singularValues.setConstant(scale);
             return;
         }
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
         Eigen::Matrix3d U = svd.matrixU();
         singularValues = svd.singularValues();
         const bool mirrored = U.determinant() * svd.matrixV().determinant() < 0;
