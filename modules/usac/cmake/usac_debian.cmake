@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Debian packages of the stand-alone build, made by `cpack -G DEB` in its build tree: the library and what programs are built
-# with. Configured with CMAKE_INSTALL_PREFIX=/usr they go where Debian has such files. Dependencies are those of the
+# Debian packages of the stand-alone build, made by `cpack -G DEB` in its build tree: the library, what programs are built with,
+# and with BUILD_PYTHON the Python package. Configured with CMAKE_INSTALL_PREFIX=/usr they go where Debian has such files. Dependencies are those of the
 # libraries that the build was linked with (dpkg-shlibdeps of dpkg-dev).
 
 set(CPACK_PACKAGE_NAME opencv-usac)
@@ -27,5 +27,17 @@ set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libopencv-core-dev, libopencv-calib3d-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "USACv20 robust estimation for OpenCV, development files
  Headers, the CMake package opencv_usac and the pkg-config file.")
+
+if(BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-usacv20)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)  # of a package that is not installed yet
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), python3-numpy,\
+ python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "USACv20 robust estimation for OpenCV, Python package
+ usacv20.findHomography and its kin, beside any cv2 or without.")
+endif()
 
 include(CPack)

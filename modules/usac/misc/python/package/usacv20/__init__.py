@@ -5,201 +5,129 @@
 """USACv20: robust estimation of homographies, affinities, similarities, fundamental and essential matrices, camera
 poses, motions of space.
 
-Three levels of use:
+The same package is the module cv2.usacv20 of an OpenCV that was built with the module, and usacv20 beside any cv2, or none. With
+`import usacv20`, or `from cv2 import usacv20`, there are three levels of use:
 
-1. A flag in the place of cv2.RANSAC: cv2.USACV20, cv2.USACV20_FAST, cv2.USACV20_ACCURATE, cv2.USACV20_PROSAC,
-   cv2.USACV20_MAGSAC, cv2.USACV20_PARALLEL.
+1. A flag: usacv20.USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL.
 
-       H, mask = cv2.findHomography(points1, points2, cv2.USACV20, 3.0)
-       A, inliers = cv2.estimateAffine2D(points1, points2, None, cv2.USACV20, 3.0)
-       found, rvec, tvec, inliers = cv2.solvePnPRansac(objectPoints, imagePoints, K, None, flags=cv2.USACV20)
+       H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
+       A, inliers = usacv20.estimateAffine2D(points1, points2, None, usacv20.USACV20, 3.0)
+       found, rvec, tvec, inliers = usacv20.solvePnPRansac(objectPoints, imagePoints, K, None, flags=usacv20.USACV20)
 
-   The flags are integers, from 0x4000 on; a program may keep them in a variable or a file.
+   The functions of cv2 take the flags, too: always those of an OpenCV that was built with the module, which has them as
+   cv2.USACV20 and so on, those of any other after usacv20.patch_cv2(). The flags are integers, from 0x4000 on; a program may
+   keep them in a variable or a file.
 
 2. All options, match scores among them, in the place of the flag.
 
-       params = cv2.usacv20.Params()
-       params.scores = [match.distance for match in matches]
-       H, mask = cv2.findHomography(points1, points2, params)
+       params = usacv20.Params(threshold=2.0, scores=[match.distance for match in matches])
+       H, mask = usacv20.findHomography(points1, points2, params)
 
 3. The same with a report of what the estimator learned.
 
-       H, mask, report = cv2.usacv20.estimateHomography(points1, points2, params)
+       H, mask, report = usacv20.estimateHomography(points1, points2, params)
+
+Many pairs at once, on all cores, are estimateHomographies and its kin.
 
 Where there is no model (too few or degenerate points, or random ones, see Params.significance) the model is None, the mask zero,
 and report.stop says why; report.chance bounds the probability that random matches give as good a model. A flag does not tell
-whether maxIters ended the search; with Params.fromMethod(cv2.USACV20) report.stop == STOP_MAX_ITERATIONS does.
+whether maxIters ended the search; with Params.fromMethod(USACV20) report.stop == STOP_MAX_ITERATIONS does.
 
-The loader of cv2 imports this package and adds all else of the extension module's own `usacv20` to it: the enumerations,
-Params, Report, isUsacV20Method, and find*, estimateAffine* and solvePnPRansac as the extension has them (with flags of the
-module and of OpenCV alike).
+Points are arrays of integers or floating-point numbers of any type and layout. Mistakes raise usacv20.error, which names the
+argument; it is a subclass of cv2.error where there is a cv2. The interpreter's lock is released while an estimation runs: points
+and Params must not be changed by another thread during the call; those of the package usacv20 may, as they have been read before.
+
+The package has classes for research beside (not in cv2): Usac, whose components Sampler and Score can be written in Python.
 """
 
-import functools
-import numbers
+from typing import TYPE_CHECKING, Any, List
 
-import cv2
+from ._backend import IN_TREE as _IN_TREE
+from ._backend import native as _compiled
+from ._batch import (estimateAbsolutePoses, estimateAffinities2D, estimateEssentials, estimateFundamentals, estimateHomographies,
+                     estimateRigids3D, estimateSimilarities2D, estimateSimilarities3D)
+from ._enumerations import (
+    ABSOLUTE_POSE, AFFINITY, DEGENERACY_DEGENSAC, DEGENERACY_ORIENTATION, DEGENERACY_REPEATED, DegeneracyFlags, ESSENTIAL,
+    FUNDAMENTAL, HOMOGRAPHY, LOCAL_OPTIMIZATION_FLO_RANSAC, LOCAL_OPTIMIZATION_GC_RANSAC, LOCAL_OPTIMIZATION_GRAPH_CUT,
+    LOCAL_OPTIMIZATION_LO_RANSAC, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS,
+    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS, LocalOptimizationType, NEIGHBORHOOD_GRID, NEIGHBORHOOD_KNN,
+    NEIGHBORHOOD_RADIUS, NeighborhoodType, ORDERING_AUTO, ORDERING_DENSITY, ORDERING_INPUT_ORDER, ORDERING_NONE,
+    OrderingType, POLISHING_LEAST_SQUARES, POLISHING_NONE, POLISHING_REWEIGHTED, POLISHING_ROBUST, PolishingType,
+    ProblemType, QUALITY_INLIERS, QUALITY_LMEDS, QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS, QUALITY_MLESAC, QUALITY_MSAC,
+    QualityType, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC, RIGID_3D, ResidualType, SAMPLER_IMPORTANCE, SAMPLER_NAPSAC,
+    SAMPLER_PROSAC, SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SCORES_HIGHER_IS_BETTER, SCORES_LOWER_IS_BETTER, SIMILARITY,
+    SIMILARITY_3D, STOP_CUSTOM, STOP_MAGSAC, STOP_MAX_ITERATIONS, STOP_NOT_RUN, STOP_NOT_SIGNIFICANT, STOP_NO_MODEL,
+    STOP_PROSAC, STOP_P_NAPSAC, STOP_SPRT, STOP_STANDARD, STOP_TOO_FEW_POINTS, SamplerType, ScoreOrder, StopReason,
+    TERMINATION_EXACT, TERMINATION_MAGSAC, TERMINATION_PROSAC, TERMINATION_P_NAPSAC, TERMINATION_SPRT, TERMINATION_STANDARD,
+    TerminationFlags, USACV20, USACV20_ACCURATE, USACV20_FAST, USACV20_MAGSAC, USACV20_PARALLEL, USACV20_PROSAC,
+    UsacV20Method, VERIFICATION_NONE, VERIFICATION_SPRT, VERIFICATION_TDD, VerificationType)
+from ._errors import errorClass as _errorClass
+from ._essential import findEssentialMat
+from ._estimate import (estimateAbsolutePose, estimateAffinity2D, estimateEssential, estimateFundamental, estimateHomography,
+                        estimateRigid3D, estimateSimilarity2D, estimateSimilarity3D)
+from ._find import estimateAffine2D, estimateAffinePartial2D, findFundamentalMat, findHomography
+from ._opencv import patch_cv2, unpatch_cv2
+from ._params import Params, UsacParams
+from ._pose import solvePnPRansac
+from ._report import Report
 
-_native = getattr(cv2._native, "usacv20", None)
-if _native is None:  # left over from another build; an ImportError makes the loader go on without this package
-    raise ImportError("cv2 was built without the module usac")
+__all__ = [
+    "ABSOLUTE_POSE", "AFFINITY", "DEGENERACY_DEGENSAC", "DEGENERACY_ORIENTATION", "DEGENERACY_REPEATED", "DegeneracyFlags",
+    "ESSENTIAL", "FUNDAMENTAL", "HOMOGRAPHY", "LOCAL_OPTIMIZATION_FLO_RANSAC", "LOCAL_OPTIMIZATION_GC_RANSAC",
+    "LOCAL_OPTIMIZATION_GRAPH_CUT", "LOCAL_OPTIMIZATION_LO_RANSAC", "LOCAL_OPTIMIZATION_NONE",
+    "LOCAL_OPTIMIZATION_SIGMA_CONSENSUS", "LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS", "LocalOptimizationType",
+    "NEIGHBORHOOD_GRID", "NEIGHBORHOOD_KNN", "NEIGHBORHOOD_RADIUS", "NeighborhoodType", "ORDERING_AUTO", "ORDERING_DENSITY",
+    "ORDERING_INPUT_ORDER", "ORDERING_NONE", "OrderingType", "POLISHING_LEAST_SQUARES", "POLISHING_NONE",
+    "POLISHING_REWEIGHTED", "POLISHING_ROBUST", "Params", "PolishingType", "ProblemType", "QUALITY_INLIERS",
+    "QUALITY_LMEDS", "QUALITY_MAGSAC", "QUALITY_MAGSAC_PLUS_PLUS", "QUALITY_MLESAC", "QUALITY_MSAC", "QualityType",
+    "RESIDUAL_STANDARD", "RESIDUAL_SYMMETRIC", "RIGID_3D", "Report", "ResidualType", "SAMPLER_IMPORTANCE", "SAMPLER_NAPSAC",
+    "SAMPLER_PROSAC", "SAMPLER_P_NAPSAC", "SAMPLER_UNIFORM", "SCORES_HIGHER_IS_BETTER", "SCORES_LOWER_IS_BETTER",
+    "SIMILARITY", "SIMILARITY_3D", "STOP_CUSTOM", "STOP_MAGSAC", "STOP_MAX_ITERATIONS", "STOP_NOT_RUN",
+    "STOP_NOT_SIGNIFICANT", "STOP_NO_MODEL", "STOP_PROSAC", "STOP_P_NAPSAC", "STOP_SPRT", "STOP_STANDARD",
+    "STOP_TOO_FEW_POINTS", "SamplerType", "ScoreOrder", "StopReason", "TERMINATION_EXACT", "TERMINATION_MAGSAC",
+    "TERMINATION_PROSAC", "TERMINATION_P_NAPSAC", "TERMINATION_SPRT", "TERMINATION_STANDARD", "TerminationFlags", "USACV20",
+    "USACV20_ACCURATE", "USACV20_FAST", "USACV20_MAGSAC", "USACV20_PARALLEL", "USACV20_PROSAC", "UsacParams",
+    "UsacV20Method", "VERIFICATION_NONE", "VERIFICATION_SPRT", "VERIFICATION_TDD", "VerificationType", "error",
+    "estimateAbsolutePose", "estimateAbsolutePoses", "estimateAffine2D", "estimateAffinePartial2D", "estimateAffinities2D",
+    "estimateAffinity2D", "estimateEssential", "estimateEssentials", "estimateFundamental", "estimateFundamentals",
+    "estimateHomographies", "estimateHomography", "estimateRigid3D", "estimateRigids3D", "estimateSimilarities2D",
+    "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D", "findEssentialMat", "findFundamentalMat",
+    "findHomography", "isUsacV20Method", "patch_cv2", "solvePnPRansac", "unpatch_cv2"]
 
-Params = _native.Params
-UsacParams = Params  # the same class by another name
+if TYPE_CHECKING:
+    class error(Exception):
+        """A mistake in the arguments, named in the message; a subclass of cv2.error where cv2 can be imported."""
 
-_FLAGS = frozenset(value for name, value in vars(cv2._native).items() if name.startswith("USACV20"))
-
-
-def estimateHomography(points1, points2, params=None, mask=None):
-    """estimateHomography(points1, points2[, params[, mask]]) -> retval, mask, report
-
-    Estimates the homography that maps image 1 to image 2.
-
-    points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2 of any type that OpenCV knows; with 3 in the
-        place of 2, homogeneous coordinates
-    params -- Params; params.threshold is the distance in image 2 in pixels
-    mask -- Nx1 array of uint8 that receives the mask, if given
-    retval -- 3x3 array of float64, or None if there is none
-    mask -- Nx1 array of uint8, 1 for inliers
-    report -- Report: report.stop says why the search ended or why there is no model
-    """
-    return _native.estimateHomography(points1, points2, params, mask)
-
-
-def estimateAffinity2D(points1, points2, params=None, mask=None):
-    """estimateAffinity2D(points1, points2[, params[, mask]]) -> retval, mask, report
-
-    Estimates the affine map of image 1 to image 2. Arguments and results are those of estimateHomography, but retval is the
-    2x3 array [A t] of cv2.estimateAffine2D and cv2.warpAffine, x2 = A x1 + t.
-    """
-    return _native.estimateAffinity2D(points1, points2, params, mask)
-
-
-def estimateSimilarity2D(points1, points2, params=None, mask=None):
-    """estimateSimilarity2D(points1, points2[, params[, mask]]) -> retval, mask, report
-
-    Estimates rotation, uniform scale and translation from image 1 to image 2. Arguments and results are those of
-    estimateAffinity2D; retval has the rows (a, -b, x) and (b, a, y), as that of cv2.estimateAffinePartial2D.
-    """
-    return _native.estimateSimilarity2D(points1, points2, params, mask)
-
-
-def estimateFundamental(points1, points2, params=None, mask=None):
-    """estimateFundamental(points1, points2[, params[, mask]]) -> retval, mask, report
-
-    Estimates the fundamental matrix F with x2^T F x1 = 0. Arguments and results are those of estimateHomography;
-    params.threshold is the Sampson distance in pixels.
-    """
-    return _native.estimateFundamental(points1, points2, params, mask)
-
-
-def estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2=None, distCoeffs1=None, distCoeffs2=None,
-                      params=None, mask=None):
-    """estimateEssential(points1, points2, cameraMatrix[, params[, mask]]) -> retval, mask, report
-    estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2[, distCoeffs1[, distCoeffs2[, params[, mask]]]])
-        -> retval, mask, report
-
-    Estimates the essential matrix E with (K2^-1 x2)^T E (K1^-1 x1) = 0.
-
-    cameraMatrix1, cameraMatrix2 -- 3x3 camera matrices; without the second the first holds for both images
-    distCoeffs1, distCoeffs2 -- distortion as in cv2.undistortPoints; None: none
-
-    The other arguments and the results are those of estimateHomography; params.threshold is the Sampson distance in pixels.
-    """
-    if isinstance(cameraMatrix2, Params):  # the first of the two forms
-        cameraMatrix2, params, distCoeffs1, mask = None, cameraMatrix2, None, distCoeffs1 if mask is None else mask
-    return _native.estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2,
-                                     params, mask)
+        code: int
+        err: str
+        file: str
+        func: str
+        line: int
+        msg: str
 
 
-def estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix, distCoeffs=None, params=None, mask=None):
-    """estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix[, distCoeffs[, params[, mask]]]) -> retval, mask, report
-
-    Estimates the pose of a calibrated camera from points of space and their images, x ~ K (R X + t).
-
-    objectPoints -- N points of space: Nx3, 3xN, Nx1x3 or 1xNx3
-    imagePoints -- N pixels, as the points of estimateHomography
-    cameraMatrix -- 3x3 camera matrix
-    distCoeffs -- distortion as in cv2.projectPoints; None: none
-    params -- Params; params.threshold is the reprojection error in pixels of the image as it was taken
-    retval -- 3x4 array of float64, [R t], or None if there is none
-
-    The other arguments and results are those of estimateHomography.
-    """
-    return _native.estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix, distCoeffs, params, mask)
+def isUsacV20Method(method: int) -> bool:
+    """True for the values of UsacV20Method."""
+    return bool(_compiled.isUsacV20Method(method))
 
 
-def estimateRigid3D(points1, points2, params=None, mask=None):
-    """estimateRigid3D(points1, points2[, params[, mask]]) -> retval, mask, report
-
-    Estimates rotation and translation of space, X2 = R X1 + t.
-
-    points1, points2 -- N points of each space in one unit: Nx3, 3xN, Nx1x3 or 1xNx3
-    params -- Params; params.threshold is the distance in space 2, in the unit of the points: its default will rarely do
-    retval -- 3x4 array of float64, [R t], or None if there is none
-
-    The other arguments and results are those of estimateHomography.
-    """
-    return _native.estimateRigid3D(points1, points2, params, mask)
+def __getattr__(name: str) -> Any:
+    if name == "error":  # made when it is needed first, as this may import cv2
+        return _errorClass()
+    raise AttributeError("module {!r} has no attribute {!r}".format(__name__, name))
 
 
-def estimateSimilarity3D(points1, points2, params=None, mask=None):
-    """estimateSimilarity3D(points1, points2[, params[, mask]]) -> retval, mask, report
-
-    Estimates rotation, uniform scale and translation of space, X2 = s R X1 + t, s > 0. Arguments and results are those
-    of estimateRigid3D; points1 may have any unit, and retval is [s R t].
-    """
-    return _native.estimateSimilarity3D(points1, points2, params, mask)
+def __dir__() -> List[str]:
+    return sorted(set(globals()) | {"error"})
 
 
-def _isFlag(value):
-    return isinstance(value, numbers.Integral) and value in _FLAGS
+if not TYPE_CHECKING and _IN_TREE:
+    import cv2 as _cv2
 
+    from ._opencv import Patch as _Patch
 
-def _isNumberOrNone(value):
-    return value is None or isinstance(value, numbers.Real)
+    _patch = _Patch(_cv2, permanent=True)
+else:
+    from ._components import Components, Correspondences, Rng, Sampler, Score, Usac
 
-
-def _essentialMethodPlace(args):
-    if len(args) > 2 and isinstance(args[2], numbers.Real):
-        return 4  # (points1, points2, focal, pp, method, ...)
-    if len(args) > 4 and not _isNumberOrNone(args[4]):
-        return 6  # (points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2, method, ...)
-    return 3      # (points1, points2, cameraMatrix, method, ...)
-
-
-def _argument(name, place, args, kwargs):
-    if name in kwargs:
-        return kwargs[name]
-    return args[place] if place < len(args) else None
-
-
-def _divert(name, methodPlace, paramsPlace, method="method"):
-    """Makes cv2.<name> call usacv20.<name> where the arguments hold a flag or a Params of this module.
-
-    methodPlace -- function that tells from the positional arguments at which place `method` is among them
-    paramsPlace -- the place of `params`
-    method -- name of the argument for the flag
-    All other calls go to OpenCV's function as they are.
-    """
-    original = getattr(cv2._native, name)
-    ours = getattr(_native, name)
-
-    @functools.wraps(original)
-    def find(*args, **kwargs):
-        if (_isFlag(_argument(method, methodPlace(args), args, kwargs))
-                or isinstance(_argument("params", paramsPlace, args, kwargs), Params)):
-            return ours(*args, **kwargs)
-        return original(*args, **kwargs)
-
-    find.__doc__ = "{}\n\nWith `{}` one of cv2.USACV20* or `params` a cv2.usacv20.Params:\n\n{}".format(
-        original.__doc__, method, ours.__doc__)
-    setattr(cv2, name, find)
-
-
-_divert("findHomography", lambda args: 2, 2)
-_divert("findFundamentalMat", lambda args: 2, 2)
-_divert("findEssentialMat", _essentialMethodPlace, 6)
-_divert("estimateAffine2D", lambda args: 3, 2)
-_divert("estimateAffinePartial2D", lambda args: 3, 2)
-_divert("solvePnPRansac", lambda args: 11, 7, "flags")
+    __all__ += ["Components", "Correspondences", "Rng", "Sampler", "Score", "Usac"]

@@ -1,0 +1,17 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# The target of the extension module usacv20._native, after find_package(pybind11): of its own sources and those given, which are
+# those of the library where it is not linked with it.
+function(usac_add_python_module)
+  file(GLOB native "${USAC_MODULE_DIR}/misc/python/native/*.cpp")
+  pybind11_add_module(_native MODULE NO_EXTRAS ${native} ${ARGN})  # no optimization across files
+  usac_target_options(_native)
+  set_target_properties(_native PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_include_directories(_native PRIVATE "${USAC_MODULE_DIR}/include")
+  target_link_libraries(_native PRIVATE opencv_core opencv_calib3d opencv_imgproc opencv_flann)
+  if(NOT MSVC)  # the library's own build shows the warnings of its sources
+    set_property(SOURCE ${native} APPEND PROPERTY COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wundef -Wnon-virtual-dtor)
+  endif()
+endfunction()

@@ -1,0 +1,21 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PYTHON_CORRESPONDENCES_HPP
+#define OPENCV_USACV20_PYTHON_CORRESPONDENCES_HPP
+
+#include "native.hpp"
+
+namespace cv {
+namespace usacv20 {
+namespace python {
+
+//! The fields of the class Correspondences of the package; all arrays are copies.
+py::tuple fieldsOf(const Correspondences& points, int sampleSize);
+
+}  // namespace python
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,35 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PYTHON_PYTHON_SAMPLER_HPP
+#define OPENCV_USACV20_PYTHON_PYTHON_SAMPLER_HPP
+
+#include "native.hpp"
+
+namespace cv {
+namespace usacv20 {
+namespace python {
+
+/** @brief A sampler whose samples an object of the class Sampler of the package draws. Its methods take the
+interpreter's lock; an exception in Python goes through the search as py::error_already_set and comes out as what it
+was. */
+class PythonSampler : public Sampler
+{
+public:
+    explicit PythonSampler(const py::object& sampler);
+    virtual ~PythonSampler();
+
+    void start(const Context& context) CV_OVERRIDE;
+    void sample(const Context& context, State& state, int* sample) CV_OVERRIDE;
+
+private:
+    py::object sampler, rng;  //!< `rng` is handed on with the generator of the iteration in it
+    int sampleSize;
+};
+
+}  // namespace python
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

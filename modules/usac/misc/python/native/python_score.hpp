@@ -1,0 +1,35 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PYTHON_PYTHON_SCORE_HPP
+#define OPENCV_USACV20_PYTHON_PYTHON_SCORE_HPP
+
+#include "native.hpp"
+
+namespace cv {
+namespace usacv20 {
+namespace python {
+
+/** @brief What an object of the class Score of the package makes of the errors. Several threads may call it at once,
+each takes the interpreter's lock; exceptions as in PythonSampler. */
+class PythonScore : public Score
+{
+public:
+    explicit PythonScore(const py::object& score);
+    virtual ~PythonScore();
+
+    void start(const Context& context) CV_OVERRIDE;
+    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE;
+    bool wholeModel() const CV_OVERRIDE { return whole; }
+
+private:
+    py::object score;
+    const bool whole;
+};
+
+}  // namespace python
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,140 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What functions of C++ take: arguments by their names, numbers, arrays. A mistake raises an error that names the argument."""
+
+from __future__ import annotations
+
+import operator
+import typing
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+
+import numpy as np
+
+from ._errors import fail
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+INT_MIN, INT_MAX = -2**31, 2**31 - 1
+# What cv::Mat can hold, in the order of bytes of this machine.
+_TAKEN = frozenset(np.dtype(kind) for kind in ("u1", "i1", "u2", "i2", "i4", "f4", "f8"))
+
+
+def bind(function: str, names: typing.Sequence[str], required: int, defaults: typing.Mapping[str, Any], args: Tuple[Any, ...],
+         kwargs: Dict[str, Any]) -> Dict[str, Any]:
+    """The arguments of a call by their names; TypeError for one that is missing, unknown or there twice."""
+    if len(args) > len(names):
+        raise TypeError("{}() takes at most {} arguments ({} given)".format(function, len(names), len(args)))
+    values = dict(defaults)
+    values.update(zip(names, args))
+    for name, value in kwargs.items():
+        if name not in names:
+            raise TypeError("{}() got an unexpected keyword argument '{}'; it has {}".format(function, name, ", ".join(names)))
+        if name in names[:len(args)]:
+            raise TypeError("{}() got multiple values for argument '{}'".format(function, name))
+        values[name] = value
+    for name in names[:required]:
+        if name not in values:
+            raise TypeError("{}() missing required argument '{}'".format(function, name))
+    return values
+
+
+def shown(value: Any) -> str:
+    """A value for a message, not too long."""
+    if isinstance(value, np.ndarray):
+        return "an array of {} with shape {}".format(value.dtype, value.shape)
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def isReal(value: Any) -> bool:
+    """True for numbers of Python and of NumPy, and for arrays of one that have no dimension; not for truth values."""
+    if isinstance(value, (bool, np.bool_)):
+        return False
+    if isinstance(value, (int, float, np.integer, np.floating)):
+        return True
+    return isinstance(value, np.ndarray) and value.ndim == 0 and value.dtype.kind in "iuf"
+
+
+def isInteger(value: Any) -> bool:
+    """The same for integers."""
+    return isReal(value) and not isinstance(value, (float, np.floating)) and getattr(value, "dtype", np.dtype(int)).kind in "iu"
+
+
+def real(value: Any, name: str, default: Optional[float] = None) -> float:
+    """A float; None is the default, as in cv2."""
+    if value is None and default is not None:
+        return default
+    if not isReal(value):
+        raise fail("{}: a number is expected, not {}".format(name, shown(value)))
+    return float(value)
+
+
+def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT_MIN, high: int = INT_MAX) -> int:
+    """An int of a closed interval; None is the default, as in cv2."""
+    if value is None and default is not None:
+        return default
+    if not isInteger(value):
+        raise fail("{}: an integer is expected, not {}".format(name, shown(value)))
+    number = operator.index(value)
+    if not low <= number <= high:
+        raise fail("{}: {} .. {} is expected, not {}".format(name, low, high, number))
+    return number
+
+
+def _converted(value: Any, name: str) -> npt.NDArray[Any]:
+    if type(value).__name__ == "UMat":
+        value = value.get()
+    try:
+        given = np.asarray(value)
+    except Exception as failure:  # rows of different lengths, or what __array__ raises
+        raise fail("{}: an array of numbers is expected ({})".format(name, failure)) from failure
+    kind = given.dtype.kind
+    if value is None or kind not in "biuf":
+        raise fail("{}: an array of numbers is expected, not {}".format(name, shown(value)))
+    if given.ndim == 0:
+        raise fail("{}: an array is expected, not the number {}".format(name, shown(value)))
+    if kind == "b":
+        return given.astype(np.uint8)
+    native = given.dtype.newbyteorder("=")
+    if native not in _TAKEN:  # float16; integers that float64 holds up to 2**53; long double
+        native = np.dtype(np.float32 if native == np.float16 else np.float64)
+    return np.require(given, native, "A")
+
+
+def array(value: Any, name: str) -> npt.NDArray[Any]:
+    """An array that C++ can read: `value` itself where it is one, whatever its layout, else a copy."""
+    if type(value) is np.ndarray and value.dtype in _TAKEN and value.ndim > 0 and value.flags.aligned:
+        given = value
+    else:
+        given = _converted(value, name)
+    if max(given.shape) > INT_MAX:
+        raise fail("{}: at most {} rows and columns are expected, not the shape {}".format(name, INT_MAX, given.shape))
+    return given
+
+
+def optionalArray(value: Any, name: str) -> Optional[npt.NDArray[Any]]:
+    """The same; None for None."""
+    return None if value is None else array(value, name)
+
+
+def checkOutput(given: Any, name: str) -> None:
+    """Refuses what is no array that a result can be written to."""
+    if given is None or type(given).__name__ == "UMat":
+        return
+    if not isinstance(given, np.ndarray):
+        raise fail("{}: an array that receives the result is expected, or None, not {}".format(name, shown(given)))
+    if not given.flags.writeable:
+        raise fail("{}: it receives the result and is read-only".format(name))
+
+
+def output(given: Any, result: Any) -> Any:
+    """The array of the caller's with the result in it if type and size fit, as cv2 has it; else the result."""
+    if result is None or not isinstance(given, np.ndarray) or given.dtype != result.dtype:
+        return result
+    if given.shape != result.shape and given.shape != result.shape[:1]:
+        return result
+    given[...] = result.reshape(given.shape)
+    return given

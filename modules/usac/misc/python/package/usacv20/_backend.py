@@ -1,0 +1,29 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""`native`, the compiled part: inside OpenCV cv2._native.usacv20, else the extension module `_native`; both in the same form."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+__all__ = ["IN_TREE", "native"]
+
+IN_TREE = __name__.startswith("cv2.")
+
+if TYPE_CHECKING:
+    from . import _native as native
+elif IN_TREE:
+    import cv2
+
+    from ._intree import Native
+
+    native = Native(cv2)  # an ImportError, for one left over from another build, makes the loader go on without this package
+else:
+    try:
+        from . import _native as native
+    except ImportError as failure:
+        raise ImportError("usacv20: the compiled part was not found or cannot be loaded ({}); it is of one version of Python, "
+                          "this is {}.{}: install the package with this one".format(failure, *sys.version_info[:2])) from failure

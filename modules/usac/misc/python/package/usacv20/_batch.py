@@ -1,0 +1,164 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Many estimations in one call, side by side in C++: one function for each problem."""
+
+from __future__ import annotations
+
+import typing
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple, Union
+
+import numpy as np
+
+from . import _arguments
+from ._backend import native
+from ._enumerations import ProblemType
+from ._errors import fail
+from ._estimate import NO_POINTS
+from ._params import Params, optionsOf
+from ._report import Report
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    _Estimate = Tuple[Optional[npt.NDArray[np.float64]], npt.NDArray[np.uint8], Report]
+    _Estimates = List[Union[_Estimate, Exception]]
+    _Lists = typing.Iterable[npt.ArrayLike]
+    _ParamsOfEach = Union[Params, typing.Sequence[Optional[Params]], None]
+    _Arrays = Union[npt.ArrayLike, typing.Sequence[Optional[npt.ArrayLike]], None]
+
+_ARRAYS = ("points1", "points2", "cameraMatrices1", "cameraMatrices2", "distCoeffs1", "distCoeffs2")
+
+
+class _Mistakes:
+    """What is wrong with some of the tasks, by their numbers. Without `kept` the first one is raised at once."""
+
+    def __init__(self, kept: bool) -> None:
+        self.kept = kept
+        self.found: Dict[int, Exception] = {}
+
+    def guard(self, task: int, make: typing.Callable[[], Any], instead: Any) -> Any:
+        """What `make` returns, or `instead` if it raises."""
+        try:
+            return make()
+        except Exception as mistake:
+            if not self.kept:
+                raise
+            self.found.setdefault(task, mistake)
+            return instead
+
+
+def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
+    """An array for each task, one for all, or none. One is an array, or a list of numbers or of rows of numbers."""
+    if given is None:
+        return []
+    isList = isinstance(given, (list, tuple)) and any(item is None or np.ndim(item) >= 1 for item in given)
+    if isList and all(isinstance(item, (list, tuple)) and all(np.ndim(number) == 0 for number in item) for item in given):
+        isList = name.startswith("dist")  # rows of a camera matrix, but lists of coefficients
+    if isinstance(given, np.ndarray):
+        isList = given.ndim == 3
+    entries = list(given) if isList else [given]
+    if len(entries) not in (1, count):
+        raise fail("{}: 1 or {} arrays are expected, not {}".format(name, count, len(entries)))
+    return entries
+
+
+def _arrays(given: List[Any], name: str, optional: bool, mistakes: _Mistakes) -> List[Any]:
+    take = _arguments.optionalArray if optional else _arguments.array
+    return [mistakes.guard(i, lambda: take(entry, "{}[{}]".format(name, i)), NO_POINTS)  # noqa: B023, called at once
+            for i, entry in enumerate(given)]
+
+
+def _estimate(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
+              cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
+              distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
+    first, second = list(points1), list(points2)
+    count = len(first)
+    if len(second) != count:
+        raise fail("{} and {}: lists of the same length are expected, not of {} and {}".format(names[0], names[1], count,
+                                                                                              len(second)))
+    options = [params] if params is None or isinstance(params, Params) else list(params)
+    if len(options) not in (1, count):
+        raise fail("params: 1 or {} are expected, not {}".format(count, len(options)))
+    prepared = [optionsOf(given, "params" if len(options) == 1 else "params[{}]".format(i)) for i, given in enumerate(options)]
+    mistakes = _Mistakes(returnExceptions)
+    camera1, camera2, lens1, lens2 = (
+        _arrays(_oneOrEach(given, name, count), name, True, mistakes)
+        for given, name in zip((cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2), names[2:]))
+    found = native.estimateBatch(problem, _arrays(first, names[0], False, mistakes), _arrays(second, names[1], False, mistakes),
+                                 prepared, camera1, camera2, lens1, lens2, _arguments.integer(threads, "threads", low=0))
+    results: _Estimates = []
+    for i, (model, mask, report, wrong) in enumerate(found):
+        mistake = mistakes.found.get(i) or (fail("{}[{}]: {}".format(names[0], i, wrong)) if wrong else None)
+        if mistake is None:
+            results.append((model, NO_POINTS.copy() if mask is None else mask, Report._of(report)))
+        elif returnExceptions:
+            results.append(mistake)
+        else:
+            raise mistake
+    return results
+
+
+def estimateHomographies(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                         returnExceptions: bool = False) -> _Estimates:
+    """_Estimates many homographies, side by side.
+
+    points1, points2 -- lists of the same length; each entry is what estimateHomography takes
+    params -- Params for all, or a list with one (or None) for each pair: match scores differ from pair to pair
+    threads -- how many pairs at once, 0: all cores. The result does not depend on it
+    returnExceptions -- a mistake in a pair, one list of points longer than the other, say: True: its exception stands in the
+        place of the result, the others go on; False: it is raised when all are done, and names the pair
+
+    Returns a list of (model, mask, report), one for each pair, in this order: each to the bit what estimateHomography returns.
+    The interpreter's lock is released meanwhile."""
+    return _estimate(ProblemType.HOMOGRAPHY, points1, points2, params, threads, returnExceptions)
+
+
+def estimateAffinities2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                         returnExceptions: bool = False) -> _Estimates:
+    """As estimateHomographies, by estimateAffinity2D."""
+    return _estimate(ProblemType.AFFINITY, points1, points2, params, threads, returnExceptions)
+
+
+def estimateSimilarities2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                           returnExceptions: bool = False) -> _Estimates:
+    """As estimateHomographies, by estimateSimilarity2D."""
+    return _estimate(ProblemType.SIMILARITY, points1, points2, params, threads, returnExceptions)
+
+
+def estimateFundamentals(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                         returnExceptions: bool = False) -> _Estimates:
+    """As estimateHomographies, by estimateFundamental."""
+    return _estimate(ProblemType.FUNDAMENTAL, points1, points2, params, threads, returnExceptions)
+
+
+def estimateEssentials(points1: _Lists, points2: _Lists, cameraMatrices1: _Arrays, cameraMatrices2: _Arrays = None,
+                       distCoeffs1: _Arrays = None, distCoeffs2: _Arrays = None, params: _ParamsOfEach = None, threads: int = 0,
+                       returnExceptions: bool = False) -> _Estimates:
+    """As estimateHomographies, by estimateEssential.
+
+    cameraMatrices1, cameraMatrices2 -- a 3x3 array for all pairs, or a list with one for each; without the second the first
+        hold for both images
+    distCoeffs1, distCoeffs2 -- the coefficients for all pairs, or a list with those of each, None: none"""
+    return _estimate(ProblemType.ESSENTIAL, points1, points2, params, threads, returnExceptions, cameraMatrices1,
+                     cameraMatrices2, distCoeffs1, distCoeffs2)
+
+
+def estimateAbsolutePoses(objectPoints: _Lists, imagePoints: _Lists, cameraMatrices: _Arrays, distCoeffs: _Arrays = None,
+                          params: _ParamsOfEach = None, threads: int = 0, returnExceptions: bool = False) -> _Estimates:
+    """As estimateHomographies, by estimateAbsolutePose; cameras and distortions as for estimateEssentials."""
+    return _estimate(ProblemType.ABSOLUTE_POSE, objectPoints, imagePoints, params, threads, returnExceptions, cameraMatrices,
+                     None, distCoeffs, None, ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", ""))
+
+
+def estimateRigids3D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                     returnExceptions: bool = False) -> _Estimates:
+    """As estimateHomographies, by estimateRigid3D."""
+    return _estimate(ProblemType.RIGID_3D, points1, points2, params, threads, returnExceptions)
+
+
+def estimateSimilarities3D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                           returnExceptions: bool = False) -> _Estimates:
+    """As estimateHomographies, by estimateSimilarity3D."""
+    return _estimate(ProblemType.SIMILARITY_3D, points1, points2, params, threads, returnExceptions)

@@ -1,0 +1,56 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The exception of the package, `usacv20.error`."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+from typing import Any, List, Type
+
+_PACKAGE = __name__.rpartition(".")[0]
+_made: List[Type[Exception]] = []
+
+_ABOUT = """A mistake in the arguments, named in the message, or a failure of a component.
+
+A subclass of cv2.error where cv2 can be imported. Errors that the compiled part has found have the attributes code, err, file,
+func, line and msg, as those of cv2."""
+
+
+def _cv2Error() -> Type[Exception]:
+    """cv2.error, or Exception where there is no cv2; what another error of its import says is not of interest here."""
+    try:
+        if "cv2" not in sys.modules and importlib.util.find_spec("cv2") is None:
+            return Exception
+        found = getattr(importlib.import_module("cv2"), "error", None)
+    except Exception:
+        return Exception
+    return found if isinstance(found, type) and issubclass(found, Exception) else Exception
+
+
+def errorClass() -> Type[Exception]:
+    """usacv20.error. It is made when it is needed first: the import of the package need not wait for that of cv2."""
+    if not _made:
+        base = _cv2Error()
+        if _PACKAGE.startswith("cv2."):
+            _made.append(base)
+        else:
+            names = {"__module__": _PACKAGE, "__doc__": _ABOUT, "code": 0, "err": "", "file": "", "func": "", "line": 0, "msg": ""}
+            _made.append(type("error", (base,), names))
+    return _made[0]  # of two threads that make one at once both take the first
+
+
+def fail(message: str) -> Exception:
+    """The exception, to be raised."""
+    return errorClass()(message)
+
+
+def fromNative(message: str, **attributes: Any) -> Exception:
+    """The exception for one of C++."""
+    result = fail(message)
+    for name, value in attributes.items():
+        setattr(result, name, value)
+    return result

@@ -1,0 +1,165 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Fields of Params and Report: descriptors that say what a field is, check the type of what is written, and have its help text.
+
+The objects keep their numbers in an object of the compiled part, `_native`. Whether a number is right is known there: an error
+is raised when the estimator is created, or by Params.check()."""
+
+from __future__ import annotations
+
+import enum
+import typing
+from typing import TYPE_CHECKING, Any, Optional, Type, TypeVar, overload
+
+import numpy as np
+
+from . import _arguments
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+Read = TypeVar("Read")
+Enumeration = TypeVar("Enumeration", bound=enum.IntEnum)
+Flags = TypeVar("Flags", bound=enum.IntFlag)
+Self = TypeVar("Self")
+
+
+class Field(typing.Generic[Read]):
+    """A field that can be read."""
+
+    def __init__(self, about: str) -> None:
+        self.__doc__ = about
+        self.name = ""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    @overload
+    def __get__(self: Self, instance: None, owner: type) -> Self: ...
+    @overload
+    def __get__(self, instance: object, owner: type) -> Read: ...
+
+    def __get__(self, instance: Any, owner: type) -> Any:
+        return self if instance is None else self.read(instance)
+
+    def read(self, instance: Any) -> Any:
+        return getattr(instance._native, self.name)
+
+    def __set__(self, instance: Any, value: Any) -> None:
+        raise AttributeError("{}: it cannot be written".format(self.name))
+
+    def __delete__(self, instance: Any) -> None:
+        raise AttributeError("{}: it cannot be deleted".format(self.name))
+
+
+class EnumField(Field[Enumeration]):
+    """An enumerator that can be read."""
+
+    def __init__(self, type_: Type[Enumeration], about: str) -> None:
+        super().__init__(about)
+        self.type = type_
+
+    def read(self, instance: Any) -> Any:
+        return self.type(getattr(instance._native, self.name))
+
+
+class Real(Field[float]):
+    """A number."""
+
+    def __set__(self, instance: Any, value: float) -> None:
+        if not _arguments.isReal(value):
+            raise TypeError("{}: a number is expected, not {}".format(self.name, _arguments.shown(value)))
+        setattr(instance._native, self.name, float(value))
+
+
+class Integer(Field[int]):
+    """An integer."""
+
+    def __set__(self, instance: Any, value: int) -> None:
+        if not _arguments.isInteger(value):
+            raise TypeError("{}: an integer is expected, not {}".format(self.name, _arguments.shown(value)))
+        setattr(instance._native, self.name, _arguments.integer(value, self.name))
+
+
+class Option(Integer, typing.Generic[Enumeration]):
+    """One enumerator; a number that is none stays a number, until it is refused."""
+
+    def __init__(self, type_: Type[Enumeration], about: str) -> None:
+        super().__init__(about)
+        self.type = type_
+        self.values = {int(value): value for value in type_}
+
+    if TYPE_CHECKING:
+        @overload
+        def __get__(self: Self, instance: None, owner: type) -> Self: ...
+        @overload
+        def __get__(self, instance: object, owner: type) -> Enumeration: ...
+        def __get__(self, instance: Any, owner: type) -> Any: ...
+
+    def read(self, instance: Any) -> Any:
+        value = getattr(instance._native, self.name)
+        return self.values.get(value, value)
+
+
+class Set(Integer, typing.Generic[Flags]):
+    """A set of bits; a number with other bits stays a number, until it is refused."""
+
+    def __init__(self, type_: Type[Flags], about: str) -> None:
+        super().__init__(about)
+        self.type = type_
+        self.all = 0
+        for value in type_:
+            self.all |= int(value)
+
+    if TYPE_CHECKING:
+        @overload
+        def __get__(self: Self, instance: None, owner: type) -> Self: ...
+        @overload
+        def __get__(self, instance: object, owner: type) -> Flags: ...
+        def __get__(self, instance: Any, owner: type) -> Any: ...
+
+    def read(self, instance: Any) -> Any:
+        value = getattr(instance._native, self.name)
+        return self.type(value) if value & ~self.all == 0 else value
+
+
+class Numbers(Field["npt.NDArray[Any]"]):
+    """A list of numbers: an array of one dimension that lives in the object, so that its elements can be written."""
+
+    def __init__(self, kind: Any, about: str) -> None:
+        super().__init__(about)
+        self.kind = np.dtype(kind)
+
+    def read(self, instance: Any) -> Any:
+        return getattr(instance, "_" + self.name)
+
+    def __set__(self, instance: Any, value: Optional[npt.ArrayLike]) -> None:
+        setattr(instance, "_" + self.name, self.converted(value))
+
+    def converted(self, value: Any) -> npt.NDArray[Any]:
+        if value is None:
+            return np.empty(0, self.kind)
+        try:
+            given = np.asarray(value)
+        except Exception as failure:
+            raise TypeError("{}: a list of numbers is expected ({})".format(self.name, failure)) from failure
+        if given.size == 0 and given.dtype.kind in "biuf":
+            return np.empty(0, self.kind)
+        if given.dtype.kind not in "biuf" or given.ndim == 0:
+            raise TypeError("{}: a list of numbers is expected, not {}".format(self.name, _arguments.shown(value)))
+        self.checkShape(given)
+        with np.errstate(over="ignore"):  # of what a float does not hold: infinite
+            return np.array(given, self.kind).reshape(-1)
+
+    def checkShape(self, given: npt.NDArray[Any]) -> None:
+        """Any shape will do, row by row."""
+
+
+class Scores(Numbers):
+    """Numbers in a row, a column, or without either."""
+
+    def checkShape(self, given: npt.NDArray[Any]) -> None:
+        if sum(side != 1 for side in given.shape) > 1:
+            raise TypeError("{}: N numbers are expected, N x 1 or 1 x N, not the shape {}".format(self.name, given.shape))

@@ -1,0 +1,238 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""findHomography, findFundamentalMat, estimateAffine2D, estimateAffinePartial2D: OpenCV's arguments, a flag or a Params."""
+
+from __future__ import annotations
+
+import typing
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, overload
+
+import numpy as np
+
+from . import _arguments
+from ._arguments import array, bind, checkOutput, integer, isInteger, output, real, shown
+from ._backend import native
+from ._enumerations import USACV20, ProblemType
+from ._errors import fail
+from ._estimate import estimate
+from ._params import Params
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._estimate import _Mask
+
+    _Found = Tuple[Optional[npt.NDArray[np.float64]], npt.NDArray[np.uint8]]
+
+SIZE_MAX = 2**64 - 1
+
+
+def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace: int, paramsPlace: int, args: Tuple[Any, ...],
+              kwargs: Dict[str, Any]) -> bool:
+    """Whether a call has the form with `params`, as OpenCV has it. A Params in the place of the flag is not this form."""
+    if "params" in kwargs:
+        if method in kwargs:
+            raise fail("{}: params and {} are given, both say what to use".format(function, method))
+        return True
+    for place, value in enumerate(args):
+        if isinstance(value, Params):
+            if place not in (flagPlace, paramsPlace):
+                wanted = names[place] if place < len(names) else "more arguments"
+                raise fail("{}: a Params is the argument {} of {}, where {} is expected".format(
+                    function, place + 1, function, wanted))
+            return place == paramsPlace
+    return False
+
+
+def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str, Any], others: typing.Sequence[str]) -> None:
+    """Numbers that come with a flag have no effect beside a Params, which has them as fields."""
+    for name in others:
+        if values[name] is not defaults[name] and values[name] is not None:
+            raise fail("{}: {} is given beside a Params, whose field it is".format(function, name))
+
+
+def flag(value: Any, name: str = "method") -> int:
+    """An integer, the default for None."""
+    if value is not None and not isInteger(value):
+        raise fail("{}: one of the flags USACV20*, a flag of OpenCV or a Params is expected, not {}".format(name, shown(value)))
+    return integer(value, name, int(USACV20))
+
+
+def found(result: Any, given: Any) -> Any:
+    """What the compiled part has found with a flag, the mask in the caller's array."""
+    model, mask = result
+    return model, output(given, mask)
+
+
+_HOMOGRAPHY = ("srcPoints", "dstPoints", "method", "ransacReprojThreshold", "mask", "maxIters", "confidence")
+_HOMOGRAPHY_OF_PARAMS = ("srcPoints", "dstPoints", "params", "mask")
+_HOMOGRAPHY_DEFAULTS: Dict[str, Any] = dict(method=USACV20, ransacReprojThreshold=3.0, mask=None, maxIters=2000, confidence=0.995)
+
+
+@overload
+def findHomography(srcPoints: npt.ArrayLike, dstPoints: npt.ArrayLike, method: int = ..., ransacReprojThreshold: float = ...,
+                   mask: _Mask = ..., maxIters: int = ..., confidence: float = ...) -> _Found: ...
+@overload
+def findHomography(srcPoints: npt.ArrayLike, dstPoints: npt.ArrayLike, params: Params, mask: _Mask = ...) -> _Found: ...
+@overload
+def findHomography(srcPoints: npt.ArrayLike, dstPoints: npt.ArrayLike, *, method: Params, mask: _Mask = ...) -> _Found: ...
+
+
+def findHomography(*args: Any, **kwargs: Any) -> Any:
+    """findHomography(srcPoints, dstPoints[, method[, ransacReprojThreshold[, mask[, maxIters[, confidence]]]]]) -> retval, mask
+    findHomography(srcPoints, dstPoints, params[, mask]) -> retval, mask
+
+    cv2.findHomography with a flag of this module or of OpenCV, or with all options.
+
+    srcPoints, dstPoints -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type; with 3 in the place of 2, homogeneous
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
+    mask -- Nx1 array of uint8 that receives the mask, or None
+    maxIters -- upper bound of the number of samples; default 2000
+    confidence -- probability that the result is the best model; default 0.995
+    params -- Params in the place of the flag; also method=params
+    retval -- 3x3 array of float64, or None if there is none
+    mask -- Nx1 array of uint8, 1 for inliers"""
+    if isOptions("findHomography", _HOMOGRAPHY, "method", 2, 2, args, kwargs):
+        v = bind("findHomography", _HOMOGRAPHY_OF_PARAMS, 3, dict(mask=None), args, kwargs)
+    else:
+        v = bind("findHomography", _HOMOGRAPHY, 2, _HOMOGRAPHY_DEFAULTS, args, kwargs)
+        if isinstance(v["method"], Params):
+            refuseBesideParams("findHomography", v, _HOMOGRAPHY_DEFAULTS, ("ransacReprojThreshold", "maxIters", "confidence"))
+            v["params"] = v["method"]
+    if "params" in v:
+        return estimate(ProblemType.HOMOGRAPHY, v["srcPoints"], v["dstPoints"], v["params"], v["mask"],
+                        names=("srcPoints", "dstPoints", "", "", "", ""))[:2]
+    checkOutput(v["mask"], "mask")
+    return found(native.findHomography(
+        array(v["srcPoints"], "srcPoints"), array(v["dstPoints"], "dstPoints"), flag(v["method"]),
+        real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), integer(v["maxIters"], "maxIters", 2000),
+        real(v["confidence"], "confidence", 0.995)), v["mask"])
+
+
+_FUNDAMENTAL = ("points1", "points2", "method", "ransacReprojThreshold", "confidence", "maxIters", "mask")
+_FUNDAMENTAL_OF_PARAMS = ("points1", "points2", "params", "mask")
+_FUNDAMENTAL_DEFAULTS: Dict[str, Any] = dict(method=USACV20, ransacReprojThreshold=3.0, confidence=0.99, maxIters=1000, mask=None)
+
+
+@overload
+def findFundamentalMat(points1: npt.ArrayLike, points2: npt.ArrayLike, method: int = ..., ransacReprojThreshold: float = ...,
+                       confidence: float = ..., maxIters: Optional[int] = ..., mask: _Mask = ...) -> _Found: ...
+@overload
+def findFundamentalMat(points1: npt.ArrayLike, points2: npt.ArrayLike, method: int, ransacReprojThreshold: float,
+                       confidence: float, mask: npt.NDArray[np.uint8]) -> _Found: ...
+@overload
+def findFundamentalMat(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Params, mask: _Mask = ...) -> _Found: ...
+@overload
+def findFundamentalMat(points1: npt.ArrayLike, points2: npt.ArrayLike, *, method: Params, mask: _Mask = ...) -> _Found: ...
+
+
+def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
+    """findFundamentalMat(points1, points2[, method[, ransacReprojThreshold[, confidence[, maxIters[, mask]]]]]) -> retval, mask
+    findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, mask) -> retval, mask
+    findFundamentalMat(points1, points2, params[, mask]) -> retval, mask
+
+    cv2.findFundamentalMat with a flag of this module or of OpenCV, or with all options.
+
+    points1, points2 -- N points of each image in pixels, as for findHomography
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    ransacReprojThreshold -- inlier threshold, Sampson distance in pixels; default 3
+    confidence -- probability that the result is the best model; default 0.99
+    maxIters -- upper bound of the number of samples; default, and None, 1000
+    mask -- Nx1 array of uint8 that receives the mask, or None
+    params -- Params in the place of the flag; also method=params
+    retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and seven points: up to three in 9x3)
+    mask -- Nx1 array of uint8, 1 for inliers"""
+    if isOptions("findFundamentalMat", _FUNDAMENTAL, "method", 2, 2, args, kwargs):
+        v = bind("findFundamentalMat", _FUNDAMENTAL_OF_PARAMS, 3, dict(mask=None), args, kwargs)
+    else:
+        if len(args) == 6 and isinstance(args[5], np.ndarray) and args[5].ndim > 0:  # OpenCV has this form, too
+            args, kwargs = args[:5], dict(kwargs, mask=args[5])
+        v = bind("findFundamentalMat", _FUNDAMENTAL, 2, _FUNDAMENTAL_DEFAULTS, args, kwargs)
+        if isinstance(v["method"], Params):
+            refuseBesideParams("findFundamentalMat", v, _FUNDAMENTAL_DEFAULTS, ("ransacReprojThreshold", "confidence", "maxIters"))
+            v["params"] = v["method"]
+    if "params" in v:
+        return estimate(ProblemType.FUNDAMENTAL, v["points1"], v["points2"], v["params"], v["mask"])[:2]
+    checkOutput(v["mask"], "mask")
+    return found(native.findFundamentalMat(
+        array(v["points1"], "points1"), array(v["points2"], "points2"), flag(v["method"]),
+        real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), real(v["confidence"], "confidence", 0.99),
+        integer(v["maxIters"], "maxIters", 1000)), v["mask"])
+
+
+_MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
+_MAP_OF_PARAMS = ("pts1", "pts2", "params", "inliers")
+_MAP_DEFAULTS: Dict[str, Any] = dict(inliers=None, method=USACV20, ransacReprojThreshold=3.0, maxIters=2000, confidence=0.99,
+                                     refineIters=10)
+
+
+def _findMap(function: str, problem: int, args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Any:
+    if isOptions(function, _MAP, "method", 3, 2, args, kwargs):
+        v = bind(function, _MAP_OF_PARAMS, 3, dict(inliers=None), args, kwargs)
+        return estimate(problem, v["pts1"], v["pts2"], v["params"], v["inliers"], names=("pts1", "pts2", "", "", "", ""),
+                        maskName="inliers")[:2]
+    v = bind(function, _MAP, 2, _MAP_DEFAULTS, args, kwargs)
+    if isinstance(v["method"], Params):
+        refuseBesideParams(function, v, _MAP_DEFAULTS, ("ransacReprojThreshold", "maxIters", "confidence", "refineIters"))
+        return estimate(problem, v["from_"], v["to"], v["method"], v["inliers"], names=("from_", "to", "", "", "", ""),
+                        maskName="inliers")[:2]
+    checkOutput(v["inliers"], "inliers")
+    return found(getattr(native, function)(
+        array(v["from_"], "from_"), array(v["to"], "to"), flag(v["method"]),
+        real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0),
+        integer(v["maxIters"], "maxIters, Params.maxIterations", 2000, 0, _arguments.INT_MAX),
+        real(v["confidence"], "confidence", 0.99),
+        integer(v["refineIters"], "refineIters, Params.polishingSteps", 10, 0, _arguments.INT_MAX)), v["inliers"])
+
+
+@overload
+def estimateAffine2D(from_: npt.ArrayLike, to: npt.ArrayLike, inliers: _Mask = ..., method: int = ...,
+                     ransacReprojThreshold: float = ..., maxIters: int = ..., confidence: float = ...,
+                     refineIters: int = ...) -> _Found: ...
+@overload
+def estimateAffine2D(pts1: npt.ArrayLike, pts2: npt.ArrayLike, params: Params, inliers: _Mask = ...) -> _Found: ...
+@overload
+def estimateAffine2D(from_: npt.ArrayLike, to: npt.ArrayLike, inliers: _Mask = ..., *, method: Params) -> _Found: ...
+
+
+def estimateAffine2D(*args: Any, **kwargs: Any) -> Any:
+    """estimateAffine2D(from_, to[, inliers[, method[, ransacReprojThreshold[, maxIters[, confidence[, refineIters]]]]]])
+        -> retval, inliers
+    estimateAffine2D(pts1, pts2, params[, inliers]) -> retval, inliers
+
+    cv2.estimateAffine2D with a flag of this module or of OpenCV, or with all options: the affine map x2 = A x1 + t.
+
+    from_, to -- N points of each image in pixels, as for findHomography
+    inliers -- Nx1 array of uint8 that receives the mask, or None
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
+    maxIters -- upper bound of the number of samples; default 2000
+    confidence -- probability that the result is the best model; default 0.99
+    refineIters -- upper bound of the steps of the last polish, 0: none; default 10
+    params -- Params in the place of the flag; also method=params
+    retval -- 2x3 array of float64, [A t], or None if there is none
+    inliers -- Nx1 array of uint8, 1 for inliers"""
+    return _findMap("estimateAffine2D", ProblemType.AFFINITY, args, kwargs)
+
+
+@overload
+def estimateAffinePartial2D(from_: npt.ArrayLike, to: npt.ArrayLike, inliers: _Mask = ..., method: int = ...,
+                            ransacReprojThreshold: float = ..., maxIters: int = ..., confidence: float = ...,
+                            refineIters: int = ...) -> _Found: ...
+@overload
+def estimateAffinePartial2D(pts1: npt.ArrayLike, pts2: npt.ArrayLike, params: Params, inliers: _Mask = ...) -> _Found: ...
+@overload
+def estimateAffinePartial2D(from_: npt.ArrayLike, to: npt.ArrayLike, inliers: _Mask = ..., *, method: Params) -> _Found: ...
+
+
+def estimateAffinePartial2D(*args: Any, **kwargs: Any) -> Any:
+    """estimateAffinePartial2D(from_, to[, inliers[, method[, ransacReprojThreshold[, maxIters[, confidence[, refineIters]]]]]])
+        -> retval, inliers
+    estimateAffinePartial2D(pts1, pts2, params[, inliers]) -> retval, inliers
+
+    cv2.estimateAffinePartial2D with a flag of this module or of OpenCV, or with all options: rotation, uniform scale and
+    translation. Arguments and results are those of estimateAffine2D; retval has the rows (a, -b, x) and (b, a, y)."""
+    return _findMap("estimateAffinePartial2D", ProblemType.SIMILARITY, args, kwargs)

@@ -1,0 +1,107 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What the package takes from a cv2 that was built with the module, in the form of the extension module (_native.pyi)."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, Dict, List, Tuple
+
+
+class Native:
+    """The functions of _native.pyi made of cv2._native.usacv20. OpenCV's code releases the interpreter's lock around each."""
+
+    def __init__(self, cv2: Any) -> None:
+        native = getattr(cv2._native, "usacv20", None)
+        if native is None:
+            raise ImportError("cv2 was built without the module usac")
+        self._cv2 = cv2
+        self._functions = native
+        self._constants = {name: value for name, value in vars(cv2._native).items() if name.startswith("USACV20")}
+        self.Params = native.Params
+        self.Report = native.Report
+        self.isUsacV20Method = native.isUsacV20Method
+        names = ("Homography", "Fundamental", "Essential", "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D")
+        self._estimate = [getattr(native, "estimate" + name, None) for name in names]
+
+    def estimate(self, problem: int, points1: Any, points2: Any, params: Any, cameraMatrix1: Any = None,
+                 cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None) -> Tuple[Any, Any, Any]:
+        function: Any = self._estimate[problem]
+        if problem == 2:
+            result = function(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, params)
+        elif problem == 5:
+            result = function(points1, points2, cameraMatrix1, distCoeffs1, params)
+        else:
+            result = function(points1, points2, params)
+        model, mask, report = result
+        return model, mask, report
+
+    def estimateBatch(self, problem: int, points1: List[Any], points2: List[Any], params: List[Any], cameraMatrices1: List[Any],
+                      cameraMatrices2: List[Any], distCoeffs1: List[Any], distCoeffs2: List[Any],
+                      threads: int) -> List[Tuple[Any, Any, Any, str]]:
+        """By threads of Python, as OpenCV's generator makes no lists of results."""
+        each = [entries * len(points1) if len(entries) == 1 else entries or [None] * len(points1)
+                for entries in (params, cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2)]
+
+        def one(i: int) -> Tuple[Any, Any, Any, str]:
+            try:
+                return self.estimate(problem, points1[i], points2[i], *(entries[i] for entries in each)) + ("",)
+            except self._cv2.error as mistake:
+                return None, None, self.Report(), str(getattr(mistake, "err", "") or mistake)
+
+        most = self._cv2.getNumThreads()
+        workers = min(threads or most, most, len(points1))
+        if workers < 2:
+            return [one(i) for i in range(len(points1))]
+        with ThreadPoolExecutor(workers) as pool:
+            return list(pool.map(one, range(len(points1))))
+
+    def findHomography(self, srcPoints: Any, dstPoints: Any, method: int, threshold: float, maxIters: int,
+                       confidence: float) -> Any:
+        return self._functions.findHomography(srcPoints, dstPoints, method, threshold, None, maxIters, confidence)
+
+    def findFundamentalMat(self, points1: Any, points2: Any, method: int, threshold: float, confidence: float,
+                           maxIters: int) -> Any:
+        return self._functions.findFundamentalMat(points1, points2, method, threshold, confidence, maxIters)
+
+    def findEssentialMat(self, points1: Any, points2: Any, cameraMatrix: Any, method: int, prob: float, threshold: float,
+                         maxIters: int) -> Any:
+        return self._functions.findEssentialMat(points1, points2, cameraMatrix, method, prob, threshold, maxIters)
+
+    def findEssentialMatOfFocal(self, points1: Any, points2: Any, focal: float, pp: Tuple[float, float], method: int,
+                                prob: float, threshold: float, maxIters: int) -> Any:
+        return self._functions.findEssentialMat(points1, points2, focal, pp, method, prob, threshold, maxIters)
+
+    def findEssentialMatOfCameras(self, points1: Any, points2: Any, cameraMatrix1: Any, distCoeffs1: Any, cameraMatrix2: Any,
+                                  distCoeffs2: Any, method: int, prob: float, threshold: float) -> Any:
+        return self._functions.findEssentialMat(points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2,
+                                                method, prob, threshold)
+
+    def estimateAffine2D(self, points1: Any, points2: Any, method: int, threshold: float, maxIters: int, confidence: float,
+                         refineIters: int) -> Any:
+        return self._functions.estimateAffine2D(points1, points2, None, method, threshold, maxIters, confidence, refineIters)
+
+    def estimateAffinePartial2D(self, points1: Any, points2: Any, method: int, threshold: float, maxIters: int,
+                                confidence: float, refineIters: int) -> Any:
+        return self._functions.estimateAffinePartial2D(points1, points2, None, method, threshold, maxIters, confidence,
+                                                       refineIters)
+
+    def solvePnPRansac(self, objectPoints: Any, imagePoints: Any, cameraMatrix: Any, distCoeffs: Any, rvec: Any, tvec: Any,
+                       useExtrinsicGuess: bool, iterationsCount: int, reprojectionError: float, confidence: float,
+                       flags: int) -> Any:
+        return self._functions.solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec,
+                                              useExtrinsicGuess, iterationsCount, reprojectionError, confidence, None, flags)
+
+    def solvePnPRansacOfParams(self, objectPoints: Any, imagePoints: Any, cameraMatrix: Any, distCoeffs: Any,
+                               params: Any) -> Any:
+        found, _, rvec, tvec, inliers = self._functions.solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs,
+                                                                       params=params)
+        return found, rvec, tvec, inliers
+
+    def enumerators(self) -> Dict[str, int]:
+        """Name and value of all enumerators."""
+        result = {name: value for name, value in vars(self._functions).items() if name.isupper() and isinstance(value, int)}
+        result.update(self._constants)
+        return result

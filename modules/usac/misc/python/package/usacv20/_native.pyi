@@ -1,0 +1,161 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+# The compiled part, in misc/python/native. Arrays have numbers of a type that cv::Mat has; lists are arrays of one dimension.
+
+from typing import Any, Dict, List, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+_Array = npt.NDArray[Any]
+_Optional = Optional[npt.NDArray[Any]]
+_Double = Optional[npt.NDArray[np.float64]]
+_Found = Tuple[_Double, Optional[npt.NDArray[np.uint8]]]
+_Pose = Tuple[bool, _Double, _Double, Optional[npt.NDArray[np.int32]]]
+_Points = Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], Optional[npt.NDArray[np.float32]], float, int]
+
+class _Class(type): ...  # that pybind11 gives its classes
+
+class Params(metaclass=_Class):
+    threshold: float
+    confidence: float
+    maxIterations: int
+    seed: int
+    threads: int
+    sampler: int
+    ordering: int
+    scores: npt.NDArray[np.float32]
+    initialModel: npt.NDArray[np.float64]
+    scoreOrder: int
+    neighborhood: int
+    neighbors: int
+    neighborRadius: float
+    residual: int
+    quality: int
+    reach: float
+    widestReach: float
+    verification: int
+    tddPoints: int
+    localOptimization: int
+    localIterations: int
+    localSampleMultiple: int
+    localSamples: int
+    spatialWeight: float
+    runnersUp: int
+    orderedEvery: int
+    termination: int
+    relaxation: float
+    persistence: int
+    degeneracy: int
+    polishing: int
+    polishingSteps: int
+    significance: float
+    def __init__(self) -> None: ...
+    def check(self, count: int = ...) -> None: ...
+    @staticmethod
+    def fromMethod(method: int) -> Params: ...
+    @staticmethod
+    def usacV20() -> Params: ...
+    @staticmethod
+    def fast() -> Params: ...
+    @staticmethod
+    def accurate() -> Params: ...
+    @staticmethod
+    def sorted() -> Params: ...
+    @staticmethod
+    def parallel() -> Params: ...
+    @staticmethod
+    def ransac() -> Params: ...
+    @staticmethod
+    def msac() -> Params: ...
+    @staticmethod
+    def lmeds() -> Params: ...
+    @staticmethod
+    def mlesac() -> Params: ...
+    @staticmethod
+    def prosac() -> Params: ...
+    @staticmethod
+    def loRansac() -> Params: ...
+    @staticmethod
+    def floRansac() -> Params: ...
+    @staticmethod
+    def gcRansac() -> Params: ...
+    @staticmethod
+    def usac2013() -> Params: ...
+    @staticmethod
+    def magsac() -> Params: ...
+    @staticmethod
+    def magsacPlusPlus() -> Params: ...
+
+class Report(metaclass=_Class):
+    stop: int
+    iterations: int
+    rejectedSamples: int
+    degenerateSamples: int
+    models: int
+    rejectedModels: int
+    refusedModels: int
+    droppedModels: int
+    localOptimizations: int
+    localImprovements: int
+    degenerate: bool
+    inliers: int
+    independentInliers: int
+    chance: float
+    threshold: float
+    cost: float
+    setupMs: float
+    searchMs: float
+    localMs: float
+    polishMs: float
+    def __init__(self) -> None: ...
+    def describe(self) -> str: ...
+
+class Rng(metaclass=_Class):
+    """Pseudo-random numbers: those of a seed and a stream, the same ones each time."""
+
+    def __init__(self, seed: int = ..., stream: int = ...) -> None: ...
+    def next(self) -> int: ...
+    def uniform(self, n: int) -> int: ...
+    def distinct(self, n: int, count: int) -> npt.NDArray[np.int32]: ...
+
+class Usac(metaclass=_Class):
+    def __init__(self, problem: int, points1: _Array, points2: _Array, params: Params, cameraMatrix1: _Optional,
+                 cameraMatrix2: _Optional, distCoeffs1: _Optional, distCoeffs2: _Optional) -> None: ...
+    def setSampler(self, sampler: Any) -> None: ...
+    def setScore(self, score: Any) -> None: ...
+    def setPoints(self, points1: _Array, points2: _Array) -> None: ...
+    def points(self) -> _Points: ...
+    def run(self) -> Tuple[_Double, npt.NDArray[np.uint8], Report]: ...
+
+def enumerators() -> Dict[str, int]: ...
+def isUsacV20Method(method: int) -> bool: ...
+def estimate(problem: int, points1: _Array, points2: _Array, params: Params, cameraMatrix1: _Optional = ...,
+             cameraMatrix2: _Optional = ..., distCoeffs1: _Optional = ...,
+             distCoeffs2: _Optional = ...) -> Tuple[_Double, Optional[npt.NDArray[np.uint8]], Report]: ...
+def estimateBatch(problem: int, points1: List[_Array], points2: List[_Array], params: List[Params],
+                  cameraMatrices1: List[_Optional], cameraMatrices2: List[_Optional], distCoeffs1: List[_Optional],
+                  distCoeffs2: List[_Optional],
+                  threads: int) -> List[Tuple[_Double, Optional[npt.NDArray[np.uint8]], Report, str]]: ...
+def findHomography(srcPoints: _Array, dstPoints: _Array, method: int, threshold: float, maxIters: int,
+                   confidence: float) -> _Found: ...
+def findFundamentalMat(points1: _Array, points2: _Array, method: int, threshold: float, confidence: float,
+                       maxIters: int) -> _Found: ...
+def findEssentialMat(points1: _Array, points2: _Array, cameraMatrix: _Array, method: int, prob: float, threshold: float,
+                     maxIters: int) -> _Found: ...
+def findEssentialMatOfFocal(points1: _Array, points2: _Array, focal: float, pp: Tuple[float, float], method: int, prob: float,
+                            threshold: float, maxIters: int) -> _Found: ...
+def findEssentialMatOfCameras(points1: _Array, points2: _Array, cameraMatrix1: _Array, distCoeffs1: _Optional,
+                              cameraMatrix2: _Array, distCoeffs2: _Optional, method: int, prob: float,
+                              threshold: float) -> _Found: ...
+def estimateAffine2D(points1: _Array, points2: _Array, method: int, threshold: float, maxIters: int, confidence: float,
+                     refineIters: int) -> _Found: ...
+def estimateAffinePartial2D(points1: _Array, points2: _Array, method: int, threshold: float, maxIters: int, confidence: float,
+                            refineIters: int) -> _Found: ...
+def solvePnPRansac(objectPoints: _Array, imagePoints: _Array, cameraMatrix: _Array, distCoeffs: _Optional, rvec: _Optional,
+                   tvec: _Optional, useExtrinsicGuess: bool, iterationsCount: int, reprojectionError: float, confidence: float,
+                   flags: int) -> _Pose: ...
+def solvePnPRansacOfParams(objectPoints: _Array, imagePoints: _Array, cameraMatrix: _Array, distCoeffs: _Optional,
+                           params: Params) -> _Pose: ...

@@ -1,0 +1,116 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The functions of a cv2 with the flags and the Params of this module."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import numbers
+import typing
+from typing import Any, Callable, Dict, Optional, Tuple
+
+from ._enumerations import UsacV20Method
+from ._essential import findEssentialMat
+from ._find import estimateAffine2D, estimateAffinePartial2D, findFundamentalMat, findHomography
+from ._params import Params
+from ._pose import solvePnPRansac
+
+OURS: typing.Mapping[str, Callable[..., Any]] = {
+    "findHomography": findHomography, "findFundamentalMat": findFundamentalMat, "findEssentialMat": findEssentialMat,
+    "estimateAffine2D": estimateAffine2D, "estimateAffinePartial2D": estimateAffinePartial2D, "solvePnPRansac": solvePnPRansac}
+
+_FLAGS = frozenset(int(flag) for flag in UsacV20Method)
+_MARK = "_usacv20Patch"
+
+
+def _essentialPlace(args: Tuple[Any, ...]) -> int:
+    """Where `method` is among the positional arguments of findEssentialMat."""
+    if len(args) > 2 and isinstance(args[2], numbers.Real):
+        return 4  # (points1, points2, focal, pp, method, ...)
+    if len(args) > 4 and args[4] is not None and not isinstance(args[4], numbers.Real):
+        return 6  # (points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2, method, ...)
+    return 3      # (points1, points2, cameraMatrix, method, ...)
+
+
+_PLACES: typing.Mapping[str, Callable[[Tuple[Any, ...]], int]] = {
+    "findHomography": lambda args: 2, "findFundamentalMat": lambda args: 2, "findEssentialMat": _essentialPlace,
+    "estimateAffine2D": lambda args: 3, "estimateAffinePartial2D": lambda args: 3, "solvePnPRansac": lambda args: 11}
+
+
+def _isOurs(name: str, args: Tuple[Any, ...], kwargs: typing.Mapping[str, Any]) -> bool:
+    """Whether the arguments hold a flag of this module in its place, or a Params anywhere."""
+    key = "flags" if name == "solvePnPRansac" else "method"
+    place = _PLACES[name](args)
+    value = kwargs.get(key, args[place] if place < len(args) else None)
+    if isinstance(value, numbers.Integral) and int(value) in _FLAGS:
+        return True
+    return any(isinstance(value, Params) for value in args) or any(isinstance(value, Params) for value in kwargs.values())
+
+
+class Patch:
+    """Functions of a cv2 that have been replaced; undo(), or the end of a with-statement, puts the original ones back."""
+
+    def __init__(self, cv2: Any, ours: typing.Mapping[str, Callable[..., Any]] = OURS, permanent: bool = False) -> None:
+        self._cv2 = cv2
+        self.permanent = permanent  # as in an OpenCV that was built with the module
+        self._active = True
+        self._functions: Dict[str, Tuple[Any, Any]] = {}
+        for name, function in ours.items():
+            original = getattr(cv2, name)
+            wrapper = self._wrap(name, original, function)
+            self._functions[name] = original, wrapper
+            setattr(cv2, name, wrapper)
+
+    def _wrap(self, name: str, original: Any, ours: Callable[..., Any]) -> Any:
+        @functools.wraps(original)
+        def function(*args: Any, **kwargs: Any) -> Any:
+            if self._active and _isOurs(name, args, kwargs):
+                return ours(*args, **kwargs)
+            return original(*args, **kwargs)
+
+        function.__doc__ = "{}\n\nWith one of USACV20* in the place of the flag, or a usacv20.Params:\n\n{}".format(
+            original.__doc__, ours.__doc__)
+        setattr(function, _MARK, self)
+        return function
+
+    def undo(self) -> None:
+        """Puts the original functions back. A function that somebody else has replaced since stays, and calls the original one."""
+        self._active = False
+        for name, (original, wrapper) in self._functions.items():
+            if getattr(self._cv2, name, None) is wrapper:
+                setattr(self._cv2, name, original)
+        self._functions = {}
+
+    def __enter__(self) -> Patch:
+        return self
+
+    def __exit__(self, *failure: object) -> None:
+        self.undo()
+
+
+def _present(cv2: Any) -> Optional[Patch]:
+    patch = getattr(getattr(cv2, "findHomography", None), _MARK, None)
+    return patch if isinstance(patch, Patch) else None
+
+
+def patch_cv2(cv2: Any = None) -> Patch:
+    """Makes findHomography, findFundamentalMat, findEssentialMat, estimateAffine2D, estimateAffinePartial2D and solvePnPRansac of
+    a cv2 take the flags of this module, cv2.findHomography(a, b, usacv20.USACV20, 3.0), and its Params. All other calls reach
+    the functions of cv2 as they are.
+
+    cv2 -- the module; default: the one that `import cv2` gives
+
+    Returns an object that undoes it, by undo() or at the end of a with-statement. One for a cv2 that has been patched before
+    does nothing more and undoes nothing. Modules that have imported a function by its name before keep the original one."""
+    cv2 = importlib.import_module("cv2") if cv2 is None else cv2
+    return Patch(cv2, {} if _present(cv2) else OURS)
+
+
+def unpatch_cv2(cv2: Any = None) -> None:
+    """Undoes patch_cv2(), whoever has called it. Nothing happens where there is nothing to undo."""
+    patch = _present(importlib.import_module("cv2") if cv2 is None else cv2)
+    if patch and not patch.permanent:
+        patch.undo()

@@ -1,0 +1,303 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""All options of the estimator."""
+
+from __future__ import annotations
+
+import enum
+import typing
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Type, TypeVar
+
+import numpy as np
+
+from . import _enumerations as e
+from ._arguments import array, integer
+from ._backend import native
+from ._errors import fail
+from ._fields import Field, Integer, Numbers, Option, Real, Scores, Set
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+P = TypeVar("P", bound="Params")
+
+
+def _restored(type_: Type[P], values: Dict[str, Any]) -> P:
+    return type_(**values)
+
+
+class Params:
+    """All options of the estimator; each has an effect.
+
+    Fields can be given by their names, Params(threshold=2, scores=distances), and written later; None is the default.
+    Params() is Params.usacV20(). A value of a wrong type raises a TypeError when it is written; a wrong value raises usacv20.error,
+    which names the field, when the estimator is created, or in check(). Objects can be compared, copied and pickled;
+    repr() shows what differs from the default. Pixels are those of image 2, or the unit of the points of space 2."""
+
+    __slots__ = ("_native", "_scores", "_initialModel", "_filled")
+    __hash__ = None  # type: ignore[assignment]  # as of all that can change
+
+    _native: Any
+    _filled: bool
+
+    threshold = Real("""Inlier threshold in pixels, not squared; > 0. H, affine maps: distance in image 2. F, E: Sampson
+        distance. Absolute pose: reprojection error in the image as it was taken. Motions of space: distance in space 2,
+        in the unit of the points. Default 1.5.""")
+    confidence = Real("""Probability that the search does not miss a better model (TERMINATION_P_NAPSAC: one that is
+        significantly better, see relaxation), unless maxIterations ends it; in (0, 1). Default 0.99.""")
+    maxIterations = Integer("Upper bound of the number of minimal samples; >= 1. Default 5000.")
+    seed = Integer("Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.")
+    threads = Integer("""Number of threads that test hypotheses, 0 for OpenCV's number (cv2.getNumThreads()); 0..1024.
+        The result does not depend on it. Default 1.""")
+    sampler = Option(e.SamplerType, "SamplerType: how samples are drawn. Default SAMPLER_P_NAPSAC.")
+    ordering = Option(e.OrderingType, "OrderingType: where the order of the points comes from. Default ORDERING_AUTO.")
+    scores = Scores(np.float32, """Score of each correspondence, an array of N float32, or of none. Any list of numbers
+        can be written, N, N x 1 or 1 x N; it is copied, and what is written to the elements of the array counts. NaN is
+        the worst score; SAMPLER_IMPORTANCE, which takes them as probabilities, refuses it. Default none.""")
+    initialModel = Numbers(np.float64, """A model to begin with, that of the frame before, say: its numbers row by row,
+        an array of float64, or of none; see setInitialModel(). It is rated and optimized before the first sample, as if
+        it came from one. Default none.""")
+    scoreOrder = Option(e.ScoreOrder, "ScoreOrder: which end of scores is the good one. Default SCORES_LOWER_IS_BETTER.")
+    neighborhood = Option(e.NeighborhoodType, "NeighborhoodType: which points are neighbors. Default NEIGHBORHOOD_GRID.")
+    neighbors = Integer("""Neighbors of a point for NEIGHBORHOOD_KNN in the finest of four layers, each of twice as
+        many; 1..1000. Default 10.""")
+    neighborRadius = Real("""Radius for NEIGHBORHOOD_RADIUS in the finest of four layers, each twice as wide, pixels in
+        the joint space (x1, y1, x2, y2); > 0. Default 40.""")
+    residual = Option(e.ResidualType, "ResidualType: which error of a point is minimized. Default RESIDUAL_STANDARD.")
+    quality = Option(e.QualityType, "QualityType: how a model is rated. Default QUALITY_MSAC.")
+    reach = Real("""Search, local optimization and polishing work with so many times threshold, the mask with threshold
+        itself; 1..10. For qualities and fits that are marginalized over the noise. Default 1.""")
+    widestReach = Real("""Where the errors of the best model show that the noise is larger than threshold, reach grows
+        with it, up to this multiple of threshold; 1..1e6. The mask stays that of threshold and may then be empty with a
+        right model. Default 1; presets of MAGSAC 1000.""")
+    verification = Option(e.VerificationType, "VerificationType: how bad models are dropped early. Default VERIFICATION_SPRT.")
+    tddPoints = Integer("Points that must be inliers for VERIFICATION_TDD; 1..100. Default 1.")
+    localOptimization = Option(e.LocalOptimizationType, """LocalOptimizationType: what improves each so-far-the-best
+        model. Default LOCAL_OPTIMIZATION_GRAPH_CUT.""")
+    localIterations = Integer("""Rounds of one local optimization: alternations of labeling and fitting, steps of the
+        shrinking threshold, re-weightings; 1..1000. Default 5.""")
+    localSampleMultiple = Integer("""Size of the inner samples of a local optimization as a multiple of the minimal one;
+        2..100. Default 3.""")
+    localSamples = Integer("""Inner samples of a local optimization (graph cut: of each of its alternations); 0..1000.
+        Default 4.""")
+    spatialWeight = Real("Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.")
+    runnersUp = Integer("""Models beside those that beat all samples before them that are optimized before the search
+        ends, at most; 0..100. Default 16.""")
+    orderedEvery = Integer("""Samplers that prefer some of the points draw one in so many samples as they prefer, the
+        others are uniform among all points, and only those count for the criteria of termination; 1: all are as
+        preferred, and all count, as in the papers; 1..1000. Default 8.""")
+    termination = Set(e.TerminationFlags, """Set of TerminationFlags; 0 runs all maxIterations. Default TERMINATION_SPRT
+        | TERMINATION_P_NAPSAC | TERMINATION_EXACT.""")
+    relaxation = Real("""What a "significantly" better model has more for TERMINATION_P_NAPSAC, as a fraction of the
+        inliers of the best one; 0..1. Default 0.05.""")
+    persistence = Integer("Times as many samples as the termination criteria ask for; 1..100. Default 1.")
+    degeneracy = Set(e.DegeneracyFlags, "Set of DegeneracyFlags. Default all.")
+    polishing = Option(e.PolishingType, "PolishingType: what is done to the best model at the end. Default POLISHING_ROBUST.")
+    polishingSteps = Integer("""Most fits of the polishing, each with the inliers or weights under the last one; 1..100.
+        Default 6.""")
+    significance = Real("""The largest Report.chance with which a model is returned, a probability; 0..1. 1: a model is
+        always returned. Default 0: 0.01 where there are enough independent points for a quarter of them to be that
+        significant, else 1.""")
+
+    def __init__(self, *,
+                 threshold: Optional[float] = None, confidence: Optional[float] = None,
+                 maxIterations: Optional[int] = None, seed: Optional[int] = None, threads: Optional[int] = None,
+                 sampler: Optional[int] = None, ordering: Optional[int] = None, scores: Optional[npt.ArrayLike] = None,
+                 initialModel: Optional[npt.ArrayLike] = None, scoreOrder: Optional[int] = None,
+                 neighborhood: Optional[int] = None, neighbors: Optional[int] = None,
+                 neighborRadius: Optional[float] = None, residual: Optional[int] = None, quality: Optional[int] = None,
+                 reach: Optional[float] = None, widestReach: Optional[float] = None, verification: Optional[int] = None,
+                 tddPoints: Optional[int] = None, localOptimization: Optional[int] = None,
+                 localIterations: Optional[int] = None, localSampleMultiple: Optional[int] = None,
+                 localSamples: Optional[int] = None, spatialWeight: Optional[float] = None,
+                 runnersUp: Optional[int] = None, orderedEvery: Optional[int] = None, termination: Optional[int] = None,
+                 relaxation: Optional[float] = None, persistence: Optional[int] = None,
+                 degeneracy: Optional[int] = None, polishing: Optional[int] = None,
+                 polishingSteps: Optional[int] = None, significance: Optional[float] = None) -> None:
+        fields = dict(locals())
+        self._start(native.Params())
+        for name in _FIELDS:
+            if fields[name] is not None:
+                setattr(self, name, fields[name])
+
+    def _start(self, options: Any) -> None:
+        self._native = options
+        self._filled = False
+        self.scores = None
+        self.initialModel = None
+
+    @classmethod
+    def _of(cls: Type[P], options: Any) -> P:
+        result = cls.__new__(cls)
+        result._start(options)
+        return result
+
+    def _prepared(self) -> Any:
+        """The options in the form of the compiled part, with the lists as they are now."""
+        options = self._native
+        scores, model = self.scores, self.initialModel
+        if self._filled or scores.size or model.size:
+            options.scores, options.initialModel = scores, model
+            self._filled = bool(scores.size or model.size)
+        return options
+
+    def check(self, count: int = -1) -> None:
+        """Raises usacv20.error that names the first field with a wrong value.
+
+        count -- number of correspondences, -1 if unknown"""
+        self._prepared().check(integer(count, "count"))
+
+    def setInitialModel(self, model: Optional[npt.ArrayLike]) -> None:
+        """Sets initialModel.
+
+        model -- 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for poses and motions of space, any type;
+            None or an empty array: none"""
+        given = np.empty(0) if model is None else array(model, "model")
+        if given.ndim > 2:
+            raise fail("model: a matrix is expected, not {} dimensions".format(given.ndim))
+        self.initialModel = given
+
+    def _items(self) -> typing.Iterator[Tuple[str, Any]]:
+        return ((name, getattr(self, name)) for name in _FIELDS)
+
+    def _differing(self) -> typing.Iterator[Tuple[str, Any]]:
+        """Fields that have another value than the default."""
+        default = Params()
+        return ((name, value) for name, value in self._items() if not _same(value, getattr(default, name)))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Params):
+            return NotImplemented
+        return all(_same(value, getattr(other, name)) for name, value in self._items())
+
+    def __repr__(self) -> str:
+        return "{}({})".format(type(self).__name__, ", ".join("{}={}".format(name, _shown(value))
+                                                              for name, value in self._differing()))
+
+    def __copy__(self: P) -> P:
+        return type(self)(**dict(self._items()))
+
+    def __deepcopy__(self: P, memo: Dict[int, Any]) -> P:
+        return self.__copy__()
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        values = {name: value if isinstance(value, (float, np.ndarray)) else int(value) for name, value in self._differing()}
+        return _restored, (type(self), values)
+
+    @classmethod
+    def fromMethod(cls: Type[P], method: int) -> P:
+        """The preset behind a flag, one of USACV20*; anything else raises usacv20.error."""
+        return cls._of(native.Params.fromMethod(integer(method, "method")))
+
+    @classmethod
+    def usacV20(cls: Type[P]) -> P:
+        """The configuration chosen in the paper of USACv20, with robust polishing; the same as Params()."""
+        return cls._of(native.Params.usacV20())
+
+    @classmethod
+    def fast(cls: Type[P]) -> P:
+        """What USACV20_FAST uses: early stop and a short local optimization."""
+        return cls._of(native.Params.fast())
+
+    @classmethod
+    def accurate(cls: Type[P]) -> P:
+        """What USACV20_ACCURATE uses: three times as many samples and a long local optimization."""
+        return cls._of(native.Params.accurate())
+
+    @classmethod
+    def sorted(cls: Type[P]) -> P:
+        """What USACV20_PROSAC uses: PROSAC sampling of points that the caller has sorted, best first."""
+        return cls._of(native.Params.sorted())
+
+    @classmethod
+    def parallel(cls: Type[P]) -> P:
+        """What USACV20_PARALLEL uses: usacV20() with all threads of OpenCV and the same result."""
+        return cls._of(native.Params.parallel())
+
+    @classmethod
+    def ransac(cls: Type[P]) -> P:
+        """RANSAC of 1981: uniform samples, number of inliers, least squares."""
+        return cls._of(native.Params.ransac())
+
+    @classmethod
+    def msac(cls: Type[P]) -> P:
+        """As ransac(), with truncated squared errors."""
+        return cls._of(native.Params.msac())
+
+    @classmethod
+    def lmeds(cls: Type[P]) -> P:
+        """As ransac(), with the median of the squared errors; threshold is not used."""
+        return cls._of(native.Params.lmeds())
+
+    @classmethod
+    def mlesac(cls: Type[P]) -> P:
+        """As ransac(), with the likelihood of a mixture of inliers and outliers."""
+        return cls._of(native.Params.mlesac())
+
+    @classmethod
+    def prosac(cls: Type[P]) -> P:
+        """As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first."""
+        return cls._of(native.Params.prosac())
+
+    @classmethod
+    def loRansac(cls: Type[P]) -> P:
+        """LO-RANSAC: as ransac(), each new best model is refined by ten inner samples."""
+        return cls._of(native.Params.loRansac())
+
+    @classmethod
+    def floRansac(cls: Type[P]) -> P:
+        """FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size."""
+        return cls._of(native.Params.floRansac())
+
+    @classmethod
+    def gcRansac(cls: Type[P]) -> P:
+        """GC-RANSAC: as msac(), each new best model is refined by graph cuts and inner samples."""
+        return cls._of(native.Params.gcRansac())
+
+    @classmethod
+    def usac2013(cls: Type[P]) -> P:
+        """USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC."""
+        return cls._of(native.Params.usac2013())
+
+    @classmethod
+    def magsac(cls: Type[P]) -> P:
+        """MAGSAC: uniform samples, quality, termination and fits marginalized over the noise."""
+        return cls._of(native.Params.magsac())
+
+    @classmethod
+    def magsacPlusPlus(cls: Type[P]) -> P:
+        """What USACV20_MAGSAC uses, MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits."""
+        return cls._of(native.Params.magsacPlusPlus())
+
+
+_FIELDS = tuple(name for name, value in vars(Params).items() if isinstance(value, Field))
+
+
+def _same(value: Any, other: Any) -> bool:
+    if isinstance(value, np.ndarray):
+        return np.array_equal(value, other, equal_nan=True)
+    return bool(value == other or (value != value and other != other))
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return "<{} values>".format(len(value))
+    if isinstance(value, enum.IntFlag):
+        return "|".join(str(bit.name) for bit in type(value) if bit & value) or "0"
+    return str(getattr(value, "name", None) or repr(value))
+
+
+def optionsOf(params: Any, name: str = "params") -> Any:
+    """The options in the form of the compiled part; the default for None."""
+    if params is None:
+        return native.Params()
+    if not isinstance(params, Params):
+        raise fail("{}: a {} is expected, not {!r}".format(name, Params.__module__ + ".Params", type(params).__name__))
+    return params._prepared()
+
+
+Params.__module__ = __name__.rpartition(".")[0]
+_restored.__module__ = __name__
+UsacParams = Params  # the same class by another name

@@ -1,0 +1,121 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""solvePnPRansac: OpenCV's arguments, a flag or a Params."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, overload
+
+import numpy as np
+
+from ._arguments import array, bind, checkOutput, integer, isInteger, optionalArray, output, real, shown
+from ._backend import native
+from ._enumerations import USACV20
+from ._errors import fail
+from ._find import flag, isOptions, refuseBesideParams
+from ._params import Params, optionsOf
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    _Vector = Optional[npt.NDArray[np.float64]]
+    _Indices = Optional[npt.NDArray[np.int32]]
+
+_NAME = "solvePnPRansac"
+_FLAG = ("objectPoints", "imagePoints", "cameraMatrix", "distCoeffs", "rvec", "tvec", "useExtrinsicGuess", "iterationsCount",
+         "reprojectionError", "confidence", "inliers", "flags")
+_PARAMS = ("objectPoints", "imagePoints", "cameraMatrix", "distCoeffs", "rvec", "tvec", "inliers", "params")
+_DEFAULTS: Dict[str, Any] = dict(rvec=None, tvec=None, useExtrinsicGuess=False, iterationsCount=100, reprojectionError=8.0,
+                                 confidence=0.99, inliers=None, flags=USACV20)
+
+
+def _truth(value: Any, name: str) -> bool:
+    if value is None or isinstance(value, (bool, np.bool_)) or isInteger(value):
+        return bool(value)
+    raise fail("{}: True or False is expected, not {}".format(name, shown(value)))
+
+
+@overload
+def solvePnPRansac(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
+                   distCoeffs: Optional[npt.ArrayLike], rvec: _Vector = ..., tvec: _Vector = ..., useExtrinsicGuess: bool = ...,
+                   iterationsCount: int = ..., reprojectionError: float = ..., confidence: float = ..., inliers: _Indices = ...,
+                   flags: int = ...) -> Tuple[bool, _Vector, _Vector, _Indices]: ...
+@overload
+def solvePnPRansac(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
+                   distCoeffs: Optional[npt.ArrayLike], rvec: _Vector = ..., tvec: _Vector = ..., inliers: _Indices = ..., *,
+                   params: Params) -> Tuple[bool, npt.NDArray[Any], _Vector, _Vector, _Indices]: ...
+@overload
+def solvePnPRansac(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
+                   distCoeffs: Optional[npt.ArrayLike], rvec: _Vector, tvec: _Vector, inliers: _Indices,
+                   params: Params) -> Tuple[bool, npt.NDArray[Any], _Vector, _Vector, _Indices]: ...
+@overload
+def solvePnPRansac(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
+                   distCoeffs: Optional[npt.ArrayLike], rvec: _Vector = ..., tvec: _Vector = ..., *, flags: Params,
+                   inliers: _Indices = ...) -> Tuple[bool, _Vector, _Vector, _Indices]: ...
+
+
+def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
+    """solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs[, rvec[, tvec[, useExtrinsicGuess[, iterationsCount[,
+        reprojectionError[, confidence[, inliers[, flags]]]]]]]]) -> retval, rvec, tvec, inliers
+    solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs[, rvec[, tvec[, inliers[, params]]]])
+        -> retval, cameraMatrix, rvec, tvec, inliers
+
+    cv2.solvePnPRansac with a flag of this module or of OpenCV, or with all options: the pose of a camera, x ~ K (R X + t).
+
+    objectPoints -- N points of space: Nx3, 3xN, Nx1x3 or 1xNx3, any type
+    imagePoints -- their N images in pixels: Nx2, 2xN, Nx1x2 or 1xNx2
+    cameraMatrix -- 3x3 camera matrix K
+    distCoeffs -- 4, 5, 8, 12 or 14 numbers, the distortion; None: none
+    rvec, tvec -- arrays of 3 float64 that receive rotation vector and translation, or None; with useExtrinsicGuess they hold a
+        pose that is rated and optimized before the first sample
+    iterationsCount -- upper bound of the number of samples; default 100
+    reprojectionError -- inlier threshold in pixels of the image as it was taken; default 8
+    confidence -- probability that the result is the best model; default 0.99
+    inliers -- array of int32 that receives the indices of the inliers if it has their number, or None
+    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    params -- Params; the form has five results, as OpenCV has it; flags=params gives four
+    retval -- False if there is no pose; rvec and tvec are then those given
+    rvec, tvec -- 3x1 arrays of float64
+    inliers -- Mx1 array of int32, the indices of the inliers in ascending order; None if there are none"""
+    options = isOptions(_NAME, _FLAG, "flags", 11, 7, args, kwargs)
+    if options:
+        v = bind(_NAME, _PARAMS, 4, dict(rvec=None, tvec=None, inliers=None), args, kwargs)
+    else:
+        v = bind(_NAME, _FLAG, 3, dict(_DEFAULTS, distCoeffs=None), args, kwargs)
+    for name in ("rvec", "tvec", "inliers"):
+        if not v.get("useExtrinsicGuess") or name == "inliers":
+            checkOutput(v[name], name)
+    if options or isinstance(v["flags"], Params):
+        if not options:
+            refuseBesideParams(_NAME, v, _DEFAULTS, ("useExtrinsicGuess", "iterationsCount", "reprojectionError", "confidence"))
+        params = optionsOf(v["params" if options else "flags"])
+        camera = array(v["cameraMatrix"], "cameraMatrix")
+        result = native.solvePnPRansacOfParams(
+            array(v["objectPoints"], "objectPoints"), array(v["imagePoints"], "imagePoints"), camera,
+            optionalArray(v["distCoeffs"], "distCoeffs"), params)
+        retval, rvec, tvec, inliers = _results(result, v)
+        return (retval, camera, rvec, tvec, inliers) if options else (retval, rvec, tvec, inliers)
+    return _results(_withFlag(v), v)
+
+
+def _withFlag(v: Dict[str, Any]) -> Any:
+    guess = _truth(v["useExtrinsicGuess"], "useExtrinsicGuess")
+    # Copies: what is written to them must not reach the caller's arrays if there is no pose.
+    rvec = array(v["rvec"], "rvec").copy() if guess and v["rvec"] is not None else None
+    tvec = array(v["tvec"], "tvec").copy() if guess and v["tvec"] is not None else None
+    return native.solvePnPRansac(
+        array(v["objectPoints"], "objectPoints"), array(v["imagePoints"], "imagePoints"),
+        array(v["cameraMatrix"], "cameraMatrix"), optionalArray(v["distCoeffs"], "distCoeffs"), rvec, tvec, guess,
+        integer(v["iterationsCount"], "iterationsCount", 100), real(v["reprojectionError"], "reprojectionError", 8.0),
+        real(v["confidence"], "confidence", 0.99), flag(v["flags"], "flags"))
+
+
+def _results(result: Any, v: Dict[str, Any]) -> Tuple[Any, Any, Any, Any]:
+    """As cv2 returns them, in the caller's arrays where they fit."""
+    retval, rvec, tvec, inliers = result
+    if not retval:
+        given = [value if value is None or isinstance(value, np.ndarray) else np.asarray(value) for value in (v["rvec"], v["tvec"])]
+        return retval, rvec if given[0] is None else given[0], tvec if given[1] is None else given[1], inliers
+    return retval, output(v["rvec"], rvec), output(v["tvec"], tvec), output(v["inliers"], inliers)

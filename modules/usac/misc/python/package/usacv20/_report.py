@@ -1,0 +1,88 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What one estimation learned."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Tuple
+
+from ._backend import native
+from ._enumerations import StopReason
+from ._fields import EnumField, Field
+
+
+def _restored(values: Dict[str, Any]) -> Report:
+    report = Report()
+    for name, value in values.items():
+        setattr(report._native, name, value)
+    return report
+
+
+class Report:
+    """What one estimation learned on its way. Times are of the steady clock and decide nothing. Report() is that of no
+    run."""
+
+    __slots__ = ("_native",)
+    __hash__ = None  # type: ignore[assignment]
+
+    _native: Any
+
+    stop = EnumField(StopReason, "StopReason: why the search ended, or why there is no model.")
+    iterations = Field[int]("Minimal samples drawn.")
+    rejectedSamples = Field[int]("Samples refused by a check of the sample (orientation, matches that share a point).")
+    degenerateSamples = Field[int]("Samples that determine no model (repeated or collinear points, no real solution).")
+    models = Field[int]("Models computed from the samples.")
+    rejectedModels = Field[int]("Models refused by a check of the model itself (orientation, singular).")
+    refusedModels = Field[int]("Models dropped by the pre-emptive verification.")
+    droppedModels = Field[int]("Models that were no better than the best one.")
+    localOptimizations = Field[int]("Local optimizations run.")
+    localImprovements = Field[int]("Those that improved their model.")
+    degenerate = Field[bool]("True if a so-far-the-best F came from a sample dominated by a plane.")
+    inliers = Field[int]("Rows of the mask that are 1.")
+    independentInliers = Field[int]("""Inliers that are more than a threshold apart from each other in both images:
+        repeated matches count once.""")
+    chance = Field[float]("""Probability, an upper bound, that the same search finds a model with as many independent
+        inliers in random matches of the same points, 0..1. Kept if the model was refused; 1 if there was none.""")
+    threshold = Field[float]("Threshold of the mask in pixels, that of Params; QUALITY_LMEDS: found from the data.")
+    cost = Field[float]("""Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of
+        min(error^2 / threshold^2, 1).""")
+    setupMs = Field[float]("Milliseconds: reading, scaling and ordering the points.")
+    searchMs = Field[float]("Milliseconds: the hypothesize-and-verify loop without the local optimization.")
+    localMs = Field[float]("Milliseconds: all local optimizations.")
+    polishMs = Field[float]("Milliseconds: final polishing and the mask.")
+
+    def __init__(self) -> None:
+        self._native = native.Report()
+
+    @classmethod
+    def _of(cls, values: Any) -> Report:
+        result = cls.__new__(cls)
+        result._native = values
+        return result
+
+    def describe(self) -> str:
+        """One sentence for a log."""
+        return str(self._native.describe())
+
+    def _values(self) -> Dict[str, Any]:
+        return {name: getattr(self._native, name) for name in _FIELDS}
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Report):
+            return NotImplemented
+        return self._values() == other._values()
+
+    def __repr__(self) -> str:
+        values = dict(self._values(), stop=self.stop.name)
+        return "{}({})".format(type(self).__name__, ", ".join(
+            "{}={}".format(name, value if name == "stop" else repr(value)) for name, value in values.items()))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _restored, (self._values(),)
+
+
+_FIELDS = tuple(name for name, value in vars(Report).items() if isinstance(value, Field))
+
+Report.__module__ = __name__.rpartition(".")[0]

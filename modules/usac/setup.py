@@ -1,0 +1,96 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Builds the Python package usacv20: `pip install modules/usac`.
+
+CMake compiles the extension module (misc/python/native). Options for it are in the environment variable CMAKE_ARGS, the number
+of its jobs in CMAKE_BUILD_PARALLEL_LEVEL, its build folder, if it is to be kept, in USACV20_BUILD_DIR."""
+
+import atexit
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+OLDEST = (3, 8)
+if sys.version_info[:2] < OLDEST:
+    sys.exit("usacv20: Python %d.%d or later is needed, this is %d.%d" % (OLDEST + tuple(sys.version_info[:2])))
+
+from setuptools import Extension, setup  # noqa: E402
+from setuptools.command.build_ext import build_ext  # noqa: E402
+from setuptools.errors import SetupError  # noqa: E402
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+EGG_INFO = os.path.join(HERE, "misc", "python", "package", "usacv20.egg-info"), os.path.join(HERE, "usacv20.egg-info")
+
+
+def version():
+    """That of the C++ library."""
+    with open(os.path.join(HERE, "cmake", "usac_version.cmake")) as file:
+        return re.search(r"set\(USAC_VERSION ([0-9.]+)\)", file.read()).group(1)
+
+
+def temporary():
+    """A folder for this build, so that nothing is left beside the sources."""
+    folder = tempfile.mkdtemp(prefix="usacv20-build-")
+    atexit.register(shutil.rmtree, folder, True)
+    return folder
+
+
+def remove_later(folders):
+    """Removes what setuptools is going to leave beside the sources."""
+    for folder in folders:
+        if not os.path.exists(folder):
+            atexit.register(shutil.rmtree, folder, True)
+
+
+class Native(build_ext):
+    """The extension module by CMake. What is missing is said in one line."""
+
+    def build_extension(self, extension):
+        build = os.environ.get("USACV20_BUILD_DIR") or os.path.join(temporary(), "native")
+        if not shutil.which("cmake"):
+            raise SetupError("usacv20: CMake was not found (Debian: cmake)")
+        self.run_cmake(["cmake", "-S", os.path.join(HERE, "misc", "python", "native"), "-B", build,
+                        "-DPython_EXECUTABLE=" + sys.executable, "-DUSAC_PYBIND11_DIR=" + self.pybind11()]
+                       + shlex.split(os.environ.get("CMAKE_ARGS", "")))
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
+        self.run_cmake(["cmake", "--build", build, "--config", "Release", "--parallel", jobs])
+        target = self.get_ext_fullpath(extension.name)
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        out = os.path.join(build, "out")
+        self.copy_file(os.path.join(out, next(name for name in os.listdir(out) if name.startswith("_native."))), target)
+
+    def pybind11(self):
+        """Where pip has put pybind11, if it has."""
+        found = subprocess.run([sys.executable, "-m", "pybind11", "--cmakedir"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        return found.stdout.decode().strip()
+
+    def run_cmake(self, command):
+        run = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        lines = []
+        for line in run.stdout:
+            lines.append(line.rstrip())
+            if self.verbose > 1 or os.environ.get("VERBOSE"):
+                print(lines[-1], flush=True)
+        if run.wait() == 0:
+            return
+        missing = [line.strip() for line in lines if line.strip().startswith("usacv20: ")]
+        if missing:
+            raise SetupError(missing[0])
+        print("\n".join(lines[-60:]), file=sys.stderr)
+        wrong = [line.strip() for line in lines if "error" in line.lower()] or lines[-1:]
+        raise SetupError("usacv20: {} has failed: {}".format(" ".join(command[:2]), wrong[0] if wrong else "no output"))
+
+
+remove_later(EGG_INFO)
+setup(
+    version=version(),
+    ext_modules=[Extension("usacv20._native", sources=[])],
+    cmdclass={"build_ext": Native},
+    options={"build": {"build_base": temporary()}},
+)
