@@ -10,7 +10,8 @@ work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac}
 source=${OPENCV_SOURCE_DIR:-$work/opencv}
 build=$work/build-$(printf %s "$source" | cksum | cut -d ' ' -f 1)
 packages="g++ cmake ninja-build ccache pkg-config xz-utils python3-dev python3-numpy libjpeg-dev libpng-dev zlib1g-dev
-    libblas-dev liblapack-dev liblapacke-dev libeigen3-dev libopencv-dev"
+    libblas-dev liblapack-dev liblapacke-dev libeigen3-dev libopencv-dev pybind11-dev python3-opencv python3-build python3-pip
+    python3-venv python3-setuptools python3-wheel mypy"
 mkdir -p "$work"
 export CMAKE_GENERATOR=Ninja CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
 
@@ -86,6 +87,15 @@ run() # name, pattern of passed, pattern of failed, command
     if [ "$f" = 0 ] && { [ "$(cat "$work/rc")" != 0 ] || [ "$p" = 0 ]; }; then f=1; fi
     passed=$((passed + p)) failed=$((failed + f))
 }
+
+# For python3 -c: all unit tests of the folder in the files of a pattern.
+run_unittests='
+import sys, unittest
+tests = unittest.defaultTestLoader.discover(".", sys.argv[1])
+result = unittest.TextTestRunner(verbosity=2).run(tests)
+bad = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses)
+print("%d passed, %d failed" % (max(result.testsRun - len(result.skipped) - bad, 0), bad))
+sys.exit(bad)'
 
 gtest_passed='^\[  PASSED  \] \([0-9]*\) test.*'
 gtest_failed='^\[  FAILED  \] \([0-9]*\) test.*listed below.*'

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python, a program against
-# this build and the stand-alone one, the benchmark's, OpenCV's own tests with this module's flags in the place of OpenCV's, and
+# Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python (cv2 of this build, and
+# the package with and without Debian's cv2), a program against this build and the stand-alone one, the benchmark's, OpenCV's own tests with this module's flags in the place of OpenCV's, and
 # C++ once more with AddressSanitizer and UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo);
 # the last line is "<N> passed, <M> failed".
 #
@@ -19,19 +19,36 @@ in_build()  # where findDataFile looks for test data, and where the tests may le
     cd "$build" && "$@"
 }
 
-run_unittests='
-import sys, unittest
-tests = unittest.defaultTestLoader.discover(".", sys.argv[1])
-result = unittest.TextTestRunner(verbosity=2).run(tests)
-bad = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses)
-print("%d passed, %d failed" % (max(result.testsRun - len(result.skipped) - bad, 0), bad))
-sys.exit(bad)'
-
 python_tests()
 {
     cd "$module/misc/python/test" &&
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" \
         /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
+}
+
+# The package as a user gets it: a source distribution, from it a wheel, which is installed in a virtual environment. All
+# without the network; CMake's build folder is kept for the next run.
+build_python_package()
+{
+    folder=$work/python-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
+    rm -rf "$folder/dist" "$folder/source" "$folder/venv"
+    mkdir -p "$folder/source"
+    /usr/bin/python3 -m build --no-isolation --sdist --outdir "$folder/dist" "$module" &&
+    tar -xf "$folder"/dist/usacv20-*.tar.gz -C "$folder/source" --strip-components=1 &&
+    USACV20_BUILD_DIR="$folder/build" CMAKE_ARGS=-DUSAC_WERROR=ON /usr/bin/python3 -m build --no-isolation --wheel \
+        --outdir "$folder/dist" "$folder/source" &&
+    rm -r "$folder/source" &&
+    /usr/bin/python3 -m venv --system-site-packages "$folder/venv" &&
+    "$folder/venv/bin/pip" install --no-index "$folder"/dist/usacv20-*.whl &&
+    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build")" ]  # nothing is left beside the sources
+}
+
+# The same tests, beside Debian's cv2 and as if there were none.
+python_package_tests() # with | none
+{
+    cd "$module/misc/python/test" &&
+    PYTHONDONTWRITEBYTECODE=1 USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
+        "$folder/venv/bin/python3" -c "$run_unittests" "test_usac*.py"
 }
 
 # The readers of the data sets and the plots of the benchmark; without matplotlib and scipy some tests are skipped.
@@ -69,6 +86,9 @@ run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
 run cpp "$gtest_passed" "$gtest_failed" in_build bin/opencv_test_usac
 run perf "$gtest_passed" "$gtest_failed" in_build bin/opencv_perf_usac --perf_min_samples=1 --perf_force_samples=1
 run python "$count_passed" "$count_failed" python_tests
+build_python_package
+run python_package "$count_passed" "$count_failed" python_package_tests with
+run python_package_alone "$count_passed" "$count_failed" python_package_tests none
 run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$work/consumer" "$build"
 run benchmark "$count_passed" "$count_failed" benchmark_tests
 run opencv "$count_passed" "$count_failed" opencv_tests

@@ -6,13 +6,14 @@
 # Runs the module's tests under sanitizers and other tools. Does all its own set-up on Debian (as root or with sudo); the last
 # line is "<N> passed, <M> failed", and the exit code is not 0 after any finding.
 #
-# usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [lint] [coverage]       default: all
+# usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [python] [lint] [coverage]       default: all
 #
 #   asan        the tests with AddressSanitizer (leaks, too) and UndefinedBehaviorSanitizer
 #   tsan        the tests with more than one thread (tsan_tests) with ThreadSanitizer
 #   assertions  the tests with the assertions of libstdc++
 #   valgrind    memcheck of the tests named in valgrind_tests
 #   fuzz        libFuzzer on points and parameters, with the contracts as its oracle; default: 60 seconds
+#   python      the tests of the Python package, whose extension module has AddressSanitizer and UndefinedBehaviorSanitizer
 #   lint        clang-tidy (modules/usac/.clang-tidy) and cppcheck of include/ and src/
 #   coverage    lines and branches of src/ that the tests reach; the lines that none does
 #
@@ -99,6 +100,24 @@ run_fuzz() # seconds
     fi
 }
 
+# Without leaks: the interpreter itself leaves much behind. The tests measure the memory of many calls, but not here.
+run_python()
+{
+    site=$tools/python/site
+    cmake -S "$module/misc/python/native" -B "$tools/python" -DPython_EXECUTABLE=/usr/bin/python3 -DCMAKE_BUILD_TYPE=Release \
+        -DCMAKE_CXX_FLAGS_RELEASE="-O1 -g1 $sanitizers" > "$tools/python.cmake.log" &&
+    cmake --build "$tools/python" -j "$jobs" || return 1
+    rm -rf "$site"
+    mkdir "$site"
+    cp -r "$module/misc/python/package/usacv20" "$site"
+    cp "$tools/python/out/"_native.* "$site/usacv20"
+    cd "$module/misc/python/test" &&
+    LD_PRELOAD="$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libubsan.so)" PYTHONMALLOC=malloc \
+        ASAN_OPTIONS=detect_leaks=0:detect_stack_use_after_return=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1 \
+        PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$site" USAC_TEST_MODULE=usacv20 \
+        /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
+}
+
 # Every source file counts for each of the two.
 run_lint()
 {
@@ -134,10 +153,10 @@ needs()  # what the modes of the command line need beyond run_tests.sh
     case " $* " in *" coverage "*) echo gcovr ;; esac
 }
 
-[ $# -gt 0 ] || set -- asan tsan assertions valgrind fuzz lint coverage
+[ $# -gt 0 ] || set -- asan tsan assertions valgrind fuzz python lint coverage
 for mode in "$@"; do
     case $mode in
-    asan | tsan | assertions | valgrind | fuzz | lint | coverage | [0-9]*) ;;
+    asan | tsan | assertions | valgrind | fuzz | python | lint | coverage | [0-9]*) ;;
     *) echo "unknown mode: $mode"; exit 1 ;;
     esac
 done
@@ -158,8 +177,8 @@ while [ $# -gt 0 ]; do
     case $mode in
     asan | tsan | assertions | valgrind | coverage)
         run "$mode" "$gtest_passed" "$gtest_failed" "run_$mode" ;;
-    lint)
-        run lint "$count_passed" "$count_failed" run_lint ;;
+    lint | python)
+        run "$mode" "$count_passed" "$count_failed" "run_$mode" ;;
     fuzz)
         seconds=60
         case ${1:-} in [0-9]*) seconds=$1; shift ;; esac

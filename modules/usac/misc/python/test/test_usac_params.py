@@ -8,10 +8,9 @@
 import threading
 import unittest
 
-import cv2 as cv
 import numpy as np
 
-from usac_common import (DISTORTED, FINDER, FLAGS, GENERAL, PLANE, THRESHOLD, bits, estimate, fields, needsLoader,
+from usac_common import (DISTORTED, FINDER, FLAGS, GENERAL, PLANE, RANSAC, THRESHOLD, bits, cv, estimate, fields,
                          paramsForms, usac, values)
 
 
@@ -30,7 +29,7 @@ class ParamsTest(unittest.TestCase):
             setattr(params, name, value)
             self.assertEqual(getattr(params, name), value, name)
             self.assertRaises(TypeError, setattr, params, name, "text")
-            self.assertRaises(TypeError, delattr, params, name)
+            self.assertRaises(AttributeError, delattr, params, name)
             self.assertEqual(getattr(params, name), value, name)
         self.assertRaises(AttributeError, setattr, params, "treshold", 1.0)
         self.assertNotEqual(values(params), values(usac.Params()))
@@ -44,7 +43,7 @@ class ParamsTest(unittest.TestCase):
             params.scores = scores
             np.testing.assert_array_equal(params.scores, [3, 1, 2])
         for wrong in ("text", 3, np.zeros((3, 2))):
-            self.assertRaises((TypeError, cv.error), setattr, params, "scores", wrong)
+            self.assertRaises((TypeError, usac.error), setattr, params, "scores", wrong)
 
     def test_scores_reach_the_estimator(self):
         good = PLANE.inliers.astype(np.float32)
@@ -56,7 +55,7 @@ class ParamsTest(unittest.TestCase):
         params.scores = -good
         self.assertEqual(bits(FINDER.findHomography(PLANE.points1, PLANE.points2, params)), bits(higher))
         params.scores = good[1:]
-        with self.assertRaises(cv.error) as context:
+        with self.assertRaises(usac.error) as context:
             FINDER.findHomography(PLANE.points1, PLANE.points2, params)
         self.assertIn("scores", str(context.exception))
 
@@ -73,6 +72,7 @@ class ParamsTest(unittest.TestCase):
             self.assertEqual(values(usac.Params.fromMethod(FLAGS[flag])), values(getattr(usac.Params, preset)()))
         self.assertEqual(values(usac.Params.usacV20()), values(usac.Params()))
         self.assertEqual(len({repr(usac.Params.fromMethod(flag)) for flag in FLAGS.values()}), len(FLAGS))
+        self.assertEqual(repr(usac.Params()), "Params()")
 
     def test_check_names_the_field(self):
         usac.Params().check()
@@ -85,18 +85,9 @@ class ParamsTest(unittest.TestCase):
             for function, args in ((params.check, ()),
                                    (FINDER.findHomography, (PLANE.points1, PLANE.points2, params)),
                                    (usac.estimateHomography, (PLANE.points1, PLANE.points2, params))):
-                with self.assertRaises(cv.error) as context:
+                with self.assertRaises(usac.error) as context:
                     function(*args)
                 self.assertIn(name, str(context.exception))
-
-    def test_repr(self):
-        params = usac.Params()
-        params.scores = [1, 2, 3]
-        for name in fields(params):
-            self.assertIn(name + "=", repr(params))
-        self.assertTrue(repr(params).startswith("cv2.usacv20.Params("))
-        self.assertIn("threshold=1.5", repr(params))
-        self.assertIn("scores=<3 values>", repr(params))
 
     def test_in_the_place_of_a_flag(self):
         params = usac.Params()
@@ -131,7 +122,6 @@ class EstimateTest(unittest.TestCase):
                 self.assertIn(name + "=", repr(report))
         self.assertEqual(usac.Report().stop, usac.STOP_NOT_RUN)
 
-    @needsLoader
     def test_optional_arguments(self):
         p, g, d = PLANE, GENERAL, DISTORTED
         params = usac.UsacParams()
@@ -152,7 +142,6 @@ class EstimateTest(unittest.TestCase):
         self.assertEqual(bits(usac.estimateHomography(p.points1, p.points2, params=params, mask=None)[:2]), expected)
         self.assertEqual(bits(usac.estimateHomography(points1=p.points1, points2=p.points2)[:2]), expected)
 
-    @needsLoader
     def test_mask_of_the_caller(self):
         g = GENERAL
         for call in (lambda mask: usac.estimateFundamental(g.points1, g.points2, None, mask),
@@ -191,7 +180,7 @@ class EstimateTest(unittest.TestCase):
 
     def test_no_model_clears_the_mask_of_the_caller(self):
         given = np.full((3, 1), 7, np.uint8)
-        FINDER.findHomography(np.eye(3, 2), np.eye(3, 2), cv.USACV20, 3.0, given)
+        FINDER.findHomography(np.eye(3, 2), np.eye(3, 2), usac.USACV20, 3.0, given)
         self.checkZeroMask(given, 3)
 
     def test_mistakes_raise(self):
@@ -200,24 +189,24 @@ class EstimateTest(unittest.TestCase):
                 ("points", usac.estimateHomography, (a, b[1:], params)),
                 ("points", usac.estimateFundamental, (a, b[1:], params)),
                 ("points", usac.estimateEssential, (a, b[1:], K, None, None, None, params)),
-                ("points", FINDER.findHomography, (a, b[1:], cv.USACV20)),
+                ("points", FINDER.findHomography, (a, b[1:], usac.USACV20)),
                 ("points", usac.estimateHomography, (np.ones((9, 1)), np.ones((9, 1)), params)),
                 ("cameraMatrix", usac.estimateEssential, (a, b, np.eye(2), None, None, None, params)),
                 ("cameraMatrix", usac.estimateEssential, (a, b, np.zeros((3, 3)), None, None, None, params)),
-                ("cameraMatrix", FINDER.findEssentialMat, (a, b, np.eye(2), cv.USACV20)),
-                ("hreshold", FINDER.findHomography, (a, b, cv.USACV20, -1.0)),
-                ("hreshold", FINDER.findHomography, (a, b, cv.USACV20, float("nan"))),
-                ("onfidence", FINDER.findFundamentalMat, (a, b, cv.USACV20, 3.0, 1.5)),
-                ("max", FINDER.findEssentialMat, (a, b, K, cv.USACV20, 0.99, 1.0, -5)),
-                ("method", usac.Params.fromMethod, (cv.RANSAC,)),
+                ("cameraMatrix", FINDER.findEssentialMat, (a, b, np.eye(2), usac.USACV20)),
+                ("hreshold", FINDER.findHomography, (a, b, usac.USACV20, -1.0)),
+                ("hreshold", FINDER.findHomography, (a, b, usac.USACV20, float("nan"))),
+                ("onfidence", FINDER.findFundamentalMat, (a, b, usac.USACV20, 3.0, 1.5)),
+                ("max", FINDER.findEssentialMat, (a, b, K, usac.USACV20, 0.99, 1.0, -5)),
+                ("method", usac.Params.fromMethod, (RANSAC,)),
                 ("method", usac.findHomography, (a, b, 12345)),
                 ("method", usac.findFundamentalMat, (a, b, -1)),
                 ("method", usac.findEssentialMat, (a, b, K, max(FLAGS.values()) + 1)),
                 ("params", usac.estimateHomography, (a, b, 3.0)),
-                ("params", usac.estimateHomography, (a, b, cv.UsacParams())),
+                ("params", usac.estimateHomography, (a, b, object())),
                 ("", usac.estimateHomography, ("a", "b", params)),
-                ("", FINDER.findHomography, (a, "b", cv.USACV20))):
-            with self.assertRaises(cv.error, msg="{} {}".format(word, args[2:])) as context:
+                ("", FINDER.findHomography, (a, "b", usac.USACV20))):
+            with self.assertRaises(usac.error, msg="{} {}".format(word, args[2:])) as context:
                 function(*args)
             self.assertIn(word, str(context.exception))
 
@@ -227,9 +216,10 @@ class EstimateTest(unittest.TestCase):
                                                            ("Fundamental", GENERAL, usac.Params()),
                                                            ("Essential", DISTORTED, usac.Params()))]
         expected = run()
-        cv.setRNGSeed(99)
-        cv.randu(np.zeros((9, 9)), 0, 1)
-        cv.findHomography(PLANE.points1, PLANE.points2, cv.RANSAC)
+        if cv is not None:
+            cv.setRNGSeed(99)
+            cv.randu(np.zeros((9, 9)), 0, 1)
+        usac.findHomography(PLANE.points1, PLANE.points2, RANSAC)
         self.assertEqual(run(), expected)
         results = [None] * 4
 

@@ -3,25 +3,52 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Scenes, call forms and comparisons that the Python tests of the module usac share."""
+"""The module under test, and the scenes, call forms and comparisons that its tests share.
 
-import importlib.util
+USAC_TEST_MODULE  "cv2" (default): cv2.usacv20, of an OpenCV built with the module; "usacv20": the package
+USAC_TEST_CV2     "none": as if there were no cv2 beside the package; what compares with cv2 is skipped
+"""
+
+import os
 import sys
 import types
 import unittest
 
-import cv2 as cv
 import numpy as np
 
-usac = cv.usacv20
-HAS_LOADER = hasattr(cv, "_native")
-NATIVE = cv._native if HAS_LOADER else cv
-FINDER = cv if HAS_LOADER else usac  # where find* take our flags
-needsLoader = unittest.skipUnless(HAS_LOADER, "built with OPENCV_SKIP_PYTHON_LOADER")
+from usac_camera import normalize, project
+
+IN_TREE = os.environ.get("USAC_TEST_MODULE", "cv2") == "cv2"
+if os.environ.get("USAC_TEST_CV2") == "none":
+    sys.modules["cv2"] = None  # `import cv2` raises an ImportError
+try:
+    import cv2 as cv
+except ImportError:
+    if IN_TREE:
+        raise
+    cv = None
+if IN_TREE:
+    usac = cv.usacv20
+else:
+    import usacv20 as usac
+ERRORS = (usac.error,) if cv is None else (usac.error, cv.error)
+FINDER = cv if IN_TREE else usac  # where find* take our flags
+SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")  # see misc/sanitize.sh
+# Of the tools and of the installation, which are the same without a cv2.
+once = unittest.skipIf(SANITIZED or os.environ.get("USAC_TEST_CV2") == "none", "not of the module")
+needsCv2 = unittest.skipIf(cv is None, "there is no cv2")
+inTree = unittest.skipUnless(IN_TREE, "of cv2.usacv20 only")
+package = unittest.skipIf(IN_TREE, "of the package only")
 
 FUNCTIONS = ("findHomography", "findFundamentalMat", "findEssentialMat", "estimateAffine2D", "estimateAffinePartial2D",
              "solvePnPRansac")
-FLAGS = {name: value for name, value in vars(NATIVE).items() if name.startswith("USACV20")}
+# OpenCV's own functions, whatever takes their place in cv2.
+NATIVE = types.SimpleNamespace(**{name: getattr(getattr(cv, "_native", cv), name) for name in FUNCTIONS if cv is not None})
+FLAGS = {flag.name: int(flag) for flag in usac.UsacV20Method}
+# Flags of OpenCV, which the package takes where there is no cv2, too.
+FM_7POINT, FM_8POINT, LMEDS, RANSAC, RHO = 1, 2, 4, 8, 16
+USAC_DEFAULT, USAC_PARALLEL, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC = range(32, 39)
+SOLVEPNP_ITERATIVE, SOLVEPNP_EPNP, SOLVEPNP_P3P, SOLVEPNP_AP3P, SOLVEPNP_SQPNP = 0, 1, 2, 5, 8
 THRESHOLD = 2.0
 
 
@@ -39,9 +66,8 @@ class Scene(object):
         if planar:
             X[:, 2] = 5 + 0.2 * X[:, 0]
         r, t = np.array([0.03, -0.1, 0.05]), np.array([-0.8, 0.1, 0.1])
-        zero = np.zeros(3)
-        self.true1 = cv.projectPoints(X, zero, zero, self.K1, self.d1)[0].reshape(-1, 2)
-        self.true2 = cv.projectPoints(X, r, t, self.K2, self.d2)[0].reshape(-1, 2)
+        self.true1 = project(X, np.zeros(3), np.zeros(3), self.K1, self.d1)
+        self.true2 = project(X, r, t, self.K2, self.d2)
         self.points1 = self.true1 + rng.normal(0, 0.3, (count, 2))
         self.points2 = self.true2 + rng.normal(0, 0.3, (count, 2))
         bad = rng.permutation(count)[:outliers]
@@ -64,8 +90,7 @@ class Scene(object):
         a, b = self.true1[self.inliers], self.true2[self.inliers]
         scale = 1.
         if problem == "Essential":
-            a = cv.undistortPoints(a, self.K1, self.d1).reshape(-1, 2)
-            b = cv.undistortPoints(b, self.K2, self.d2).reshape(-1, 2)
+            a, b = normalize(a, self.K1, self.d1), normalize(b, self.K2, self.d2)
             scale = 750.
         a, b = np.hstack([a, np.ones((len(a), 1))]), np.hstack([b, np.ones((len(b), 1))])
         lines = a.dot(model.T)
@@ -142,8 +167,8 @@ def forms(method):
 
 def formsOfOpencv():
     """forms() for each of OpenCV's flags whose result is the same each time."""
-    usacs = [cv.USAC_DEFAULT, cv.USAC_FM_8PTS, cv.USAC_FAST, cv.USAC_ACCURATE, cv.USAC_PROSAC, cv.USAC_MAGSAC]
-    return [form for method in [0, cv.LMEDS, cv.RANSAC, cv.RHO, cv.FM_7POINT, cv.FM_8POINT] + usacs for form in forms(method)
+    usacs = [USAC_DEFAULT, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC]
+    return [form for method in [0, LMEDS, RANSAC, RHO, FM_7POINT, FM_8POINT] + usacs for form in forms(method)
             if form[1] != "findEssentialMat" or method not in usacs]  # OpenCV 4.6 gives another E each time
 
 
@@ -181,36 +206,23 @@ def estimate(problem, scene, params, *args):
 
 
 def bits(result):
-    """A result or a cv2.error in a form that compares byte for byte."""
+    """A result or an exception in a form that compares byte for byte."""
     if isinstance(result, (tuple, list)):
         return tuple(bits(item) for item in result)
     if isinstance(result, np.ndarray):
         return result.dtype.str, result.shape, result.tobytes()
     if isinstance(result, Exception):
-        return type(result), str(result)
+        return "error" if isinstance(result, ERRORS) else type(result), str(result)
     return result
 
 
 def outcome(function, args, kwargs):
-    cv.setRNGSeed(7)
+    if cv is not None:
+        cv.setRNGSeed(7)
     try:
         return bits(function(*args, **kwargs))
     except Exception as error:
         return bits(error)
-
-
-def loadPackage(native):
-    """Runs the package again, in a cv2 with other natives. Returns that cv2."""
-    spec = importlib.util.spec_from_file_location("package", usac.__file__)
-    other = types.ModuleType("cv2")
-    other._native = native
-    saved = sys.modules["cv2"]
-    sys.modules["cv2"] = other
-    try:
-        spec.loader.exec_module(importlib.util.module_from_spec(spec))
-    finally:
-        sys.modules["cv2"] = saved
-    return other
 
 
 def fields(params):

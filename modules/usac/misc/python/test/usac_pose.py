@@ -5,8 +5,9 @@
 
 """Scenes and call forms of cv2.solvePnPRansac that the Python tests of the module usac share."""
 
-import cv2 as cv
 import numpy as np
+
+from usac_camera import project, rotation
 
 THRESHOLD = 2.0  # pixels
 
@@ -19,9 +20,9 @@ class PoseScene(object):
         self.K = np.array([[800., 0, 320], [0, 790., 240], [0, 0, 1]])
         self.d = np.array([-0.1, 0.02, 0.001, -0.001, 0])
         self.r, self.t = np.array([0.2, -0.3, 0.1]), np.array([0.3, -0.2, 6.])
-        self.pose = np.hstack((cv.Rodrigues(self.r)[0], self.t[:, None]))
+        self.pose = np.hstack((rotation(self.r), self.t[:, None]))
         self.X = rng.uniform([-2, -1.5, -1], [2, 1.5, 1], (count, 3))
-        self.true = cv.projectPoints(self.X, self.r, self.t, self.K, self.d)[0].reshape(-1, 2)
+        self.true = project(self.X, self.r, self.t, self.K, self.d)
         self.x = self.true + rng.normal(0, 0.3, (count, 2))
         bad = rng.permutation(count)[good:]
         self.x[bad] = rng.uniform(0, [640, 480], (len(bad), 2))
@@ -30,11 +31,15 @@ class PoseScene(object):
 
     def error(self, rvec, tvec):
         """Mean error in pixels of the noise-free points."""
-        seen = cv.projectPoints(self.X, rvec, tvec, self.K, self.d)[0].reshape(-1, 2)
-        return np.linalg.norm(seen - self.true, axis=1).mean()
+        return self.errorOf(np.hstack((rotation(rvec), np.reshape(tvec, (3, 1)))))
 
     def errorOf(self, pose):
-        return self.error(cv.Rodrigues(pose[:, :3])[0], pose[:, 3])
+        return np.linalg.norm(self.seen(pose) - self.true, axis=1).mean()
+
+    def seen(self, pose):
+        """Pixels of the points under a pose [R t]."""
+        X = self.X.dot(pose[:, :3].T) + pose[:, 3]
+        return project(X, np.zeros(3), np.zeros(3), self.K, self.d)
 
 
 POSE = PoseScene(300, 200)

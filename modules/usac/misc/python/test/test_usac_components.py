@@ -1,0 +1,291 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Components written in Python: usacv20.Usac with a Sampler and a Score of one's own."""
+
+import doctest
+import gc
+import threading
+import unittest
+import weakref
+
+import numpy as np
+
+from usac_common import GENERAL, IN_TREE, MOVED, PLANE, THRESHOLD, bits, estimate, package, usac
+from usac_pose import POSE
+
+Sampler, Score = (object, object) if IN_TREE else (usac.Sampler, usac.Score)
+
+
+class Uniform(Sampler):
+    """Uniform samples; counts what it is asked for."""
+
+    def __init__(self):
+        self.calls, self.starts = 0, 0
+
+    def start(self, points):
+        self.points = points
+        self.starts += 1
+
+    def sample(self, rng, iteration):
+        self.calls += 1
+        return rng.distinct(len(self.points.data), self.points.sampleSize)
+
+
+class Msac(Score):
+    """What QUALITY_MSAC is."""
+
+    def __init__(self):
+        self.threads = set()
+
+    def accumulate(self, squaredErrors, squaredThreshold):
+        self.threads.add(threading.get_ident())
+        ratios = squaredErrors / np.float32(squaredThreshold)
+        with np.errstate(invalid="ignore"):
+            inliers = ratios <= 1
+        return float(np.where(inliers, ratios, 1).sum()), int(inliers.sum())
+
+
+def create(problem, scene, **fields):
+    params = usac.Params(threshold=THRESHOLD, **fields)
+    args = (scene.K1,) if problem == usac.ESSENTIAL else ()
+    return usac.Usac.create(problem, scene.points1, scene.points2, params, *args)
+
+
+@package
+class UsacTest(unittest.TestCase):
+
+    def test_is_the_function(self):
+        for problem, name, scene in ((usac.HOMOGRAPHY, "Homography", PLANE), (usac.FUNDAMENTAL, "Fundamental", GENERAL),
+                                     (usac.AFFINITY, "Affinity2D", MOVED)):
+            usac_ = create(problem, scene)
+            expected = bits(estimate(name, scene, usac.Params(threshold=THRESHOLD))[:2])
+            self.assertEqual(bits(usac_.run()[:2]), expected)
+            mask = np.zeros((len(scene.points1), 1), np.uint8)
+            self.assertIs(usac_.run(mask)[1], mask)
+            usac_.setPoints(scene.points2, scene.points1)
+            self.assertNotEqual(bits(usac_.run()[0]), expected[0])
+            usac_.setPoints(scene.points1, scene.points2)
+            self.assertEqual(bits(usac_.run()[:2]), expected)
+        pose = usac.Usac.create(usac.ABSOLUTE_POSE, POSE.X, POSE.x, None, POSE.K, distCoeffs1=POSE.d)
+        self.assertEqual(bits(pose.run()[:2]), bits(usac.estimateAbsolutePose(POSE.X, POSE.x, POSE.K, POSE.d)[:2]))
+        self.assertEqual(usac.Usac.create(usac.HOMOGRAPHY, np.zeros((0, 2)), np.zeros((0, 2))).run()[1].shape, (0, 1))
+
+    def test_points(self):
+        points1 = PLANE.points1.copy()
+        points1[7] = np.nan
+        points = usac.Usac.create(usac.HOMOGRAPHY, points1, PLANE.points2, usac.Params(scores=np.arange(300))).points
+        self.assertEqual(points.data.shape, (299, 4))
+        self.assertEqual(sorted(points.inputIndex), sorted(set(range(300)) - {7}))
+        self.assertEqual(points.sampleSize, 4)
+        np.testing.assert_array_equal(points.scores, points.inputIndex)
+        for k, array in ((0, points1), (2, PLANE.points2)):
+            scale = np.polyfit(array[points.inputIndex, 0], points.data[:, k], 1)
+            np.testing.assert_allclose(np.polyval(scale, array[points.inputIndex, 0]), points.data[:, k], atol=1e-6)
+
+    def test_mistakes(self):
+        usac_ = create(usac.HOMOGRAPHY, PLANE)
+        for word, function in (("problem", lambda: usac.Usac.create(99, PLANE.points1, PLANE.points2)),
+                               ("points1", lambda: usac.Usac.create(usac.HOMOGRAPHY, "a", PLANE.points2)),
+                               ("cameraMatrix", lambda: usac.Usac.create(usac.ESSENTIAL, PLANE.points1, PLANE.points2)),
+                               ("sampler", lambda: setattr(usac_.components, "sampler", 3)),
+                               ("score", lambda: setattr(usac_.components, "score", Uniform())),
+                               ("points", lambda: usac_.setPoints(PLANE.points1, PLANE.points2[1:]))):
+            with self.assertRaises(usac.error) as context:
+                function()
+            self.assertIn(word, str(context.exception))
+        self.assertRaises(TypeError, usac.Sampler)
+        self.assertRaises(TypeError, usac.Score)
+
+
+@package
+class SamplerTest(unittest.TestCase):
+
+    def test_draws_the_samples(self):
+        usac_, sampler = create(usac.HOMOGRAPHY, PLANE), Uniform()
+        usac_.components.sampler = sampler
+        self.assertIs(usac_.components.sampler, sampler)
+        model, mask, report = usac_.run()
+        self.assertLess(PLANE.error("Homography", model), 1.0)
+        self.assertGreaterEqual(sampler.calls, report.iterations)  # they are drawn in batches
+        self.assertEqual((sampler.starts, sampler.points.sampleSize), (1, 4))
+        again = usac_.run()
+        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers are those of the seed
+        usac_.components.sampler = None
+        self.assertEqual(bits(usac_.run()[:2]), bits(create(usac.HOMOGRAPHY, PLANE).run()[:2]))
+
+    def test_same_samples_as_in_cpp(self):
+        fields = dict(sampler=usac.SAMPLER_UNIFORM, degeneracy=0)
+        usac_ = create(usac.HOMOGRAPHY, PLANE, **fields)
+        usac_.components.sampler = Uniform()
+        result, expected = usac_.run(), create(usac.HOMOGRAPHY, PLANE, **fields).run()
+        self.assertEqual(bits(result[:2]), bits(expected[:2]))
+        self.assertEqual(result[2].iterations, expected[2].iterations)
+
+    def test_samples_that_do_not_count(self):
+        class Good(Uniform):
+            counts = False
+
+        usac_ = create(usac.HOMOGRAPHY, PLANE, maxIterations=300, termination=usac.TERMINATION_STANDARD)
+        usac_.components.sampler = Uniform()
+        counted = usac_.run()[2]
+        usac_.components.sampler = Good()
+        inliers = PLANE.inliers.mean()
+        self.assertGreater(inliers, 0.5)  # so that all samples count nevertheless
+        self.assertEqual(usac_.run()[2].stop, counted.stop)
+        usac_.setPoints(PLANE.points1, PLANE.points2[::-1])  # few are right now: nothing ends the search
+        self.assertEqual(usac_.run()[2].stop if usac_.run()[0] is not None else usac.STOP_MAX_ITERATIONS, usac.STOP_MAX_ITERATIONS)
+
+    def test_wrong_samples(self):
+        class Wrong(Uniform):
+            def sample(self, rng, iteration):
+                return self.wrong
+
+        usac_, sampler = create(usac.HOMOGRAPHY, PLANE), Wrong()
+        usac_.components.sampler = sampler
+        for wrong in ([1, 2, 3], [1, 2, 3, 4, 5], [1, 2, 3, 300], [-1, 2, 3, 4], [1, 1, 2, 3], None, "abcd", [1.5, 2, 3, 4], 7,
+                      np.zeros((4, 1), int), [[1, 2], [3, 4]]):
+            sampler.wrong = wrong
+            with self.assertRaises(usac.error, msg=wrong) as context:
+                usac_.run()
+            self.assertIn("sampler", str(context.exception))
+        for right in ([1, 2, 3, 4], (1, 2, 3, 4), np.array([1, 2, 3, 4]), np.uint8([1, 2, 3, 4])):
+            sampler.wrong = right
+            usac_.run()
+
+    def test_exceptions_end_the_run(self):
+        class Failing(Uniform):
+            def sample(self, rng, iteration):
+                if iteration == 2:
+                    raise KeyError("mine")
+                return super().sample(rng, iteration)
+
+        for threads in (1, 4):
+            usac_ = create(usac.HOMOGRAPHY, PLANE, threads=threads)
+            usac_.components.sampler = Failing()
+            with self.assertRaisesRegex(KeyError, "mine"):
+                usac_.run()
+            usac_.components.sampler = None
+            self.assertEqual(bits(usac_.run()[:2]), bits(create(usac.HOMOGRAPHY, PLANE).run()[:2]))
+
+    def test_is_for_one_thread_at_a_time(self):
+        test = self
+
+        class Nosy(Uniform):
+            def sample(self, rng, iteration):
+                for function in (usac_.run, lambda: usac_.setPoints(PLANE.points1, PLANE.points2),
+                                 lambda: setattr(usac_.components, "sampler", None)):
+                    with test.assertRaisesRegex(usac.error, "running"):
+                        function()
+                return super().sample(rng, iteration)
+
+        usac_ = create(usac.HOMOGRAPHY, PLANE, maxIterations=10)
+        usac_.components.sampler = Nosy()
+        usac_.run()
+
+    def test_is_freed(self):
+        sampler = Uniform()
+        reference = weakref.ref(sampler)
+        usac_ = create(usac.HOMOGRAPHY, PLANE)
+        usac_.components.sampler = sampler
+        usac_.run()
+        del sampler
+        gc.collect()
+        self.assertIsNotNone(reference())  # the estimator keeps it
+        del usac_
+        gc.collect()
+        self.assertIsNone(reference())
+
+
+@package
+class ScoreTest(unittest.TestCase):
+
+    def test_is_that_of_cpp(self):
+        for threads in (1, 2, 4):
+            usac_, score = create(usac.HOMOGRAPHY, PLANE, threads=threads), Msac()
+            usac_.components.score = score
+            self.assertIs(usac_.components.score, score)
+            model, mask, report = usac_.run()
+            expected = create(usac.HOMOGRAPHY, PLANE).run()
+            np.testing.assert_array_equal(mask, expected[1])
+            np.testing.assert_allclose(model, expected[0], rtol=1e-4, atol=1e-7)
+            self.assertAlmostEqual(report.cost, expected[2].cost, 5)
+        self.assertEqual(bits(usac_.run()[:2]), bits((model, mask)))
+
+    def test_threads_at_once(self):
+        usac_, score = create(usac.ESSENTIAL, GENERAL, threads=4, termination=0, maxIterations=400,
+                              verification=usac.VERIFICATION_NONE), Msac()
+        usac_.components.score = score
+        result = usac_.run()
+        self.assertLess(GENERAL.error("Essential", result[0]), 1.0)
+        alone = create(usac.ESSENTIAL, GENERAL, threads=1, termination=0, maxIterations=400,
+                       verification=usac.VERIFICATION_NONE)
+        alone.components.score = Msac()
+        self.assertEqual(bits(alone.run()[:2]), bits(result[:2]))
+
+    def test_whole_model(self):
+        test = self
+
+        class Median(Msac):
+            wholeModel = True
+
+            def accumulate(self, squaredErrors, squaredThreshold):
+                test.assertIn(len(squaredErrors), (16, 300))  # 16: the check of a score
+                return super().accumulate(squaredErrors, squaredThreshold)
+
+        usac_ = create(usac.HOMOGRAPHY, PLANE)
+        usac_.components.score = Median()
+        self.assertLess(PLANE.error("Homography", usac_.run()[0]), 1.0)
+
+    def test_exceptions_end_the_run(self):
+        class Failing(Msac):
+            def accumulate(self, squaredErrors, squaredThreshold):
+                if len(squaredErrors) != 16:
+                    raise ZeroDivisionError("mine")
+                return super().accumulate(squaredErrors, squaredThreshold)
+
+        for threads in (1, 2, 4):
+            usac_ = create(usac.FUNDAMENTAL, GENERAL, threads=threads)
+            usac_.components.score = Failing()
+            for _ in range(20):
+                with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+                    usac_.run()
+
+    def test_wrong_results(self):
+        class Wrong(Msac):
+            def accumulate(self, squaredErrors, squaredThreshold):
+                return self.wrong
+
+        usac_, score = create(usac.HOMOGRAPHY, PLANE), Wrong()
+        usac_.components.score = score
+        for wrong in (None, 3, "ab", (1.0,), (1, 2, 3), (-1.0, 16), (float("nan"), 16), (1e9, 16), (0.0, 0)):
+            score.wrong = wrong
+            with self.assertRaises(usac.error, msg=wrong) as context:
+                usac_.run()
+            self.assertIn("score", str(context.exception))
+
+
+@package
+class DocumentTest(unittest.TestCase):
+
+    def test_examples(self):
+        runner = doctest.DocTestRunner()
+        for type_ in (usac.Sampler, usac.Score):
+            for test in doctest.DocTestFinder(recurse=False).find(type_, type_.__name__, module=False, globs={}):
+                runner.run(test)
+        self.assertEqual((runner.failures, runner.tries > 10), (0, True))
+
+    def test_rng(self):
+        rng = usac.Rng(1, 2)
+        self.assertEqual(rng.next(), usac.Rng(1, 2).next())
+        self.assertEqual(sorted(set(rng.distinct(8, 8))), list(range(8)))
+        self.assertTrue(all(0 <= rng.uniform(3) < 3 for _ in range(100)))
+        for wrong in ((3, 4), (100, 9), (10, -1)):
+            self.assertRaises(usac.error, rng.distinct, *wrong)
+        self.assertRaises(usac.error, rng.uniform, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

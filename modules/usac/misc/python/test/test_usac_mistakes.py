@@ -1,0 +1,195 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What callers get wrong: each mistake raises usacv20.error that names the argument, or is no mistake and works."""
+
+import unittest
+
+import numpy as np
+
+from usac_common import (DISTORTED, FINDER, GENERAL, MOVED, PLANE, RANSAC, THRESHOLD, bits, estimate, usac)
+from usac_pose import POSE
+
+
+class MistakeCase(unittest.TestCase):
+
+    def refused(self, word, function, *args, **kwargs):
+        with self.assertRaises(usac.error, msg="{} {}".format(word, sorted(kwargs))) as context:
+            function(*args, **kwargs)
+        message = str(context.exception)
+        self.assertIn(word, message)
+        self.assertLess(len(message), 400)
+
+
+class CallTest(MistakeCase):
+    """Arguments in a wrong place."""
+
+    def test_number_behind_params(self):
+        a, b, p = GENERAL.points1, GENERAL.points2, usac.Params()
+        self.refused("mask", usac.findFundamentalMat, a, b, p, 3.0)
+        self.refused("mask", FINDER.findFundamentalMat, a, b, p, 3.0)
+        self.refused("mask", usac.findHomography, a, b, p, 3)
+        self.refused("inliers", usac.estimateAffine2D, a, b, p, 3.0)
+        self.refused("mask", usac.findEssentialMat, a, b, GENERAL.K1, p, 0.99)
+        self.refused("mask", usac.estimateHomography, a, b, p, 3.0)
+
+    def test_numbers_beside_params(self):
+        a, b, K, p = GENERAL.points1, GENERAL.points2, GENERAL.K1, usac.Params()
+        for name, function, args in (
+                ("maxIters", usac.findHomography, (a, b)), ("ransacReprojThreshold", usac.findHomography, (a, b)),
+                ("confidence", usac.findFundamentalMat, (a, b)), ("prob", usac.findEssentialMat, (a, b, K)),
+                ("threshold", usac.findEssentialMat, (a, b, K)), ("refineIters", usac.estimateAffine2D, (a, b))):
+            self.refused(name, function, *args, method=p, **{name: 5})
+        self.refused("reprojectionError", usac.solvePnPRansac, POSE.X, POSE.x, POSE.K, POSE.d, flags=p, reprojectionError=1.0)
+        self.refused("params", usac.findHomography, a, b, method=usac.USACV20, params=p)
+        self.refused("params", usac.findEssentialMat, a, b, K, method=usac.USACV20, params=p)
+
+    def test_params_in_every_place(self):
+        g, d, p = GENERAL, DISTORTED, usac.Params(threshold=THRESHOLD)
+        expected = bits(usac.estimateEssential(g.points1, g.points2, g.K1, p)[:2])
+        mask = np.zeros((len(g.points1), 1), np.uint8)
+        for args, kwargs in (((g.K1, p), {}), ((g.K1, p, mask), {}), ((g.K1,), dict(method=p)), ((g.K1,), dict(params=p)),
+                             ((g.K1, p), dict(mask=mask)), ((), dict(cameraMatrix=g.K1, method=p)),
+                             ((), dict(cameraMatrix=g.K1, params=p)), ((g.focal, g.pp, p), {}),
+                             ((g.focal, g.pp), dict(method=p)), ((g.K1, None, None, None, p), {}),
+                             ((g.K1, g.K1, None, None), dict(params=p))):
+            self.assertEqual(bits(usac.findEssentialMat(g.points1, g.points2, *args, **kwargs)), expected,
+                             "{} {}".format(len(args), sorted(kwargs)))
+            self.assertEqual(bits(FINDER.findEssentialMat(g.points1, g.points2, *args, **kwargs)), expected)
+        expected = bits(estimate("Essential", d, p)[:2])
+        for args, kwargs in (((d.K1, d.K2, d.d1, d.d2, p), {}), ((d.K1, d.d1, d.K2, d.d2), dict(method=p))):
+            self.assertEqual(bits(usac.findEssentialMat(d.points1, d.points2, *args, **kwargs)), expected)
+        m = MOVED
+        expected = bits(usac.estimateAffinity2D(m.points1, m.points2, p)[:2])
+        for args, kwargs in (((p,), {}), ((None, p), {}), ((), dict(method=p)), ((), dict(params=p))):
+            self.assertEqual(bits(usac.estimateAffine2D(m.points1, m.points2, *args, **kwargs)), expected)
+        expected = bits(usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, params=p)[2:])
+        self.assertEqual(bits(usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, flags=p)[1:]), expected)
+
+    def test_params_in_no_place(self):
+        a, b, p = GENERAL.points1, GENERAL.points2, usac.Params()
+        self.refused("Params", usac.findHomography, a, b, usac.USACV20, p)
+        self.refused("srcPoints", usac.findHomography, p, a)
+        self.refused("cameraMatrix", usac.findEssentialMat, a, b, p)
+        self.refused("cameraMatrix", usac.findEssentialMat, a, b, usac.USACV20)  # which is a focal length of 16384 as an integer
+        self.refused("Params", usac.solvePnPRansac, POSE.X, POSE.x, POSE.K, p)
+        self.refused("params", usac.estimateHomography, a, b, usac.USACV20)
+        self.refused("cameraMatrix2", usac.estimateEssential, a, b, GENERAL.K1, p, None, None, p)
+
+    def test_shape_of_a_call(self):
+        a, b, K, p = GENERAL.points1, GENERAL.points2, GENERAL.K1, usac.Params()
+        for word, args, kwargs in (("dstPoints", (a,), {}), ("srcPoints", (), {}), ("nonsense", (a, b), dict(nonsense=1)),
+                                   ("srcPoints", (a, b), dict(srcPoints=a)), ("at most 7", (a, b, 8, 1, None, 5, 0.9, 1), {}),
+                                   ("at most 4", (a, b, p, None, 1), {})):
+            with self.assertRaisesRegex(TypeError, word):
+                usac.findHomography(*args, **kwargs)
+        for args in ((a,), (a, b, K, None, K, None, 8, 1, 1, None, 1)):
+            self.assertRaises(TypeError, usac.findEssentialMat, *args)
+        self.assertRaises(TypeError, usac.Params, treshold=2)
+        self.assertRaises(TypeError, usac.Params, 2.0)
+
+    def test_numbers(self):
+        a, b, K = GENERAL.points1, GENERAL.points2, GENERAL.K1
+        for word, function, args, kwargs in (
+                ("method", usac.findHomography, (a, b, "USACV20"), {}), ("method", usac.findHomography, (a, b, 16384.0), {}),
+                ("method", usac.findFundamentalMat, (a, b, 2**40), {}), ("method", usac.findHomography, (a, b, True), {}),
+                ("ransacReprojThreshold", usac.findHomography, (a, b, 16384, "3"), {}),
+                ("ransacReprojThreshold", usac.findHomography, (a, b, 16384, a), {}),
+                ("maxIters", usac.findHomography, (a, b), dict(maxIters=2.5)),
+                ("maxIters", usac.findHomography, (a, b), dict(maxIters=2**31)),
+                ("confidence", usac.findFundamentalMat, (a, b), dict(confidence=None or "0.9")),
+                ("pp", usac.findEssentialMat, (a, b, 1.0, 3.0), {}), ("pp", usac.findEssentialMat, (a, b, 1.0, (1, "2")), {}),
+                ("focal", usac.findEssentialMat, (a, b), dict(focal=K)),
+                ("useExtrinsicGuess", usac.solvePnPRansac, (POSE.X, POSE.x, K, None, None, None, "no"), {}),
+                ("flags", usac.solvePnPRansac, (POSE.X, POSE.x, K, None), dict(flags="USACV20"))):
+            self.refused(word, function, *args, **kwargs)
+        self.assertEqual(bits(usac.findHomography(a, b, np.array(usac.USACV20), np.float32(3), None, np.uint8(200), np.array(0.5))),
+                         bits(usac.findHomography(a, b, usac.USACV20, 3.0, None, 200, 0.5)))
+
+
+class ArrayTest(MistakeCase):
+
+    def test_other_orders_of_bytes(self):
+        a, b, K = GENERAL.points1, GENERAL.points2, GENERAL.K1
+        expected = bits(usac.findEssentialMat(a, b, K))
+        for kind in (">f8", "<f8"):
+            self.assertEqual(bits(usac.findEssentialMat(a.astype(kind), b.astype(kind), K.astype(kind))), expected)
+        narrow = np.float32(a), np.float32(b)
+        self.assertEqual(bits(usac.findHomography(a.astype(">f4"), b.astype(">f4"))), bits(usac.findHomography(*narrow)))
+
+    def test_other_types(self):
+        a, b = np.rint(PLANE.points1), np.rint(PLANE.points2)
+        expected = bits(usac.findHomography(a, b))
+        self.assertIsNotNone(expected[0])
+        for kind in (np.int64, np.uint32, np.uint64, np.int32, np.longdouble, ">i2", ">u8"):
+            self.assertEqual(bits(usac.findHomography(np.maximum(a, 0).astype(kind), np.maximum(b, 0).astype(kind))),
+                             bits(usac.findHomography(np.maximum(a, 0), np.maximum(b, 0))), kind)
+        self.assertEqual(bits(usac.findHomography(a.tolist(), tuple(map(tuple, b)))), expected)
+        half = np.float16(a), np.float16(b)
+        self.assertEqual(bits(usac.findHomography(*half)), bits(usac.findHomography(np.float32(half[0]), np.float32(half[1]))))
+        truth = a > 300, b > 300
+        self.assertEqual(bits(usac.findHomography(*truth)), bits(usac.findHomography(np.uint8(truth[0]), np.uint8(truth[1]))))
+        large = a + 2.0**40  # which no integer of 32 bits holds
+        self.assertEqual(bits(usac.findHomography(large.astype(np.int64), b)), bits(usac.findHomography(large, b)))
+
+    def test_what_is_no_array_of_numbers(self):
+        a, K = PLANE.points1, PLANE.K1
+        for wrong in (a.astype(complex), a.astype(object), a.astype(str), a.astype("S8"), np.zeros(9, "f8,f8"), "points", None, 3.0,
+                      7, object(), {}, [[1, 2], [3]], ["a", "b"], np.array(a, "M8[s]"), usac.Params()):
+            self.refused("points1", usac.estimateHomography, wrong, a)
+            self.refused("points2", usac.estimateFundamental, a, wrong)
+            self.refused("srcPoints", usac.findHomography, wrong, a)
+            self.refused("to", usac.estimateAffine2D, a, wrong)
+            self.refused("objectPoints", usac.solvePnPRansac, wrong, a, K, None)
+            self.refused("cameraMatrix1", usac.estimateEssential, a, a, wrong if wrong is not None else 3)
+            if wrong is not None:
+                self.refused("distCoeffs", usac.estimateAbsolutePose, POSE.X, POSE.x, K, wrong)
+
+    def test_huge(self):
+        wide = np.broadcast_to(np.array([[1.0, 2.0]]), (2**31 + 5, 2))  # 16 bytes
+        self.refused("points1", usac.estimateHomography, wide, wide)
+        self.refused("srcPoints", usac.findHomography, wide, wide, RANSAC)
+        self.refused("points2", usac.estimateHomography, PLANE.points1, wide.T)
+
+    def test_layouts(self):
+        a, b = PLANE.points1, PLANE.points2
+        expected = bits(usac.findHomography(a, b))
+        raw = np.zeros(a.nbytes + 1, np.uint8)
+        raw[1:] = np.frombuffer(a.tobytes(), np.uint8)
+        unaligned = raw[1:].view(np.float64).reshape(a.shape)
+        self.assertFalse(unaligned.flags.aligned)
+        box = np.zeros((len(a), 3, 4))
+        box[:, 1, 1:3] = a
+        for other in (unaligned, box[:, 1, 1:3], box[:, 1:2, 1:3], np.asfortranarray(a), a[::-1][::-1], a.T, a[None], a[:, None],
+                      np.asfortranarray(a)[:, None], np.stack([a, a], 2)[..., 0], a.view(np.ndarray)[..., ::-1][..., ::-1],
+                      np.ma.masked_array(a), np.lib.stride_tricks.as_strided(a, a.shape, a.strides, writeable=False)):
+            self.assertEqual(bits(usac.findHomography(other, b)), expected)
+            self.assertEqual(bits(usac.estimateHomography(b, other)[:2]), bits(usac.estimateHomography(b, a)[:2]))
+        same = np.broadcast_to(a[:1], a.shape)
+        self.assertIsNone(usac.findHomography(same, b)[0])
+
+    def test_masks(self):
+        a, b, count = PLANE.points1, PLANE.points2, len(PLANE.points1)
+        mask = usac.findHomography(a, b)[1]
+        for wrong in ("mask", 3, [0] * count, object()):
+            self.refused("mask", usac.findHomography, a, b, mask=wrong)
+            self.refused("mask", usac.estimateHomography, a, b, mask=wrong)
+        locked = np.zeros((count, 1), np.uint8)
+        locked.setflags(write=False)
+        self.refused("mask", usac.findHomography, a, b, mask=locked)
+        self.assertFalse(locked.any())
+        flat, apart = np.full(count, 7, np.uint8), np.full((count, 3), 7, np.uint8)
+        self.assertIs(usac.findHomography(a, b, mask=flat)[1], flat)
+        np.testing.assert_array_equal(flat, mask.ravel())
+        usac.findHomography(a, b, mask=apart[:, 1:2])
+        np.testing.assert_array_equal(apart[:, 1:2], mask)
+        self.assertEqual(set(apart[:, ::2].ravel()), {7})
+        for other in (np.full((count, 2), 7, np.uint8), np.full((count, 1), 7, np.int32)):  # another one is returned, as in cv2
+            self.assertEqual(bits(usac.findHomography(a, b, mask=other)[1]), bits(mask))
+            self.assertEqual(set(other.ravel()), {7})
+
+
+if __name__ == "__main__":
+    unittest.main()
