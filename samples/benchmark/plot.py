@@ -13,7 +13,12 @@ import math
 import os
 import sys
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError:
+    if os.path.basename(sys.argv[0]) not in ("plot.py", "plot_scale.py"):
+        raise
+    sys.exit("matplotlib was not found; the plots need it (Debian: python3-matplotlib)")
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D

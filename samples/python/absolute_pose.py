@@ -10,26 +10,29 @@ pose, and its axes are drawn into the scene. The pose of the first scene is the 
 board is made and photographed here, and the true poses are known.
 """
 
+import argparse
 import sys
+from typing import Any, List, Optional, Tuple
 
 import cv2
 import numpy as np
 
 import tools
+from tools import Array, Image
 
 
-def places_in_space(pixels, shape):
+def places_in_space(pixels: Array, shape: Tuple[int, ...]) -> Array:
     """With the origin in the middle of the object, X to the right, Y up, Z to the viewer; the width is 1."""
     height, width = shape[:2]
-    return np.float64([((x - 0.5 * width) / width, (0.5 * height - y) / width, 0) for x, y in pixels]).reshape(-1, 3)
+    return np.array([((x - 0.5 * width) / width, (0.5 * height - y) / width, 0) for x, y in pixels], float).reshape(-1, 3)
 
 
-def corners_of(shape):
+def corners_of(shape: Tuple[int, ...]) -> Array:
     height, width = shape[:2]
-    return np.float32([(0, 0), (width, 0), (width, height), (0, height)])
+    return np.array([(0, 0), (width, 0), (width, height), (0, height)], np.float32)
 
 
-def read_camera(args, shape):
+def read_camera(args: argparse.Namespace, shape: Tuple[int, ...]) -> Tuple[Array, Optional[Array]]:
     """Camera matrix and distortion from a file of OpenCV's calibration sample, or a focal length as many cameras have it."""
     if args.camera:
         storage = cv2.FileStorage(tools.find_file(args.camera), cv2.FILE_STORAGE_READ)
@@ -38,30 +41,32 @@ def read_camera(args, shape):
     return np.array([[focal, 0, (shape[1] - 1) / 2], [0, focal, (shape[0] - 1) / 2], [0, 0, 1]]), None
 
 
-def pose_of(rvec, tvec):
+def pose_of(rvec: Any, tvec: Any) -> Array:
     return np.hstack((cv2.Rodrigues(rvec)[0], np.reshape(tvec, (3, 1))))
 
 
-def texture(width, height, seed):
+def texture(width: int, height: int, seed: int) -> Image:
     """Something to match everywhere: noise of three sizes."""
     rng, image = np.random.RandomState(seed), np.zeros((height, width, 3))
     for step in (4, 12, 36):
         noise = rng.uniform(-1, 1, (height // step + 2, width // step + 2, 3))
         image += cv2.resize(noise, (width, height), interpolation=cv2.INTER_CUBIC)
-    return cv2.normalize(image, None, 0, 255, cv2.NORM_MINMAX).astype(np.uint8)
+    result: Image = cv2.normalize(image, None, 0, 255, cv2.NORM_MINMAX).astype(np.uint8)
+    return result
 
 
-def distort(image, matrix, distortion):
+def distort(image: Image, matrix: Array, distortion: Optional[Array]) -> Image:
     """What a lens makes of the image of a pinhole."""
     if distortion is None:
         return image
     height, width = image.shape[:2]
     pixels = np.dstack(np.meshgrid(np.arange(width), np.arange(height))).reshape(-1, 1, 2).astype(np.float32)
     places = cv2.undistortPoints(pixels, matrix, distortion, P=matrix).reshape(height, width, 2)
-    return cv2.remap(image, places, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT)
+    result: Image = cv2.remap(image, places, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT)
+    return result
 
 
-def photograph(board, rvec, tvec, seed, args):
+def photograph(board: Image, rvec: Any, tvec: Any, seed: int, args: argparse.Namespace) -> Tuple[Image, Array]:
     """The board as a camera of this pose sees it, partly behind something and in front of something else; the true pose."""
     image = texture(640, 480, seed)
     matrix, distortion = read_camera(args, image.shape)
@@ -76,14 +81,15 @@ def photograph(board, rvec, tvec, seed, args):
     return image, pose_of(rvec, tvec)
 
 
-def angle_between(a, b):
+def angle_between(a: Array, b: Array) -> float:
     """Angle of the rotation between two poses in degrees."""
-    return np.degrees(np.linalg.norm(cv2.Rodrigues(a[:, :3].T.dot(b[:, :3]))[0]))
+    return float(np.degrees(np.linalg.norm(cv2.Rodrigues(a[:, :3].T.dot(b[:, :3]))[0])))
 
 
-def estimate(name, flag, places, pixels, camera, args):
+def estimate(name: str, flag: int, places: Array, pixels: Array, camera: Tuple[Array, Optional[Array]],
+             args: argparse.Namespace) -> tools.Result:
     """The call a user writes; `flag` is OpenCV's or this module's."""
-    def call():
+    def call() -> Tuple[Optional[Array], Array]:
         found, rvec, tvec, inliers = cv2.solvePnPRansac(
             places, pixels, camera[0], camera[1], iterationsCount=args.iterations, reprojectionError=args.threshold,
             confidence=args.confidence, flags=flag)
@@ -94,7 +100,8 @@ def estimate(name, flag, places, pixels, camera, args):
     return tools.measure(name, args.runs, call)
 
 
-def estimate_with(name, places, pixels, ratios, camera, before, args):
+def estimate_with(name: str, places: Array, pixels: Array, ratios: Array, camera: Tuple[Array, Optional[Array]],
+                  before: Optional[Array], args: argparse.Namespace) -> tools.Result:
     """The same with all that a flag does not know: the scores of the matches and the pose before, if there is one."""
     params = tools.usacv20_params(args, args.iterations)
     params.scores = ratios
@@ -108,8 +115,10 @@ def estimate_with(name, places, pixels, ratios, camera, before, args):
     return result
 
 
-def draw(board, image, points, pixels, result, camera):
+def draw(board: Image, image: Image, points: Array, pixels: Array, result: tools.Result,
+         camera: Tuple[Array, Optional[Array]]) -> Image:
     """Matches, axes and outline of the object."""
+    assert result.model is not None
     canvas = tools.draw_inliers(board, image, points, pixels, result.mask, 30)
     right = np.ascontiguousarray(canvas[:image.shape[0], board.shape[1]:])
     rvec, tvec = cv2.Rodrigues(result.model[:, :3])[0], np.ascontiguousarray(result.model[:, 3:])
@@ -121,7 +130,8 @@ def draw(board, image, points, pixels, result, camera):
     return canvas
 
 
-def find_pose(board, image, truth, before, args):
+def find_pose(board: Image, image: Image, truth: Any, before: Optional[Array],
+              args: argparse.Namespace) -> Tuple[tools.Result, Optional[Image]]:
     """Prints the table of a scene. Returns the result of the last method and the picture, None without a pose."""
     points, pixels, ratios = tools.match_with_ratios(board, image, args)
     places, camera = places_in_space(points, board.shape), read_camera(args, image.shape)
@@ -133,8 +143,8 @@ def find_pose(board, image, truth, before, args):
         results.append(estimate_with("with the last", places, pixels, ratios, camera, before, args))
     for result in results:
         if truth is not None and result.model is not None:
-            result.error = angle_between(result.model, truth)
-            result.errorText = "%.2f deg, %.4f" % (result.error, np.linalg.norm(result.model[:, 3] - truth[:, 3]))
+            error = result.error = angle_between(result.model, truth)
+            result.errorText = "%.2f deg, %.4f" % (error, np.linalg.norm(result.model[:, 3] - truth[:, 3]))
     print("error: rotation, place of the object in its widths")
     tools.print_table(len(pixels), results, args.runs)
     ours = results[-1]
@@ -144,7 +154,7 @@ def find_pose(board, image, truth, before, args):
     return ours, draw(board, image, points, pixels, ours, camera)
 
 
-def main():
+def main() -> int:
     parser = tools.arguments(__doc__, None, "box_in_scene.png", "absolute_pose_py.jpg", 2.0)
     parser.add_argument("next", nargs="?", help="the scene a moment later, found from the pose before")
     parser.add_argument("--camera", help="file with camera_matrix and distortion_coefficients; none: a guess")
@@ -153,7 +163,7 @@ def main():
     args = parser.parse_args()
     if args.image1:
         board = tools.read_image(args.image1)
-        scenes = [(tools.read_image(name), None) for name in (args.image2, args.next) if name]
+        scenes: List[Tuple[Image, Optional[Array]]] = [(tools.read_image(name), None) for name in (args.image2, args.next) if name]
     else:
         board = texture(400, 300, 1)
         scenes = [photograph(board, (2.7, 0.3, -0.5), (0.1, 0.02, 2), 2, args),

@@ -7,17 +7,19 @@
 side by side. OpenCV's chessboard images calibrate the two cameras and tell the true pose."""
 
 import sys
+from typing import Optional, Tuple
 
 import cv2
 import numpy as np
 
 import tools
+from tools import Array, Image
 
 
 class Stereo:
     """Two cameras and their relative pose, calibrated from the pairs of chessboard images that a file lists."""
 
-    def __init__(self, list_name, board):
+    def __init__(self, list_name: str, board: Tuple[int, int]) -> None:
         storage = cv2.FileStorage(tools.find_file(list_name), cv2.FILE_STORAGE_READ)
         node = storage.getFirstTopLevelNode()
         files = [node.at(i).string() for i in range(node.size())]
@@ -38,15 +40,16 @@ class Stereo:
         print("calibrated from %d pairs of chessboard images, reprojection error %.2f px" % (len(corners), rms))
 
     @staticmethod
-    def _corners(image, board):
+    def _corners(image: Image, board: Tuple[int, int]) -> Optional[Array]:
         found, corners = cv2.findChessboardCorners(image, board)
         if not found:
             return None
         criteria = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 30, 0.01)
-        return cv2.cornerSubPix(image, corners, (11, 11), (-1, -1), criteria)
+        result: Array = cv2.cornerSubPix(image, corners, (11, 11), (-1, -1), criteria)
+        return result
 
 
-def rate(result, points1, points2, stereo):
+def rate(result: tools.Result, points1: Array, points2: Array, stereo: Stereo) -> None:
     """Angles between the true and the estimated rotation and direction of translation; the larger one is the error."""
     normalized1 = cv2.undistortPoints(points1, stereo.K1, stereo.dist1)
     normalized2 = cv2.undistortPoints(points2, stereo.K2, stereo.dist2)
@@ -57,7 +60,7 @@ def rate(result, points1, points2, stereo):
     result.errorText = "R %.2f, t %.2f deg" % (rotation, translation)
 
 
-def draw(image1, image2, points1, points2, stereo, result):
+def draw(image1: Image, image2: Image, points1: Array, points2: Array, stereo: Stereo, result: tools.Result) -> Image:
     """Epipolar lines are straight in images without distortion."""
     straight1 = cv2.undistort(image1, stereo.K1, stereo.dist1)
     straight2 = cv2.undistort(image2, stereo.K2, stereo.dist2)
@@ -67,7 +70,7 @@ def draw(image1, image2, points1, points2, stereo, result):
     return tools.draw_epipolar_lines(straight1, straight2, points1, points2, result.mask, F)
 
 
-def main():
+def main() -> int:
     parser = tools.arguments(__doc__, "left01.jpg", "right01.jpg", "essential_py.jpg", 1.0)
     parser.add_argument("--chessboards", default="stereo_calib.xml", help="list of pairs of chessboard images")
     parser.add_argument("--columns", type=int, default=9, help="inner corners of the chessboard in a row")

@@ -6,14 +6,16 @@
 """From two images to the fundamental matrix between them, with the flags of OpenCV and of this module side by side."""
 
 import sys
+from typing import Any, Tuple
 
 import cv2
 import numpy as np
 
 import tools
+from tools import Array
 
 
-def read_truth(name):
+def read_truth(name: str) -> Tuple[Array, Array]:
     """True correspondences of a rectified stereo pair: x2 = x1 - disparity, 0: unknown. The epipolar lines are the rows,
     so the rounding of disparities to a pixel moves points along their lines and costs no accuracy."""
     disparity = cv2.imread(tools.find_file(name), cv2.IMREAD_GRAYSCALE)
@@ -25,14 +27,14 @@ def read_truth(name):
     return np.column_stack((x, y, ones)), np.column_stack((x - d, y, ones))
 
 
-def mean_distance(F, truth):
+def mean_distance(F: Array, truth: Any) -> float:
     """Mean Sampson distance of the true correspondences in pixels."""
     lines2, lines1 = truth[0] @ F.T, truth[1] @ F
     squares = (lines2[:, :2] ** 2).sum(axis=1) + (lines1[:, :2] ** 2).sum(axis=1)
-    return (np.abs((truth[1] * lines2).sum(axis=1)) / np.sqrt(squares)).mean()
+    return float((np.abs((truth[1] * lines2).sum(axis=1)) / np.sqrt(squares)).mean())
 
 
-def main():
+def main() -> int:
     parser = tools.arguments(__doc__, "aloeL.jpg", "aloeR.jpg", "fundamental_py.jpg", 1.0)
     parser.add_argument("--truth", default="aloeGT.png", help="true disparities of a rectified pair, or none")
     parser.add_argument("--iterations", type=int, default=1000, help="largest number of samples")
@@ -46,8 +48,8 @@ def main():
         result = tools.measure(name, args.runs, lambda: cv2.findFundamentalMat(
             points1, points2, getattr(cv2, name), args.threshold, args.confidence, args.iterations))
         if truth is not None and result.model is not None:
-            result.error = mean_distance(result.model, truth)
-            result.errorText = "%.3f px" % result.error
+            error = result.error = mean_distance(result.model, truth)
+            result.errorText = "%.3f px" % error
         results.append(result)
 
     # The same estimation once more, for what a flag does not tell.

@@ -6,30 +6,32 @@
 """From two images of a plane to the homography between them, with the flags of OpenCV and of this module side by side."""
 
 import sys
+from typing import Any, Tuple
 
 import cv2
 import numpy as np
 
 import tools
+from tools import Array, Image
 
 
-def mean_distance(H, truth, shape):
+def mean_distance(H: Array, truth: Any, shape: Tuple[int, ...]) -> float:
     """Mean distance in image 2 between the places where both homographies map a grid of points of image 1."""
     x, y = np.meshgrid(np.linspace(0, shape[1] - 1, 21), np.linspace(0, shape[0] - 1, 21))
     grid = np.dstack((x, y)).reshape(-1, 1, 2)
     difference = cv2.perspectiveTransform(grid, H) - cv2.perspectiveTransform(grid, truth)
-    return np.linalg.norm(difference, axis=2).mean()
+    return float(np.linalg.norm(difference, axis=2).mean())
 
 
-def draw_outline(canvas, H, shape):
-    corners = np.float64([[[0, 0]], [[shape[1], 0]], [[shape[1], shape[0]]], [[0, shape[0]]]])
+def draw_outline(canvas: Image, H: Array, shape: Tuple[int, ...]) -> None:
+    corners = np.array([[[0, 0]], [[shape[1], 0]], [[shape[1], shape[0]]], [[0, shape[0]]]], float)
     outline = cv2.perspectiveTransform(corners, H).round().astype(np.int32)
     right = np.ascontiguousarray(canvas[:, shape[1]:])
     cv2.polylines(right, [outline], True, (0, 140, 255), 3, cv2.LINE_AA)
     canvas[:, shape[1]:] = right
 
 
-def main():
+def main() -> int:
     parser = tools.arguments(__doc__, "graf1.png", "graf3.png", "homography_py.jpg", 2.0)
     parser.add_argument("--truth", default="H1to3p.xml", help="file with the true homography, or none")
     parser.add_argument("--iterations", type=int, default=10000, help="largest number of samples")
@@ -46,8 +48,8 @@ def main():
         result = tools.measure(name, args.runs, lambda: cv2.findHomography(
             points1, points2, getattr(cv2, name), args.threshold, maxIters=args.iterations, confidence=args.confidence))
         if truth is not None and result.model is not None:
-            result.error = mean_distance(result.model, truth, image1.shape)
-            result.errorText = "%.2f px" % result.error
+            error = result.error = mean_distance(result.model, truth, image1.shape)
+            result.errorText = "%.2f px" % error
         results.append(result)
 
     # The same estimation once more, for what a flag does not tell.

@@ -13,22 +13,25 @@ import argparse
 import os
 import sys
 import time
+from typing import Any, List, Tuple
 
 import cv2
 import numpy as np
 
 import tools
+from tools import Array, Image
 
 
-def square(motion):
+def square(motion: Array) -> Array:
     return np.vstack((motion, (0, 0, 1)))
 
 
-def read_frames(path):
+def read_frames(path: str) -> List[Image]:
     if os.path.isdir(path):
         images = [cv2.imread(os.path.join(path, name)) for name in sorted(os.listdir(path))]
         return [image for image in images if image is not None and image.shape == images[0].shape]
-    video, frames = cv2.VideoCapture(path), []
+    video = cv2.VideoCapture(path)
+    frames: List[Image] = []
     while True:
         found, frame = video.read()
         if not found:
@@ -36,7 +39,7 @@ def read_frames(path):
         frames.append(frame)
 
 
-def shaken(image, count):
+def shaken(image: Image, count: int) -> Tuple[List[Image], List[Array]]:
     """What a shaking hand would film: windows of the image, and in front of them a patch on its own way."""
     height, width = image.shape[0] * 5 // 8, image.shape[1] * 5 // 8
     patch = image[:height // 2, -(width * 2 // 5):]
@@ -53,13 +56,14 @@ def shaken(image, count):
     return frames, [b.dot(np.linalg.inv(a))[:2] for a, b in zip(windows, windows[1:])]
 
 
-def distance(a, b, shape):
+def distance(a: Array, b: Array, shape: Tuple[int, ...]) -> float:
     """Mean distance between the places where two motions take the corners of a frame."""
     corners = np.array([[x, y, 1] for x in (0, shape[1]) for y in (0, shape[0])], float)
-    return np.linalg.norm(corners.dot((a - b).T), axis=1).mean()
+    return float(np.linalg.norm(corners.dot((a - b).T), axis=1).mean())
 
 
-def estimate(name, matches, truth, shape, args):
+def estimate(name: str, matches: List[Tuple[Array, Array]], truth: Any, shape: Tuple[int, ...],
+             args: argparse.Namespace) -> Tuple[List[Array], float, bool]:
     """The motions, the mean error and whether all have been found; prints the line of the table."""
     motions, errors, inliers, lost, start = [], [], 0, 0, time.perf_counter()
     for points1, points2 in matches:
@@ -74,10 +78,10 @@ def estimate(name, matches, truth, shape, args):
     text = "%.3f, %.3f px" % (np.mean(errors), max(errors)) if truth else "unknown"
     everything = max(sum(len(points1) for points1, _ in matches), 1)
     print("%-10s %-18s %11.1f %6d %11.3f" % (name, text, 100. * inliers / everything, lost, elapsed))
-    return motions, np.mean(errors) if truth else 0, lost == 0
+    return motions, float(np.mean(errors)) if truth else 0.0, lost == 0
 
 
-def corrections(motions, shape, radius):
+def corrections(motions: List[Array], shape: Tuple[int, ...], radius: int) -> List[Array]:
     """What moves each frame onto the smooth path: the means of x, y, angle and log scale over some frames."""
     middle = np.array([shape[1] / 2, shape[0] / 2, 1])
     path, to_first = [np.zeros(4)], np.eye(3)
@@ -86,7 +90,7 @@ def corrections(motions, shape, radius):
         x, y, _ = to_first.dot(middle) - middle
         path.append(np.array([x, y, np.arctan2(to_first[1, 0], to_first[0, 0]), 0.5 * np.log(np.linalg.det(to_first))]))
 
-    def position(x, y, angle, log_scale):
+    def position(x: float, y: float, angle: float, log_scale: float) -> Array:
         result = square(cv2.getRotationMatrix2D((middle[0], middle[1]), np.degrees(-angle), np.exp(log_scale)))
         result[:2, 2] += x, y
         return result
@@ -95,7 +99,7 @@ def corrections(motions, shape, radius):
     return [np.linalg.inv(position(*b)).dot(position(*a))[:2] for a, b in zip(path, smooth)]
 
 
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("input", nargs="?", help="folder of images, by the order of their names, or a video")
     parser.add_argument("--image", default="graf1.png", help="image of which a sequence is made")

@@ -9,9 +9,14 @@ import os
 import random
 import sys
 import time
+from typing import Any, Callable, List, Optional, Tuple
 
 import cv2
 import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[Any]
+Image = npt.NDArray[Any]  # height x width x 3 uint8
 
 DATA_FOLDERS = (os.environ.get("OPENCV_SAMPLES_DATA_PATH", ""), ".", "/usr/share/doc/opencv-doc/examples/data")
 
@@ -19,13 +24,14 @@ DATA_FOLDERS = (os.environ.get("OPENCV_SAMPLES_DATA_PATH", ""), ".", "/usr/share
 class Result:
     """What one method made of the matches."""
 
-    def __init__(self, method, model, mask, milliseconds):
+    def __init__(self, method: str, model: Optional[Array], mask: Array, milliseconds: float) -> None:
         self.method, self.model, self.mask, self.milliseconds = method, model, mask, milliseconds
         self.iterations = "-"
-        self.error, self.errorText = None, "unknown"
+        self.error: Optional[float] = None
+        self.errorText = "unknown"
 
 
-def find_file(name):
+def find_file(name: str) -> str:
     """A file by its path or among OpenCV's sample data."""
     for path in [name] + [os.path.join(folder, name) for folder in DATA_FOLDERS]:
         if os.path.isfile(path):
@@ -33,14 +39,15 @@ def find_file(name):
     sys.exit(name + ": not found; OPENCV_SAMPLES_DATA_PATH can name the folder of OpenCV's sample data")
 
 
-def read_image(name):
-    image = cv2.imread(find_file(name))
+def read_image(name: str) -> Image:
+    image: Optional[Image] = cv2.imread(find_file(name))
     if image is None:
         sys.exit(name + ": no image")
     return image
 
 
-def arguments(about, image1, image2, output, threshold):
+def arguments(about: Optional[str], image1: Optional[str], image2: str, output: str,
+              threshold: float) -> argparse.ArgumentParser:
     """Parser of the options that all samples have."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("image1", nargs="?", default=image1, help="a path or the name of one of OpenCV's sample images")
@@ -54,7 +61,7 @@ def arguments(about, image1, image2, output, threshold):
     return parser
 
 
-def _detect(image, features):
+def _detect(image: Image, features: int) -> Tuple[Any, Array]:
     """RootSIFT: with the square roots of the L1-normalized entries, Euclidean distance is Hellinger's."""
     keypoints, descriptors = cv2.SIFT_create(features).detectAndCompute(image, None)
     if descriptors is None:
@@ -62,23 +69,23 @@ def _detect(image, features):
     return keypoints, np.sqrt(descriptors / np.maximum(descriptors.sum(axis=1, keepdims=True), 1e-9))
 
 
-def match_with_ratios(image1, image2, args):
+def match_with_ratios(image1: Image, image2: Image, args: argparse.Namespace) -> Tuple[Array, Array, Array]:
     """Points of both images, N x 2, whose descriptors match clearly better than the second best, and by how much."""
     keypoints1, descriptors1 = _detect(image1, args.features)
     keypoints2, descriptors2 = _detect(image2, args.features)
     pairs = cv2.BFMatcher(cv2.NORM_L2).knnMatch(descriptors1, descriptors2, 2)
     good = [pair for pair in pairs if len(pair) == 2 and pair[0].distance < args.ratio * pair[1].distance]
-    return (np.float32([keypoints1[best.queryIdx].pt for best, _ in good]).reshape(-1, 2),
-            np.float32([keypoints2[best.trainIdx].pt for best, _ in good]).reshape(-1, 2),
-            np.float32([best.distance / second.distance for best, second in good]))
+    return (np.array([keypoints1[best.queryIdx].pt for best, _ in good], np.float32).reshape(-1, 2),
+            np.array([keypoints2[best.trainIdx].pt for best, _ in good], np.float32).reshape(-1, 2),
+            np.array([best.distance / second.distance for best, second in good], np.float32))
 
 
-def match(image1, image2, args):
+def match(image1: Image, image2: Image, args: argparse.Namespace) -> Tuple[Array, Array]:
     """The points of match_with_ratios()."""
     return match_with_ratios(image1, image2, args)[:2]
 
 
-def measure(method, runs, estimate):
+def measure(method: str, runs: int, estimate: Callable[[], Any]) -> Result:
     """Runs estimate(), which returns model and mask, `runs` times."""
     times = []
     for _ in range(max(runs, 1)):
@@ -88,7 +95,7 @@ def measure(method, runs, estimate):
     return Result(method, model, mask, 1e3 * sorted(times)[len(times) // 2])
 
 
-def usacv20_params(args, iterations):
+def usacv20_params(args: argparse.Namespace, iterations: int) -> Any:
     """What the flag cv2.USACV20 makes of the same settings."""
     params = cv2.usacv20.Params()
     params.threshold = args.threshold
@@ -97,7 +104,7 @@ def usacv20_params(args, iterations):
     return params
 
 
-def print_table(count, results, runs):
+def print_table(count: int, results: List[Result], runs: int) -> None:
     print("%d matches; time: median of %d runs\n" % (count, runs))
     print("%-14s %-22s %8s %11s %9s" % ("method", "error", "inliers", "iterations", "ms"))
     for r in results:
@@ -107,7 +114,7 @@ def print_table(count, results, runs):
     print()
 
 
-def exit_code(result, limit):
+def exit_code(result: Result, limit: float) -> int:
     """0 if there is a model and, where the truth is known, its error is below the limit."""
     if result.model is not None and (result.error is None or result.error <= limit):
         return 0
@@ -115,38 +122,39 @@ def exit_code(result, limit):
     return 1
 
 
-def failure_limit(image):
+def failure_limit(image: Image) -> float:
     """The paper's limit of a failure: one hundredth of the diagonal of the image."""
-    return 0.01 * np.hypot(*image.shape[:2])
+    return 0.01 * float(np.hypot(image.shape[0], image.shape[1]))
 
 
-def _side_by_side(image1, image2):
+def _side_by_side(image1: Image, image2: Image) -> Image:
     canvas = np.full((max(image1.shape[0], image2.shape[0]), image1.shape[1] + image2.shape[1], 3), 255, np.uint8)
     canvas[:image1.shape[0], :image1.shape[1]] = image1
     canvas[:image2.shape[0], image1.shape[1]:] = image2
     grey = cv2.convertScaleAbs(cv2.cvtColor(canvas, cv2.COLOR_BGR2GRAY), alpha=0.7, beta=76)
-    return cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)
+    result: Image = cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)
+    return result
 
 
-def _color(k):
-    hsv = np.uint8([[[k * 67 % 180, 255, 220]]])
+def _color(k: int) -> Tuple[int, ...]:
+    hsv = np.array([[[k * 67 % 180, 255, 220]]], np.uint8)
     return tuple(int(v) for v in cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)[0, 0])
 
 
-def _place(point):
+def _place(point: Any) -> Tuple[int, ...]:
     return tuple(int(round(float(v))) for v in point)
 
 
-def _some_inliers(mask, count):
+def _some_inliers(mask: Array, count: int) -> List[int]:
     inliers = list(np.flatnonzero(mask))
     random.Random(1).shuffle(inliers)
     return inliers[:count]
 
 
-def draw_inliers(image1, image2, points1, points2, mask, lines=60):
+def draw_inliers(image1: Image, image2: Image, points1: Array, points2: Array, mask: Array, lines: int = 60) -> Image:
     """The images side by side with lines between some of the inliers; all ends are dots, red for outliers."""
     canvas = _side_by_side(image1, image2)
-    shifted = points2 + np.float32([image1.shape[1], 0])
+    shifted = points2 + np.array([image1.shape[1], 0], np.float32)
     for p, q, inlier in zip(points1, shifted, mask.ravel()):
         for point in (p, q):
             cv2.circle(canvas, _place(point), 2, (0, 150, 0) if inlier else (0, 0, 230), cv2.FILLED, cv2.LINE_AA)
@@ -155,7 +163,7 @@ def draw_inliers(image1, image2, points1, points2, mask, lines=60):
     return canvas
 
 
-def _draw_line(image, line, color):
+def _draw_line(image: Image, line: Array, color: Tuple[int, ...]) -> None:
     """The part of the line a x + b y + c = 0 that is inside the image."""
     height, width = image.shape[:2]
     a, b, c = line
@@ -167,7 +175,8 @@ def _draw_line(image, line, color):
         cv2.line(image, _place(ends[0]), _place(ends[1]), color, max(1, width // 600), cv2.LINE_AA)
 
 
-def draw_epipolar_lines(image1, image2, points1, points2, mask, F, lines=24):
+def draw_epipolar_lines(image1: Image, image2: Image, points1: Array, points2: Array, mask: Array, F: Array,
+                        lines: int = 24) -> Image:
     """The images side by side with some inliers and their epipolar lines under F."""
     canvas = _side_by_side(image1, image2)
     left = canvas[:image1.shape[0], :image1.shape[1]]
@@ -182,7 +191,7 @@ def draw_epipolar_lines(image1, image2, points1, points2, mask, F, lines=24):
     return canvas
 
 
-def write_picture(file, picture, result, what):
+def write_picture(file: str, picture: Image, result: Result, what: str) -> None:
     """Writes the picture, at most 1400 pixels wide, with a line of text below it."""
     scale = min(1, 1400 / picture.shape[1])
     picture = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
