@@ -4,8 +4,8 @@
 # of this distribution and at http://opencv.org/license.html.
 
 # Builds the module against the OpenCV of the system and runs its samples on OpenCV's own image pairs: error against the
-# known truth, inliers, iterations and milliseconds beside cv::RANSAC and cv::USAC_DEFAULT, and pictures. Does all its own
-# set-up on Debian (as root or with sudo).
+# known truth, inliers, iterations and milliseconds beside cv::RANSAC and cv::USAC_DEFAULT, and pictures; then the Python package in
+# a virtual environment, and its sample. Does all its own set-up on Debian (as root or with sudo).
 #
 #   USAC_BUILD_DIR            everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac_quickstart
 #   OPENCV_SAMPLES_DATA_PATH  folder of OpenCV's sample images; default: the one of Debian's package opencv-doc
@@ -13,7 +13,8 @@
 set -eu
 project=$(cd "$(dirname "$0")/.." && pwd)
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac_quickstart}
-packages="g++ make cmake libeigen3-dev libopencv-dev"
+packages="g++ make cmake libeigen3-dev libopencv-dev pybind11-dev python3-dev python3-venv python3-setuptools python3-wheel
+    python3-opencv python3-matplotlib"
 files="graf1.png graf3.png H1to3p.xml aloeL.jpg aloeR.jpg aloeGT.png left01.jpg right01.jpg stereo_calib.xml box.png box_in_scene.png"
 pictures=$work/pictures
 mkdir -p "$pictures"
@@ -87,6 +88,18 @@ sample() # name, arguments
     OPENCV_SAMPLES_DATA_PATH=$images "$program" "$@"
 }
 
+# The package takes the library that is built already: else `pip install modules/usac` compiles one of its own.
+python_package()
+{
+    echo
+    echo "== the Python package"
+    rm -rf "$work/venv"
+    /usr/bin/python3 -m venv --system-site-packages "$work/venv"
+    CMAKE_ARGS="-Dopencv_usac_DIR=$build" "$work/venv/bin/pip" install --quiet --no-build-isolation --no-index "$project/modules/usac"
+    OPENCV_SAMPLES_DATA_PATH=$images "$work/venv/bin/python3" "$project/samples/python/walkthrough.py" \
+        --output="$pictures/walkthrough.png"
+}
+
 if command -v dpkg-query > /dev/null; then install_packages; fi
 find_images
 build
@@ -95,6 +108,7 @@ sample fundamental --output="$pictures/fundamental.jpg"
 sample essential --output="$pictures/essential.jpg"
 sample absolute_pose box.png --output="$pictures/absolute_pose.jpg"
 sample custom_sampler
+python_package
 finished=yes
 echo
 echo "Pictures: $pictures"

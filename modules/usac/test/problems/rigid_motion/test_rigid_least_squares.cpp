@@ -215,9 +215,9 @@ TEST(Usac_RigidLeastSquares, farFromTheOrigin)
             options.modelScale = scaled ? 2 : 1;
             const RigidScene scene = makeRigidScene(options);
             const Fit fit(scaled != 0, scene);
-            ASSERT_TRUE(fit.found) << shape;
-            EXPECT_LE(motionError(scene, fit.motion), 5e-9) << shape;
-            EXPECT_LE(rotationError(scene, fit.motion), 1e-5) << shape;
+            ASSERT_TRUE(fit.found) << (int)shape;
+            EXPECT_LE(motionError(scene, fit.motion), 5e-9) << (int)shape;
+            EXPECT_LE(rotationError(scene, fit.motion), 1e-5) << (int)shape;
         }
 }
 
