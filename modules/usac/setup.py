@@ -22,6 +22,7 @@ if sys.version_info[:2] < OLDEST:
 
 from setuptools import Extension, setup  # noqa: E402
 from setuptools.command.build_ext import build_ext  # noqa: E402
+from setuptools.command.sdist import sdist  # noqa: E402
 from setuptools.errors import SetupError  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -46,6 +47,16 @@ def remove_later(folders):
     for folder in folders:
         if not os.path.exists(folder):
             atexit.register(shutil.rmtree, folder, True)
+
+
+class Sources(sdist):
+    """A source distribution with the license, which stands in the folder of the project."""
+
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        text = os.path.join(HERE, "..", "..", "LICENSE")
+        if os.path.exists(text):
+            self.copy_file(text, base_dir)
 
 
 class Native(build_ext):
@@ -91,6 +102,6 @@ remove_later(EGG_INFO)
 setup(
     version=version(),
     ext_modules=[Extension("usacv20._native", sources=[])],
-    cmdclass={"build_ext": Native},
+    cmdclass={"build_ext": Native, "sdist": Sources},
     options={"build": {"build_base": temporary()}},
 )

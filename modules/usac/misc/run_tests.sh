@@ -4,9 +4,9 @@
 # of this distribution and at http://opencv.org/license.html.
 
 # Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python (cv2 of this build, and
-# the package with and without Debian's cv2), a program against this build and the stand-alone one, the benchmark's, OpenCV's own tests with this module's flags in the place of OpenCV's, and
-# C++ once more with AddressSanitizer and UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo);
-# the last line is "<N> passed, <M> failed".
+# the package with and without Debian's cv2), a program against this build and the stand-alone one, the benchmark's, OpenCV's own
+# tests with this module's flags in the place of OpenCV's, and C++ once more with AddressSanitizer and
+# UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo); the last line is "<N> passed, <M> failed".
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
