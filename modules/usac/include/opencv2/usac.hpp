@@ -19,6 +19,7 @@ cv::estimateAffinePartial2D, cv::findFundamentalMat, cv::findEssentialMat and cv
    usacv20::estimateHomography, usacv20::estimateAffinity2D, usacv20::estimateSimilarity2D,
 usacv20::estimateFundamental, usacv20::estimateEssential, usacv20::estimateAbsolutePose, usacv20::estimateRigid3D,
 usacv20::estimateSimilarity3D.
+   Many of them in one call, side by side: usacv20::estimateBatch, usacv20::estimateHomographies and so on.
 3. A component of one's own: usacv20::Usac::create builds the default set, each can be replaced before
 usacv20::Usac::run.
 */

@@ -104,6 +104,9 @@ class BatchTest(unittest.TestCase):
                 usac.estimateHomographies(*call)
         with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
             usac.estimateEssentials(first, second, [np.eye(3)] * 2)
+        for both in (False, True):  # the camera of all is wrong
+            with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
+                usac.estimateEssentials(first, second, "K", returnExceptions=both)
 
     def test_none(self):
         self.assertEqual(usac.estimateHomographies([], []), [])

@@ -66,6 +66,8 @@ def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
 
 def _arrays(given: List[Any], name: str, optional: bool, mistakes: _Mistakes) -> List[Any]:
     take = _arguments.optionalArray if optional else _arguments.array
+    if optional and len(given) == 1:  # of all tasks: a mistake in it is none of a single one
+        return [take(given[0], name)]
     return [mistakes.guard(i, lambda: take(entry, "{}[{}]".format(name, i)), NO_POINTS)  # noqa: B023, called at once
             for i, entry in enumerate(given)]
 
