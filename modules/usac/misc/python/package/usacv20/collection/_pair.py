@@ -1,0 +1,115 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What the parts of the tool hand to each other: pairs of images with their matches, and what has become of them."""
+
+from __future__ import annotations
+
+import enum
+from typing import TYPE_CHECKING, Iterator, List, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from typing_extensions import Protocol
+else:
+    Protocol = object
+
+Key = Union[int, str]  # of a pair: COLMAP's pair_id in a database, a name in a list
+
+
+class CollectionError(Exception):
+    """What keeps the tool, or a pair, from going on: one line for the user."""
+
+
+class Configuration(enum.IntEnum):
+    """What the matches of two images are, with COLMAP's numbers."""
+
+    UNDEFINED = 0
+    DEGENERATE = 1
+    CALIBRATED = 2
+    UNCALIBRATED = 3
+    PLANAR = 4
+    PANORAMIC = 5
+    PLANAR_OR_PANORAMIC = 6
+    WATERMARK = 7
+
+
+class View(NamedTuple):
+    """One side of a pair: the matched points of an image and its camera."""
+
+    name: str
+    points: npt.NDArray[np.float64]  # M x 2, pixels, as a camera without distortion sees them
+    taken: npt.NDArray[np.float64]  # M x 2, pixels in the image as taken; the same array if there is no distortion
+    matrix: npt.NDArray[np.float64]  # 3 x 3
+    focalKnown: bool
+    width: int  # pixels; 0: not known
+    height: int
+
+
+class Pair(NamedTuple):
+    """Two images and their matches; row i of the points of both views is match i."""
+
+    key: Key
+    first: View
+    second: View
+    matches: npt.NDArray[np.uint32]  # M x 2: numbers of the keypoints
+    scores: Optional[npt.NDArray[np.float64]]  # M, of the matches; None: not known
+    higherIsBetter: bool
+
+
+class Fault(NamedTuple):
+    """A pair that cannot be read, in the place of a Pair."""
+
+    key: Key
+    reason: str  # one line that names the images
+
+
+class TwoView(NamedTuple):
+    """What has become of a pair."""
+
+    key: Key
+    configuration: Configuration  # UNDEFINED: a fault
+    inliers: npt.NDArray[np.uint32]  # K x 2: rows of Pair.matches
+    F: Optional[npt.NDArray[np.float64]]  # 3 x 3, of points without distortion; None: not estimated or not found
+    E: Optional[npt.NDArray[np.float64]]
+    H: Optional[npt.NDArray[np.float64]]
+    quaternion: Optional[npt.NDArray[np.float64]]  # w, x, y, z: x2 ~ R x1 + t; None: not known
+    translation: Optional[npt.NDArray[np.float64]]  # unit length; 0: a rotation
+    reason: str  # why the pair is refused, one line; empty: it is not
+    matches: int
+    iterations: int  # samples drawn, of all models
+    chance: float  # Report.chance of the model that was taken
+    milliseconds: float
+
+
+class Source(Protocol):
+    """Where pairs come from. Can be pickled; each process opens the files by itself when it needs them first."""
+
+    def keys(self) -> Iterator[Key]:
+        """Of all pairs in a fixed order, as a stream."""
+
+    def __len__(self) -> int:
+        """How many."""
+
+    def load(self, keys: Sequence[Key]) -> List[Union[Pair, Fault]]:
+        """Pairs in the order of the keys."""
+
+    def fingerprint(self) -> str:
+        """The same in two processes that see the same files."""
+
+
+class Sink(Protocol):
+    """Where results go; used by one thread only."""
+
+    def done(self, key: Key) -> bool:
+        """True if an earlier run has stored the pair (--resume)."""
+
+    def commit(self, results: Sequence[TwoView]) -> None:
+        """Stores results at once, or none of them."""
+
+    def close(self) -> None:
+        """Nothing is stored after it."""
