@@ -7,16 +7,12 @@
 from __future__ import annotations
 
 import enum
-from typing import TYPE_CHECKING, Iterator, List, NamedTuple, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Union
 
 import numpy as np
 
 if TYPE_CHECKING:
     import numpy.typing as npt
-
-    from typing_extensions import Protocol
-else:
-    Protocol = object
 
 Key = Union[int, str]  # of a pair: COLMAP's pair_id in a database, a name in a list
 
