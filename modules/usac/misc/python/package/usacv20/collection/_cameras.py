@@ -1,0 +1,142 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Cameras as a COLMAP database has them, and the removal of their distortion.
+
+The distortions are the two that OpenCV knows. Of a camera with a lens in perspective (u, v) = (x / z, y / z) moves by the
+polynomials in r^2 = u^2 + v^2 of cv2.undistortPoints; of a fisheye (u, v) is scaled so that the angle theta = atan(r) to the
+axis becomes theta (1 + k1 theta^2 + k2 theta^4 + ...), as of cv2.fisheye. COLMAP's models with fewer coefficients are these
+with the others 0; its models FOV, THIN_PRISM_FISHEYE and those of later versions have no counterpart and are refused by name."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Dict, NamedTuple, Tuple
+
+import numpy as np
+
+from ._pair import CollectionError
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Array = npt.NDArray[np.float64]
+
+# COLMAP's number of a model: its name and parameters, as its documentation lists them.
+_MODELS: Dict[int, Tuple[str, str]] = {
+    0: ("SIMPLE_PINHOLE", "f cx cy"),
+    1: ("PINHOLE", "fx fy cx cy"),
+    2: ("SIMPLE_RADIAL", "f cx cy k1"),
+    3: ("RADIAL", "f cx cy k1 k2"),
+    4: ("OPENCV", "fx fy cx cy k1 k2 p1 p2"),
+    5: ("OPENCV_FISHEYE", "fx fy cx cy k1 k2 k3 k4"),
+    6: ("FULL_OPENCV", "fx fy cx cy k1 k2 p1 p2 k3 k4 k5 k6"),
+    8: ("SIMPLE_RADIAL_FISHEYE", "f cx cy k1"),
+    9: ("RADIAL_FISHEYE", "f cx cy k1 k2"),
+}
+_REFUSED: Dict[int, str] = {7: "FOV", 10: "THIN_PRISM_FISHEYE", 11: "RAD_TAN_THIN_PRISM_FISHEYE"}
+_DISTORTIONS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
+# Newton's method doubles the digits that are right with each step; lenses in use take 3 to 6 steps to the last digit.
+_STEPS = 30
+# Largest error of a point whose distortion has been removed, in units of the focal length: of 10^4 pixels 10^-6 pixels.
+_TOLERANCE = 1e-10
+
+
+class Camera(NamedTuple):
+    """One row of the table `cameras`."""
+
+    id: int
+    model: str  # COLMAP's name
+    width: int  # pixels
+    height: int
+    matrix: Array  # 3 x 3
+    distortion: Tuple[float, ...]  # k1 k2 p1 p2 k3 k4 k5 k6; of a fisheye p1, p2, k5, k6 are 0
+    fisheye: bool
+    focalKnown: bool  # prior_focal_length: by EXIF data or the user
+
+    @classmethod
+    def fromColmap(cls, id: int, model: int, width: int, height: int, params: bytes, priorFocalLength: int) -> Camera:
+        """A camera from the columns of its row. Raises CollectionError for a model without a counterpart in OpenCV, and for
+        numbers that make no camera."""
+        if model not in _MODELS:
+            name = _REFUSED.get(model, "of number {}".format(model))
+            raise CollectionError("camera {}: its model {} has a distortion that OpenCV does not know".format(id, name))
+        name, parameters = _MODELS[model]
+        names = parameters.split()
+        blob = params or b""
+        values = np.frombuffer(blob, np.float64) if len(blob) % 8 == 0 else np.empty(0)
+        if len(values) != len(names):
+            raise CollectionError("camera {}: {} has {} parameters, of 8 bytes each, not {} bytes".format(
+                id, name, len(names), len(blob)))
+        value = {"fx": 0.0, "fy": 0.0, **{key: 0.0 for key in _DISTORTIONS}, **dict(zip(names, map(float, values)))}
+        if "f" in value:
+            value["fx"] = value["fy"] = value["f"]
+        if not np.all(np.isfinite(values)) or value["fx"] <= 0 or value["fy"] <= 0:
+            raise CollectionError("camera {}: parameters are to be finite, focal lengths positive, not {}".format(
+                id, ", ".join("{}={:g}".format(key, value[key]) for key in names)))
+        matrix = np.array([[value["fx"], 0, value["cx"]], [0, value["fy"], value["cy"]], [0, 0, 1]])
+        return cls(id, name, width, height, matrix, tuple(value[key] for key in _DISTORTIONS), name.endswith("FISHEYE"),
+                   bool(priorFocalLength))
+
+    @property
+    def distorted(self) -> bool:
+        return self.fisheye or any(self.distortion)
+
+    def ideal(self, points: npt.NDArray[np.floating]) -> Array:  # type: ignore[type-arg]
+        """Pixels as the same camera sees them without distortion.
+
+        points -- N x 2 pixels in the image as taken
+
+        Returns N x 2; NaN for points that no direction in front of the camera is mapped to."""
+        focal, center = self.matrix[[0, 1], [0, 1]], self.matrix[:2, 2]
+        distorted = (np.asarray(points, np.float64) - center) / focal
+        with np.errstate(all="ignore"):
+            undistorted = _withoutFisheye(distorted, self.distortion) if self.fisheye else _withoutLens(distorted, self.distortion)
+        result: Array = undistorted * focal + center
+        return result
+
+
+def _withoutFisheye(distorted: Array, distortion: Tuple[float, ...]) -> Array:
+    """The direction whose image is given, by Newton's method for the angle to the axis."""
+    k1, k2, _, _, k3, k4, _, _ = distortion
+    target = np.hypot(distorted[:, 0], distorted[:, 1])
+    angle = target.copy()
+    for _ in range(_STEPS):
+        s = angle * angle
+        error = angle * (1 + s * (k1 + s * (k2 + s * (k3 + s * k4)))) - target
+        slope = 1 + s * (3 * k1 + s * (5 * k2 + s * (7 * k3 + s * 9 * k4)))
+        angle -= error / slope
+        if np.all(np.abs(error) < _TOLERANCE):
+            break
+    # Where the polynomial falls with the angle its other branch was found: no lens maps two angles to one point.
+    angle[~((np.abs(error) < _TOLERANCE) & (slope > 0) & (angle >= 0) & (angle < np.pi / 2))] = np.nan
+    scale = np.where(target > 0, np.tan(angle) / np.where(target > 0, target, 1), 1)
+    result: Array = distorted * scale[:, None]
+    return result
+
+
+def _withoutLens(distorted: Array, distortion: Tuple[float, ...]) -> Array:
+    """The point whose image is given, by Newton's method in both coordinates."""
+    k1, k2, p1, p2, k3, k4, k5, k6 = distortion
+    u, v = distorted[:, 0].copy(), distorted[:, 1].copy()
+    for _ in range(_STEPS):
+        s = u * u + v * v
+        above, below = 1 + s * (k1 + s * (k2 + s * k3)), 1 + s * (k4 + s * (k5 + s * k6))
+        radial = above / below
+        slope = (k1 + s * (2 * k2 + s * 3 * k3) - radial * (k4 + s * (2 * k5 + s * 3 * k6))) / below  # by s
+        errorU = u * radial + 2 * p1 * u * v + p2 * (s + 2 * u * u) - distorted[:, 0]
+        errorV = v * radial + p1 * (s + 2 * v * v) + 2 * p2 * u * v - distorted[:, 1]
+        uu = radial + 2 * u * u * slope + 2 * p1 * v + 6 * p2 * u
+        vv = radial + 2 * v * v * slope + 6 * p1 * v + 2 * p2 * u
+        uv = 2 * u * v * slope + 2 * p1 * u + 2 * p2 * v  # the derivative of either coordinate by the other
+        determinant = uu * vv - uv * uv
+        u -= (vv * errorU - uv * errorV) / determinant
+        v -= (uu * errorV - uv * errorU) / determinant
+        found = np.maximum(np.abs(errorU), np.abs(errorV)) < _TOLERANCE
+        if np.all(found):
+            break
+    # As above: on the branch of the image's center both derivatives stay positive.
+    wrong = ~(found & (determinant > 0) & (uu > 0) & (below > 0))
+    result = np.stack([u, v], axis=1)
+    result[wrong] = np.nan
+    return result
