@@ -1,0 +1,240 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What two images are to each other: the rules that turn estimated models into a configuration.
+
+The rules are those that COLMAP documents, with three differences that are marked (*).
+
+1. An essential matrix E is estimated where both focal lengths are known, else a fundamental matrix F. With a significant E (see
+   Params.significance) of at least `minInliers` inliers F starts from E (*), else it is searched for, too.
+2. CALIBRATED: E has at least `calibrationRatio` of the inliers of F, but for the two matches that F's two degrees of freedom
+   more can win from any points (*). UNCALIBRATED: F has at least `minInliers`, and E has not.
+3. A homography H is estimated from the inliers of E or F. With more than `planarRatio` of them the scene is a plane, or the
+   camera has only turned: PLANAR_OR_PANORAMIC. Of cameras whose focal lengths are known a rotation is fitted to H's inliers
+   (*): PANORAMIC if it has more than `planarRatio` of E's, else PLANAR. Where there is neither E nor F, H is estimated from all
+   matches.
+4. WATERMARK: at least 0.7 of the inliers lie in the border of both images, a tenth of the diagonal wide, and have one and the
+   same motion there.
+5. DEGENERATE: none of these, or less than `minInliers`.
+
+The inliers are those of E or F, as H's are among them. The pose is known for CALIBRATED, PLANAR and PANORAMIC pairs; it is that
+of E but for a PANORAMIC pair, which has a rotation only."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+
+from .._batch import estimateEssentials, estimateFundamentals, estimateHomographies
+from .._params import Params
+from .._report import Report
+from ._pair import Configuration, Pair, TwoView, View
+from ._poses import directions, motionOfEssential, quaternion, rotation
+from ._settings import Settings
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Array = npt.NDArray[np.float64]
+    Mask = npt.NDArray[np.bool_]
+
+# F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
+_FREEDOM_MORE = 2
+# F that starts from E draws as good as no samples of its own: its local optimization does the work.
+_ITERATIONS_FROM_E = 10
+# An H with most of the points is found within 17 samples with a chance of 1 - 10^-4 (0.8^4 of the samples are right).
+_ITERATIONS_IN_INLIERS = 100
+# As COLMAP has them: the border as part of the diagonal, and the part of the inliers that make a watermark.
+_BORDER, _WATERMARK = 0.1, 0.7
+
+
+class _Model(NamedTuple):
+    """A model of one pair and what it explains."""
+
+    matrix: Array
+    mask: Mask  # of all matches
+    report: Report
+
+    @property
+    def inliers(self) -> int:
+        return int(np.count_nonzero(self.mask))
+
+
+class _Work:
+    """One pair on its way through the rules."""
+
+    def __init__(self, pair: Pair) -> None:
+        self.pair = pair
+        self.models: Dict[str, _Model] = {}
+        self.iterations = 0
+        self.milliseconds = 0.0
+        self.reason = ""
+        self.mistake = ""
+
+    @property
+    def calibrated(self) -> bool:
+        return self.pair.first.focalKnown and self.pair.second.focalKnown
+
+    def take(self, name: str, result: Any, minInliers: int, among: Optional[Mask] = None) -> None:
+        """What a batch has returned for this pair; `among`: the matches that it was given."""
+        if isinstance(result, Exception):
+            self.mistake = str(result).strip().splitlines()[-1]
+            return
+        matrix, mask, report = result
+        self.iterations += report.iterations
+        self.milliseconds += report.setupMs + report.searchMs + report.localMs + report.polishMs
+        found = mask.ravel() != 0
+        if among is not None:
+            whole = np.zeros(len(among), bool)
+            whole[among] = found
+            found = whole
+        model = None if matrix is None else _Model(matrix, found, report)
+        if model is not None and model.inliers >= minInliers:
+            self.models[name] = model
+        elif among is None:
+            self.reason = "{}: {}".format(name, report.describe() if model is None else "{} inliers, {} are needed".format(
+                model.inliers, minInliers))
+
+
+def verifyPairs(pairs: Sequence[Pair], settings: Settings) -> List[TwoView]:
+    """The two-view geometry of each pair, in their order. A result depends on its pair and the settings only."""
+    works = [_Work(pair) for pair in pairs]
+    enough = [work for work in works if len(work.pair.matches) >= max(settings.minInliers, 8)]
+    _estimate("E", [work for work in enough if work.calibrated], settings)
+    _estimate("F", enough, settings)
+    _estimate("H", enough, settings)
+    return [_result(work, settings) for work in works]
+
+
+def _estimate(name: str, works: List[_Work], settings: Settings) -> None:
+    """One model of many pairs, in one call of the package."""
+    if not works:
+        return
+    amongs: List[Optional[Mask]] = [_among(work) if name == "H" else None for work in works]
+    points1 = [_rows(work.pair.first.points, among) for work, among in zip(works, amongs)]
+    points2 = [_rows(work.pair.second.points, among) for work, among in zip(works, amongs)]
+    plain = settings.params()
+    params = [_params(name, work, among, settings) or plain for work, among in zip(works, amongs)]
+    if name == "E":
+        results = estimateEssentials(points1, points2, [work.pair.first.matrix for work in works],
+                                     [work.pair.second.matrix for work in works], params=params, threads=1, returnExceptions=True)
+    else:
+        estimate = estimateFundamentals if name == "F" else estimateHomographies
+        results = estimate(points1, points2, params, threads=1, returnExceptions=True)
+    for work, result, among in zip(works, results, amongs):
+        work.take(name, result, settings.minInliers, among)
+
+
+def _among(work: _Work) -> Optional[Mask]:
+    """The matches that a homography is asked to explain; None: all."""
+    model = _epipolar(work, 0)
+    return None if model is None else model.mask
+
+
+def _epipolar(work: _Work, calibrationRatio: float) -> Optional[_Model]:
+    """E or F, whichever stands."""
+    E, F = work.models.get("E"), work.models.get("F")
+    if E is not None and (F is None or E.inliers + _FREEDOM_MORE >= calibrationRatio * F.inliers):
+        return E
+    return F
+
+
+def _rows(points: Array, among: Optional[Mask]) -> Array:
+    return points if among is None else points[among]
+
+
+def _params(name: str, work: _Work, among: Optional[Mask], settings: Settings) -> Optional[Params]:
+    """Options of this pair; None: those of any."""
+    fromE = name == "F" and "E" in work.models
+    if among is None and not fromE and work.pair.scores is None:
+        return None
+    params = settings.params(work.pair)
+    if among is not None:
+        params.maxIterations = min(params.maxIterations, _ITERATIONS_IN_INLIERS)
+        if len(params.scores):
+            params.scores = params.scores[among]
+    elif fromE:
+        params.maxIterations = min(params.maxIterations, _ITERATIONS_FROM_E)
+        params.setInitialModel(_fundamental(work.models["E"].matrix, work.pair))
+    return params
+
+
+def _fundamental(E: Array, pair: Pair) -> Array:
+    F: Array = np.linalg.inv(pair.second.matrix).T @ E @ np.linalg.inv(pair.first.matrix)
+    return F / np.linalg.norm(F)
+
+
+def _result(work: _Work, settings: Settings) -> TwoView:
+    """The rules."""
+    pair, F, H = work.pair, work.models.get("F"), work.models.get("H")
+    base = _epipolar(work, settings.calibrationRatio) or H
+    if work.mistake or base is None:
+        return _refused(work, settings)
+    calibrated = base is work.models.get("E")
+    configuration = Configuration.CALIBRATED if calibrated else Configuration.UNCALIBRATED
+    pose: Optional[Tuple[Array, Array]] = None
+    if calibrated:
+        pose = _motion(base, pair)
+    if H is not None and H.inliers > settings.planarRatio * base.inliers:
+        configuration = Configuration.PLANAR_OR_PANORAMIC
+        if work.calibrated and (calibrated or base is H):
+            turn = _turn(H, base, pair, settings)
+            configuration = Configuration.PLANAR if turn is None else Configuration.PANORAMIC
+            pose = pose if turn is None else (turn, np.zeros(3))
+    if settings.watermarks and _isWatermark(base.mask, pair, settings.threshold):
+        configuration = Configuration.WATERMARK
+    return TwoView(
+        pair.key, configuration, np.ascontiguousarray(pair.matches[base.mask], np.uint32),
+        _fundamental(base.matrix, pair) if calibrated else None if F is None else F.matrix,
+        base.matrix if calibrated else None, None if H is None else H.matrix,
+        None if pose is None else quaternion(pose[0]), None if pose is None else pose[1], "", len(pair.matches),
+        work.iterations, base.report.chance, work.milliseconds)
+
+
+def _refused(work: _Work, settings: Settings) -> TwoView:
+    count = len(work.pair.matches)
+    needed = max(settings.minInliers, 8)
+    reason = work.mistake or (work.reason if count >= needed else "{} matches, {} are needed".format(count, needed))
+    configuration = Configuration.UNDEFINED if work.mistake else Configuration.DEGENERATE
+    return TwoView(work.pair.key, configuration, np.empty((0, 2), np.uint32), None, None, None, None, None, reason, count,
+                   work.iterations, 1.0, work.milliseconds)
+
+
+def _views(pair: Pair, mask: Mask) -> Tuple[Array, Array]:
+    def of(view: View) -> Array:
+        return directions(view.points[mask], view.matrix)
+    return of(pair.first), of(pair.second)
+
+
+def _motion(E: _Model, pair: Pair) -> Tuple[Array, Array]:
+    return motionOfEssential(E.matrix, *_views(pair, E.mask))
+
+
+def _turn(H: _Model, base: _Model, pair: Pair, settings: Settings) -> Optional[Array]:
+    """The rotation of the camera that explains the inliers of `base`; None: there is none."""
+    R = rotation(*_views(pair, H.mask))
+    first, _ = _views(pair, base.mask)
+    moved = first @ (pair.second.matrix @ R).T
+    with np.errstate(all="ignore"):
+        error = np.linalg.norm(moved[:, :2] / moved[:, 2:] - pair.second.points[base.mask], axis=1)
+    right = np.count_nonzero((error <= settings.threshold) & (moved[:, 2] > 0))
+    return R if right > settings.planarRatio * base.inliers else None
+
+
+def _isWatermark(mask: Mask, pair: Pair, threshold: float) -> bool:
+    """A picture's frame, mark or date stays where it is in the image, whatever the camera sees."""
+    inside = np.ones(int(np.count_nonzero(mask)), bool)
+    for view in (pair.first, pair.second):
+        if view.width <= 0 or view.height <= 0:
+            return False
+        points = view.taken[mask]
+        margin = _BORDER * float(np.hypot(view.width, view.height))
+        far = np.minimum(points, np.array([view.width, view.height]) - points).min(axis=1) > margin
+        inside &= ~far
+    if np.count_nonzero(inside) < _WATERMARK * len(inside):
+        return False
+    motion = (pair.second.taken[mask] - pair.first.taken[mask])[inside]
+    same = np.linalg.norm(motion - np.median(motion, axis=0), axis=1) <= threshold
+    return bool(np.count_nonzero(same) >= _WATERMARK * len(inside))

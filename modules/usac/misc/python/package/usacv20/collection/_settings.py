@@ -1,0 +1,59 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""How pairs are verified."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Dict, Optional
+
+from .._enumerations import ScoreOrder, UsacV20Method
+from .._params import Params
+from ._pair import CollectionError, Pair
+
+METHODS = {flag.name: flag for flag in UsacV20Method if flag is not UsacV20Method.USACV20_PARALLEL}  # parallel are the pairs
+
+
+@dataclasses.dataclass(frozen=True)
+class Settings:
+    """Options of the verification. Those without another source have the defaults of COLMAP's."""
+
+    threshold: float = 4.0  # pixels, largest error of an inlier
+    method: str = "USACV20"  # one of METHODS
+    confidence: float = 0.999
+    maxIterations: int = 10000  # samples of a model
+    seed: int = 0
+    minInliers: int = 15  # of a pair that is kept
+    planarRatio: float = 0.8  # of the inliers; a homography with more of them makes the pair planar or panoramic
+    calibrationRatio: float = 0.95  # E with less of the inliers of F tells that the focal lengths are wrong
+    watermarks: bool = True  # pairs whose matches are a picture's frame or mark are named as such
+
+    def __post_init__(self) -> None:
+        if self.method not in METHODS:
+            raise CollectionError("method: one of {} is expected, not {}".format(", ".join(METHODS), self.method))
+        if self.minInliers < 1:
+            raise CollectionError("min-inliers: a positive number is expected, not {}".format(self.minInliers))
+        for name in ("planarRatio", "calibrationRatio"):
+            if not 0 <= getattr(self, name) <= 1:
+                raise CollectionError("{}: a number from 0 to 1 is expected, not {}".format(name, getattr(self, name)))
+        try:
+            self.params().check()
+        except Exception as mistake:
+            raise CollectionError(str(mistake).strip().splitlines()[-1])
+
+    def asDict(self) -> Dict[str, Any]:
+        """For a file: what two runs must have in common to be one."""
+        return dataclasses.asdict(self)
+
+    def params(self, pair: Optional[Pair] = None) -> Params:
+        """Options of the estimator, with the scores of a pair."""
+        params = Params.fromMethod(METHODS[self.method])
+        params.threshold, params.confidence, params.maxIterations, params.seed = (
+            self.threshold, self.confidence, self.maxIterations, self.seed)
+        if pair is not None and pair.scores is not None:
+            params.scores = pair.scores
+            params.scoreOrder = (ScoreOrder.SCORES_HIGHER_IS_BETTER if pair.higherIsBetter
+                                 else ScoreOrder.SCORES_LOWER_IS_BETTER)
+        return params
