@@ -4,16 +4,18 @@
 
 """What two images are to each other: the rules that turn estimated models into a configuration.
 
-The rules are those that COLMAP documents, with three differences that are marked (*).
+The rules are COLMAP's, with differences that are marked (*).
 
 1. An essential matrix E is estimated where both focal lengths are known, else a fundamental matrix F. With a significant E (see
    Params.significance) of at least `minInliers` inliers F starts from E (*), else it is searched for, too.
-2. CALIBRATED: E has at least `calibrationRatio` of the inliers of F, but for the two matches that F's two degrees of freedom
-   more can win from any points (*). UNCALIBRATED: F has at least `minInliers`, and E has not.
-3. A homography H is estimated from the inliers of E or F. With more than `planarRatio` of them the scene is a plane, or the
-   camera has only turned: PLANAR_OR_PANORAMIC. Of cameras whose focal lengths are known a rotation is fitted to H's inliers
-   (*): PANORAMIC if it has more than `planarRatio` of E's, else PLANAR. Where there is neither E nor F, H is estimated from all
-   matches.
+2. A homography H is estimated from the inliers of E, else of F (*). With more than `planarRatio` of them the scene is a plane,
+   or the camera has only turned. Where there is neither E nor F, H is estimated from all matches.
+3. CALIBRATED: E has at least `calibrationRatio` of the inliers of F, but for the two matches that F's two degrees of freedom
+   more can win from any points, or H has more than `planarRatio` of E's (*): with a plane F can choose an epipole that suits
+   wrong matches, and its surplus tells nothing of the focal lengths. UNCALIBRATED: F has at least `minInliers`, and E has not,
+   or too few.
+   PLANAR_OR_PANORAMIC: H explains as much as said in 2. Of cameras whose focal lengths are known a rotation is fitted to H's
+   inliers (*): PANORAMIC if it has more than `planarRatio` of E's, else PLANAR.
 4. WATERMARK: at least 0.7 of the inliers lie in the border of both images, a tenth of the diagonal wide, and have one and the
    same motion there.
 5. DEGENERATE: none of these, or less than `minInliers`.
@@ -129,16 +131,16 @@ def _estimate(name: str, works: List[_Work], settings: Settings) -> None:
 
 def _among(work: _Work) -> Optional[Mask]:
     """The matches that a homography is asked to explain; None: all."""
-    model = _epipolar(work, 0)
+    model = work.models.get("E") or work.models.get("F")
     return None if model is None else model.mask
 
 
-def _epipolar(work: _Work, calibrationRatio: float) -> Optional[_Model]:
-    """E or F, whichever stands."""
-    E, F = work.models.get("E"), work.models.get("F")
-    if E is not None and (F is None or E.inliers + _FREEDOM_MORE >= calibrationRatio * F.inliers):
-        return E
-    return F
+def _base(work: _Work, settings: Settings) -> Optional[_Model]:
+    """E, F or H, whichever tells the inliers."""
+    E, F, H = (work.models.get(name) for name in "EFH")
+    if E is None or F is None or H is not None and H.inliers > settings.planarRatio * E.inliers:
+        return E or F or H
+    return E if E.inliers + _FREEDOM_MORE >= settings.calibrationRatio * F.inliers else F
 
 
 def _rows(points: Array, among: Optional[Mask]) -> Array:
@@ -169,7 +171,7 @@ def _fundamental(E: Array, pair: Pair) -> Array:
 def _result(work: _Work, settings: Settings) -> TwoView:
     """The rules."""
     pair, F, H = work.pair, work.models.get("F"), work.models.get("H")
-    base = _epipolar(work, settings.calibrationRatio) or H
+    base = _base(work, settings)
     if work.mistake or base is None:
         return _refused(work, settings)
     calibrated = base is work.models.get("E")
