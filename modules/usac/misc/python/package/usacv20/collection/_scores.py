@@ -1,0 +1,94 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Scores of the matches of a database: of hloc's file of matches, or of a column beside them."""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, Tuple
+
+import numpy as np
+
+from ._pair import CollectionError
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Array = npt.NDArray[np.float64]
+    Matches = npt.NDArray[np.uint32]
+
+
+class HlocScores:
+    """HDF5 as hloc writes it: a group for each pair, named by both images with - for / in their names, and in it `matches0`, for
+    each keypoint of the first image the number of its partner or -1, and `matching_scores0`."""
+
+    higherIsBetter = True
+
+    def __init__(self, path: str) -> None:
+        self.path = os.path.abspath(path)
+        self._file: Any = None
+        self._open()
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {"path": self.path, "_file": None}
+
+    def _open(self) -> Any:
+        if self._file is None:
+            try:
+                import h5py
+            except ImportError:
+                raise CollectionError("scores: h5py is needed to read {} (Debian: python3-h5py)".format(self.path))
+            try:
+                self._file = h5py.File(self.path, "r")
+            except OSError as mistake:
+                raise CollectionError("scores: {} is no HDF5 file that can be read: {}".format(self.path, mistake))
+        return self._file
+
+    def of(self, pairId: int, name1: str, name2: str, matches: Matches, connection: sqlite3.Connection) -> Optional[Array]:
+        """One number for each match. Raises CollectionError if the file has other matches, or none of the pair."""
+        for first, second, order in ((name1, name2, (0, 1)), (name2, name1, (1, 0))):
+            for name in _groupNames(first, second):
+                if name in self._open():
+                    return self._read(self._open()[name], matches[:, order[0]], matches[:, order[1]], name)
+        raise CollectionError("{} has no scores of this pair".format(self.path))
+
+    def _read(self, group: Any, first: npt.NDArray[np.uint32], second: npt.NDArray[np.uint32], name: str) -> Array:
+        if "matches0" not in group or "matching_scores0" not in group:
+            raise CollectionError("{}: matches0 and matching_scores0 are expected in {}".format(self.path, name))
+        partners, scores = np.asarray(group["matches0"]), np.asarray(group["matching_scores0"], np.float64)
+        if len(first) and (int(first.max()) >= min(len(partners), len(scores)) or np.any(partners[first] != second)):
+            raise CollectionError("{} has other matches of this pair than the database".format(self.path))
+        result: Array = scores[first]
+        return result
+
+
+def _groupNames(first: str, second: str) -> Iterator[str]:
+    """Of hloc's present and of its older versions."""
+    first, second = first.replace("/", "-"), second.replace("/", "-")
+    yield first + "/" + second
+    yield first + "_" + second
+
+
+class ColumnScores:
+    """A column of the table `matches` of the database, with a float32 or float64 for each match."""
+
+    def __init__(self, column: str, higherIsBetter: bool) -> None:
+        if '"' in column:
+            raise CollectionError("scores-column: {!r} is no name of a column".format(column))
+        self.column = column
+        self.higherIsBetter = higherIsBetter
+
+    def of(self, pairId: int, name1: str, name2: str, matches: Matches, connection: sqlite3.Connection) -> Optional[Array]:
+        """One number for each match. Raises CollectionError if there are more or less."""
+        row: Optional[Tuple[Any]] = connection.execute(
+            'SELECT matches."{}" FROM matches WHERE pair_id = ?'.format(self.column), (pairId,)).fetchone()
+        blob = row[0] if row is not None else None
+        size = len(blob) if isinstance(blob, bytes) else 0
+        types = {4 * len(matches): np.float32, 8 * len(matches): np.float64}
+        if blob is None or size not in types:
+            raise CollectionError("column {} has {} bytes, not 4 or 8 for each of {} matches".format(
+                self.column, size, len(matches)))
+        return np.frombuffer(blob, types[size]).astype(np.float64)
