@@ -1,0 +1,11 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Two-view geometry of all pairs of a collection: python3 -m usacv20.collection --help
+
+    verify DATABASE   all pairs of a COLMAP database, in the place of COLMAP's own verification
+    pairs LIST        all pairs of a folder or file of matches
+    report DATABASE   what a run has found
+
+doc/collections.md describes the rules, the files and what they cost."""

@@ -21,7 +21,8 @@ The rules are COLMAP's, with differences that are marked (*).
 5. DEGENERATE: none of these, or less than `minInliers`.
 
 The inliers are those of E or F, as H's are among them. The pose is known for CALIBRATED, PLANAR and PANORAMIC pairs; it is that
-of E but for a PANORAMIC pair, which has a rotation only."""
+of E but for a PANORAMIC pair, which has a rotation only. Of a PLANAR pair it is one of the two motions that see a plane alike
+@cite longuet1986reconstruction, unless matches off the plane decide."""
 
 from __future__ import annotations
 
@@ -33,7 +34,7 @@ from .._batch import estimateEssentials, estimateFundamentals, estimateHomograph
 from .._params import Params
 from .._report import Report
 from ._pair import Configuration, Pair, TwoView, View
-from ._poses import directions, motionOfEssential, quaternion, rotation
+from ._poses import directions, motionOfEssential, quaternion, rotation, sampsonDistances
 from ._settings import Settings
 
 if TYPE_CHECKING:
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
 
 # F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
 _FREEDOM_MORE = 2
+_DEVIATIONS = 3  # of a count: one in a thousand is larger by chance
 # F that starts from E draws as good as no samples of its own: its local optimization does the work.
 _ITERATIONS_FROM_E = 10
 # An H with most of the points is found within 17 samples with a chance of 1 - 10^-4 (0.8^4 of the samples are right).
@@ -140,7 +142,12 @@ def _base(work: _Work, settings: Settings) -> Optional[_Model]:
     E, F, H = (work.models.get(name) for name in "EFH")
     if E is None or F is None or H is not None and H.inliers > settings.planarRatio * E.inliers:
         return E or F or H
-    return E if E.inliers + _FREEDOM_MORE >= settings.calibrationRatio * F.inliers else F
+    surplus = settings.calibrationRatio * F.inliers - E.inliers - _FREEDOM_MORE
+    if surplus <= 0:
+        return E
+    error = sampsonDistances(_fundamental(E.matrix, work.pair), work.pair.first.points, work.pair.second.points)
+    beside = (error > settings.threshold) & (error <= 3 * settings.threshold)  # twice as wide as the band of the inliers
+    return E if surplus <= _DEVIATIONS * np.sqrt(np.count_nonzero(beside) / 2) else F
 
 
 def _rows(points: Array, among: Optional[Mask]) -> Array:
@@ -155,6 +162,7 @@ def _params(name: str, work: _Work, among: Optional[Mask], settings: Settings) -
     params = settings.params(work.pair)
     if among is not None:
         params.maxIterations = min(params.maxIterations, _ITERATIONS_IN_INLIERS)
+        params.significance = 1  # its part of the inliers is what counts
         if len(params.scores):
             params.scores = params.scores[among]
     elif fromE:

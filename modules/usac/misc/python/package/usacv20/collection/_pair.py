@@ -107,5 +107,5 @@ class Sink(Protocol):
     def commit(self, results: Sequence[TwoView]) -> None:
         """Stores results at once, or none of them."""
 
-    def close(self) -> None:
-        """Nothing is stored after it."""
+    def close(self, finished: bool = True) -> None:
+        """Nothing is stored after it. finished -- False: pairs are left for --resume."""

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, Tuple
 
 import numpy as np
 
+from ._optional import need
 from ._pair import CollectionError
 
 if TYPE_CHECKING:
@@ -35,12 +36,13 @@ class HlocScores:
     def __getstate__(self) -> Dict[str, Any]:
         return {"path": self.path, "_file": None}
 
+    def describe(self) -> str:
+        """For the settings of a run."""
+        return os.path.basename(self.path)
+
     def _open(self) -> Any:
         if self._file is None:
-            try:
-                import h5py
-            except ImportError:
-                raise CollectionError("scores: h5py is needed to read {} (Debian: python3-h5py)".format(self.path))
+            h5py = need("h5py", "to read " + self.path)
             try:
                 self._file = h5py.File(self.path, "r")
             except OSError as mistake:
@@ -80,6 +82,10 @@ class ColumnScores:
             raise CollectionError("scores-column: {!r} is no name of a column".format(column))
         self.column = column
         self.higherIsBetter = higherIsBetter
+
+    def describe(self) -> str:
+        """For the settings of a run."""
+        return "matches.{}, {} is better".format(self.column, "higher" if self.higherIsBetter else "lower")
 
     def of(self, pairId: int, name1: str, name2: str, matches: Matches, connection: sqlite3.Connection) -> Optional[Array]:
         """One number for each match. Raises CollectionError if there are more or less."""

@@ -26,6 +26,9 @@ class Settings:
     maxIterations: int = 10000  # samples of a model
     seed: int = 0
     minInliers: int = 15  # of a pair that is kept
+    # Largest Report.chance of a pair that is kept: of pairs without overlap at most this part is taken for one with. A hundredth of
+    # what is asked of a single pair, as most pairs of a collection have no overlap.
+    significance: float = 1e-4
     planarRatio: float = 0.8  # of the inliers; a homography with more of them makes the pair planar or panoramic
     calibrationRatio: float = 0.95  # E with less of the inliers of F tells that the focal lengths are wrong
     watermarks: bool = True  # pairs whose matches are a picture's frame or mark are named as such
@@ -50,8 +53,8 @@ class Settings:
     def params(self, pair: Optional[Pair] = None) -> Params:
         """Options of the estimator, with the scores of a pair."""
         params = Params.fromMethod(METHODS[self.method])
-        params.threshold, params.confidence, params.maxIterations, params.seed = (
-            self.threshold, self.confidence, self.maxIterations, self.seed)
+        params.threshold, params.confidence, params.maxIterations, params.seed, params.significance = (
+            self.threshold, self.confidence, self.maxIterations, self.seed, self.significance)
         if pair is not None and pair.scores is not None:
             params.scores = pair.scores
             params.scoreOrder = (ScoreOrder.SCORES_HIGHER_IS_BETTER if pair.higherIsBetter

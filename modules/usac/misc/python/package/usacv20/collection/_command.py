@@ -1,0 +1,190 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The command line."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from typing import Any, Dict, Optional, Sequence
+
+from ._database import DatabaseSource
+from ._database_sink import DatabaseSink
+from ._engine import CHUNK, Summary, run
+from ._geometry import verifyPairs
+from ._pair import CollectionError, Sink, Source
+from ._scores import ColumnScores, HlocScores
+from ._settings import METHODS, Settings
+from ._sqlite import copyDatabase
+
+DONE, FAULTS, MISTAKE, INTERRUPTED = 0, 1, 2, 130
+
+_EPILOG = """exit code: 0 all pairs are done (refused ones, too); 1 some cannot be read, each is named on a line; 2 nothing could be
+done; 130 interrupted: what was done is stored, --resume goes on"""
+
+
+def _threshold(text: str) -> Optional[float]:
+    if text == "auto":
+        return None
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError("auto or a number of pixels is expected, not {!r}".format(text))
+
+
+def _count(text: str) -> int:
+    try:
+        number = int(text)
+    except ValueError:
+        number = -1
+    if number < 0:
+        raise argparse.ArgumentTypeError("a number from 0 on is expected, not {!r}".format(text))
+    return number
+
+
+def _addEstimation(parser: argparse.ArgumentParser) -> None:
+    default = Settings()
+    group = parser.add_argument_group("estimation")
+    group.add_argument("--threshold", type=_threshold, default=None, metavar="PIXELS",
+                       help="largest error of an inlier, or auto (default): found from a part of the pairs")
+    group.add_argument("--method", choices=sorted(METHODS), default=default.method, help="preset (default %(default)s)")
+    group.add_argument("--confidence", type=float, default=default.confidence, help="default %(default)s")
+    group.add_argument("--max-iterations", type=_count, default=default.maxIterations, metavar="N",
+                       help="samples of a model (default %(default)s)")
+    group.add_argument("--min-inliers", type=_count, default=default.minInliers, metavar="N",
+                       help="of a pair that is kept (default %(default)s)")
+    group.add_argument("--significance", type=float, default=default.significance, metavar="CHANCE",
+                       help="of pairs without overlap at most this part is kept (default %(default)s)")
+    group.add_argument("--no-watermarks", action="store_true", help="do not look for pairs that share a mark or frame only")
+    group.add_argument("--seed", type=int, default=default.seed, help="of the pseudo-random samples (default %(default)s)")
+
+
+def _addEngine(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("engine")
+    group.add_argument("--resume", action="store_true", help="go on with an interrupted run; pairs that are done are skipped")
+    where = group.add_mutually_exclusive_group()
+    where.add_argument("--threads", type=_count, default=0, metavar="N", help="of this process (default 0: one for each core)")
+    where.add_argument("--workers", type=_count, default=0, metavar="N", help="processes of a cluster on this machine (Dask)")
+    where.add_argument("--scheduler", default="", metavar="tcp://HOST:PORT", help="of a cluster that runs already (Dask)")
+    group.add_argument("--chunk", type=_count, default=CHUNK, metavar="N",
+                       help="pairs that are handed out and stored together (default %(default)s)")
+    bar = group.add_mutually_exclusive_group()
+    bar.add_argument("--progress", action="store_true", default=None, help="a progress bar, whatever stderr is")
+    bar.add_argument("--no-progress", action="store_false", dest="progress", help="no progress bar")
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="usacv20-collection", epilog=_EPILOG,
+                                     description="Two-view geometry of all pairs of a collection of images.")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+
+    verify = commands.add_parser("verify", epilog=_EPILOG, help="all pairs of a COLMAP database",
+                                 description="Estimates the two-view geometry of all pairs of a COLMAP database and writes its "
+                                 "table two_view_geometries, from which colmap mapper goes on. Other tables of COLMAP are not changed.")
+    verify.add_argument("database", metavar="DATABASE")
+    verify.add_argument("--output", metavar="COPY", help="leave the database as it is and write to a copy")
+    scores = verify.add_mutually_exclusive_group()
+    scores.add_argument("--scores", metavar="FILE", help="of the matches, as hloc writes them (HDF5)")
+    scores.add_argument("--scores-column", metavar="NAME", help="of the table matches, with a float32 or float64 for each match")
+    verify.add_argument("--lower-is-better", action="store_true", help="of the numbers in --scores-column (default: higher)")
+    _addEstimation(verify)
+    _addEngine(verify)
+    verify.set_defaults(function=_verify)
+
+    pairs = commands.add_parser("pairs", epilog=_EPILOG, help="all pairs of a folder or file of matches",
+                                description="The same for matches outside of a database: a folder of .corr or NPZ files, an "
+                                "NPZ or HDF5 file of many pairs.")
+    pairs.add_argument("list", metavar="LIST")
+    pairs.add_argument("--output", metavar="FILE", required=True, help="results; its ending, .db, .npz or .h5, tells the format")
+    pairs.add_argument("--keypoints", metavar="FILE", help="of hloc (HDF5), if LIST is its file of matches")
+    _addEstimation(pairs)
+    _addEngine(pairs)
+    pairs.set_defaults(function=_pairs)
+
+    report = commands.add_parser("report", help="what a run has found",
+                                 description="Which pairs are verified and why the others are refused; inlier ratios, iterations, "
+                                 "times; the pairs most worth a look.")
+    report.add_argument("database", metavar="DATABASE", help="a database after verify, or the results of pairs")
+    report.add_argument("--pictures", metavar="FOLDER", help="write the histograms and the matrix of the pairs as PNG (matplotlib)")
+    report.set_defaults(function=_report)
+    return parser
+
+
+def _settings(options: argparse.Namespace, source: Source) -> Settings:
+    given: Dict[str, Any] = dict(
+        method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
+        minInliers=options.min_inliers, significance=options.significance, watermarks=not options.no_watermarks,
+        seed=options.seed)
+    if options.threshold is not None:
+        return Settings(threshold=options.threshold, **given)
+    from ._threshold import estimateThreshold, samplePairs
+    estimate = estimateThreshold(samplePairs(source), Settings(**given))
+    print("threshold: " + estimate.describe(), flush=True)
+    return Settings(threshold=estimate.threshold, **given)
+
+
+def _go(options: argparse.Namespace, source: Source, sink: Sink, settings: Settings) -> Summary:
+    if options.chunk < 1:
+        raise CollectionError("chunk: a positive number is expected")
+    finished = False
+    try:
+        summary = run(source, sink, settings, verifyPairs, threads=options.threads, chunk=options.chunk, workers=options.workers,
+                      scheduler=options.scheduler, progress=options.progress)
+        finished = not summary.interrupted
+    finally:
+        sink.close(finished)
+    print(summary.line())
+    print(summary.times())
+    return summary
+
+
+def _exitCode(summary: Summary) -> int:
+    return INTERRUPTED if summary.interrupted else FAULTS if summary.faults else DONE
+
+
+def _verify(options: argparse.Namespace) -> int:
+    scores: Any = None
+    if options.scores:
+        scores = HlocScores(options.scores)
+    elif options.scores_column:
+        scores = ColumnScores(options.scores_column, not options.lower_is_better)
+    source = DatabaseSource(options.database, scores)
+    settings = _settings(options, source)
+    target = options.output or options.database
+    if options.output and not (options.resume and os.path.exists(options.output)):
+        copyDatabase(options.database, options.output)
+    used = dict(settings.asDict(), scores=scores.describe() if scores else None)
+    sink = DatabaseSink(target, used, options.resume)
+    summary = _go(options, source, sink, settings)
+    if sink.removed:
+        print("{} rows that were in two_view_geometries are replaced".format(sink.removed))
+    return _exitCode(summary)
+
+
+def _pairs(options: argparse.Namespace) -> int:
+    from ._list_results import openResults
+    from ._lists import ListSource
+    source = ListSource(options.list, options.keypoints)
+    settings = _settings(options, source)
+    return _exitCode(_go(options, source, openResults(options.output, settings.asDict(), options.resume), settings))
+
+
+def _report(options: argparse.Namespace) -> int:
+    from ._report import report
+    return report(options.database, options.pictures)
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """Runs a command; returns its exit code."""
+    options = _parser().parse_args(arguments)
+    try:
+        result: int = options.function(options)
+        return result
+    except CollectionError as mistake:
+        print("usacv20-collection: {}".format(mistake), file=sys.stderr)
+        return MISTAKE
+    except KeyboardInterrupt:
+        return INTERRUPTED

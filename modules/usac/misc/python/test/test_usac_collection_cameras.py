@@ -1,0 +1,115 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Cameras of a COLMAP database: numbers of their models, removal of the distortion."""
+
+import unittest
+
+import numpy as np
+
+from usac_common import cv, needsCv2, package
+
+try:
+    from usacv20.collection._cameras import Camera
+    from usacv20.collection._pair import CollectionError
+except ImportError:  # in-tree
+    Camera = None
+
+# Number of the model, its name, parameters.
+LENSES = ((2, "SIMPLE_RADIAL", [800, 400, 300, -.2]), (3, "RADIAL", [800, 400, 300, -.25, .06]),
+          (4, "OPENCV", [800, 810, 400, 300, -.25, .06, 1e-3, -2e-3]),
+          (6, "FULL_OPENCV", [800, 810, 400, 300, -.25, .06, 1e-3, -2e-3, .01, .02, .01, .003]))
+FISHEYES = ((5, "OPENCV_FISHEYE", [400, 410, 400, 300, -.02, .006, 1e-3, -2e-3]),
+            (8, "SIMPLE_RADIAL_FISHEYE", [400, 400, 300, .05]), (9, "RADIAL_FISHEYE", [400, 400, 300, .05, -.01]))
+
+
+def camera(model, params, known=1):
+    return Camera.fromColmap(7, model, 800, 600, np.array(params, np.float64).tobytes(), known)
+
+
+def seen(lens, points):
+    """What the camera takes of points with z = 1, written out from the definition of the distortion."""
+    k1, k2, p1, p2, k3, k4, k5, k6 = lens.distortion
+    u, v = points.T
+    r2 = u * u + v * v
+    if lens.fisheye:
+        r = np.sqrt(r2)
+        angle = np.arctan(r)
+        scale = angle * (1 + k1 * angle**2 + k2 * angle**4 + k3 * angle**6 + k4 * angle**8) / np.where(r > 0, r, 1)
+        du, dv = u * scale, v * scale
+    else:
+        scale = (1 + k1 * r2 + k2 * r2**2 + k3 * r2**3) / (1 + k4 * r2 + k5 * r2**2 + k6 * r2**3)
+        du = u * scale + 2 * p1 * u * v + p2 * (r2 + 2 * u * u)
+        dv = v * scale + p1 * (r2 + 2 * v * v) + 2 * p2 * u * v
+    return np.stack([du, dv, np.ones_like(u)], axis=1) @ lens.matrix[:2].T
+
+
+def grid(extent):
+    return np.stack(np.meshgrid(np.linspace(-extent, extent, 21), np.linspace(-extent, extent, 21)), axis=-1).reshape(-1, 2)
+
+
+@package
+class CamerasTest(unittest.TestCase):
+
+    def test_without_distortion(self):
+        for model, name, params, matrix in (
+                (0, "SIMPLE_PINHOLE", [800, 400, 300], [[800, 0, 400], [0, 800, 300], [0, 0, 1]]),
+                (1, "PINHOLE", [800, 810, 400, 300], [[800, 0, 400], [0, 810, 300], [0, 0, 1]])):
+            got = camera(model, params, known=0)
+            self.assertEqual((got.id, got.model, got.width, got.height, got.focalKnown, got.distorted),
+                             (7, name, 800, 600, False, False))
+            np.testing.assert_array_equal(got.matrix, matrix)
+            points = np.random.RandomState(1).uniform(0, 800, (9, 2))
+            np.testing.assert_allclose(got.ideal(points), points, atol=1e-9)
+
+    def test_distortion_is_removed(self):
+        for model, name, params in LENSES + FISHEYES:
+            lens = camera(model, params)
+            self.assertEqual((lens.model, lens.distorted, lens.focalKnown), (name, True, True))
+            points = grid(1.5 if lens.fisheye else 0.5)
+            expected = np.c_[points, np.ones(len(points))] @ lens.matrix[:2].T
+            np.testing.assert_allclose(lens.ideal(seen(lens, points)), expected, atol=1e-6, err_msg=name)
+
+    @needsCv2
+    def test_distortion_is_that_of_OpenCV(self):
+        points, zero = np.c_[grid(0.5), np.ones(21 * 21)], np.zeros(3)
+        for model, name, params in LENSES:
+            lens = camera(model, params)
+            taken, _ = cv.projectPoints(points, zero, zero, lens.matrix, np.array(lens.distortion))
+            np.testing.assert_allclose(taken[:, 0], seen(lens, points[:, :2]), atol=1e-9, err_msg=name)
+        for model, name, params in FISHEYES:
+            lens = camera(model, params)
+            taken, _ = cv.fisheye.projectPoints(points[:, None], zero, zero, lens.matrix,
+                                                np.array(lens.distortion)[[0, 1, 4, 5]])
+            np.testing.assert_allclose(taken[:, 0], seen(lens, points[:, :2]), atol=1e-9, err_msg=name)
+
+    def test_what_no_direction_is_mapped_to_is_not_a_number(self):
+        lens = camera(2, [800, 400, 300, -.2])  # r (1 - 0.2 r^2) is 0.86 at most: 688 pixels from the center
+        got = lens.ideal(np.array([[400 + 680, 300], [400 + 695, 300], [400., 300 + 2000]]))
+        self.assertTrue(np.isfinite(got[0]).all())
+        self.assertTrue(np.isnan(got[1:]).all())
+        fisheye = camera(8, [400, 400, 300, 0])
+        got = fisheye.ideal(np.array([[400 + 400 * 1.5, 300], [400 + 400 * 1.6, 300]]))  # 90 degrees are 628 pixels
+        np.testing.assert_allclose(got[0], [400 + 400 * np.tan(1.5), 300], rtol=1e-9)
+        self.assertTrue(np.isnan(got[1]).all())
+
+    def test_points_that_are_no_numbers(self):
+        for model, _, params in LENSES + FISHEYES:
+            got = camera(model, params).ideal(np.array([[np.nan, 3], [np.inf, 3], [410, 310]]))
+            self.assertTrue(np.isnan(got[:2]).any(axis=1).all())
+            self.assertTrue(np.isfinite(got[2]).all())
+
+    def test_mistakes(self):
+        for model, params, said in ((7, [800, 400, 300, .5, .1], "camera 7: its model FOV "), (10, [1] * 12, "THIN_PRISM_FISHEYE"),
+                                    (99, [1], "of number 99"), (0, [800, 400], "SIMPLE_PINHOLE has 3 parameters"),
+                                    (0, [0, 400, 300], "f=0"), (1, [800, np.nan, 400, 300], "fy=nan"), (1, [800, -1, 0, 0], "fy=-1")):
+            with self.assertRaisesRegex(CollectionError, said):
+                camera(model, params)
+        with self.assertRaisesRegex(CollectionError, "not 5 bytes"):
+            Camera.fromColmap(7, 0, 800, 600, b"12345", 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

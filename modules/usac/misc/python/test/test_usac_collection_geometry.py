@@ -1,0 +1,262 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Configurations and poses of pairs of images."""
+
+import pickle
+import unittest
+
+import numpy as np
+
+from usac_common import package
+
+try:
+    from usacv20.collection._geometry import verifyPairs
+    from usacv20.collection._pair import CollectionError, Configuration, Pair, View
+    from usacv20.collection._poses import quaternion
+    from usacv20.collection._settings import Settings
+except ImportError:  # in-tree
+    pass
+
+K = np.array([[900., 0, 500], [0, 900, 400], [0, 0, 1]])
+SIZE = (1000, 800)
+NOISE = 0.5
+
+
+def rotationOf(vector):
+    angle = np.linalg.norm(vector)
+    if angle == 0:
+        return np.eye(3)
+    x, y, z = vector / angle
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+
+
+def matrixOf(q):
+    w, x, y, z = q
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+class Scene(object):
+    """Two images of points in space, a part of the matches wrong."""
+
+    def __init__(self, seed=1, planar=0., count=300, wrong=0.4, turn=(0.03, -0.2, 0.05), move=(-1., 0.2, 0.1), known=True,
+                 focal=1., names=("a.jpg", "b.jpg"), key=5, noise=NOISE):
+        rng = np.random.RandomState(seed)
+        X = rng.uniform([-3, -2.5, 6], [3, 2.5, 12], (count, 3))
+        flat = rng.uniform(size=count) < planar
+        X[flat, 2] = 9 + 0.3 * X[flat, 0] - 0.2 * X[flat, 1]
+        self.R, self.t = rotationOf(np.array(turn)), np.array(move)
+        first, second = X @ K.T, (X @ self.R.T + self.t) @ K.T
+        x1 = first[:, :2] / first[:, 2:] + rng.normal(0, noise, (count, 2))
+        x2 = second[:, :2] / second[:, 2:] + rng.normal(0, noise, (count, 2))
+        self.right = rng.uniform(size=count) >= wrong
+        x2[~self.right] = rng.uniform(0, SIZE, (count, 2))[~self.right]
+        matrix = K * np.array([[focal, focal, 1]])
+        views = [View(name, points, points, matrix, known, *SIZE) for name, points in zip(names, (x1, x2))]
+        self.matches = np.c_[rng.permutation(count), rng.permutation(count)].astype(np.uint32)
+        self.pair = Pair(key, views[0], views[1], self.matches, None, True)
+
+    def errors(self, result):
+        """Angles of the rotation and of the translation to the true ones, degrees."""
+        turn = np.trace(matrixOf(result.quaternion).T @ self.R)
+        move = self.t @ result.translation / np.linalg.norm(self.t)
+        return np.degrees(np.arccos(np.clip([(turn - 1) / 2, move], -1, 1)))
+
+    def marked(self, result):
+        """Which matches are inliers."""
+        inliers = set(map(tuple, result.inliers.tolist()))
+        return np.array([tuple(match) in inliers for match in self.matches.tolist()])
+
+
+def verified(scene, **settings):
+    return verifyPairs([scene.pair], Settings(**dict({"threshold": 2.0}, **settings)))[0]
+
+
+@package
+class GeometryTest(unittest.TestCase):
+
+    def check(self, scene, result, configuration, degrees=1.):
+        self.assertEqual((result.key, result.configuration, result.reason), (5, configuration, ""))
+        self.assertEqual(result.matches, len(scene.matches))
+        marked = scene.marked(result)
+        self.assertEqual(marked.sum(), len(result.inliers))
+        self.assertGreater(marked[scene.right].mean(), 0.95)
+        self.assertLess(marked[~scene.right].mean(), 0.08)
+        self.assertLess(result.chance, 1e-6)
+        self.assertGreater(result.iterations, 0)
+        if result.quaternion is not None and configuration != Configuration.PANORAMIC:
+            if degrees is not None:
+                self.assertLess(scene.errors(result).max(), degrees)
+            self.assertAlmostEqual(np.linalg.norm(result.translation), 1, places=9)
+
+    def test_calibrated(self):
+        for seed in range(5):
+            scene = Scene(seed)
+            result = verified(scene)
+            self.check(scene, result, Configuration.CALIBRATED)
+            K1 = np.linalg.inv(K)
+            F = K1.T @ result.E @ K1
+            np.testing.assert_allclose(result.F, F / np.linalg.norm(F), atol=1e-12)
+            ones = np.ones((len(scene.matches), 1))
+            x1, x2 = np.hstack([scene.pair.first.points, ones]), np.hstack([scene.pair.second.points, ones])
+            a, b = x1 @ result.F.T, x2 @ result.F
+            distance = np.abs((x2 * a).sum(axis=1)) / np.sqrt((a[:, :2]**2).sum(axis=1) + (b[:, :2]**2).sum(axis=1))
+            np.testing.assert_array_equal(distance <= 2, scene.marked(result))
+
+    def test_each_of_the_four_motions(self):
+        for move in ((1., 0, 0), (-1., 0, 0), (0, 0, 1.5), (0, 0, -1.5), (0, 1., 0)):
+            for turn in ((0, 0, 0), (0, 0, 1.), (0, 0, 3.), (0.1, 0.1, -2.)):
+                scene = Scene(3, turn=turn, move=move)
+                self.check(scene, verified(scene), Configuration.CALIBRATED, 2.)
+
+    def test_focal_length_not_known(self):
+        result = verified(Scene(2, known=False))
+        self.check(Scene(2), result, Configuration.UNCALIBRATED)
+        self.assertIsNone(result.E)
+        self.assertIsNone(result.quaternion)
+        self.assertIsNone(result.translation)
+        self.assertIsNotNone(result.F)
+
+    def test_one_focal_length_not_known(self):
+        scene = Scene(2)
+        pair = scene.pair._replace(second=scene.pair.second._replace(focalKnown=False))
+        self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.UNCALIBRATED)
+
+    def test_wrong_focal_length(self):
+        scene = Scene(2, focal=0.4, count=1000)
+        result = verified(scene)
+        self.check(scene, result, Configuration.UNCALIBRATED)
+        self.assertIsNone(result.quaternion)
+
+    def test_plane(self):
+        for seed in range(5):
+            scene = Scene(seed, planar=1)
+            result = verified(scene)
+            self.check(scene, result, Configuration.PLANAR, None)
+            cross = np.cross(np.eye(3), result.translation)  # two motions see the plane alike; E is that of the pose
+            E = -cross @ matrixOf(result.quaternion)
+            self.assertAlmostEqual(abs(np.sum(E * result.E)), np.sqrt(2), places=6)
+            right = scene.right
+            moved = np.c_[scene.pair.first.points[right], np.ones(right.sum())] @ result.H.T
+            error = np.linalg.norm(moved[:, :2] / moved[:, 2:] - scene.pair.second.points[right], axis=1)
+            self.assertGreater(np.mean(error < 2), 0.9)
+
+    def test_most_on_a_plane(self):
+        scene = Scene(3, planar=0.9, count=500)
+        self.check(scene, verified(scene), Configuration.PLANAR, 2.)
+        scene = Scene(3, planar=0.6, count=500)
+        self.check(scene, verified(scene), Configuration.CALIBRATED, 2.)
+
+    def test_rotation(self):
+        for turn in ((0.02, -0.2, 0.05), (0, 0.1, 0), (0, 0, 1.5)):
+            scene = Scene(4, turn=turn, move=(0., 0, 0))
+            result = verified(scene)
+            self.check(scene, result, Configuration.PANORAMIC)
+            np.testing.assert_array_equal(result.translation, [0, 0, 0])
+            angle = (np.trace(matrixOf(result.quaternion).T @ scene.R) - 1) / 2
+            self.assertLess(np.degrees(np.arccos(min(1, angle))), 0.1)
+
+    def test_plane_of_cameras_not_known(self):
+        for planar, move in ((1, (-1., .2, .1)), (0, (0., 0, 0))):
+            result = verified(Scene(4, planar=planar, move=move, known=False))
+            self.assertEqual(result.configuration, Configuration.PLANAR_OR_PANORAMIC)
+            self.assertIsNone(result.quaternion)
+
+    def test_no_overlap(self):
+        kept = 0
+        for seed in range(50):
+            result = verified(Scene(seed, wrong=1., known=seed % 2 == 0))
+            kept += result.configuration != Configuration.DEGENERATE
+            if result.configuration == Configuration.DEGENERATE:
+                self.assertEqual((len(result.inliers), result.F, result.E, result.H), (0, None, None, None))
+                self.assertRegex(result.reason, "^[EFH]: .+")
+        self.assertEqual(kept, 0)
+
+    def test_few_matches(self):
+        self.assertEqual(verified(Scene(1, count=14)).reason, "14 matches, 15 are needed")
+        self.assertEqual(verified(Scene(1, count=0)).reason, "0 matches, 15 are needed")
+        self.assertEqual(verified(Scene(1, count=40, wrong=0), minInliers=20).configuration, Configuration.CALIBRATED)
+        self.assertEqual(verified(Scene(1, count=40, wrong=0.6), minInliers=30).configuration, Configuration.DEGENERATE)
+
+    def test_watermark(self):
+        scene = Scene(6, wrong=1., count=200)
+        rng = np.random.RandomState(6)
+        mark = rng.uniform([20, 20], [300, 80], (120, 2))
+        first, second = scene.pair.first.points.copy(), scene.pair.second.points.copy()
+        first[:120], second[:120] = mark, mark + rng.normal(0, 0.3, (120, 2))
+        views = [view._replace(points=points, taken=points) for view, points in ((scene.pair.first, first),
+                                                                                 (scene.pair.second, second))]
+        pair = scene.pair._replace(first=views[0], second=views[1])
+        self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.WATERMARK)
+        without = verifyPairs([pair], Settings(threshold=2, watermarks=False))[0]
+        self.assertIn(without.configuration, (Configuration.PANORAMIC, Configuration.PLANAR))
+        # An image of the same motion that is not in the border is none.
+        moved = pair._replace(first=views[0]._replace(taken=first + [300, 300]), second=views[1]._replace(taken=second + [300, 300]))
+        self.assertNotEqual(verifyPairs([moved], Settings(threshold=2))[0].configuration, Configuration.WATERMARK)
+
+    def test_scores(self):
+        scene = Scene(7, wrong=0.96, count=2500)
+        self.assertEqual(verified(scene, maxIterations=20).configuration, Configuration.DEGENERATE)
+        for higher in (True, False):
+            scores = np.where(scene.right == higher, 0.9, 0.1) + np.random.RandomState(1).uniform(-.05, .05, 2500)
+            pair = scene.pair._replace(scores=scores, higherIsBetter=higher)
+            ranked = verifyPairs([pair], Settings(threshold=2, maxIterations=20))[0]
+            self.assertEqual(ranked.configuration, Configuration.CALIBRATED)
+            self.assertGreater(scene.marked(ranked)[scene.right].mean(), 0.95)
+            turned = verifyPairs([pair._replace(higherIsBetter=not higher)], Settings(threshold=2, maxIterations=20))[0]
+            self.assertEqual(turned.configuration, Configuration.DEGENERATE)
+
+    def test_points_that_are_no_numbers(self):
+        scene = Scene(1)
+        points = scene.pair.first.points.copy()
+        points[::10] = np.nan
+        result = verifyPairs([scene.pair._replace(first=scene.pair.first._replace(points=points))], Settings(threshold=2))[0]
+        self.assertEqual(result.configuration, Configuration.CALIBRATED)
+        self.assertFalse(scene.marked(result)[::10].any())
+        self.assertLess(scene.errors(result).max(), 1.)
+
+    def test_what_stands_beside_a_pair_does_not_matter(self):
+        pairs = [Scene(seed, planar=seed % 2, known=seed % 3 > 0, wrong=0.1 * (seed % 11), key=seed).pair for seed in range(12)]
+        settings = Settings(threshold=2)
+        together = verifyPairs(pairs, settings)
+        alone = [verifyPairs([pair], settings)[0] for pair in pairs[::-1]][::-1]
+        again = verifyPairs(pickle.loads(pickle.dumps(pairs)), pickle.loads(pickle.dumps(settings)))
+        for first, *others in zip(together, alone, again):
+            for other in others:
+                for name in first._fields:
+                    if name != "milliseconds":
+                        np.testing.assert_array_equal(getattr(first, name), getattr(other, name), err_msg=name)
+        self.assertGreater(len({result.configuration for result in together}), 3)
+        self.assertEqual(verifyPairs([], settings), [])
+
+    def test_methods(self):
+        for method in ("USACV20_FAST", "USACV20_ACCURATE", "USACV20_MAGSAC", "USACV20_PROSAC"):
+            scene = Scene(1, wrong=0.2)
+            self.check(scene, verified(scene, method=method), Configuration.CALIBRATED, 2.)
+
+    def test_mistakes(self):
+        for settings, said in (({"threshold": -1}, "threshold"), ({"threshold": float("nan")}, "threshold"),
+                               ({"method": "RANSAC"}, "method: one of USACV20, "), ({"confidence": 2}, "confidence"),
+                               ({"maxIterations": 0}, "maxIterations"), ({"minInliers": 0}, "min-inliers"),
+                               ({"planarRatio": 2}, "planarRatio"), ({"significance": -1}, "significance")):
+            with self.assertRaisesRegex(CollectionError, said):
+                Settings(**settings)
+
+    def test_quaternions(self):
+        rng = np.random.RandomState(2)
+        vectors = list(rng.normal(size=(50, 3))) + [np.pi * np.eye(3)[i] for i in range(3)] + [np.zeros(3)]
+        for vector in vectors:
+            R = rotationOf(vector)
+            q = quaternion(R)
+            self.assertAlmostEqual(np.linalg.norm(q), 1, places=12)
+            self.assertGreaterEqual(q[0], 0)
+            np.testing.assert_allclose(matrixOf(q), R, atol=1e-12)
+
+
+if __name__ == "__main__":
+    unittest.main()
