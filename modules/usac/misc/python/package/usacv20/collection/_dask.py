@@ -1,0 +1,118 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Chunks of pairs as tasks of Dask: a cluster on this machine, or one that is there already."""
+
+from __future__ import annotations
+
+import importlib
+import pickle
+import time
+import warnings
+from typing import Any, Callable, Optional, Sequence
+
+from ._pair import CollectionError, Key, Source
+from ._work import Future, Verify, fingerprintOf, processRemotely
+
+_PER_THREAD = 2  # chunks: one that is worked on, one that waits
+_RETRIES = 3  # of a chunk whose task raised; Dask itself gives the chunks of a worker that died to others
+_CONNECT = 10.0  # seconds to find a scheduler
+_JOIN = 60.0  # seconds for the first worker
+_COUNT = 5.0  # seconds between two counts of the workers
+
+
+class Cluster:
+    """Workers that are processes of Dask.
+
+    workers -- processes to be started here; 0: scheduler is the address of a running one
+    say -- takes a line for the user
+
+    Workers that see the files of the source read them; otherwise the pairs are read here and sent."""
+
+    def __init__(self, source: Source, settings: Any, verify: Verify, workers: int, scheduler: str,
+                 say: Callable[[str], None]) -> None:
+        try:
+            distributed = importlib.import_module("distributed")
+        except ImportError:
+            raise CollectionError("--workers and --scheduler need Dask "
+                                  "(apt-get install python3-distributed, or python3 -m pip install distributed)") from None
+        if workers and scheduler:
+            raise CollectionError("--workers starts processes here, --scheduler uses those that run: one of them, not both")
+        self._source, self._settings, self._verify, self._say = source, settings, verify, say
+        self._packed = pickle.dumps(source)
+        self._cluster: Any = None
+        self._client: Any = None
+        self._counted, self._threads = 0.0, 0
+        try:
+            if workers:
+                self._cluster = distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True,
+                                                         dashboard_address=None, preload=__package__ + "._dask_worker")
+            self._client = self._connect(distributed, self._cluster or scheduler, scheduler)
+            self._expected = self._shared()
+        except BaseException:
+            self.close()
+            raise
+
+    @staticmethod
+    def _connect(distributed: Any, target: Any, scheduler: str) -> Any:
+        try:
+            client = distributed.Client(target, timeout=_CONNECT, set_as_default=False)
+        except (OSError, ValueError) as error:  # TimeoutError is an OSError; of an address without a meaning
+            raise CollectionError("--scheduler {}: nobody answers there: {}".format(
+                scheduler, " ".join(str(error).split()))) from error
+        try:
+            client.wait_for_workers(1, timeout=_JOIN)
+        except Exception as error:
+            client.close()
+            raise CollectionError("{}: no worker came within {:.0f} seconds".format(
+                "--scheduler " + scheduler if scheduler else "--workers", _JOIN)) from error
+        return client
+
+    def _shared(self) -> Optional[str]:
+        """The fingerprint if all workers see the files."""
+        own = self._source.fingerprint()
+        try:
+            found = self._client.run(fingerprintOf, self._packed)
+        except Exception as error:
+            raise CollectionError("the workers cannot run this version of usacv20: {}: {}".format(
+                type(error).__name__, " ".join(str(error).split()))) from error
+        others = sorted(address for address, value in found.items() if value != own)
+        if not others:
+            return own
+        self._say("{} of {} workers do not see the same files ({}: {}): pairs are sent to all".format(
+            len(others), len(found), others[0], found[others[0]]))
+        return None
+
+    def capacity(self) -> int:
+        if time.monotonic() - self._counted > _COUNT:
+            before, self._threads = self._threads, sum(self._client.nthreads().values())
+            self._counted = time.monotonic()
+            if before and not self._threads:
+                self._say("all workers are gone; waiting for others")
+        return _PER_THREAD * max(1, self._threads)
+
+    def submit(self, keys: Sequence[Key]) -> Future:
+        items: Optional[bytes] = None
+        reading = 0.0
+        if self._expected is None:
+            start = time.perf_counter()
+            items = pickle.dumps(self._source.load(keys), pickle.HIGHEST_PROTOCOL)
+            reading = time.perf_counter() - start
+        with warnings.catch_warnings():
+            # The scheduler keeps the pairs of a chunk until they are done: data that lie on a worker go with it.
+            warnings.filterwarnings("ignore", message="Large object")
+            future: Future = self._client.submit(processRemotely, self._packed, self._expected, list(keys), items, reading,
+                                                 self._verify, self._settings, pure=False, retries=_RETRIES)
+        return future
+
+    def explain(self, error: BaseException) -> BaseException:
+        if type(error).__name__ == "KilledWorker":
+            return CollectionError("the workers that were given a certain chunk of pairs died, each of them; is the memory enough? "
+                                   "({})".format(" ".join(str(error).split())))
+        return error
+
+    def close(self) -> None:
+        for part in (self._client, self._cluster):
+            if part is not None:
+                part.close()

@@ -1,0 +1,284 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Pairs of a COLMAP database, of 3.8 and later. The database is read only: tables and columns that are not named here may be
+there or not."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import sqlite3
+import threading
+from collections import OrderedDict
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple, Union
+
+import numpy as np
+
+from ._cameras import Camera
+from ._pair import CollectionError, Fault, Key, Pair, View
+from ._sqlite import checkInput, connect, explained, tidy
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Array = npt.NDArray[np.float64]
+    Matches = npt.NDArray[np.uint32]
+
+# COLMAP's pair_id is this times the smaller image_id, plus the larger one.
+IMAGES = 2147483647
+CACHE = 256 << 20  # bytes of keypoints kept, of each process
+_PAGE = 4096  # keys read at once: a statement that stays open keeps other connections from writing
+_COLUMNS = (2, 4, 6)  # of keypoints: x, y; with scale and orientation; with an affine shape
+
+
+class Scores(Protocol):
+    """Scores of matches. Can be pickled."""
+
+    higherIsBetter: bool
+
+    def of(self, key: int, first: str, second: str, matches: Matches,
+           connection: sqlite3.Connection) -> Optional[Array]:
+        """One for each match, None: there are none. `first` and `second` are names of the images."""
+
+
+class _Image(NamedTuple):
+    """What pairs need of an image."""
+
+    name: str
+    camera: Optional[Camera]
+    taken: npt.NDArray[np.float32]  # N x 2
+    ideal: Optional[Array]  # N x 2; None: there is no distortion
+    fault: str  # why it cannot be used; empty: it can
+
+
+class _Wrong(Exception):
+    """What is wrong with a pair, without the names of its images."""
+
+
+class _Cache:
+    """The images that were used last, in bounded memory; for all threads of a process."""
+
+    def __init__(self, limit: int) -> None:
+        self._limit = limit
+        self._bytes = 0
+        self._images: OrderedDict[int, Tuple[_Image, int]] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def get(self, number: int) -> Optional[_Image]:
+        with self._lock:
+            found = self._images.get(number)
+            if found is None:
+                return None
+            self._images.move_to_end(number)
+            return found[0]
+
+    def put(self, number: int, image: _Image) -> None:
+        size = 1000 + image.taken.nbytes + (0 if image.ideal is None else image.ideal.nbytes)
+        with self._lock:
+            if number in self._images:  # another thread was faster
+                return
+            self._images[number] = image, size
+            self._bytes += size
+            while self._bytes > self._limit and len(self._images) > 1:
+                self._bytes -= self._images.popitem(last=False)[1][1]
+
+
+class DatabaseSource:
+    """Pairs of the table `matches`, by pair_id.
+
+    path -- of the database
+    scores -- of the matches, None: not known
+    cache -- bytes of keypoints kept in each process
+
+    The first use of a damaged or foreign database raises CollectionError. A single pair that is damaged becomes a Fault. Points
+    of View.points are NaN where Camera.ideal says so."""
+
+    def __init__(self, path: str, scores: Optional[Scores] = None, cache: int = CACHE) -> None:
+        self.path = os.path.abspath(path)
+        self.scores = scores
+        self._cacheSize = cache
+        self._prepare()
+
+    def _prepare(self) -> None:
+        self._cache = _Cache(self._cacheSize)
+        self._opened: List[sqlite3.Connection] = []
+        self._local = threading.local()
+        self._lock = threading.Lock()
+        self._process = os.getpid()
+        self._count: Optional[int] = None
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {"path": self.path, "scores": self.scores, "_cacheSize": self._cacheSize}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._prepare()
+
+    def connection(self) -> sqlite3.Connection:
+        """That of this thread, made when it is needed first."""
+        if self._process != os.getpid():  # a connection does not survive a fork
+            self._prepare()
+        found: Optional[sqlite3.Connection] = getattr(self._local, "connection", None)
+        if found is None:
+            found = connect(self.path)
+            try:
+                checkInput(found, self.path)
+            except BaseException:
+                found.close()
+                raise
+            self._local.connection = found
+            with self._lock:
+                self._opened.append(found)
+        return found
+
+    def close(self) -> None:
+        """Closes the connections of all threads; none of them may be in use. The next use opens new ones."""
+        opened = self._opened
+        self._prepare()
+        for connection in opened:
+            connection.close()
+        tidy(self.path)
+
+    def keys(self) -> Iterator[Key]:
+        last = -(1 << 63)
+        while True:
+            with explained(self.path):
+                page = self.connection().execute("SELECT pair_id FROM matches WHERE pair_id > ? ORDER BY pair_id LIMIT ?",
+                                                 (last, _PAGE)).fetchall()
+            if not page:
+                return
+            for (key,) in page:
+                yield int(key)
+            last = page[-1][0]
+
+    def __len__(self) -> int:
+        if self._count is None:
+            with explained(self.path):
+                self._count = int(self.connection().execute("SELECT count(*) FROM matches").fetchone()[0])
+        return self._count
+
+    def fingerprint(self) -> str:
+        """Of the first and the last rows of the tables: those are not changed by results that are written meanwhile."""
+        digest = hashlib.sha256()
+        for table, key, values in (("cameras", "camera_id", "model, width, height, params, prior_focal_length"),
+                                   ("images", "image_id", "name, camera_id"), ("keypoints", "image_id", "rows, cols, data"),
+                                   ("matches", "pair_id", "rows, cols, data")):
+            for order in ("ASC", "DESC"):
+                with explained(self.path):
+                    rows = self.connection().execute("SELECT {0}, {1} FROM {2} ORDER BY {0} {3} LIMIT 4".format(
+                        key, values, table, order)).fetchall()
+                digest.update(repr(rows).encode())
+        return digest.hexdigest()
+
+    def load(self, keys: Sequence[Key]) -> List[Union[Pair, Fault]]:
+        with explained(self.path):
+            connection = self.connection()
+            return [self._load(connection, int(key)) for key in keys]
+
+    def _load(self, connection: sqlite3.Connection, key: int) -> Union[Pair, Fault]:
+        numbers = divmod(key, IMAGES)
+        first, second = (self._image(connection, number) for number in numbers)
+        try:
+            for image in (first, second):
+                if image.fault:
+                    raise _Wrong(image.fault)
+            if numbers[0] == numbers[1]:
+                raise _Wrong("an image is matched with itself")
+            matches = _matches(connection, key)
+            for side, image in enumerate((first, second)):
+                _check(matches, side, image)
+            scores = self._scores(connection, key, first.name, second.name, matches)
+        except _Wrong as wrong:
+            return Fault(key, "{} - {}: {}".format(first.name, second.name, wrong))
+        views = [_view(image, matches[:, side]) for side, image in enumerate((first, second))]
+        return Pair(key, views[0], views[1], matches, scores, self.scores is None or self.scores.higherIsBetter)
+
+    def _scores(self, connection: sqlite3.Connection, key: int, first: str, second: str, matches: Matches) -> Optional[Array]:
+        if self.scores is None:
+            return None
+        found = self.scores.of(key, first, second, matches, connection)
+        if found is not None and found.shape != (len(matches),):
+            raise _Wrong("{} scores of {} matches".format(len(found), len(matches)))
+        return found
+
+    def _image(self, connection: sqlite3.Connection, number: int) -> _Image:
+        image = self._cache.get(number)
+        if image is None:
+            image = _readImage(connection, number)
+            self._cache.put(number, image)
+        return image
+
+
+def _readImage(connection: sqlite3.Connection, number: int) -> _Image:
+    none = np.empty((0, 2), np.float32)
+    rows = connection.execute("SELECT name, camera_id FROM images WHERE image_id = ?", (number,)).fetchall()
+    if not rows:
+        return _Image("image {}".format(number), None, none, None, "image {} is not in the table images".format(number))
+    name, cameraNumber = rows[0]
+    name = str(name)
+    try:
+        camera = _readCamera(connection, name, cameraNumber)
+        taken = _readKeypoints(connection, name, number)
+    except _Wrong as wrong:
+        return _Image(name, None, none, None, str(wrong))
+    return _Image(name, camera, taken, camera.ideal(taken) if camera.distorted else None, "")
+
+
+def _readCamera(connection: sqlite3.Connection, name: str, number: Any) -> Camera:
+    rows = connection.execute("SELECT camera_id, model, width, height, params, prior_focal_length FROM cameras "
+                              "WHERE camera_id = ?", (number,)).fetchall()
+    if not rows:
+        raise _Wrong("camera {} of {} is not in the table cameras".format(number, name))
+    try:
+        return Camera.fromColmap(*rows[0])
+    except CollectionError as error:
+        raise _Wrong("{}: {}".format(name, error)) from error
+
+
+def _readKeypoints(connection: sqlite3.Connection, name: str, number: int) -> npt.NDArray[np.float32]:
+    stored = connection.execute("SELECT rows, cols, data FROM keypoints WHERE image_id = ?", (number,)).fetchall()
+    if not stored:
+        return np.empty((0, 2), np.float32)
+    rows, columns, data = stored[0]
+    blob = data or b""
+    if columns not in _COLUMNS:
+        raise _Wrong("keypoints of {} have {} columns, not 2, 4 or 6".format(name, columns))
+    if not isinstance(blob, bytes) or not isinstance(rows, int) or len(blob) != 4 * rows * columns:
+        raise _Wrong("keypoints of {}: {} rows of {} numbers do not fit into {} bytes".format(name, rows, columns, len(blob)))
+    table = np.frombuffer(blob, "<f4").reshape(rows, columns)
+    return table[:, :2].astype(np.float32)
+
+
+def _matches(connection: sqlite3.Connection, key: int) -> Matches:
+    stored = connection.execute("SELECT rows, cols, data FROM matches WHERE pair_id = ?", (key,)).fetchall()
+    if not stored:
+        raise _Wrong("the pair is no longer in the table matches")
+    rows, columns, data = stored[0]
+    blob = data or b""
+    if not isinstance(blob, bytes) or not isinstance(rows, int) or (columns != 2 and rows) or len(blob) != 8 * rows:
+        raise _Wrong("{} rows of {} numbers do not fit into {} bytes of matches".format(rows, columns, len(blob)))
+    return np.frombuffer(blob, "<u4").reshape(rows, 2).astype(np.uint32)
+
+
+def _check(matches: Matches, side: int, image: _Image) -> None:
+    numbers = matches[:, side]
+    beyond = numbers >= len(image.taken)
+    if beyond.any():
+        match = int(np.argmax(beyond))
+        raise _Wrong("match {} is of keypoint {} of {}, which has {}".format(match, numbers[match], image.name,
+                                                                            len(image.taken) or "none"))
+    wrong = ~np.isfinite(image.taken[numbers]).all(axis=1)
+    if wrong.any():
+        match = int(np.argmax(wrong))
+        x, y = image.taken[numbers[match]]
+        raise _Wrong("match {}: keypoint {} of {} is at ({:g}, {:g})".format(match, numbers[match], image.name, x, y))
+
+
+def _view(image: _Image, numbers: npt.NDArray[np.uint32]) -> View:
+    camera = image.camera
+    assert camera is not None
+    taken = image.taken[numbers].astype(np.float64)
+    points = taken if image.ideal is None else image.ideal[numbers]
+    return View(image.name, points, taken, camera.matrix, camera.focalKnown, camera.width, camera.height)

@@ -1,0 +1,236 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""All pairs of a source through an estimation to a sink: side by side, in bounded memory, and so that it can be stopped.
+
+The calling thread hands out chunks of keys and writes what comes back, as it comes: each result depends on its pair only, and so
+the table does not depend on the order."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import os
+import queue
+import signal
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, Dict, Iterator, List, Optional, Sequence
+
+from ._pair import Configuration, Key, Sink, Source
+from ._progress import Progress
+from ._work import Future, Outcome, Verify, Workers, process
+
+CHUNK = 64  # pairs
+_PER_THREAD = 2  # chunks: one that is worked on, one that waits
+_POLL = 0.2  # seconds between looks at Ctrl-C
+
+
+class Summary:
+    """Of a run. Times are seconds; those of reading and estimating are sums over all workers."""
+
+    def __init__(self) -> None:
+        self.pairs = 0  # results stored by this run, faults among them
+        self.skipped = 0  # pairs that an earlier run has stored
+        self.refused = 0
+        self.faults = 0
+        self.interrupted = False
+        self.reading = self.estimating = self.writing = self.elapsed = 0.0
+
+    def add(self, outcome: Outcome) -> None:
+        self.pairs += len(outcome.results)
+        self.faults += sum(result.configuration == Configuration.UNDEFINED for result in outcome.results)
+        self.refused += sum(bool(result.reason) and result.configuration != Configuration.UNDEFINED for result in outcome.results)
+        self.reading += outcome.reading
+        self.estimating += outcome.estimating
+
+    def line(self) -> str:
+        verified = self.pairs - self.refused - self.faults
+        text = "{} pairs in {:.1f} s ({:.0f} a second): {} verified, {} refused".format(
+            self.pairs, self.elapsed, self.pairs / max(self.elapsed, 1e-9), verified, self.refused)
+        if self.faults:
+            text += ", {} cannot be read".format(self.faults)
+        if self.skipped:
+            text += "; {} were done before".format(self.skipped)
+        return text + ("; interrupted" if self.interrupted else "")
+
+    def times(self) -> str:
+        return "seconds of all workers: reading {:.2f}, estimating {:.2f}; writing {:.2f}".format(
+            self.reading, self.estimating, self.writing)
+
+
+class _Threads:
+    """Workers of this process."""
+
+    def __init__(self, source: Source, settings: Any, verify: Verify, threads: int) -> None:
+        self._job = source, settings, verify
+        self._threads = threads or _cores()
+        self._pool = ThreadPoolExecutor(self._threads, "usacv20")
+
+    def capacity(self) -> int:
+        return _PER_THREAD * self._threads
+
+    def submit(self, keys: Sequence[Key]) -> Future:
+        source, settings, verify = self._job
+        return self._pool.submit(process, source, keys, verify, settings)
+
+    def explain(self, error: BaseException) -> BaseException:
+        return error
+
+    def close(self) -> None:
+        self._pool.shutdown()
+
+
+class _Interrupts:
+    """Ctrl-C and SIGTERM ask a run to stop; the second one stops it at once. Only the main thread can be asked."""
+
+    def __init__(self) -> None:
+        self.asked = False
+        self._before: Dict[signal.Signals, Any] = {}
+
+    def __enter__(self) -> _Interrupts:
+        if threading.current_thread() is threading.main_thread():
+            for number in (signal.SIGINT, signal.SIGTERM):
+                self._before[number] = signal.signal(number, self._handle)
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+
+    def _handle(self, *_: Any) -> None:
+        if self.asked:
+            raise KeyboardInterrupt
+        self.asked = True
+
+
+class _Run:
+    """The chunks under way and what has become of the others."""
+
+    def __init__(self, sink: Sink, workers: Workers, progress: Progress, interrupts: _Interrupts) -> None:
+        self.sink = sink
+        self.workers = workers
+        self.progress = progress
+        self.interrupts = interrupts
+        self.summary = Summary()
+        self.done: queue.SimpleQueue[Future] = queue.SimpleQueue()
+        self.pending: Dict[int, Future] = {}
+        self.failure: Optional[BaseException] = None
+
+    def go(self, chunks: Iterator[List[Key]]) -> None:
+        more = True
+        while more or self.pending:
+            if self.interrupts.asked or self.failure is not None:
+                more = False
+                self.cancel()
+            while more and len(self.pending) < self.workers.capacity() and not self.interrupts.asked:
+                chunk = next(chunks, None)
+                if chunk is None:
+                    more = False
+                else:
+                    future = self.workers.submit(chunk)
+                    self.pending[id(future)] = future
+                    future.add_done_callback(self.done.put)
+            self._store(self._finished())
+        self.summary.interrupted = self.interrupts.asked
+        if self.failure is not None:
+            raise self.failure
+
+    def cancel(self) -> None:
+        """Chunks that nobody has begun."""
+        for future in self.pending.values():
+            if not future.done():
+                future.cancel()
+
+    def _finished(self) -> List[Future]:
+        """Those since the last call, all at once: one commit costs less than many."""
+        futures: List[Future] = []
+        with contextlib.suppress(queue.Empty):
+            while len(futures) < len(self.pending):
+                futures.append(self.done.get(timeout=0 if futures else _POLL))
+        return futures
+
+    def _store(self, futures: Sequence[Future]) -> None:
+        outcomes = []
+        for future in futures:
+            del self.pending[id(future)]
+            if future.cancelled():
+                continue
+            try:
+                outcomes.append(future.result())
+            except BaseException as error:  # what the others have found is stored before it is raised
+                self.failure = self.failure or self.workers.explain(error)
+        if not outcomes:
+            return
+        start = time.perf_counter()
+        self.sink.commit([result for outcome in outcomes for result in outcome.results])
+        self.summary.writing += time.perf_counter() - start
+        for outcome in outcomes:
+            self.summary.add(outcome)
+            for result in outcome.results:
+                if result.configuration == Configuration.UNDEFINED:
+                    self.progress.complain(result.reason)
+            self.progress.advance(len(outcome.results))
+
+    def remaining(self, keys: Iterator[Key]) -> Iterator[Key]:
+        for key in keys:
+            if self.sink.done(key):
+                self.summary.skipped += 1
+                self.progress.skip(1)
+            else:
+                yield key
+
+
+def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int = 0, chunk: int = CHUNK, workers: int = 0,
+        scheduler: str = "", progress: Optional[bool] = None) -> Summary:
+    """Estimates all pairs of the source that the sink does not have.
+
+    verify -- a function of a module: (pairs, settings) to a result for each pair
+    threads -- of this process, 0: one for each core
+    chunk -- pairs that are handed out and stored together
+    workers, scheduler -- of Dask: processes to be started on this machine, or the address of a scheduler, tcp://HOST:PORT.
+        Without both the threads do the work
+    progress -- see Progress
+
+    Returns the summary, also if it was interrupted by Ctrl-C or SIGTERM: the chunks under way are then finished and stored. The
+    sink is left open. Raises what a worker has raised, after the results of the others are stored."""
+    start = time.perf_counter()
+    bar = Progress(len(source), progress)
+    try:
+        with _Interrupts() as interrupts:
+            made = _workers(source, settings, verify, threads, workers, scheduler, bar)
+            state = _Run(sink, made, bar, interrupts)
+            try:
+                state.go(_chunks(state.remaining(source.keys()), chunk))
+            except BaseException:
+                state.cancel()
+                raise
+            finally:
+                made.close()
+    finally:
+        bar.close()
+    state.summary.elapsed = time.perf_counter() - start
+    return state.summary
+
+
+def _workers(source: Source, settings: Any, verify: Verify, threads: int, workers: int, scheduler: str, bar: Progress) -> Workers:
+    if not workers and not scheduler:
+        return _Threads(source, settings, verify, threads)
+    from ._dask import Cluster
+    return Cluster(source, settings, verify, workers, scheduler, bar.say)
+
+
+def _chunks(keys: Iterator[Key], size: int) -> Iterator[List[Key]]:
+    while True:
+        chunk = list(itertools.islice(keys, size))
+        if not chunk:
+            return
+        yield chunk
+
+
+def _cores() -> int:
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

@@ -1,0 +1,63 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""How far a run is, on stderr."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from typing import Any, Optional
+
+from ._pair import CollectionError
+
+_LINES = 20  # of faults that are shown; a table of the report has all
+
+
+class Progress:
+    """A bar with pairs a second and the time left, and lines above it.
+
+    total -- pairs
+    wanted -- True: CollectionError if there is no tqdm; None: if stderr is a terminal and there is a tqdm; False: lines only"""
+
+    def __init__(self, total: int, wanted: Optional[bool] = None) -> None:
+        self._bar: Any = None
+        self._lines = 0
+        if wanted is False or wanted is None and not sys.stderr.isatty():
+            return
+        try:
+            tqdm = importlib.import_module("tqdm")
+        except ImportError:
+            if wanted:
+                raise CollectionError("a progress bar needs tqdm (python3 -m pip install tqdm)") from None
+            return
+        self._bar = tqdm.tqdm(total=total, unit=" pairs", file=sys.stderr, dynamic_ncols=True, smoothing=0.05)
+
+    def skip(self, pairs: int) -> None:
+        """Pairs of an earlier run, which say nothing about the time left."""
+        if self._bar is not None:
+            self._bar.initial += pairs
+            self._bar.update(pairs)
+
+    def advance(self, pairs: int) -> None:
+        if self._bar is not None:
+            self._bar.update(pairs)
+
+    def say(self, line: str) -> None:
+        if self._bar is None:
+            print(line, file=sys.stderr, flush=True)
+        else:
+            self._bar.write(line, file=sys.stderr)
+
+    def complain(self, reason: str) -> None:
+        """About a fault; the first ones are shown."""
+        self._lines += 1
+        if self._lines <= _LINES:
+            self.say("cannot be read: " + reason)
+        elif self._lines == _LINES + 1:
+            self.say("more pairs cannot be read; the report lists them")
+
+    def close(self) -> None:
+        if self._bar is not None:
+            self._bar.close()

@@ -1,0 +1,137 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Databases of SQLite: opened for reading or for writing, copied, and their errors in words for the user."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pathlib
+import sqlite3
+from typing import Dict, Iterator, List, Sequence
+
+from ._pair import CollectionError
+
+PATIENCE = 5.0  # seconds to wait for a lock of another connection
+
+# What COLMAP 3.8 and all later versions have, of those columns that are read.
+INPUT: Dict[str, Sequence[str]] = {
+    "cameras": ("camera_id", "model", "width", "height", "params", "prior_focal_length"),
+    "images": ("image_id", "name", "camera_id"),
+    "keypoints": ("image_id", "rows", "cols", "data"),
+    "matches": ("pair_id", "rows", "cols", "data"),
+}
+
+# Part of what SQLite says: what it means.
+_MEANINGS = (
+    ("file is not a database", "{}: this is not a database of SQLite"),
+    ("malformed", "{}: the database is damaged or was cut off ({})"),
+    ("file is encrypted", "{}: this is not a database of SQLite"),
+    ("locked", "{}: another program keeps the database locked"),
+    ("readonly", "{}: the database cannot be written: the file or its folder is read-only"),
+    ("unable to open", "{}: the database cannot be opened; its folder may be read-only"),
+    ("disk is full", "{}: the disk is full"),
+)
+
+
+@contextlib.contextmanager
+def explained(path: str) -> Iterator[None]:
+    """What SQLite raises inside becomes a CollectionError of one line."""
+    try:
+        yield
+    except sqlite3.Error as error:
+        message = " ".join(str(error).split())
+        for part, meaning in _MEANINGS:
+            if part in message:
+                raise CollectionError(meaning.format(path, message)) from error
+        raise CollectionError("{}: SQLite says: {}".format(path, message)) from error
+
+
+def connect(path: str, write: bool = False) -> sqlite3.Connection:
+    """Opens an existing database. Nothing is begun or committed but by an explicit statement.
+
+    write -- False: it cannot be written. Where SQLite cannot make the files that it needs beside a database in WAL mode (a
+        read-only folder), it is read as it is, provided that no program is writing it."""
+    if not os.path.exists(path):
+        raise CollectionError("{}: there is no such file".format(path))
+    if not os.path.isfile(path):
+        raise CollectionError("{}: this is not a file".format(path))
+    if not os.access(path, os.R_OK):
+        raise CollectionError("{}: the file cannot be read: permission denied".format(path))
+    with explained(path):
+        connection = _open(path, "mode=rw" if write else "mode=ro")
+        if write:
+            return connection
+        try:
+            connection.execute("SELECT count(*) FROM sqlite_master").fetchone()
+        except sqlite3.OperationalError:
+            connection.close()
+            journal = path + "-wal"
+            if os.access(os.path.dirname(os.path.abspath(path)), os.W_OK) or os.path.exists(journal) and os.path.getsize(journal):
+                raise
+            connection = _open(path, "mode=ro&immutable=1")
+        return connection
+
+
+def _open(path: str, options: str) -> sqlite3.Connection:
+    uri = "{}?{}".format(pathlib.Path(os.path.abspath(path)).as_uri(), options)
+    return sqlite3.connect(uri, uri=True, timeout=PATIENCE, isolation_level=None, check_same_thread=False)
+
+
+def columns(connection: sqlite3.Connection, table: str) -> List[str]:
+    """Names in the order of the table; none if there is no such table."""
+    return [row[1] for row in connection.execute('PRAGMA table_info("{}")'.format(table.replace('"', '""')))]
+
+
+def checkInput(connection: sqlite3.Connection, path: str) -> None:
+    """Raises CollectionError if this is no database of COLMAP, or damaged."""
+    with explained(path):
+        if os.path.getsize(path) == 0:
+            raise CollectionError("{}: the file is empty".format(path))
+        for table, needed in INPUT.items():
+            found = columns(connection, table)
+            if not found:
+                raise CollectionError("{}: this is not a database of COLMAP: it has no table {}".format(path, table))
+            for name in needed:
+                if name not in found:
+                    raise CollectionError("{}: this is not a database of COLMAP: its table {} has no column {}".format(
+                        path, table, name))
+
+
+def tidy(path: str) -> None:
+    """Removes the empty files that a reader of a database in WAL mode leaves beside it, if nobody else uses them."""
+    journal = path + "-wal"
+    try:
+        if os.path.exists(journal) and not os.path.getsize(journal) and os.access(path, os.W_OK):
+            with contextlib.closing(_open(path, "mode=rw")) as connection:
+                connection.execute("SELECT count(*) FROM sqlite_master").fetchone()
+    except (OSError, sqlite3.Error):
+        pass  # they do no harm
+
+
+def copyDatabase(source: str, target: str) -> None:
+    """Copies a database as it is now, also while other programs use it. `target` must not exist."""
+    folder = os.path.dirname(os.path.abspath(target))
+    if not os.path.isdir(folder):
+        raise CollectionError("{}: there is no folder {}".format(target, folder))
+    reader = connect(source)
+    try:
+        checkInput(reader, source)
+        try:
+            os.close(os.open(target, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+        except FileExistsError:
+            raise CollectionError("{}: there is such a file already; it is not overwritten".format(target)) from None
+        except OSError as error:
+            raise CollectionError("{}: the copy cannot be written: {}".format(target, error.strerror)) from error
+        try:
+            with explained(target), contextlib.closing(connect(target, write=True)) as writer:
+                reader.backup(writer, pages=4096)
+            tidy(target)
+        except BaseException:
+            os.remove(target)
+            raise
+    finally:
+        reader.close()
+        tidy(source)

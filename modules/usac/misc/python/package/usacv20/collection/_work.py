@@ -1,0 +1,118 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""A chunk of pairs from its keys to its results: what threads and Dask's workers do."""
+
+from __future__ import annotations
+
+import hashlib
+import pickle
+import threading
+import time
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Protocol, Sequence, Union
+
+import numpy as np
+
+from ._pair import CollectionError, Configuration, Fault, Key, Pair, Source, TwoView
+
+Verify = Callable[[Sequence[Pair], Any], List[TwoView]]
+
+
+class Future(Protocol):
+    """What the futures of Python and those of Dask have in common."""
+
+    def result(self) -> Outcome: ...
+
+    def cancel(self) -> Any: ...
+
+    def cancelled(self) -> bool: ...
+
+    def done(self) -> bool: ...
+
+    def add_done_callback(self, fn: Any) -> Any: ...
+
+
+class Workers(Protocol):
+    """Who processes chunks."""
+
+    def capacity(self) -> int:
+        """Chunks that may be under way at once."""
+
+    def submit(self, keys: Sequence[Key]) -> Future: ...
+
+    def explain(self, error: BaseException) -> BaseException:
+        """What to raise instead of what a future has raised."""
+
+    def close(self) -> None: ...
+
+
+class Outcome(NamedTuple):
+    """Of a chunk."""
+
+    results: List[TwoView]  # in the order of the keys
+    reading: float  # seconds
+    estimating: float
+
+
+def faulty(fault: Fault) -> TwoView:
+    return TwoView(fault.key, Configuration.UNDEFINED, np.empty((0, 2), np.uint32), None, None, None, None, None, fault.reason,
+                   0, 0, float("nan"), 0.0)
+
+
+def process(source: Source, keys: Sequence[Key], verify: Verify, settings: Any) -> Outcome:
+    start = time.perf_counter()
+    items = source.load(keys)
+    return finish(items, verify, settings, time.perf_counter() - start)
+
+
+def finish(items: Sequence[Union[Pair, Fault]], verify: Verify, settings: Any, reading: float) -> Outcome:
+    """What is left to do with pairs that are loaded."""
+    start = time.perf_counter()
+    pairs = [item for item in items if isinstance(item, Pair)]
+    found = verify(pairs, settings) if pairs else []
+    if [result.key for result in found] != [pair.key for pair in pairs]:
+        raise RuntimeError("results are of other pairs than were given")
+    results = iter(found)
+    return Outcome([next(results) if isinstance(item, Pair) else faulty(item) for item in items], reading,
+                   time.perf_counter() - start)
+
+
+_kept: Dict[str, Source] = {}
+_checked: List[Source] = []  # of those, the one whose fingerprint was right
+_lock = threading.Lock()
+
+
+def unpickled(source: bytes) -> Source:
+    """The source in a process of a cluster: the same object each time, with the files that it has opened."""
+    digest = hashlib.sha256(source).hexdigest()
+    with _lock:
+        if digest not in _kept:
+            _kept.clear()  # one run at a time
+            _kept[digest] = pickle.loads(source)
+        return _kept[digest]
+
+
+def processRemotely(source: bytes, fingerprint: Optional[str], keys: Sequence[Key], items: Optional[bytes], reading: float,
+                    verify: Verify, settings: Any) -> Outcome:
+    """`process` in another process.
+
+    fingerprint -- of the source, which this process must see as well; None: the pairs are sent
+    items, reading -- the pairs, pickled, and the seconds that it took to read them"""
+    if items is not None:
+        return finish(pickle.loads(items), verify, settings, reading)
+    shared = unpickled(source)
+    if shared not in _checked:
+        if shared.fingerprint() != fingerprint:
+            raise CollectionError("this worker sees other files than the others")
+        _checked.clear()
+        _checked.append(shared)
+    return process(shared, keys, verify, settings)
+
+
+def fingerprintOf(source: bytes) -> str:
+    """In another process: Source.fingerprint, or what keeps it from being read."""
+    try:
+        return unpickled(source).fingerprint()
+    except Exception as error:
+        return "{}: {}".format(type(error).__name__, error)

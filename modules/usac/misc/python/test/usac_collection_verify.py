@@ -1,0 +1,42 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""A stand-in for the verification of pairs, for tests of what is around it: its result depends on all that it is given."""
+
+import hashlib
+import os
+import time
+
+import numpy as np
+
+from usacv20.collection._pair import Configuration, TwoView
+
+
+def verify(pairs, settings):
+    """settings: {"sleep": seconds for each pair, "seed": number}"""
+    return [_one(pair, settings) for pair in pairs]
+
+
+def _one(pair, settings):
+    time.sleep(settings.get("sleep", 0))
+    digest = hashlib.sha256(repr((pair.key, pair.first.name, pair.second.name, settings.get("seed", 0))).encode())
+    for array in (pair.first.points, pair.second.points, pair.matches):
+        digest.update(array.tobytes())
+    numbers = np.frombuffer(digest.digest(), np.uint8).astype(float)
+    refused = len(pair.matches) < 15
+    inliers = np.empty((0, 2), np.uint32) if refused else pair.matches[:: 1 + int(numbers[0]) % 3]
+    matrix = None if refused else numbers[:9].reshape(3, 3) - 128
+    return TwoView(pair.key, Configuration.DEGENERATE if refused else Configuration.UNCALIBRATED, inliers, matrix, None, None,
+                   None, None, "too few matches" if refused else "", len(pair.matches), int(numbers[10]), 0.5, 1.5)
+
+
+def nothing(pairs, settings):
+    """Takes no time."""
+    none = np.empty((0, 2), np.uint32)
+    return [TwoView(pair.key, Configuration.DEGENERATE, none, None, None, None, None, None, "", len(pair.matches), 0, 1.0, 0.0)
+            for pair in pairs]
+
+
+def fails(pairs, settings):
+    raise RuntimeError("a mistake in {}".format(os.getpid() and pairs[0].first.name))
