@@ -46,8 +46,7 @@ class Cluster:
         self._counted, self._threads = 0.0, 0
         try:
             if workers:
-                self._cluster = distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True,
-                                                         dashboard_address=None, preload=__package__ + "._dask_worker")
+                self._cluster = _localCluster(distributed, workers)
             self._client = self._connect(distributed, self._cluster or scheduler, scheduler)
             self._expected = self._shared()
         except BaseException:
@@ -116,3 +115,12 @@ class Cluster:
         for part in (self._client, self._cluster):
             if part is not None:
                 part.close()
+
+
+def _localCluster(distributed: Any, workers: int) -> Any:
+    dask = importlib.import_module("dask")
+    name = "distributed.nanny.pre-spawn-environ"
+    quiet = {**dask.config.get(name, {}), "DASK_LOGGING__DISTRIBUTED": "warning"}
+    with dask.config.set({name: quiet}):
+        return distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
+                                        preload=__package__ + "._dask_worker")

@@ -50,6 +50,7 @@ class _Image(NamedTuple):
     camera: Optional[Camera]
     taken: npt.NDArray[np.float32]  # N x 2
     ideal: Optional[Array]  # N x 2; None: there is no distortion
+    finite: bool  # all of `taken`
     fault: str  # why it cannot be used; empty: it can
 
 
@@ -215,15 +216,16 @@ def _readImage(connection: sqlite3.Connection, number: int) -> _Image:
     none = np.empty((0, 2), np.float32)
     rows = connection.execute("SELECT name, camera_id FROM images WHERE image_id = ?", (number,)).fetchall()
     if not rows:
-        return _Image("image {}".format(number), None, none, None, "image {} is not in the table images".format(number))
+        return _Image("image {}".format(number), None, none, None, True, "image {} is not in the table images".format(number))
     name, cameraNumber = rows[0]
     name = str(name)
     try:
         camera = _readCamera(connection, name, cameraNumber)
         taken = _readKeypoints(connection, name, number)
     except _Wrong as wrong:
-        return _Image(name, None, none, None, str(wrong))
-    return _Image(name, camera, taken, camera.ideal(taken) if camera.distorted else None, "")
+        return _Image(name, None, none, None, True, str(wrong))
+    return _Image(name, camera, taken, camera.ideal(taken) if camera.distorted else None,
+                  bool(np.isfinite(taken).all()), "")
 
 
 def _readCamera(connection: sqlite3.Connection, name: str, number: Any) -> Camera:
@@ -264,11 +266,12 @@ def _matches(connection: sqlite3.Connection, key: int) -> Matches:
 
 def _check(matches: Matches, side: int, image: _Image) -> None:
     numbers = matches[:, side]
-    beyond = numbers >= len(image.taken)
-    if beyond.any():
-        match = int(np.argmax(beyond))
-        raise _Wrong("match {} is of keypoint {} of {}, which has {}".format(match, numbers[match], image.name,
-                                                                            len(image.taken) or "none"))
+    count = len(image.taken)
+    if len(numbers) and numbers.max() >= count:
+        match = int(np.argmax(numbers >= count))
+        raise _Wrong("match {} is of keypoint {} of {}, which has {}".format(match, numbers[match], image.name, count or "none"))
+    if image.finite:
+        return
     wrong = ~np.isfinite(image.taken[numbers]).all(axis=1)
     if wrong.any():
         match = int(np.argmax(wrong))
@@ -279,6 +282,6 @@ def _check(matches: Matches, side: int, image: _Image) -> None:
 def _view(image: _Image, numbers: npt.NDArray[np.uint32]) -> View:
     camera = image.camera
     assert camera is not None
-    taken = image.taken[numbers].astype(np.float64)
-    points = taken if image.ideal is None else image.ideal[numbers]
+    taken = image.taken.take(numbers, axis=0).astype(np.float64)
+    points = taken if image.ideal is None else image.ideal.take(numbers, axis=0)
     return View(image.name, points, taken, camera.matrix, camera.focalKnown, camera.width, camera.height)

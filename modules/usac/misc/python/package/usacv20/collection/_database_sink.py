@@ -57,6 +57,9 @@ class DatabaseSink:
         try:
             checkInput(self._connection, self.path)
             with explained(self.path):
+                if self._connection.execute("PRAGMA journal_mode").fetchone()[0] == "wal":
+                    # A commit survives the death of the process, and the database that of the machine.
+                    self._connection.execute("PRAGMA synchronous = NORMAL")
                 self._matrices = self._checkTable()
                 if resume:
                     self._resume()

@@ -196,22 +196,22 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
 
     Returns the summary, also if it was interrupted by Ctrl-C or SIGTERM: the chunks under way are then finished and stored. The
     sink is left open. Raises what a worker has raised, after the results of the others are stored."""
-    start = time.perf_counter()
     bar = Progress(len(source), progress)
     try:
         with _Interrupts() as interrupts:
             made = _workers(source, settings, verify, threads, workers, scheduler, bar)
             state = _Run(sink, made, bar, interrupts)
+            start = time.perf_counter()
             try:
                 state.go(_chunks(state.remaining(source.keys()), chunk))
             except BaseException:
                 state.cancel()
                 raise
             finally:
+                state.summary.elapsed = time.perf_counter() - start
                 made.close()
     finally:
         bar.close()
-    state.summary.elapsed = time.perf_counter() - start
     return state.summary
 
 
