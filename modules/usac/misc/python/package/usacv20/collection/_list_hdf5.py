@@ -24,7 +24,8 @@ _KEPT = 64  # images whose keypoints stay in memory: the pairs of an image follo
 _DAMAGED = (OSError, KeyError, RuntimeError, ValueError, MemoryError)
 
 
-def _h5py() -> Any:
+def useH5py() -> Any:
+    """The module. Raises CollectionError if it is missing."""
     try:
         return importlib.import_module("h5py")
     except ImportError:
@@ -33,7 +34,7 @@ def _h5py() -> Any:
 
 def openFile(path: str) -> Any:
     """An h5py.File for reading. Raises CollectionError."""
-    h5py = _h5py()
+    h5py = useH5py()
     try:
         return h5py.File(path, "r")
     except FileNotFoundError:

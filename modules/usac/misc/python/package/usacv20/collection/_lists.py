@@ -246,7 +246,7 @@ class ListSource:
     def __init__(self, path: str, features: Optional[str] = None) -> None:
         self._path, self._features = path, features
         self._opened: Optional[Tuple[int, Container]] = None
-        self._count = sum(1 for _ in self._container().names())
+        self._count = sum(1 for _ in self.keys())
         if not self._count:
             fail("{}: has no pairs".format(path))
 
@@ -261,7 +261,12 @@ class ListSource:
         return self._opened[1]
 
     def keys(self) -> Iterator[Key]:
-        return self._container().names()
+        for name in self._container().names():
+            try:
+                name.encode("utf-8")
+            except UnicodeEncodeError:  # the results could not name it
+                fail("{}: {!r} is not in UTF-8".format(self._path, name))
+            yield name
 
     def __len__(self) -> int:
         return self._count
