@@ -36,7 +36,7 @@ _BLOCK = 4096  # pairs that are in memory
 _MODELS = (("quaternions", "quaternion", (4,)), ("translations", "translation", (3,)), ("F", "F", (3, 3)), ("E", "E", (3, 3)),
            ("H", "H", (3, 3)))
 _NUMBERS = (("configurations", "configuration", "<i4"), ("matches", "matches", "<i8"), ("iterations", "iterations", "<i8"),
-            ("chances", "chance", "<f8"), ("milliseconds", "ms", "<f8"))
+            ("chances", "chance", "<f8"), ("milliseconds", "milliseconds", "<f8"))
 
 
 class _Writer(Protocol):
@@ -96,7 +96,7 @@ class _Table:
         return int(found or 0)
 
     def settings(self) -> str:
-        return str(self._connection.execute("SELECT settings FROM {}_run".format(self._table)).fetchone()[0])
+        return str(self._connection.execute("SELECT settings FROM {}_runs".format(self._table)).fetchone()[0])
 
     def blocks(self, columns: str, make: Callable[[List[Tuple[Any, ...]]], Array]) -> Iterator[Array]:
         cursor = self._connection.execute("SELECT {} FROM {} ORDER BY name".format(columns, self._table))

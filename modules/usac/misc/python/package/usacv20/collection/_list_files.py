@@ -168,13 +168,7 @@ def pairOfNpz(key: Key, path: str) -> Pair:
                 raise ValueError("one array only")
             return pairOfArrays(key, lambda name: arrays[name] if name in arrays.files else None, _sides(key))
     except UNREADABLE as error:
-        fail(_because(path, "no NPZ file, or a damaged one", error))
-
-
-def _because(path: str, what: str, error: BaseException) -> str:
-    if isinstance(error, OSError) and error.strerror:
-        return "{}: {}".format(path, error.strerror)
-    return "{}: {}".format(path, what)
+        fail(error.strerror if isinstance(error, OSError) and error.strerror else "no NPZ file, or a damaged one")
 
 
 def _sides(key: Key) -> Tuple[str, str]:
@@ -195,11 +189,11 @@ def _correspondences(path: str) -> Points:
                     raise ValueError
                 rows.append(row if len(row) == 5 else row + [1.0])
     except UnicodeDecodeError:
-        fail("{}: no text".format(path))
+        fail("the .corr file is no text")
     except ValueError:
-        fail("{}:{}: 'x1 y1 x2 y2 score' is expected".format(path, number))
+        fail("line {} of the .corr file: 'x1 y1 x2 y2 score' is expected".format(number))
     except OSError as error:
-        fail("{}: {}".format(path, error.strerror))
+        fail("the .corr file: {}".format(error.strerror))
     return np.array(rows, np.float64).reshape(-1, 5)
 
 
@@ -211,13 +205,13 @@ def _description(path: str) -> Dict[str, Any]:
         with open(path, encoding="utf-8") as text:
             description = json.load(text)
     except json.JSONDecodeError as error:
-        fail("{}:{}: {}".format(path, error.lineno, error.msg))
+        fail("line {} of the .json file: {}".format(error.lineno, error.msg))
     except UnicodeDecodeError:
-        fail("{}: no text".format(path))
+        fail("the .json file is no text")
     except OSError as error:
-        fail("{}: {}".format(path, error.strerror))
+        fail("the .json file: {}".format(error.strerror))
     if not isinstance(description, dict):
-        fail("{}: an object is expected".format(path))
+        fail("the .json file: an object is expected")
     return description
 
 
@@ -227,7 +221,7 @@ def pairOfCorr(key: Key, path: str) -> Pair:
     rows = _correspondences(path)
     wrong = ~np.isfinite(rows).all(axis=1)
     if wrong.any():
-        fail("{}: match {} is not finite".format(path, int(wrong.argmax())))
+        fail("match {} of the .corr file is not finite".format(int(wrong.argmax())))
     description = _description(os.path.splitext(path)[0] + ".json")
     columns = {"points1": rows[:, 0:2], "points2": rows[:, 2:4], "ratios": rows[:, 4]}
 
@@ -239,4 +233,4 @@ def pairOfCorr(key: Key, path: str) -> Pair:
     try:
         return pairOfArrays(key, get, _sides(key))
     except CollectionError as error:
-        fail("{}: {}".format(os.path.splitext(path)[0] + ".json", error))
+        fail("the .json file: {}".format(error))

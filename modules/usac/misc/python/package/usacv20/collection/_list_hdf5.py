@@ -6,13 +6,13 @@
 
 from __future__ import annotations
 
-import importlib
 import os
 import threading
 from collections import OrderedDict
 from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Optional, Tuple, Union, cast
 
 from ._list_files import MATCHES, POINTS, SCORES, fail, pairOfArrays
+from ._optional import need
 from ._pair import Pair
 
 if TYPE_CHECKING:
@@ -26,10 +26,7 @@ _DAMAGED = (OSError, KeyError, RuntimeError, ValueError, MemoryError)
 
 def useH5py() -> Any:
     """The module. Raises CollectionError if it is missing."""
-    try:
-        return importlib.import_module("h5py")
-    except ImportError:
-        fail("HDF5 files need h5py (Debian: python3-h5py)")
+    return need("h5py", "for HDF5 files")
 
 
 def openFile(path: str) -> Any:

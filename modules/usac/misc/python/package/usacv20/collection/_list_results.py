@@ -7,12 +7,13 @@
 SQLite: the table usacv20_results, a row a pair; see COLUMNS. Numbers of matrices are little-endian doubles in the order of
 rows, those of inliers little-endian unsigned integers of 32 bits.
 
-Arrays: those that _list_columns.py describes. They have their lengths at the front, so they are written when all pairs are
-done; until then the results are in the file OUTPUT.part, a database as above."""
+Arrays: those that _list_columns.py describes. They have their lengths at the front, so they are written at the end of a run; until
+then the results are in the file OUTPUT.part, a database as above."""
 
 from __future__ import annotations
 
 import contextlib
+import itertools
 import json
 import os
 import sqlite3
@@ -35,14 +36,16 @@ TABLE = "usacv20_results"
 # Small ones first: SQLite reads a row from its front.
 COLUMNS = (("name", "TEXT PRIMARY KEY NOT NULL"), ("image1", "TEXT"), ("image2", "TEXT"), ("configuration", "INTEGER NOT NULL"),
            ("reason", "TEXT NOT NULL"), ("matches", "INTEGER NOT NULL"), ("inliers", "INTEGER NOT NULL"),
-           ("iterations", "INTEGER NOT NULL"), ("chance", "REAL"), ("ms", "REAL"), ("quaternion", "BLOB"),
+           ("iterations", "INTEGER NOT NULL"), ("chance", "REAL"), ("milliseconds", "REAL"), ("quaternion", "BLOB"),
            ("translation", "BLOB"), ("F", "BLOB"), ("E", "BLOB"), ("H", "BLOB"), ("inlier_matches", "BLOB NOT NULL"))
 _PAIRS = "SELECT {} FROM {} ORDER BY name".format(", ".join(name for name, _ in COLUMNS), TABLE)
-_OTHER = "{}: is from a run with other settings or other files"
+_BLOCK = 1000  # pairs in a transaction of our own
+_THERE = "there is such a file already (--resume goes on with it)"
+_OTHER = "the results are of a run with other settings"
 _WAIT = 30.0  # seconds for another process that has locked the file
 
 
-def _settings(run: Mapping[str, object]) -> str:
+def settingsText(run: Mapping[str, object]) -> str:
     return json.dumps(dict(run), sort_keys=True, default=str)
 
 
@@ -72,14 +75,14 @@ class SqliteSink:
     """A database of results; the pairs of a commit are in it together or not at all."""
 
     def __init__(self, path: str, source: Optional[ListSource], run: Mapping[str, object], resume: bool) -> None:
-        """run: what the results depend on, the settings and the source, say. Raises CollectionError."""
+        """source: knows the images of the pairs; run, resume: see openResults. Raises CollectionError."""
         if os.path.exists(path) and not resume:
-            fail("{}: is there already (--resume goes on with it)".format(path))
+            fail("{}: {}".format(path, _THERE))
         self._path, self._source = path, source
         self._connection: Optional[sqlite3.Connection] = None
         try:
             self._connection = sqlite3.connect(path, _WAIT, isolation_level=None, check_same_thread=False)
-            self._create(_settings(run))
+            self._create(settingsText(run))
         except (sqlite3.Error, CollectionError) as error:
             self.close()
             self._fail(error)
@@ -90,12 +93,12 @@ class SqliteSink:
         tables = {name for name, in self._connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
         if not tables:
             self._connection.execute("CREATE TABLE {} ({})".format(TABLE, ", ".join(" ".join(column) for column in COLUMNS)))
-            self._connection.execute("CREATE TABLE usacv20_results_run (settings TEXT NOT NULL)")
-            self._connection.execute("INSERT INTO usacv20_results_run VALUES (?)", (run,))
-        elif not {TABLE, "usacv20_results_run"} <= tables:
+            self._connection.execute("CREATE TABLE usacv20_results_runs (settings TEXT NOT NULL)")
+            self._connection.execute("INSERT INTO usacv20_results_runs VALUES (?)", (run,))
+        elif not {TABLE, "usacv20_results_runs"} <= tables:
             fail("{}: no results of this command".format(self._path))
-        elif self._connection.execute("SELECT settings FROM usacv20_results_run").fetchall() != [(run,)]:
-            fail(_OTHER.format(self._path))
+        elif self._connection.execute("SELECT settings FROM usacv20_results_runs").fetchall() != [(run,)]:
+            fail("{}: {}".format(self._path, _OTHER))
         self._connection.execute("COMMIT")
 
     def _fail(self, error: Exception) -> None:
@@ -104,17 +107,16 @@ class SqliteSink:
         fail("{}: {}".format(self._path, error))
 
     def done(self, key: Key) -> bool:
-        assert self._connection is not None
-        rows = self._connection.execute("SELECT 1 FROM {} WHERE name = ?".format(TABLE), (str(key),))
+        """Faults are not: the file may have been repaired meanwhile."""
+        if self._connection is None:
+            return False
+        rows = self._connection.execute("SELECT 1 FROM {} WHERE name = ? AND configuration != {:d}".format(
+            TABLE, Configuration.UNDEFINED), (str(key),))
         return rows.fetchone() is not None
 
-    def __len__(self) -> int:
-        """Pairs that are stored."""
-        assert self._connection is not None
-        return int(self._connection.execute("SELECT COUNT(*) FROM {}".format(TABLE)).fetchone()[0])
-
     def commit(self, results: Sequence[TwoView]) -> None:
-        assert self._connection is not None
+        if self._connection is None:
+            fail("{}: results come after the file was closed".format(self._path))
         rows = [_row(result, None if self._source is None else self._source.images(result.key)) for result in results]
         marks = ", ".join("?" * len(COLUMNS))
         try:
@@ -129,65 +131,79 @@ class SqliteSink:
         except sqlite3.Error as error:
             self._fail(error)
 
-    def close(self) -> None:
+    def close(self, finished: bool = True) -> None:
+        """finished -- as for ArraySink; the table is the same whether it is or not."""
         if self._connection is not None:
             self._connection.close()
             self._connection = None
 
 
 class ArraySink:
-    """An NPZ or HDF5 file of results, made of OUTPUT.part when no pair is missing."""
+    """An NPZ or HDF5 file of results, made of OUTPUT.part at the end of a run."""
 
     def __init__(self, path: str, source: ListSource, run: Mapping[str, object], resume: bool) -> None:
         """As SqliteSink."""
         _list_columns.check(path)
-        self._path, self._source, self._part = path, source, path + ".part"
-        self._rows: Optional[SqliteSink] = None
-        self._complete = os.path.exists(path)
-        if not self._complete:
-            self._rows = SqliteSink(self._part, source, run, resume)
-        elif not resume:
-            fail("{}: is there already (--resume goes on with it)".format(path))
-        elif _list_columns.readSettings(path) != _settings(run):
-            fail(_OTHER.format(path))
-        elif os.path.exists(self._part):  # the process was killed between the two last steps of close()
+        self._path, self._part = path, path + ".part"
+        there = os.path.exists(path)
+        if there and not resume:
+            fail("{}: {}".format(path, _THERE))
+        if there and os.path.exists(self._part):  # the process was killed while it made the one of the other
             os.remove(self._part)
+        if there and _list_columns.readSettings(path) != settingsText(run):
+            fail("{}: {}".format(path, _OTHER))
+        self._rows: Optional[SqliteSink] = SqliteSink(self._part, source, run, resume)
+        self._changed = not there
+        if there:
+            self._restore(self._rows)
+
+    def _restore(self, rows: SqliteSink) -> None:
+        """Goes on from a file that is complete: the list may have more pairs now, or faults may have been repaired."""
+        try:
+            results = _list_columns.read(self._path)
+            for block in iter(lambda: list(itertools.islice(results, _BLOCK)), []):
+                rows.commit(block)
+        except BaseException:
+            rows.close()
+            os.remove(self._part)
+            raise
 
     def done(self, key: Key) -> bool:
-        return self._complete or (self._rows is not None and self._rows.done(key))
+        return self._rows is not None and self._rows.done(key)
 
     def commit(self, results: Sequence[TwoView]) -> None:
-        if self._rows is not None:
-            self._rows.commit(results)
-        elif results:
-            fail("{}: is complete".format(self._path))
+        if self._rows is None:
+            fail("{}: results come after the file was closed".format(self._path))
+        self._changed = self._changed or len(results) > 0
+        self._rows.commit(results)
 
-    def close(self) -> None:
+    def close(self, finished: bool = True) -> None:
+        """finished -- False: OUTPUT.part is left for --resume."""
         if self._rows is None:
             return
-        # A pair that is listed twice is stored once.
-        complete = len(self._rows) >= len(self._source) or all(self._rows.done(key) for key in self._source.keys())
         self._rows.close()
         self._rows = None
-        if complete:
-            try:
+        if self._changed and not finished:
+            if os.path.exists(self._path):  # its results are in OUTPUT.part, too
+                os.remove(self._path)
+            return
+        try:
+            if self._changed:
                 with contextlib.closing(_open(self._part)) as connection:
                     _list_columns.write(self._path, connection, TABLE)
-                os.remove(self._part)
-            except (sqlite3.Error, OSError) as error:
-                fail("{}: {}".format(self._part, error))
-            self._complete = True
+            os.remove(self._part)
+        except (sqlite3.Error, OSError) as error:
+            fail("{}: {}".format(self._part, error))
 
 
 def openResults(path: str, source: ListSource, run: Mapping[str, object], resume: bool = False) -> Union[SqliteSink, ArraySink]:
-    """The sink of a file by its extension. `run` is what the results depend on beside the files of the source; a run is gone on
-    with only if that is the same. Raises CollectionError."""
+    """The sink of a file by its extension. `run` is what the results depend on beside the pairs themselves, the settings, say;
+    --resume goes on with a run of the same. Raises CollectionError."""
     extension = os.path.splitext(path)[1].lower()
-    known = dict(run, source=source.fingerprint())
     if extension in SQLITE:
-        return SqliteSink(path, source, known, resume)
+        return SqliteSink(path, source, run, resume)
     if extension in ARRAYS:
-        return ArraySink(path, source, known, resume)
+        return ArraySink(path, source, run, resume)
     fail("{}: results go to files {}{}".format(path, ", ".join(SQLITE + ARRAYS[:-1]) + " or " + ARRAYS[-1],
                                               "; there is no library for Parquet in Debian" if extension == ".parquet" else ""))
 
