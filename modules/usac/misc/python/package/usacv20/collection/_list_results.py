@@ -145,28 +145,27 @@ class ArraySink:
         """As SqliteSink."""
         _list_columns.check(path)
         self._path, self._part = path, path + ".part"
-        there = os.path.exists(path)
+        there, begun = os.path.exists(path), os.path.exists(self._part)
         if there and not resume:
             fail("{}: {}".format(path, _THERE))
-        if there and os.path.exists(self._part):  # the process was killed while it made the one of the other
-            os.remove(self._part)
-        if there and _list_columns.readSettings(path) != settingsText(run):
-            fail("{}: {}".format(path, _OTHER))
+        if there and not begun:
+            self._restore(source, run)
         self._rows: Optional[SqliteSink] = SqliteSink(self._part, source, run, resume)
-        self._changed = not there
-        if there:
-            self._restore(self._rows)
+        self._changed = begun or not there
 
-    def _restore(self, rows: SqliteSink) -> None:
-        """Goes on from a file that is complete: the list may have more pairs now, or faults may have been repaired."""
-        try:
+    def _restore(self, source: ListSource, run: Mapping[str, object]) -> None:
+        """Goes on from a file that is complete: the list may have more pairs now, or faults may have been repaired. OUTPUT.part
+        always has all pairs of OUTPUT."""
+        if _list_columns.readSettings(self._path) != settingsText(run):
+            fail("{}: {}".format(self._path, _OTHER))
+        made = self._part + ".new"
+        if os.path.exists(made):
+            os.remove(made)
+        with contextlib.closing(SqliteSink(made, source, run, False)) as rows:
             results = _list_columns.read(self._path)
             for block in iter(lambda: list(itertools.islice(results, _BLOCK)), []):
                 rows.commit(block)
-        except BaseException:
-            rows.close()
-            os.remove(self._part)
-            raise
+        os.replace(made, self._part)
 
     def done(self, key: Key) -> bool:
         return self._rows is not None and self._rows.done(key)
@@ -184,8 +183,6 @@ class ArraySink:
         self._rows.close()
         self._rows = None
         if self._changed and not finished:
-            if os.path.exists(self._path):  # its results are in OUTPUT.part, too
-                os.remove(self._path)
             return
         try:
             if self._changed:
