@@ -1,0 +1,229 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Results of the command `pairs`: an SQLite table, or arrays in an NPZ or HDF5 file. Also their reader.
+
+SQLite: the table usacv20_results, a row a pair; see COLUMNS. Numbers of matrices are little-endian doubles in the order of
+rows, those of inliers little-endian unsigned integers of 32 bits.
+
+Arrays: those that _list_columns.py describes. They have their lengths at the front, so they are written at the end of a run; until
+then the results are in the file OUTPUT.part, a database as above."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import json
+import os
+import sqlite3
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _list_columns
+from ._list_files import fail
+from ._pair import CollectionError, Configuration, Key, TwoView
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._lists import ListSource
+
+SQLITE = (".sqlite", ".sqlite3", ".db")
+ARRAYS = (".npz", ".h5", ".hdf5")
+TABLE = "usacv20_results"
+# Small ones first: SQLite reads a row from its front.
+COLUMNS = (("name", "TEXT PRIMARY KEY NOT NULL"), ("image1", "TEXT"), ("image2", "TEXT"), ("configuration", "INTEGER NOT NULL"),
+           ("reason", "TEXT NOT NULL"), ("matches", "INTEGER NOT NULL"), ("inliers", "INTEGER NOT NULL"),
+           ("iterations", "INTEGER NOT NULL"), ("chance", "REAL"), ("milliseconds", "REAL"), ("quaternion", "BLOB"),
+           ("translation", "BLOB"), ("F", "BLOB"), ("E", "BLOB"), ("H", "BLOB"), ("inlier_matches", "BLOB NOT NULL"))
+_PAIRS = "SELECT {} FROM {} ORDER BY name".format(", ".join(name for name, _ in COLUMNS), TABLE)
+_BLOCK = 1000  # pairs in a transaction of our own
+_THERE = "there is such a file already (--resume goes on with it)"
+_OTHER = "the results are of a run with other settings"
+_WAIT = 30.0  # seconds for another process that has locked the file
+
+
+def settingsText(run: Mapping[str, object]) -> str:
+    return json.dumps(dict(run), sort_keys=True, default=str)
+
+
+def _blob(array: Optional[npt.NDArray[np.float64]]) -> Optional[bytes]:
+    return None if array is None else np.ascontiguousarray(array, "<f8").tobytes()
+
+
+def _array(blob: Optional[bytes], *shape: int) -> Optional[npt.NDArray[np.float64]]:
+    return None if blob is None else np.frombuffer(blob, "<f8").astype(np.float64).reshape(shape)
+
+
+def _row(result: TwoView, images: Optional[Tuple[str, str]]) -> Tuple[Any, ...]:
+    inliers = np.ascontiguousarray(result.inliers, "<u4")
+    return (str(result.key), *(images or (None, None)), int(result.configuration), result.reason, int(result.matches), len(inliers),
+            int(result.iterations), float(result.chance), float(result.milliseconds), _blob(result.quaternion),
+            _blob(result.translation), _blob(result.F), _blob(result.E), _blob(result.H), inliers.tobytes())
+
+
+def _twoView(row: Sequence[Any]) -> TwoView:
+    name, _, _, configuration, reason, matches, _, iterations, chance, ms, quaternion, translation, F, E, H, inliers = row
+    return TwoView(name, Configuration(configuration), np.frombuffer(inliers, "<u4").astype(np.uint32).reshape(-1, 2),
+                   _array(F, 3, 3), _array(E, 3, 3), _array(H, 3, 3), _array(quaternion, 4), _array(translation, 3), reason,
+                   matches, iterations, np.nan if chance is None else chance, np.nan if ms is None else ms)
+
+
+class SqliteSink:
+    """A database of results; the pairs of a commit are in it together or not at all."""
+
+    def __init__(self, path: str, source: Optional[ListSource], run: Mapping[str, object], resume: bool) -> None:
+        """source: knows the images of the pairs; run, resume: see openResults. Raises CollectionError."""
+        if os.path.exists(path) and not resume:
+            fail("{}: {}".format(path, _THERE))
+        self._path, self._source = path, source
+        self._connection: Optional[sqlite3.Connection] = None
+        try:
+            self._connection = sqlite3.connect(path, _WAIT, isolation_level=None, check_same_thread=False)
+            self._create(settingsText(run))
+        except (sqlite3.Error, CollectionError) as error:
+            self.close()
+            self._fail(error)
+
+    def _create(self, run: str) -> None:
+        assert self._connection is not None
+        self._connection.execute("BEGIN IMMEDIATE")
+        tables = {name for name, in self._connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        if not tables:
+            self._connection.execute("CREATE TABLE {} ({})".format(TABLE, ", ".join(" ".join(column) for column in COLUMNS)))
+            self._connection.execute("CREATE TABLE usacv20_results_runs (settings TEXT NOT NULL)")
+            self._connection.execute("INSERT INTO usacv20_results_runs VALUES (?)", (run,))
+        elif not {TABLE, "usacv20_results_runs"} <= tables:
+            fail("{}: no results of this command".format(self._path))
+        elif self._connection.execute("SELECT settings FROM usacv20_results_runs").fetchall() != [(run,)]:
+            fail("{}: {}".format(self._path, _OTHER))
+        self._connection.execute("COMMIT")
+
+    def _fail(self, error: Exception) -> None:
+        if isinstance(error, CollectionError):
+            raise error
+        fail("{}: {}".format(self._path, error))
+
+    def done(self, key: Key) -> bool:
+        """Faults are not: the file may have been repaired meanwhile."""
+        if self._connection is None:
+            return False
+        rows = self._connection.execute("SELECT 1 FROM {} WHERE name = ? AND configuration != {:d}".format(
+            TABLE, Configuration.UNDEFINED), (str(key),))
+        return rows.fetchone() is not None
+
+    def commit(self, results: Sequence[TwoView]) -> None:
+        if self._connection is None:
+            fail("{}: results come after the file was closed".format(self._path))
+        rows = [_row(result, None if self._source is None else self._source.images(result.key)) for result in results]
+        marks = ", ".join("?" * len(COLUMNS))
+        try:
+            self._connection.execute("BEGIN IMMEDIATE")
+            try:
+                self._connection.executemany("INSERT OR REPLACE INTO {} VALUES ({})".format(TABLE, marks), rows)
+                self._connection.execute("COMMIT")
+            except BaseException:
+                if self._connection.in_transaction:
+                    self._connection.execute("ROLLBACK")
+                raise
+        except sqlite3.Error as error:
+            self._fail(error)
+
+    def close(self, finished: bool = True) -> None:
+        """finished -- as for ArraySink; the table is the same whether it is or not."""
+        if self._connection is not None:
+            self._connection.close()
+            self._connection = None
+
+
+class ArraySink:
+    """An NPZ or HDF5 file of results, made of OUTPUT.part at the end of a run."""
+
+    def __init__(self, path: str, source: ListSource, run: Mapping[str, object], resume: bool) -> None:
+        """As SqliteSink."""
+        _list_columns.check(path)
+        self._path, self._part = path, path + ".part"
+        there, begun = os.path.exists(path), os.path.exists(self._part)
+        if there and not resume:
+            fail("{}: {}".format(path, _THERE))
+        if there and not begun:
+            self._restore(source, run)
+        self._rows: Optional[SqliteSink] = SqliteSink(self._part, source, run, resume)
+        self._changed = begun or not there
+
+    def _restore(self, source: ListSource, run: Mapping[str, object]) -> None:
+        """Goes on from a file that is complete: the list may have more pairs now, or faults may have been repaired. OUTPUT.part
+        always has all pairs of OUTPUT."""
+        if _list_columns.readSettings(self._path) != settingsText(run):
+            fail("{}: {}".format(self._path, _OTHER))
+        made = self._part + ".new"
+        if os.path.exists(made):
+            os.remove(made)
+        with contextlib.closing(SqliteSink(made, source, run, False)) as rows:
+            results = _list_columns.read(self._path)
+            for block in iter(lambda: list(itertools.islice(results, _BLOCK)), []):
+                rows.commit(block)
+        os.replace(made, self._part)
+
+    def done(self, key: Key) -> bool:
+        return self._rows is not None and self._rows.done(key)
+
+    def commit(self, results: Sequence[TwoView]) -> None:
+        if self._rows is None:
+            fail("{}: results come after the file was closed".format(self._path))
+        self._changed = self._changed or len(results) > 0
+        self._rows.commit(results)
+
+    def close(self, finished: bool = True) -> None:
+        """finished -- False: OUTPUT.part is left for --resume."""
+        if self._rows is None:
+            return
+        self._rows.close()
+        self._rows = None
+        if self._changed and not finished:
+            return
+        try:
+            if self._changed:
+                with contextlib.closing(_open(self._part)) as connection:
+                    _list_columns.write(self._path, connection, TABLE)
+            os.remove(self._part)
+        except (sqlite3.Error, OSError) as error:
+            fail("{}: {}".format(self._part, error))
+
+
+def openResults(path: str, source: ListSource, run: Mapping[str, object], resume: bool = False) -> Union[SqliteSink, ArraySink]:
+    """The sink of a file by its extension. `run` is what the results depend on beside the pairs themselves, the settings, say;
+    --resume goes on with a run of the same. Raises CollectionError."""
+    extension = os.path.splitext(path)[1].lower()
+    if extension in SQLITE:
+        return SqliteSink(path, source, run, resume)
+    if extension in ARRAYS:
+        return ArraySink(path, source, run, resume)
+    fail("{}: results go to files {}{}".format(path, ", ".join(SQLITE + ARRAYS[:-1]) + " or " + ARRAYS[-1],
+                                              "; there is no library for Parquet in Debian" if extension == ".parquet" else ""))
+
+
+def _open(path: str) -> sqlite3.Connection:
+    return sqlite3.connect("file:{}?mode=ro".format(path.replace("%", "%25").replace("?", "%3f").replace("#", "%23")),
+                           _WAIT, uri=True)
+
+
+def readResults(path: str) -> Iterator[TwoView]:
+    """The results of the command `pairs` in the order of their names, one after the other, from its SQLite, NPZ or HDF5 file, or
+    from OUTPUT.part of a run that was interrupted. Raises CollectionError for a file that is none or that is damaged."""
+    try:
+        with open(path, "rb") as file:
+            start = file.read(16)
+    except OSError as error:
+        fail("{}: {}".format(path, error.strerror))
+    if not start.startswith(b"SQLite format 3"):
+        yield from _list_columns.read(path)
+        return
+    try:
+        with contextlib.closing(_open(path)) as connection:
+            for row in connection.execute(_PAIRS):
+                yield _twoView(row)
+    except (sqlite3.Error, ValueError) as error:
+        fail("{}: {}".format(path, error))
