@@ -54,6 +54,8 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--confidence", type=float, default=default.confidence, help="default %(default)s")
     group.add_argument("--max-iterations", type=_count, default=default.maxIterations, metavar="N",
                        help="samples of a model (default %(default)s)")
+    group.add_argument("--min-inlier-ratio", type=float, default=default.inlierRatio, metavar="PART",
+                       help="of the matches: what --confidence is for; bounds the samples (default %(default)s)")
     group.add_argument("--min-inliers", type=_count, default=default.minInliers, metavar="N",
                        help="of a pair that is kept (default %(default)s)")
     group.add_argument("--significance", type=float, default=default.significance, metavar="CHANCE",
@@ -116,7 +118,7 @@ def _parser() -> argparse.ArgumentParser:
 def _settings(options: argparse.Namespace, source: Source) -> Settings:
     given: Dict[str, Any] = dict(
         method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
-        minInliers=options.min_inliers, significance=options.significance, watermarks=not options.no_watermarks,
+        inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance, watermarks=not options.no_watermarks,
         seed=options.seed)
     if options.threshold is not None:
         return Settings(threshold=options.threshold, **given)

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     Array = npt.NDArray[np.float64]
     Mask = npt.NDArray[np.bool_]
 
+_SAMPLE = {"E": 5, "F": 7, "H": 4}  # points of a minimal sample
 # F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
 _FREEDOM_MORE = 2
 _DEVIATIONS = 3  # of a count: one in a thousand is larger by chance
@@ -119,8 +120,8 @@ def _estimate(name: str, works: List[_Work], settings: Settings) -> None:
     amongs: List[Optional[Mask]] = [_among(work) if name == "H" else None for work in works]
     points1 = [_rows(work.pair.first.points, among) for work, among in zip(works, amongs)]
     points2 = [_rows(work.pair.second.points, among) for work, among in zip(works, amongs)]
-    plain = settings.params()
-    params = [_params(name, work, among, settings) or plain for work, among in zip(works, amongs)]
+    plain: Dict[int, Params] = {}
+    params = [_params(name, work, among, settings) or _plain(name, work, settings, plain) for work, among in zip(works, amongs)]
     if name == "E":
         results = estimateEssentials(points1, points2, [work.pair.first.matrix for work in works],
                                      [work.pair.second.matrix for work in works], params=params, threads=1, returnExceptions=True)
@@ -154,12 +155,22 @@ def _rows(points: Array, among: Optional[Mask]) -> Array:
     return points if among is None else points[among]
 
 
+def _plain(name: str, work: _Work, settings: Settings, made: Dict[int, Params]) -> Params:
+    """Options of all pairs that need as many iterations as this one."""
+    iterations = settings.iterations(_SAMPLE[name], len(work.pair.matches))
+    if iterations not in made:
+        made[iterations] = settings.params()
+        made[iterations].maxIterations = iterations
+    return made[iterations]
+
+
 def _params(name: str, work: _Work, among: Optional[Mask], settings: Settings) -> Optional[Params]:
     """Options of this pair; None: those of any."""
     fromE = name == "F" and "E" in work.models
     if among is None and not fromE and work.pair.scores is None:
         return None
     params = settings.params(work.pair)
+    params.maxIterations = settings.iterations(_SAMPLE[name], len(work.pair.matches))
     if among is not None:
         params.maxIterations = min(params.maxIterations, _ITERATIONS_IN_INLIERS)
         params.significance = 1  # its part of the inliers is what counts

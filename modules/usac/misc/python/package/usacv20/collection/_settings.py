@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from typing import Any, Dict, Optional
 
 from .._enumerations import ScoreOrder, UsacV20Method
@@ -14,6 +15,9 @@ from .._params import Params
 from ._pair import CollectionError, Pair
 
 METHODS = {flag.name: flag for flag in UsacV20Method if flag is not UsacV20Method.USACV20_PARALLEL}  # parallel are the pairs
+
+# A right sample is not always a good one: its points may be near to each other. That many cost less than 2 ms.
+LEAST_ITERATIONS = 500
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,6 +28,8 @@ class Settings:
     method: str = "USACV20"  # one of METHODS
     confidence: float = 0.999
     maxIterations: int = 10000  # samples of a model
+    # Least part of the matches that is expected to be right; pairs with less are found, too, but not with `confidence`.
+    inlierRatio: float = 0.25
     seed: int = 0
     minInliers: int = 15  # of a pair that is kept
     # Largest Report.chance of a pair that is kept: of pairs without overlap at most this part is taken for one with. A hundredth of
@@ -38,7 +44,7 @@ class Settings:
             raise CollectionError("method: one of {} is expected, not {}".format(", ".join(METHODS), self.method))
         if self.minInliers < 1:
             raise CollectionError("min-inliers: a positive number is expected, not {}".format(self.minInliers))
-        for name in ("planarRatio", "calibrationRatio"):
+        for name in ("planarRatio", "calibrationRatio", "inlierRatio"):
             if not 0 <= getattr(self, name) <= 1:
                 raise CollectionError("{}: a number from 0 to 1 is expected, not {}".format(name, getattr(self, name)))
         try:
@@ -49,6 +55,14 @@ class Settings:
     def asDict(self) -> Dict[str, Any]:
         """For a file: what two runs must have in common to be one."""
         return dataclasses.asdict(self)
+
+    def iterations(self, sample: int, matches: int) -> int:
+        """Samples of so many points that find a pair that is to be kept: with `confidence` one of them is right."""
+        ratio = max(self.inlierRatio, min(self.minInliers / max(matches, 1), 1))
+        if ratio**sample >= self.confidence:
+            return min(self.maxIterations, LEAST_ITERATIONS)
+        needed = math.log(1 - min(self.confidence, 1 - 1e-15)) / math.log1p(-max(ratio**sample, 1e-15))
+        return int(min(self.maxIterations, max(LEAST_ITERATIONS, math.ceil(needed))))
 
     def params(self, pair: Optional[Pair] = None) -> Params:
         """Options of the estimator, with the scores of a pair."""
