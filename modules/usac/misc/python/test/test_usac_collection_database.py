@@ -8,15 +8,13 @@
 import contextlib
 import os
 import pickle
-import shutil
 import sqlite3
-import tempfile
 import unittest
 from unittest import mock
 
 import numpy as np
 
-from usac_collection_database import INPUT, OPENCV, SCHEMAS, change, dump, pairId, rows, smallDatabase
+from usac_collection_database import (INPUT, OPENCV, SCHEMAS, DatabaseCase, change, dump, flat, pairId, rows, same, smallDatabase)
 from usac_common import IN_TREE, once, package
 
 if not IN_TREE:
@@ -24,46 +22,7 @@ if not IN_TREE:
     from usacv20.collection._cameras import Camera
     from usacv20.collection._database import DatabaseSource
     from usacv20.collection._database_sink import DatabaseSink
-    from usacv20.collection._pair import CollectionError, Fault, Pair
-
-
-class DatabaseCase(unittest.TestCase):
-
-    def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-        self.path = os.path.join(self.folder, "a.db")
-
-    def source(self, path=None, **keywords):
-        source = DatabaseSource(path or self.path, **keywords)
-        self.addCleanup(source.close)
-        return source
-
-    def load(self, **keywords):
-        source = self.source(**keywords)
-        return source.load(list(source.keys()))
-
-    def refused(self, words, function, *args, **keywords):
-        """A CollectionError of one line with the words."""
-        with self.assertRaises(CollectionError) as context:
-            function(*args, **keywords)
-        message = str(context.exception)
-        for word in words:
-            self.assertIn(word, message)
-        self.assertNotIn("\n", message)
-
-
-def flat(item):
-    """What was loaded, in a form that compares byte for byte."""
-    if isinstance(item, np.ndarray):
-        return item.dtype.str, item.shape, item.tobytes()
-    if isinstance(item, (list, tuple)):
-        return type(item).__name__, [flat(part) for part in item]
-    return item
-
-
-def same(first, second):
-    return flat(first) == flat(second)
+    from usacv20.collection._pair import Fault, Pair
 
 
 @once
