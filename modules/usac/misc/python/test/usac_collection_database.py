@@ -5,9 +5,19 @@
 """Databases of COLMAP for the tests, written from arrays, as its versions make them."""
 
 import contextlib
+import os
+import shutil
 import sqlite3
+import tempfile
+import unittest
 
 import numpy as np
+
+from usac_common import IN_TREE
+
+if not IN_TREE:
+    from usacv20.collection._database import DatabaseSource
+    from usacv20.collection._pair import CollectionError
 
 IMAGES = 2147483647
 SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV = range(5)
@@ -109,3 +119,42 @@ def smallDatabase(path, images=6, points=60, seed=0, distorted=False, columns=2,
                for i in numbers for j in numbers if i < j}
     writeDatabase(path, {1: camera}, {i: ("image{}.jpg".format(i), 1) for i in numbers}, keypoints, matches, **keywords)
     return keypoints, matches
+
+
+class DatabaseCase(unittest.TestCase):
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.path = os.path.join(self.folder, "a.db")
+
+    def source(self, path=None, **keywords):
+        source = DatabaseSource(path or self.path, **keywords)
+        self.addCleanup(source.close)
+        return source
+
+    def load(self, **keywords):
+        source = self.source(**keywords)
+        return source.load(list(source.keys()))
+
+    def refused(self, words, function, *args, **keywords):
+        """A CollectionError of one line with the words."""
+        with self.assertRaises(CollectionError) as context:
+            function(*args, **keywords)
+        message = str(context.exception)
+        for word in words:
+            self.assertIn(word, message)
+        self.assertNotIn("\n", message)
+
+
+def flat(item):
+    """What was loaded, in a form that compares byte for byte."""
+    if isinstance(item, np.ndarray):
+        return item.dtype.str, item.shape, item.tobytes()
+    if isinstance(item, (list, tuple)):
+        return type(item).__name__, [flat(part) for part in item]
+    return item
+
+
+def same(first, second):
+    return flat(first) == flat(second)

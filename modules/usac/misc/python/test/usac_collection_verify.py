@@ -6,11 +6,15 @@
 
 import hashlib
 import os
+import sys
 import time
 
 import numpy as np
 
-from usacv20.collection._pair import Configuration, TwoView
+from usacv20.collection._database import DatabaseSource
+from usacv20.collection._database_sink import DatabaseSink
+from usacv20.collection._engine import run
+from usacv20.collection._pair import CollectionError, Configuration, TwoView
 
 
 def verify(pairs, settings):
@@ -39,4 +43,50 @@ def nothing(pairs, settings):
 
 
 def fails(pairs, settings):
-    raise RuntimeError("a mistake in {}".format(os.getpid() and pairs[0].first.name))
+    raise RuntimeError("a mistake in " + pairs[0].first.name)
+
+
+def failsLate(pairs, settings):
+    if pairs[0].first.name == "image10.jpg":
+        fails(pairs, settings)
+    return verify(pairs, settings)
+
+
+def forgets(pairs, settings):
+    return verify(pairs, settings)[1:]
+
+
+class Here(DatabaseSource):
+    """A database that only the process which opened it first has."""
+
+    def __init__(self, *args, **keywords):
+        super().__init__(*args, **keywords)
+        self.process = os.getpid()
+
+    def __getstate__(self):
+        return dict(super().__getstate__(), process=self.process)
+
+    def fingerprint(self):
+        if os.getpid() != self.process:
+            raise CollectionError("there is no such file")
+        return super().fingerprint()
+
+    def load(self, keys):
+        self.fingerprint()
+        return super().load(keys)
+
+
+def main(path, *options):
+    """A run that takes a second and more. options -- "workers": of Dask"""
+    source, sink = DatabaseSource(path), DatabaseSink(path, {})
+    summary = run(source, sink, {"sleep": 0.02}, sys.modules["usac_collection_verify"].verify, threads=2, chunk=5,
+                  workers=2 * ("workers" in options))
+    source.close()
+    sink.close(finished=not summary.interrupted)
+    print(summary.line())
+    return 130 if summary.interrupted else 0
+
+
+if __name__ == "__main__":
+    import usac_collection_verify  # noqa: F401, the functions that workers know are those of the module
+    sys.exit(main(*sys.argv[1:]))

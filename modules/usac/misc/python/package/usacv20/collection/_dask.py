@@ -16,7 +16,7 @@ from ._pair import CollectionError, Key, Source
 from ._work import Future, Verify, fingerprintOf, processRemotely
 
 _PER_THREAD = 2  # chunks: one that is worked on, one that waits
-_RETRIES = 3  # of a chunk whose task raised; Dask itself gives the chunks of a worker that died to others
+_RETRIES = 1  # of a chunk whose task raised; Dask itself gives the chunks of a worker that died to others
 _CONNECT = 10.0  # seconds to find a scheduler
 _JOIN = 60.0  # seconds for the first worker
 _COUNT = 5.0  # seconds between two counts of the workers
@@ -46,7 +46,7 @@ class Cluster:
         self._counted, self._threads = 0.0, 0
         try:
             if workers:
-                self._cluster = _localCluster(distributed, workers)
+                self._cluster = localCluster(distributed, workers)
             self._client = self._connect(distributed, self._cluster or scheduler, scheduler)
             self._expected = self._shared()
         except BaseException:
@@ -117,10 +117,10 @@ class Cluster:
                 part.close()
 
 
-def _localCluster(distributed: Any, workers: int) -> Any:
+def localCluster(distributed: Any, workers: int) -> Any:
     dask = importlib.import_module("dask")
     name = "distributed.nanny.pre-spawn-environ"
     quiet = {**dask.config.get(name, {}), "DASK_LOGGING__DISTRIBUTED": "warning"}
     with dask.config.set({name: quiet}):
-        return distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
+        return distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0",
                                         preload=__package__ + "._dask_worker")

@@ -63,7 +63,7 @@ class DatabaseSink:
                 self._matrices = self._checkTable()
                 if resume:
                     self._resume()
-                self._transaction(lambda: None)  # what cannot be written is known before hours of work
+                self._try()
         except BaseException:
             self._connection.close()
             raise
@@ -98,6 +98,14 @@ class DatabaseSink:
                 self._transaction(lambda: self._finish(FINISHED if finished else INTERRUPTED))
         finally:
             self._connection.close()
+
+    def _try(self) -> None:
+        """What cannot be written is known before hours of work."""
+        self._connection.execute("BEGIN IMMEDIATE")
+        try:
+            self._connection.execute("CREATE TABLE usacv20_trial (a)")
+        finally:
+            self._connection.execute("ROLLBACK")
 
     def _transaction(self, action: Any) -> None:
         run, removed = self._run, self.removed

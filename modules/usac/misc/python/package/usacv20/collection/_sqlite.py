@@ -98,6 +98,9 @@ def checkInput(connection: sqlite3.Connection, path: str) -> None:
                 if name not in found:
                     raise CollectionError("{}: this is not a database of COLMAP: its table {} has no column {}".format(
                         path, table, name))
+        # SQLite notices pages that are missing, but takes the end of one that was cut off for zeros.
+        if os.path.getsize(path) % int(connection.execute("PRAGMA page_size").fetchone()[0]):
+            raise CollectionError("{}: the database is damaged or was cut off in the middle of a page".format(path))
 
 
 def tidy(path: str) -> None:

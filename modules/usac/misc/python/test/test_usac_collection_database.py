@@ -1,0 +1,378 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Databases of COLMAP as the collection tool reads and copies them, whole and damaged."""
+
+import contextlib
+import os
+import pickle
+import sqlite3
+import unittest
+from unittest import mock
+
+import numpy as np
+
+from usac_collection_database import (INPUT, OPENCV, SCHEMAS, DatabaseCase, change, dump, flat, pairId, rows, same, smallDatabase)
+from usac_common import IN_TREE, once, package
+
+if not IN_TREE:
+    from usacv20.collection import _database, _sqlite
+    from usacv20.collection._cameras import Camera
+    from usacv20.collection._database import DatabaseSource
+    from usacv20.collection._database_sink import DatabaseSink
+    from usacv20.collection._pair import Fault, Pair
+
+
+@once
+@package
+class SourceTest(DatabaseCase):
+
+    def test_pairs(self):
+        for schema in SCHEMAS:
+            for columns in (2, 4, 6):
+                path = os.path.join(self.folder, "{}.{}.db".format(schema, columns))
+                keypoints, matches = smallDatabase(path, schema=schema, columns=columns)
+                change(path, "ALTER TABLE matches ADD COLUMN added REAL")
+                change(path, "CREATE TABLE other (a, b)")
+                source = self.source(path)
+                keys = list(source.keys())
+                self.assertEqual(keys, [pairId(*key) for key in sorted(matches)])
+                self.assertEqual(len(source), len(keys))
+                for pair, (key, numbers) in zip(source.load(keys), sorted(matches.items())):
+                    self.assertEqual((pair.first.name, pair.second.name), tuple("image{}.jpg".format(i) for i in key))
+                    np.testing.assert_array_equal(pair.matches, numbers)
+                    for side, view in enumerate((pair.first, pair.second)):
+                        points = keypoints[key[side]][numbers[:, side], :2].astype(np.float32)
+                        np.testing.assert_array_equal(view.taken, points)
+                        self.assertIs(view.points, view.taken)
+                        self.assertEqual((view.width, view.height, view.focalKnown, view.matrix[0, 0]), (640, 480, False, 600))
+
+    def test_distortion(self):
+        smallDatabase(self.path, distorted=True)
+        camera = Camera.fromColmap(*rows(self.path, "SELECT * FROM cameras")[0])
+        for pair in self.load():
+            for view in (pair.first, pair.second):
+                np.testing.assert_array_equal(view.points, camera.ideal(view.taken))
+                self.assertGreater(np.abs(view.points - view.taken).max(), 1)
+                self.assertTrue(view.focalKnown)
+
+    def test_pages_of_keys(self):
+        smallDatabase(self.path, images=8)
+        keys = list(self.source().keys())
+        for size in (1, 4, 7, 28):
+            with mock.patch.object(_database, "_PAGE", size):
+                self.assertEqual(list(self.source().keys()), keys)
+
+    def test_cache(self):
+        """Images are dropped from memory and read again."""
+        smallDatabase(self.path, distorted=True)
+        limit = 3 * (1000 + 60 * 24)
+        source = self.source(cache=limit)
+        keys = list(source.keys())
+        self.assertTrue(same(source.load(keys), self.load()))
+        self.assertEqual(len(source._cache._images), 3)
+        self.assertLessEqual(source._cache._bytes, limit)
+        self.assertTrue(same(source.load(keys[::-1]), self.load()[::-1]))
+
+    def test_pickled(self):
+        smallDatabase(self.path)
+        source = self.source(cache=12345)
+        keys = list(source.keys())
+        again = pickle.loads(pickle.dumps(source))
+        self.addCleanup(again.close)
+        self.assertTrue(same(again.load(keys), source.load(keys)))
+        self.assertEqual(again.fingerprint(), source.fingerprint())
+        source.close()
+        self.assertTrue(same(again.load(keys), source.load(keys)))  # it is opened again
+
+    def test_fingerprint(self):
+        smallDatabase(self.path)
+        other = os.path.join(self.folder, "b.db")
+        smallDatabase(other, seed=1)
+        prints = {self.source(path).fingerprint() for path in (self.path, other)}
+        self.assertEqual(len(prints), 2)
+        before = self.source().fingerprint()
+        change(self.path, "INSERT INTO two_view_geometries (pair_id, rows, cols, config) VALUES (5, 0, 2, 1)")
+        self.assertEqual(self.source().fingerprint(), before)
+
+    def test_nothing_is_left_or_changed(self):
+        for wal in (True, False):
+            with contextlib.suppress(FileNotFoundError):
+                os.remove(self.path)
+            smallDatabase(self.path, wal=wal)
+            with open(self.path, "rb") as file:
+                before = file.read()
+            source = DatabaseSource(self.path)
+            self.assertEqual(len(source.load(list(source.keys()))), 15)
+            with self.assertRaises(sqlite3.OperationalError):
+                source.connection().execute("DELETE FROM matches")
+            source.close()
+            self.assertEqual(os.listdir(self.folder), ["a.db"])
+            with open(self.path, "rb") as file:
+                self.assertEqual(file.read(), before)
+
+    def test_scores(self):
+        smallDatabase(self.path)
+        for pair in self.load(scores=Column()):
+            np.testing.assert_array_equal(pair.scores, pair.matches[:, 1] + len(pair.first.name))
+            self.assertFalse(pair.higherIsBetter)
+        self.assertIn("2 scores of 59 matches", self.load(scores=Short())[0].reason)
+        self.assertEqual({pair.scores for pair in self.load()}, {None})
+
+
+class Column(object):
+    higherIsBetter = False
+
+    def of(self, key, first, second, matches, connection):
+        return matches[:, 1] + float(len(first))
+
+
+class Short(Column):
+
+    def of(self, key, first, second, matches, connection):
+        return np.zeros(2)
+
+
+@once
+@package
+class FaultTest(DatabaseCase):
+    """One thing is wrong: the pairs with it are faults, the others are as before."""
+
+    def faults(self, words, expected, *statements):
+        """Reasons of the faults, of pairs of those images, after the statements."""
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(self.path)
+        smallDatabase(self.path)
+        before = self.load()
+        for statement in statements:
+            change(self.path, *statement)
+        after = self.load()
+        keys = {pairId(*pair) for pair in expected}
+        self.assertEqual({item.key for item in after if isinstance(item, Fault)}, keys)
+        for old, new in zip(before, after):
+            self.assertEqual(old.key, new.key)
+            if isinstance(new, Pair):
+                self.assertTrue(same(old, new))
+                continue
+            for word in words:
+                self.assertIn(word, new.reason)
+            self.assertNotIn("\n", new.reason)
+            for view in (old.first, old.second):
+                if not any("DELETE FROM images" in statement[0] for statement in statements):
+                    self.assertIn(view.name, new.reason)
+
+    def test_matches(self):
+        key = pairId(2, 4)
+        numbers = np.column_stack([np.arange(20), np.arange(20)]).astype("<u4")
+        numbers[7, 1] = 60
+        self.faults(["image2.jpg - image4.jpg", "match 7", "keypoint 60 of image4.jpg", "has 60"], [(2, 4)],
+                    ("UPDATE matches SET rows = 20, data = ? WHERE pair_id = ?", numbers.tobytes(), key))
+        numbers[7] = 2 ** 32 - 1, 0
+        self.faults(["match 7", "keypoint 4294967295 of image2.jpg"], [(2, 4)],
+                    ("UPDATE matches SET rows = 20, data = ? WHERE pair_id = ?", numbers.tobytes(), key))
+        self.faults(["21 rows of 2", "160 bytes"], [(2, 4)],
+                    ("UPDATE matches SET rows = 21, data = ? WHERE pair_id = ?", numbers.tobytes(), key))
+        self.faults(["20 rows of 3"], [(2, 4)],
+                    ("UPDATE matches SET rows = 20, cols = 3, data = ? WHERE pair_id = ?", numbers.tobytes(), key))
+        self.faults(["58 rows of 2", "0 bytes"], [(2, 4)], ("UPDATE matches SET data = NULL WHERE pair_id = ?", key))
+
+    def test_no_matches(self):
+        """COLMAP stores that nothing was found: a pair as any other."""
+        smallDatabase(self.path)
+        change(self.path, "UPDATE matches SET rows = 0, data = NULL")
+        self.assertEqual([pair.matches.shape for pair in self.load()], [(0, 2)] * 15)
+
+    def test_keypoints(self):
+        pairs = [(1, 3), (2, 3), (3, 4), (3, 5), (3, 6)]
+        table = np.ones((60, 2), "<f4")
+        for words, statement in (
+                (["60 rows of 2", "479 bytes"], ("UPDATE keypoints SET data = ? WHERE image_id = 3", table.tobytes()[:-1])),
+                (["of image3.jpg", "3 columns"], ("UPDATE keypoints SET cols = 3 WHERE image_id = 3",)),
+                (["image3.jpg, which has none"], ("DELETE FROM keypoints WHERE image_id = 3",)),
+                (["image3.jpg, which has none"], ("UPDATE keypoints SET rows = 0, data = NULL WHERE image_id = 3",)),
+                (["image 3 is not in the table images"], ("DELETE FROM images WHERE image_id = 3",)),
+                (["camera 9 of image3.jpg"], ("UPDATE images SET camera_id = 9 WHERE image_id = 3",))):
+            self.faults(words, pairs, statement)
+
+    def test_keypoints_without_a_place(self):
+        """Of the keypoints only those that are matched matter."""
+        for value, text in ((np.nan, "(1, nan)"), (np.inf, "(1, inf)")):
+            table = np.ones((60, 2), "<f4")
+            table[59, 1] = value
+            smallDatabase(self.path)
+            matched = [key for (key, numbers) in smallDatabase(self.path + "2")[1].items()
+                       if 3 in key and 59 in numbers[:, key.index(3)]]
+            self.assertGreater(len(matched), 0)
+            self.assertLess(len(matched), 5)
+            change(self.path, "UPDATE keypoints SET data = ? WHERE image_id = 3", table.tobytes())
+            faults = [item for item in self.load() if isinstance(item, Fault)]
+            self.assertEqual([item.key for item in faults], [pairId(*key) for key in matched])
+            for fault, key in zip(faults, matched):
+                self.assertIn("image{}.jpg - image{}.jpg: match ".format(*key), fault.reason)
+                self.assertIn("keypoint 59 of image3.jpg is at " + text, fault.reason)
+            os.remove(self.path)
+            os.remove(self.path + "2")
+
+    def test_cameras(self):
+        everything = [(i, j) for i in range(1, 7) for j in range(i + 1, 7)]
+        self.faults(["FOV"], everything, ("UPDATE cameras SET model = 7",))
+        self.faults(["camera 2", "model", "77"], [(1, 3), (2, 3), (3, 4), (3, 5), (3, 6)],
+                    ("INSERT INTO cameras VALUES (2, 77, 640, 480, ?, 0)", np.ones(3).tobytes()),
+                    ("UPDATE images SET camera_id = 2 WHERE image_id = 3",))
+        self.faults(["camera 1"], everything, ("UPDATE cameras SET model = ?", OPENCV))
+
+    def test_itself(self):
+        smallDatabase(self.path)
+        change(self.path, "INSERT INTO matches VALUES (?, 0, 2, NULL)", pairId(2, 2))
+        self.assertEqual([item.reason for item in self.load() if isinstance(item, Fault)],
+                         ["image2.jpg - image2.jpg: an image is matched with itself"])
+
+
+@once
+@package
+class WholeTest(DatabaseCase):
+    """A database that cannot be used at all, for reading and for writing."""
+
+    def unusable(self, *words, **keywords):
+        path = keywords.get("path", self.path)
+        words = (os.path.basename(path),) + words
+        self.refused(words, lambda: list(self.source(path).keys()))
+        self.refused(words, self.source(path).load, [pairId(1, 2)])
+        self.refused(words, DatabaseSink, path, {})
+        self.refused(words, _sqlite.copyDatabase, path, os.path.join(self.folder, "copy.db"))
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "copy.db")))
+
+    def test_no_file(self):
+        self.unusable("no such file")
+        self.assertEqual(os.listdir(self.folder), [])
+        self.unusable("not a file", path=self.folder)
+
+    def test_another_file(self):
+        with open(self.path, "wb") as file:
+            file.write(b"number;name\n" * 1000)
+        self.unusable("not a database of SQLite")
+        with open(self.path, "wb"):
+            pass
+        self.unusable("empty")
+
+    def test_cut_off(self):
+        smallDatabase(self.path)
+        with open(self.path, "rb") as file:
+            whole = file.read()
+        for size in (50, 4096, len(whole) // 2, len(whole) - 1):
+            with open(self.path, "wb") as file:
+                file.write(whole[:size])
+            self.unusable("damaged" if size else "empty")
+
+    def test_damaged_inside(self):
+        smallDatabase(self.path, images=12)
+        page = rows(self.path, "SELECT rootpage FROM sqlite_master WHERE name = 'matches'")[0][0]
+        with open(self.path, "r+b") as file:
+            file.seek((page - 1) * 4096)
+            file.write(b"\xee" * 4096)
+        source = self.source()
+        self.refused(["a.db", "damaged"], lambda: list(source.keys()))
+        self.refused(["a.db", "damaged"], source.load, [pairId(1, 2)])
+
+    def test_foreign(self):
+        change(self.path, "CREATE TABLE cameras (name TEXT)")
+        self.unusable("not a database of COLMAP", "cameras", "camera_id")
+        os.remove(self.path)
+        smallDatabase(self.path)
+        change(self.path, "ALTER TABLE matches RENAME COLUMN cols TO columns")
+        self.unusable("matches", "column cols")
+        change(self.path, "DROP TABLE matches")
+        self.unusable("no table matches")
+
+    def test_locked(self):
+        for wal in (True, False):
+            with contextlib.suppress(FileNotFoundError):
+                os.remove(self.path)
+            smallDatabase(self.path, wal=wal)
+            sink = DatabaseSink(self.path, {})
+            with mock.patch.object(_sqlite, "PATIENCE", 0.1), contextlib.closing(sqlite3.connect(self.path)) as other:
+                other.execute("BEGIN EXCLUSIVE")
+                self.refused(["a.db", "another program", "locked"], DatabaseSink, self.path, {})
+                if wal:
+                    self.assertEqual(len(self.load()), 15)  # readers do not wait for a writer
+                else:
+                    self.refused(["a.db", "another program", "locked"], self.load)
+            sink.close(finished=False)
+
+    def test_read_only(self):
+        for wal in (True, False):
+            for mode in (0o444, 0o644):  # of the file; the folder is read-only in any case
+                with contextlib.suppress(FileNotFoundError):
+                    os.remove(self.path)
+                smallDatabase(self.path, wal=wal)
+                expected = flat(self.load())
+                os.chmod(self.path, mode)
+                os.chmod(self.folder, 0o555)
+                try:
+                    self.assertEqual(self.asNobody(self.reads, expected), "")
+                finally:
+                    os.chmod(self.folder, 0o755)
+
+    def reads(self, expected):
+        source = DatabaseSource(self.path)
+        self.assertEqual(flat(source.load(list(source.keys()))), expected)
+        self.refused(["a.db", "read-only"], DatabaseSink, self.path, {})
+        self.refused(["b.db", "cannot be written"], _sqlite.copyDatabase, self.path, os.path.join(self.folder, "b.db"))
+
+    def asNobody(self, function, *args):
+        """What it raises in a process that is not the superuser, to whom nothing is read-only."""
+        reader, writer = os.pipe()
+        child = os.fork()
+        if not child:
+            text = ""
+            try:
+                if os.getuid() == 0:
+                    os.setgid(65534)
+                    os.setuid(65534)
+                function(*args)
+            except BaseException as error:
+                text = repr(error)
+            os.write(writer, text.encode())
+            os._exit(0)
+        os.close(writer)
+        with os.fdopen(reader) as file:
+            text = file.read()
+        os.waitpid(child, 0)
+        return text
+
+
+@once
+@package
+class CopyTest(DatabaseCase):
+
+    def test_copy(self):
+        target = os.path.join(self.folder, "b.db")
+        for wal in (True, False):
+            smallDatabase(self.path, wal=wal)
+            with contextlib.closing(sqlite3.connect(self.path)) as other:
+                other.execute("UPDATE images SET name = 'new.jpg' WHERE image_id = 1")
+                other.commit()  # of a database in WAL mode this is in the file beside it
+                _sqlite.copyDatabase(self.path, target)
+                self.assertEqual(dump(target, *INPUT), dump(self.path, *INPUT))
+                self.assertIn("new.jpg", [row[1] for row in dump(target, "images")["images"]])
+            self.assertEqual(rows(target, "PRAGMA journal_mode"), [("wal" if wal else "delete",)])
+            self.assertEqual(sorted(os.listdir(self.folder)), ["a.db", "b.db"])
+            os.remove(self.path)
+            os.remove(target)
+
+    def test_refused(self):
+        smallDatabase(self.path)
+        target = os.path.join(self.folder, "b.db")
+        with open(target, "w") as file:
+            file.write("something")
+        self.refused(["b.db", "already"], _sqlite.copyDatabase, self.path, target)
+        with open(target) as file:
+            self.assertEqual(file.read(), "something")
+        self.refused(["already"], _sqlite.copyDatabase, self.path, self.path)
+        self.refused(["none"], _sqlite.copyDatabase, self.path, os.path.join(self.folder, "none", "b.db"))
+
+
+if __name__ == "__main__":
+    unittest.main()

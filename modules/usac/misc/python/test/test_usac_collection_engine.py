@@ -1,0 +1,340 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""All pairs of a database through the engine of the collection tool, on threads and Dask: the same table each time, also if the
+run is stopped, killed or loses a worker in the middle."""
+
+import contextlib
+import io
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from unittest import mock
+
+from usac_collection_database import DatabaseCase, change, dump, pairId, rows, smallDatabase
+from usac_common import IN_TREE, once, package
+
+if not IN_TREE:
+    import usac_collection_verify as stand
+    from usacv20.collection import _dask, _engine, _progress
+    from usacv20.collection._database import DatabaseSource
+    from usacv20.collection._database_sink import DatabaseSink
+    from usacv20.collection._pair import CollectionError
+
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+PAIRS = 190  # of 20 images
+
+
+class Rows(object):
+    """A sink that counts, and calls a function before each commit."""
+
+    def __init__(self, sink, before=None):
+        self.sink, self.before, self.commits, self.results = sink, before, 0, 0
+
+    def done(self, key):
+        return self.sink.done(key)
+
+    def commit(self, results):
+        self.commits += 1
+        if self.before is not None:
+            self.before(self)
+        self.results += len(results)
+        self.sink.commit(results)
+
+
+class EngineCase(DatabaseCase):
+
+    def setUp(self):
+        super().setUp()
+        self.count = 0
+        smallDatabase(self.path, images=20, points=30)
+
+    def run_engine(self, path=None, resume=False, before=None, settings=None, verify=None, progress=False, **keywords):
+        """(summary, rows of the results, what was told)."""
+        path = path or self.fresh()
+        source, sink = self.source(path), DatabaseSink(path, settings or {}, resume)
+        told = io.StringIO()
+        with contextlib.redirect_stderr(told), contextlib.closing(sink):
+            summary = _engine.run(source, Rows(sink, before), settings or {}, verify or stand.verify, progress=progress, **keywords)
+        source.close()
+        return summary, self.table(path), told.getvalue()
+
+    def fresh(self):
+        self.count += 1
+        path = os.path.join(self.folder, "copy{}.db".format(self.count))
+        shutil.copy(self.path, path)
+        return path
+
+    @staticmethod
+    def table(path):
+        return dump(path, "two_view_geometries")
+
+    def reference(self):
+        return self.run_engine(threads=1)[1]
+
+
+@once
+@package
+class ThreadsTest(EngineCase):
+
+    def test_the_same_table(self):
+        summary, expected, told = self.run_engine(threads=1)
+        self.assertEqual(len(expected["two_view_geometries"]), PAIRS)
+        self.assertEqual(told, "")
+        self.assertEqual((summary.pairs, summary.skipped, summary.faults, summary.interrupted), (PAIRS, 0, 0, False))
+        short = sum(len(row[3] or b"") == 0 for row in expected["two_view_geometries"])
+        self.assertEqual(summary.refused, short)
+        self.assertTrue(0 < short < PAIRS)
+        self.assertTrue(min(summary.reading, summary.estimating, summary.writing) > 0)
+        self.assertIn("{} pairs".format(PAIRS), summary.line())
+        for keywords in (dict(threads=2), dict(threads=2, chunk=1), dict(threads=3, chunk=7), dict(chunk=1000), dict()):
+            found, table, _ = self.run_engine(**keywords)
+            self.assertEqual(table, expected, keywords)
+            self.assertEqual((found.pairs, found.refused), (PAIRS, short))
+        self.assertNotEqual(self.run_engine(settings={"seed": 1})[1], expected)
+
+    def test_bounded(self):
+        """What is under way does not depend on the number of pairs."""
+        drawn = []
+
+        class Counted(DatabaseSource):
+            def keys(self):
+                for key in super().keys():
+                    drawn.append(key)
+                    yield key
+
+        ahead = []
+        path = self.fresh()
+        source = Counted(path)
+        with contextlib.closing(DatabaseSink(path, {})) as sink:
+            _engine.run(source, Rows(sink, lambda rows: ahead.append(len(drawn) - rows.results)), {}, stand.verify, threads=2, chunk=5)
+        source.close()
+        self.assertEqual(len(drawn), PAIRS)
+        self.assertLessEqual(max(ahead), 4 * 5)
+
+    def test_faults(self):
+        expected = self.reference()["two_view_geometries"]
+        for key in ((1, 2), (3, 7)):
+            change(self.path, "UPDATE matches SET rows = 5 WHERE pair_id = ?", pairId(*key))
+        summary, table, told = self.run_engine()
+        self.assertEqual((summary.pairs, summary.faults), (PAIRS, 2))
+        self.assertIn("2 cannot be read", summary.line())
+        bad = [pairId(1, 2), pairId(3, 7)]
+        self.assertEqual(table["two_view_geometries"], [row for row in expected if row[0] not in bad])
+        self.assertEqual([line.split(":")[1] for line in sorted(told.splitlines())],
+                         [" image1.jpg - image2.jpg", " image3.jpg - image7.jpg"])
+        change(self.path, "UPDATE matches SET rows = 5")
+        told = self.run_engine()[2].splitlines()
+        self.assertEqual((len(told), told[-1]), (21, "more pairs cannot be read; the report lists them"))
+
+    def test_a_mistake_in_a_worker(self):
+        path = self.fresh()
+        for verify, words in ((stand.fails, "a mistake in image"), (stand.forgets, "other pairs")):
+            with self.assertRaises(RuntimeError) as context:
+                self.run_engine(path, verify=verify, threads=2, chunk=5)
+            self.assertIn(words, str(context.exception))
+        self.assertEqual(rows(path, "PRAGMA integrity_check"), [("ok",)])
+
+    def test_mistake_keeps_the_others(self):
+        """What was found before is stored."""
+        path = self.fresh()
+        with self.assertRaises(RuntimeError):
+            self.run_engine(path, verify=stand.failsLate, threads=1, chunk=5)
+        stored = self.table(path)["two_view_geometries"]
+        self.assertGreaterEqual(len(stored), 100)
+        self.assertLess(len(stored), PAIRS)
+        self.assertEqual(stored, self.reference()["two_view_geometries"][:len(stored)])
+
+    def test_writing_fails(self):
+        def locked(counted):
+            raise CollectionError("the disk is full")
+
+        with self.assertRaisesRegex(CollectionError, "full"):
+            self.run_engine(before=locked, threads=2, chunk=5)
+
+    def test_resume(self):
+        expected = self.reference()
+        path = self.fresh()
+
+        def stop(counted):
+            if counted.commits == 3:
+                os.kill(os.getpid(), signal.SIGTERM)
+
+        before = signal.getsignal(signal.SIGTERM), signal.getsignal(signal.SIGINT)
+        first, table, _ = self.run_engine(path, before=stop, threads=2, chunk=5)
+        self.assertEqual((signal.getsignal(signal.SIGTERM), signal.getsignal(signal.SIGINT)), before)
+        self.assertTrue(first.interrupted)
+        self.assertTrue(15 <= first.pairs < PAIRS)
+        self.assertIn("interrupted", first.line())
+        self.assertEqual(len(table["two_view_geometries"]), first.pairs)
+        second, table, _ = self.run_engine(path, resume=True)
+        self.assertEqual(table, expected)
+        self.assertEqual((second.pairs, second.skipped, second.interrupted), (PAIRS - first.pairs, first.pairs, False))
+        third = self.run_engine(path, resume=True)[0]
+        self.assertEqual((third.pairs, third.skipped), (0, PAIRS))
+
+
+@once
+@package
+class ProgressTest(EngineCase):
+
+    def test_bar(self):
+        try:
+            import tqdm  # noqa: F401
+        except ImportError:
+            self.skipTest("tqdm was not found")
+        change(self.path, "UPDATE matches SET rows = 5 WHERE pair_id = ?", pairId(1, 2))
+        summary, _, told = self.run_engine(progress=True)
+        self.assertIn("{0}/{0}".format(PAIRS), told)
+        self.assertIn("pairs/s", told)
+        self.assertIn("cannot be read: image1.jpg - image2.jpg", told)
+        self.assertNotIn("pairs/s", self.run_engine(progress=None)[2])  # this is no terminal
+
+    def test_no_tqdm(self):
+        with mock.patch.dict(sys.modules, tqdm=None):
+            with self.assertRaisesRegex(CollectionError, "tqdm"):
+                self.run_engine(progress=True)
+            with mock.patch.object(_progress.sys.stderr, "isatty", return_value=True, create=True):
+                _progress.Progress(5).advance(1)
+
+
+class ProcessCase(EngineCase):
+    """A run in a process of its own, which is stopped in the middle."""
+
+    def start(self, path, *options):
+        process = subprocess.Popen([sys.executable, os.path.join(FOLDER, "usac_collection_verify.py"), path] + list(options),
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, start_new_session=True)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def wait(self, path, process, count=20):
+        """Until it has stored some pairs."""
+        for _ in range(600):
+            time.sleep(0.05)
+            self.assertIsNone(process.poll(), "it ended too early")
+            with contextlib.suppress(Exception):
+                if rows(path, "SELECT count(*) FROM usacv20_pairs")[0][0] >= count:
+                    return
+        self.fail("it stores nothing")
+
+    def stopped(self, path, number, group, *options):
+        """Stops a run by the signal: (exit code, stdout, stderr)."""
+        process = self.start(path, *options)
+        self.wait(path, process)
+        (os.killpg if group else os.kill)(process.pid, number)
+        out, error = process.communicate(timeout=60)
+        return process.returncode, out, error
+
+    def resumed(self, path):
+        """The rest: the same table as of a run that was not stopped."""
+        self.assertEqual(rows(path, "PRAGMA integrity_check"), [("ok",)])
+        before = rows(path, "SELECT count(*) FROM two_view_geometries")[0][0]
+        self.assertTrue(20 <= before < PAIRS)
+        self.assertEqual(rows(path, "SELECT count(*) FROM usacv20_pairs"), [(before,)])
+        summary, table, _ = self.run_engine(path, resume=True)
+        self.assertEqual(summary.skipped, before)
+        self.assertEqual(table, self.reference())
+
+
+@once
+@package
+class KillTest(ProcessCase):
+
+    def test_killed(self):
+        path = self.fresh()
+        code, _, error = self.stopped(path, signal.SIGKILL, True)
+        self.assertEqual((code, error), (-signal.SIGKILL, ""))
+        self.assertEqual(rows(path, "SELECT state FROM usacv20_runs"), [("running",)])
+        self.resumed(path)
+
+    def test_interrupted(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            path = self.fresh()
+            code, out, error = self.stopped(path, number, True)
+            self.assertEqual((code, error), (130, ""))
+            self.assertIn("interrupted", out)
+            self.assertEqual(rows(path, "SELECT state FROM usacv20_runs"), [("interrupted",)])
+            self.assertFalse([name for name in os.listdir(self.folder) if name.endswith(("-wal", "-shm", "-journal"))])
+            self.resumed(path)
+
+
+@once
+@package
+class DaskTest(ProcessCase):
+
+    @classmethod
+    def setUpClass(cls):
+        try:
+            import distributed
+        except ImportError:
+            raise unittest.SkipTest("distributed was not found")
+        cls.cluster = _dask.localCluster(distributed, 2)
+        cls.addClassCleanup(cls.cluster.close)
+        cls.address = cls.cluster.scheduler_address
+
+    def killer(self, killed):
+        """Before the third commit a worker is killed."""
+        def kill(counted):
+            if counted.commits == 3:
+                process = list(self.cluster.workers.values())[0].pid
+                os.kill(process, signal.SIGKILL)
+                killed.append(process)
+        return kill
+
+    def test_shared_files(self):
+        killed = []
+        summary, table, told = self.run_engine(scheduler=self.address, chunk=5, settings={"sleep": 0.005},
+                                               before=self.killer(killed))
+        self.assertEqual(len(killed), 1)
+        self.assertEqual(table, self.reference())
+        self.assertEqual(summary.pairs, PAIRS)
+        self.assertNotIn("sent", told)
+
+    def test_files_that_are_not_shared(self):
+        killed = []
+        with mock.patch.object(sys.modules[__name__], "DatabaseSource", stand.Here), \
+                mock.patch("usac_collection_database.DatabaseSource", stand.Here):
+            summary, table, told = self.run_engine(scheduler=self.address, chunk=5, settings={"sleep": 0.005},
+                                                   before=self.killer(killed))
+        self.assertEqual(len(killed), 1)
+        self.assertEqual(table, self.reference())
+        self.assertGreater(summary.reading, 0)
+        self.assertIn("do not see the same files", told)
+
+    def test_faults_and_mistakes(self):
+        change(self.path, "UPDATE matches SET rows = 5 WHERE pair_id = ?", pairId(1, 2))
+        summary, table, told = self.run_engine(scheduler=self.address)
+        self.assertEqual((summary.faults, len(table["two_view_geometries"])), (1, PAIRS - 1))
+        self.assertIn("image1.jpg - image2.jpg", told)
+        with self.assertRaisesRegex(RuntimeError, "a mistake in image"):
+            self.run_engine(scheduler=self.address, verify=stand.fails)
+
+    def test_own_workers(self):
+        """As a command starts them; Ctrl-C in the terminal reaches the workers, too."""
+        path = self.fresh()
+        code, out, error = self.stopped(path, signal.SIGINT, True, "workers")
+        self.assertEqual((code, error), (130, ""))
+        self.assertIn("interrupted", out)
+        self.resumed(path)
+
+    def test_mistakes_of_the_call(self):
+        with self.assertRaisesRegex(CollectionError, "not both"):
+            self.run_engine(scheduler=self.address, workers=2)
+        with mock.patch.object(_dask, "_CONNECT", 0.5):
+            for address in ("tcp://127.0.0.1:9", "nothing://x", "tcp://nowhere.invalid:80"):
+                with self.assertRaisesRegex(CollectionError, address):
+                    self.run_engine(scheduler=address)
+        with mock.patch.dict(sys.modules, distributed=None):
+            with self.assertRaisesRegex(CollectionError, "python3-distributed"):
+                self.run_engine(workers=2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,243 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What the collection tool writes into a database of COLMAP."""
+
+import contextlib
+import os
+import unittest
+
+import numpy as np
+
+from usac_collection_database import INPUT, SCHEMAS, DatabaseCase, change, dump, pairId, rows, smallDatabase
+from usac_common import IN_TREE, once, package
+
+if not IN_TREE:
+    from usacv20.collection._database_sink import DatabaseSink, lastRun
+    from usacv20.collection._pair import Configuration, TwoView
+    from usacv20.collection._sqlite import connect
+
+TABLE = "two_view_geometries"
+
+
+def found(first, second, inliers=30, **keywords):
+    """A result with matrices of distinct numbers."""
+    key = pairId(first, second)
+    count = np.arange(first * 100 + second, dtype=float)
+    values = dict(key=key, configuration=Configuration.CALIBRATED, inliers=np.arange(2 * inliers, dtype=np.uint32).reshape(-1, 2),
+                  F=count[:9].reshape(3, 3), E=10 + count[:9].reshape(3, 3).T, H=20 + count[:9].reshape(3, 3),
+                  quaternion=np.array([0.5, -0.5, 0.5, 0.5]), translation=np.array([0.6, 0, -0.8]), reason="", matches=50,
+                  iterations=123, chance=1e-9, milliseconds=0.25)
+    values.update(keywords)
+    return TwoView(**values)
+
+
+def refused(first, second, configuration=None, reason="too few inliers"):
+    none = dict.fromkeys(("F", "E", "H", "quaternion", "translation"))
+    return found(first, second, 0, configuration=Configuration.DEGENERATE if configuration is None else configuration,
+                 reason=reason, **none)
+
+
+@once
+@package
+class SinkCase(DatabaseCase):
+
+    def sink(self, settings=None, **keywords):
+        sink = DatabaseSink(self.path, {"threshold": 2.0} if settings is None else settings, **keywords)
+        self.addCleanup(sink.close)
+        return sink
+
+    def row(self, first, second):
+        """The columns of the pair by their names."""
+        with contextlib.closing(connect(self.path)) as connection:
+            cursor = connection.execute("SELECT * FROM {} WHERE pair_id = ?".format(TABLE), (pairId(first, second),))
+            names = [column[0] for column in cursor.description]
+            stored = cursor.fetchall()
+        return dict(zip(names, stored[0])) if stored else None
+
+
+class RowTest(SinkCase):
+
+    def test_found(self):
+        for schema in SCHEMAS:
+            path = os.path.join(self.folder, schema)
+            smallDatabase(path, schema=schema)
+            self.path = path
+            before = dump(path, *INPUT)
+            result = found(2, 5)._replace(H=np.asfortranarray(found(2, 5).H))
+            self.sink().commit([result])
+            row = self.row(2, 5)
+            self.assertEqual((row["rows"], row["cols"], row["config"]), (30, 2, 2))
+            np.testing.assert_array_equal(np.frombuffer(row["data"], "<u4").reshape(30, 2), result.inliers)
+            for name, value in (("F", result.F), ("E", result.E), ("H", result.H), ("qvec", result.quaternion),
+                                ("tvec", result.translation)):
+                np.testing.assert_array_equal(np.frombuffer(row[name], "<f8").reshape(value.shape), value)
+            self.assertEqual(dump(path, *INPUT), before)
+
+    def test_unknown_matrices(self):
+        """COLMAP writes zeros for those."""
+        smallDatabase(self.path)
+        self.sink().commit([found(1, 2, E=None, quaternion=None, translation=None)])
+        row = self.row(1, 2)
+        self.assertEqual([row[name] for name in ("E", "qvec", "tvec")], [bytes(72), bytes(32), bytes(24)])
+        self.assertNotIn(bytes(72), (row["F"], row["H"]))
+
+    def test_refused(self):
+        """COLMAP 3.8 writes the same row for a pair without a geometry."""
+        smallDatabase(self.path)
+        self.sink().commit([refused(1, 2)])
+        self.assertEqual(rows(self.path, "SELECT * FROM " + TABLE), [(pairId(1, 2), 0, 2, None, 1) + (None,) * 5])
+
+    def test_fault(self):
+        smallDatabase(self.path)
+        sink = self.sink()
+        sink.commit([refused(1, 2, Configuration.UNDEFINED, "a - b: broken"), found(1, 3)])
+        self.assertEqual(rows(self.path, "SELECT pair_id FROM " + TABLE), [(pairId(1, 3),)])
+        self.assertEqual(rows(self.path, "SELECT configuration, reason FROM usacv20_pairs ORDER BY pair_id"),
+                         [(0, "a - b: broken"), (2, "")])
+
+    def test_own_tables(self):
+        smallDatabase(self.path)
+        sink = self.sink()
+        self.assertIsNone(lastRun(sink._connection))
+        sink.commit([found(1, 2), refused(2, 3)])
+        self.assertEqual(rows(self.path, "SELECT pair_id, configuration, reason, matches, inliers, iterations, chance, milliseconds "
+                                         "FROM usacv20_pairs ORDER BY pair_id"),
+                         [(pairId(1, 2), 2, "", 50, 30, 123, 1e-9, 0.25),
+                          (pairId(2, 3), 1, "too few inliers", 50, 0, 123, 1e-9, 0.25)])
+        last = lastRun(sink._connection)
+        self.assertEqual((last["settings"], last["state"], last["version"]), ({"threshold": 2.0}, "running", 1))
+        self.assertLessEqual(last["started"], last["updated"])
+        sink.close()
+        self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("finished",)])
+
+    def test_chance_unknown(self):
+        smallDatabase(self.path)
+        self.sink().commit([found(1, 2, chance=float("nan"))])
+        self.assertEqual(rows(self.path, "SELECT chance FROM usacv20_pairs"), [(None,)])
+
+    def test_tables_that_differ(self):
+        """It is made as COLMAP does if it is missing; columns of other versions are missing or added."""
+        smallDatabase(self.path)
+        made = [row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))]
+        change(self.path, "DROP TABLE " + TABLE)
+        self.sink().commit([found(1, 2)])
+        self.assertEqual([row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))], made)
+        change(self.path, "ALTER TABLE {} DROP COLUMN qvec".format(TABLE))
+        change(self.path, "ALTER TABLE {} DROP COLUMN tvec".format(TABLE))
+        change(self.path, "ALTER TABLE {} ADD COLUMN added REAL DEFAULT 5".format(TABLE))
+        self.sink().commit([found(1, 3)])
+        row = self.row(1, 3)
+        self.assertEqual((row["rows"], row["added"], len(row["H"])), (30, 5, 72))
+        change(self.path, "ALTER TABLE {} DROP COLUMN config".format(TABLE))
+        self.refused([TABLE, "config"], self.sink)
+
+    def test_journal_mode(self):
+        for wal in (True, False):
+            smallDatabase(self.path, wal=wal)
+            sink = self.sink()
+            sink.commit([found(1, 2)])
+            sink.close()
+            self.assertEqual(rows(self.path, "PRAGMA journal_mode"), [("wal" if wal else "delete",)])
+            self.assertEqual(os.listdir(self.folder), ["a.db"])
+            os.remove(self.path)
+
+
+class RunTest(SinkCase):
+
+    def setUp(self):
+        super().setUp()
+        smallDatabase(self.path)
+
+    def pairs(self):
+        return [row[0] for row in rows(self.path, "SELECT pair_id FROM {} ORDER BY 1".format(TABLE))]
+
+    def test_rows_of_others(self):
+        """They stay until the first results are there."""
+        other = [pairId(1, 2), pairId(3, 4), pairId(5, 6)]
+        for key in other:
+            change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (?, 0, 2, 3)".format(TABLE), key)
+        self.sink().close(finished=False)
+        self.assertEqual(self.pairs(), other)
+        sink = self.sink()
+        self.assertEqual((self.pairs(), sink.removed), (other, 0))
+        sink.commit([found(1, 2)])
+        self.assertEqual((self.pairs(), sink.removed), ([pairId(1, 2)], 3))
+        sink.commit([found(1, 3)])
+        self.assertEqual((self.pairs(), sink.removed), ([pairId(1, 2), pairId(1, 3)], 3))
+        self.assertEqual(self.row(1, 2)["config"], 2)
+
+    def test_no_pairs(self):
+        change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
+        sink = self.sink()
+        sink.close()
+        self.assertEqual((self.pairs(), sink.removed), ([], 1))
+
+    def test_resume(self):
+        sink = self.sink()
+        sink.commit([found(1, 2), refused(1, 3), refused(1, 4, Configuration.UNDEFINED, "broken")])
+        sink.close(finished=False)
+        self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("interrupted",)])
+        sink = self.sink(resume=True)
+        self.assertTrue(sink.resumed)
+        keys = [pairId(1, i) for i in range(2, 6)]
+        self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])  # a fault is looked at again
+        sink.commit([found(1, 4), found(1, 5)])
+        self.assertEqual((self.pairs(), sink.removed), (keys, 0))
+        self.assertEqual(rows(self.path, "SELECT DISTINCT run_id, configuration FROM usacv20_pairs ORDER BY 2"), [(1, 1), (1, 2)])
+        sink.close()
+        self.assertFalse(self.sink().resumed)
+        self.assertFalse(self.sink().done(keys[0]))
+
+    def test_rows_that_were_taken_away(self):
+        """Another program has removed results meanwhile: those pairs are not done."""
+        self.sink().commit([found(1, 2), found(1, 3)])
+        change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), pairId(1, 2))
+        sink = self.sink(resume=True)
+        self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
+
+    def test_nothing_to_resume(self):
+        sink = self.sink(resume=True)
+        self.assertFalse(sink.resumed)
+        sink.commit([found(1, 2)])
+        self.assertEqual(self.pairs(), [pairId(1, 2)])
+
+    def test_other_settings(self):
+        self.sink({"threshold": 2.0, "seed": 1, "method": "a"}).commit([found(1, 2)])
+        self.refused(["a.db", "threshold is 3.0 and was 2.0", "seed is null and was 1", "new is [1] and was null"],
+                     self.sink, {"threshold": 3.0, "method": "a", "new": (1,)}, resume=True)
+        self.assertEqual(self.pairs(), [pairId(1, 2)])
+        self.assertTrue(self.sink({"seed": 1, "method": "a", "threshold": 2}, resume=True).resumed)
+
+    def test_other_version(self):
+        self.sink().commit([found(1, 2)])
+        change(self.path, "UPDATE usacv20_runs SET version = 99")
+        self.refused(["another version"], self.sink, resume=True)
+
+    def test_all_or_nothing(self):
+        """A commit that fails in the middle leaves no trace, also the first one, which removes rows."""
+        change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
+        sink = self.sink()
+        wrong = found(1, 3)._replace(F=np.eye(2))
+        for _ in range(2):
+            with self.assertRaises(ValueError):
+                sink.commit([found(1, 2), wrong])
+            self.assertEqual((self.pairs(), sink.removed), ([5], 0))
+        self.assertIsNone(lastRun(sink._connection))
+        sink.commit([found(1, 2)])
+        with self.assertRaises(ValueError):
+            sink.commit([found(1, 4), wrong])
+        self.assertEqual((self.pairs(), sink.removed), ([pairId(1, 2)], 1))
+        self.assertEqual(rows(self.path, "SELECT pair_id FROM usacv20_pairs"), [(pairId(1, 2),)])
+
+    def test_closed(self):
+        sink = self.sink()
+        sink.close()
+        sink.close()
+        self.refused(["closed"], sink.commit, [found(1, 2)])
+
+
+if __name__ == "__main__":
+    unittest.main()
