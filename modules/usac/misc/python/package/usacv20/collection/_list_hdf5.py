@@ -194,7 +194,7 @@ def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
     if first is not None:
         group = groups.group(first or next(groups.names()))
         if any(name in group for name in MATCHES) and not any(name in group for both in POINTS for name in both):
-            fail("{}: has matches, but no keypoints; hloc has them in a second file (--features)".format(path))
+            fail("{}: has matches, but no keypoints; hloc has them in a second file (--keypoints)".format(path))
     return groups
 
 

@@ -62,7 +62,8 @@ class Pictures:
         extent = (0.5, len(images) + 0.5, len(images) + 0.5, 0.5)
         gray = self._colors.ListedColormap(["lightgray"])
         axes.imshow(np.where(cells == -1, 1.0, np.nan), cmap=gray, extent=extent, interpolation="nearest")
-        scale = self._colors.LogNorm(1, max(int(cells.max()), 2))
+        found = cells[cells > 0]
+        scale = self._colors.LogNorm(found.min() if len(found) else 1, found.max() + 1 if len(found) else 2)
         shown = axes.imshow(np.where(cells > 0, cells, np.nan), norm=scale, cmap="viridis", extent=extent, interpolation="nearest")
         figure.colorbar(shown, ax=axes, label="inliers; gray: refused, white: not matched")
         axes.set_xlabel("image, in the order of the database")

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, NamedTuple, Optiona
 
 import numpy as np
 
-from ._list_results import TABLE
+from ._list_results import RUNS, TABLE
 from ._pair import CollectionError, Configuration
 from ._sqlite import columns, connect, explained, tidy
 
@@ -171,7 +171,7 @@ class Results:
     def settings(self) -> Dict[str, Any]:
         """Of the last run; empty where they are not known."""
         sql = {OURS: "SELECT settings FROM usacv20_runs ORDER BY run_id DESC LIMIT 1",
-               PAIRS: "SELECT settings FROM {}_runs".format(TABLE)}.get(self.kind)
+               PAIRS: "SELECT settings FROM {}".format(RUNS)}.get(self.kind)
         try:
             found = json.loads(self.value(sql) or "{}") if sql else {}
         except ValueError:
