@@ -163,7 +163,8 @@ def pairOfArrays(key: Key, get: Get, names: Tuple[str, str]) -> Pair:
 def pairOfNpz(key: Key, path: str) -> Pair:
     """The pair of an NPZ file. Raises CollectionError."""
     try:
-        with np.load(path, allow_pickle=False) as arrays:
+        # Opened here, as NumPy leaves a file open that is damaged.
+        with open(path, "rb") as file, np.load(file, allow_pickle=False) as arrays:
             if isinstance(arrays, np.ndarray):
                 raise ValueError("one array only")
             return pairOfArrays(key, lambda name: arrays[name] if name in arrays.files else None, _sides(key))

@@ -7,8 +7,8 @@
 SQLite: the table usacv20_results, a row a pair; see COLUMNS. Numbers of matrices are little-endian doubles in the order of
 rows, those of inliers little-endian unsigned integers of 32 bits.
 
-Arrays: those that _list_columns.py describes. They have their lengths at the front, so they are written at the end of a run; until
-then the results are in the file OUTPUT.part, a database as above."""
+Arrays: those that _list_columns.py describes. They have their lengths at the front, so they are written at the end of a run;
+until then the results are in the file OUTPUT.part, a database as above."""
 
 from __future__ import annotations
 
@@ -59,8 +59,8 @@ def _array(blob: Optional[bytes], *shape: int) -> Optional[npt.NDArray[np.float6
 
 def _row(result: TwoView, images: Optional[Tuple[str, str]]) -> Tuple[Any, ...]:
     inliers = np.ascontiguousarray(result.inliers, "<u4")
-    return (str(result.key), *(images or (None, None)), int(result.configuration), result.reason, int(result.matches), len(inliers),
-            int(result.iterations), float(result.chance), float(result.milliseconds), _blob(result.quaternion),
+    return (str(result.key), *(images or (None, None)), int(result.configuration), result.reason, int(result.matches),
+            len(inliers), int(result.iterations), float(result.chance), float(result.milliseconds), _blob(result.quaternion),
             _blob(result.translation), _blob(result.F), _blob(result.E), _blob(result.H), inliers.tobytes())
 
 

@@ -64,10 +64,12 @@ class Pictures:
         axes.imshow(np.where(cells == -1, 1.0, np.nan), cmap=gray, extent=extent, interpolation="nearest")
         found = cells[cells > 0]
         scale = self._colors.LogNorm(found.min() if len(found) else 1, found.max() + 1 if len(found) else 2)
-        shown = axes.imshow(np.where(cells > 0, cells, np.nan), norm=scale, cmap="viridis", extent=extent, interpolation="nearest")
+        colored = np.where(cells > 0, cells, np.nan)
+        shown = axes.imshow(colored, norm=scale, cmap="viridis", extent=extent, interpolation="nearest")
         figure.colorbar(shown, ax=axes, label="inliers; gray: refused, white: not matched")
         axes.set_xlabel("image, in the order of the database")
         axes.set_ylabel("image")
         share = -(-len(images) // len(cells))
-        axes.set_title("{} images{}".format(len(images), ", up to {} in a row: the most inliers".format(share) if share > 1 else ""))
+        shared = ", up to {} in a row: the most inliers".format(share) if share > 1 else ""
+        axes.set_title("{} images{}".format(len(images), shared))
         figure.savefig(os.path.join(self._folder, "pairs.png"))

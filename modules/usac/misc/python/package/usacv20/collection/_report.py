@@ -69,7 +69,8 @@ def _named(row: Row) -> Dict[str, Any]:
 def _look(results: Results, graph: Optional[Graph], images: Any, limit: float, most: int) -> List[Dict[str, Any]]:
     verified = "state = {} AND ".format(VERIFIED)
     kinds = [
-        ("refused, with the most matches", results.pairs("state = {} AND matches > 0".format(REFUSED), "matches DESC, name", most)),
+        ("refused, with the most matches", results.pairs(
+            "state = {} AND matches > 0".format(REFUSED), "matches DESC, name", most)),
         ("verified, with a chance near the limit of {:g}".format(limit), results.pairs(
             verified + "chance >= {!r}".format(NEAR_LIMIT * limit), "chance DESC, name", most)),
         ("verified, many inliers, but an inlier ratio below {:g}".format(LOW_RATIO), results.pairs(
@@ -102,7 +103,7 @@ def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
         if quantiles:
             summary["histograms"][measure.name] = {
                 "title": measure.title, "edges": list(measure.edges), "quantiles": quantiles,
-                "pairs": results.histogram(measure.value, measure.edges, measure.where + " AND {} IS NOT NULL".format(measure.value))}
+                "pairs": results.histogram(measure.value, measure.edges, measure.where)}
     summary["milliseconds"] = results.value("SELECT SUM(milliseconds) FROM results")
     summary["iterations"] = results.value("SELECT SUM(iterations) FROM results")
     images = results.images()
@@ -174,7 +175,8 @@ def _textOfHistograms(summary: Dict[str, Any]) -> List[str]:
                  "#" * round(40 * counts[i] / max(counts))] for i in range(used[0], used[-1] + 1)]
         lines += _table(rows)
     if summary["iterations"] is not None and summary["milliseconds"] is not None:
-        lines += ["", "In all {} samples and {:.3g} s of estimation".format(summary["iterations"], summary["milliseconds"] / 1000)]
+        seconds = summary["milliseconds"] / 1000
+        lines += ["", "In all {} samples and {:.3g} s of estimation".format(summary["iterations"], seconds)]
     return lines
 
 

@@ -132,16 +132,18 @@ class Results:
     def reasons(self, most: int) -> List[Tuple[str, int, str]]:
         """Reasons without numbers and without the pair that they name, how often there is each, and an example."""
         prefix = "substr(reason, 1, length(name) + 2) = name || ': '"
+        kind = "withoutNumbers(CASE WHEN {} THEN substr(reason, length(name) + 3) ELSE reason END)".format(prefix)
         return [(reason, count, example) for reason, count, example in self.rows(
-            "SELECT withoutNumbers(CASE WHEN {} THEN substr(reason, length(name) + 3) ELSE reason END) AS kind, COUNT(*), "
-            "MIN(name) FROM results WHERE state != {} GROUP BY kind ORDER BY 2 DESC, 1 LIMIT {:d}".format(prefix, VERIFIED, most))]
+            "SELECT {} AS kind, COUNT(*), MIN(name) FROM results WHERE state != {} GROUP BY kind ORDER BY 2 DESC, 1 "
+            "LIMIT {:d}".format(kind, VERIFIED, most))]
 
     def histogram(self, value: str, edges: Sequence[float], where: str) -> List[int]:
-        """How many pairs have a value in edges[i] <= value < edges[i + 1]; those beyond the ends are in the first and the last."""
+        """How many pairs have a value, if it is known, in edges[i] <= value < edges[i + 1]; those beyond the ends are in the
+        first and the last."""
         cases = " ".join("WHEN {} < {!r} THEN {}".format(value, edge, i) for i, edge in enumerate(edges[1:-1]))
         counts = [0] * (len(edges) - 1)
-        for number, count in self.rows("SELECT CASE {} ELSE {} END, COUNT(*) FROM results WHERE {} GROUP BY 1".format(
-                cases, len(edges) - 2, where)):
+        for number, count in self.rows("SELECT CASE {} ELSE {} END, COUNT(*) FROM results WHERE {} AND {} IS NOT NULL "
+                                       "GROUP BY 1".format(cases, len(edges) - 2, where, value)):
             counts[number] = count
         return counts
 
