@@ -24,6 +24,7 @@ except ImportError:  # in-tree
     pass
 
 
+@once
 @package
 class CorrTest(Files):
 
@@ -98,6 +99,7 @@ class CorrTest(Files):
                 self.fault(self.only(self.folder), *parts)
 
 
+@once
 @package
 class NpzTest(Files):
 
@@ -193,6 +195,7 @@ class NpzTest(Files):
         self.mistake("no NPZ", self.write("array.npz", self.read("array.npy")))
 
 
+@once
 @package
 @needsH5py
 class Hdf5Test(Files):
@@ -268,6 +271,7 @@ class Hdf5Test(Files):
             self.mistake("damaged", self.path("bad.h5"))
 
 
+@once
 @package
 class SourceTest(Files):
 
@@ -280,7 +284,6 @@ class SourceTest(Files):
         self.npz("b.npz", points1=np.zeros((1, 2)))
         self.mistake("both .corr and .npz", self.folder)
 
-    @once
     def test_without_h5py(self):
         with mock.patch.dict(sys.modules, {"h5py": None}):
             self.mistake("h5py is needed .*python3-h5py", self.write("a.h5", "x"))
