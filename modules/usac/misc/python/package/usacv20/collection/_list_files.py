@@ -163,7 +163,8 @@ def pairOfArrays(key: Key, get: Get, names: Tuple[str, str]) -> Pair:
 def pairOfNpz(key: Key, path: str) -> Pair:
     """The pair of an NPZ file. Raises CollectionError."""
     try:
-        with np.load(path, allow_pickle=False) as arrays:
+        # Opened here, as NumPy leaves a file open that is damaged.
+        with open(path, "rb") as file, np.load(file, allow_pickle=False) as arrays:
             if isinstance(arrays, np.ndarray):
                 raise ValueError("one array only")
             return pairOfArrays(key, lambda name: arrays[name] if name in arrays.files else None, _sides(key))
@@ -175,26 +176,36 @@ def _sides(key: Key) -> Tuple[str, str]:
     return "{} (1)".format(key), "{} (2)".format(key)
 
 
+def _rowByRow(lines: List[str]) -> Points:
+    """Slower than NumPy, but lines may or may not have a score, and a mistake has its line."""
+    rows: List[List[float]] = []
+    for number, line in enumerate(lines, 1):
+        try:
+            row = [float(token) for token in line.split()]
+        except ValueError:
+            row = [0.0]
+        if len(row) not in (0, 4, 5):
+            fail("line {} of the .corr file: 'x1 y1 x2 y2 score' is expected".format(number))
+        if row:
+            rows.append(row if len(row) == 5 else row + [1.0])
+    return np.array(rows, np.float64).reshape(-1, 5)
+
+
 def _correspondences(path: str) -> Points:
     """The rows of a .corr file with a score each, 1 where there is none."""
-    rows: List[List[float]] = []
     try:
-        with open(path, encoding="ascii") as lines:
-            for number, line in enumerate(lines, 1):
-                tokens = line.split()
-                if not tokens:
-                    continue
-                row = [float(token) for token in tokens]
-                if len(row) not in (4, 5):
-                    raise ValueError
-                rows.append(row if len(row) == 5 else row + [1.0])
+        with open(path, encoding="ascii") as file:
+            text = file.read()
     except UnicodeDecodeError:
         fail("the .corr file is no text")
-    except ValueError:
-        fail("line {} of the .corr file: 'x1 y1 x2 y2 score' is expected".format(number))
     except OSError as error:
         fail("the .corr file: {}".format(error.strerror))
-    return np.array(rows, np.float64).reshape(-1, 5)
+    lines = text.splitlines()
+    try:
+        rows = np.loadtxt(lines, np.float64, comments=None, ndmin=2) if text.strip() else np.empty((0, 5))
+    except ValueError:
+        return _rowByRow(lines)
+    return rows if rows.shape[1] == 5 else _rowByRow(lines)
 
 
 def _description(path: str) -> Dict[str, Any]:

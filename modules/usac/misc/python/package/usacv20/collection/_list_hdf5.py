@@ -124,6 +124,9 @@ class _Features:
         self._kept: OrderedDict[str, Tuple[Array, Optional[Array]]] = OrderedDict()
         self._lock = threading.Lock()
 
+    def close(self) -> None:
+        self._groups.close()
+
     def image(self, dashed: str) -> Optional[str]:
         """Name of the image, None: there is none, or there are several."""
         return self._image.get(dashed)
@@ -158,6 +161,10 @@ class Hloc:
 
     def files(self) -> Iterable[str]:
         return [self._path, self._features.path]
+
+    def close(self) -> None:
+        self._matches.close()
+        self._features.close()
 
     def images(self, name: str) -> Optional[Tuple[str, str]]:
         splits = [name.split("/")] if "/" in name else [
@@ -194,7 +201,8 @@ def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
     if first is not None:
         group = groups.group(first or next(groups.names()))
         if any(name in group for name in MATCHES) and not any(name in group for both in POINTS for name in both):
-            fail("{}: has matches, but no keypoints; hloc has them in a second file (--features)".format(path))
+            groups.close()
+            fail("{}: has matches, but no keypoints; hloc has them in a second file (--keypoints)".format(path))
     return groups
 
 

@@ -7,8 +7,8 @@
 SQLite: the table usacv20_results, a row a pair; see COLUMNS. Numbers of matrices are little-endian doubles in the order of
 rows, those of inliers little-endian unsigned integers of 32 bits.
 
-Arrays: those that _list_columns.py describes. They have their lengths at the front, so they are written at the end of a run; until
-then the results are in the file OUTPUT.part, a database as above."""
+Arrays: those that _list_columns.py describes. They have their lengths at the front, so they are written at the end of a run;
+until then the results are in the file OUTPUT.part, a database as above."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ import numpy as np
 
 from . import _list_columns
 from ._list_files import fail
-from ._pair import CollectionError, Configuration, Key, TwoView
+from ._pair import Configuration, Key, TwoView
+from ._sqlite import PATIENCE, columns, connect, explained
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 
 SQLITE = (".sqlite", ".sqlite3", ".db")
 ARRAYS = (".npz", ".h5", ".hdf5")
-TABLE = "usacv20_results"
+TABLE, RUNS = "usacv20_results", "usacv20_results_runs"
 # Small ones first: SQLite reads a row from its front.
 COLUMNS = (("name", "TEXT PRIMARY KEY NOT NULL"), ("image1", "TEXT"), ("image2", "TEXT"), ("configuration", "INTEGER NOT NULL"),
            ("reason", "TEXT NOT NULL"), ("matches", "INTEGER NOT NULL"), ("inliers", "INTEGER NOT NULL"),
@@ -42,7 +43,6 @@ _PAIRS = "SELECT {} FROM {} ORDER BY name".format(", ".join(name for name, _ in 
 _BLOCK = 1000  # pairs in a transaction of our own
 _THERE = "there is such a file already (--resume goes on with it)"
 _OTHER = "the results are of a run with other settings"
-_WAIT = 30.0  # seconds for another process that has locked the file
 
 
 def settingsText(run: Mapping[str, object]) -> str:
@@ -59,8 +59,8 @@ def _array(blob: Optional[bytes], *shape: int) -> Optional[npt.NDArray[np.float6
 
 def _row(result: TwoView, images: Optional[Tuple[str, str]]) -> Tuple[Any, ...]:
     inliers = np.ascontiguousarray(result.inliers, "<u4")
-    return (str(result.key), *(images or (None, None)), int(result.configuration), result.reason, int(result.matches), len(inliers),
-            int(result.iterations), float(result.chance), float(result.milliseconds), _blob(result.quaternion),
+    return (str(result.key), *(images or (None, None)), int(result.configuration), result.reason, int(result.matches),
+            len(inliers), int(result.iterations), float(result.chance), float(result.milliseconds), _blob(result.quaternion),
             _blob(result.translation), _blob(result.F), _blob(result.E), _blob(result.H), inliers.tobytes())
 
 
@@ -81,11 +81,12 @@ class SqliteSink:
         self._path, self._source = path, source
         self._connection: Optional[sqlite3.Connection] = None
         try:
-            self._connection = sqlite3.connect(path, _WAIT, isolation_level=None, check_same_thread=False)
-            self._create(settingsText(run))
-        except (sqlite3.Error, CollectionError) as error:
+            with explained(path):
+                self._connection = sqlite3.connect(path, PATIENCE, isolation_level=None, check_same_thread=False)
+                self._create(settingsText(run))
+        except BaseException:
             self.close()
-            self._fail(error)
+            raise
 
     def _create(self, run: str) -> None:
         assert self._connection is not None
@@ -93,43 +94,36 @@ class SqliteSink:
         tables = {name for name, in self._connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
         if not tables:
             self._connection.execute("CREATE TABLE {} ({})".format(TABLE, ", ".join(" ".join(column) for column in COLUMNS)))
-            self._connection.execute("CREATE TABLE usacv20_results_runs (settings TEXT NOT NULL)")
-            self._connection.execute("INSERT INTO usacv20_results_runs VALUES (?)", (run,))
-        elif not {TABLE, "usacv20_results_runs"} <= tables:
-            fail("{}: no results of this command".format(self._path))
-        elif self._connection.execute("SELECT settings FROM usacv20_results_runs").fetchall() != [(run,)]:
+            self._connection.execute("CREATE TABLE {} (settings TEXT NOT NULL)".format(RUNS))
+            self._connection.execute("INSERT INTO {} VALUES (?)".format(RUNS), (run,))
+        elif not {TABLE, RUNS} <= tables:
+            fail("{}: there is such a file already, but not of this command".format(self._path))
+        elif self._connection.execute("SELECT settings FROM {}".format(RUNS)).fetchall() != [(run,)]:
             fail("{}: {}".format(self._path, _OTHER))
         self._connection.execute("COMMIT")
-
-    def _fail(self, error: Exception) -> None:
-        if isinstance(error, CollectionError):
-            raise error
-        fail("{}: {}".format(self._path, error))
 
     def done(self, key: Key) -> bool:
         """Faults are not: the file may have been repaired meanwhile."""
         if self._connection is None:
             return False
-        rows = self._connection.execute("SELECT 1 FROM {} WHERE name = ? AND configuration != {:d}".format(
-            TABLE, Configuration.UNDEFINED), (str(key),))
-        return rows.fetchone() is not None
+        with explained(self._path):
+            return bool(self._connection.execute("SELECT 1 FROM {} WHERE name = ? AND configuration != {:d}".format(
+                TABLE, Configuration.UNDEFINED), (str(key),)).fetchall())
 
     def commit(self, results: Sequence[TwoView]) -> None:
         if self._connection is None:
             fail("{}: results come after the file was closed".format(self._path))
         rows = [_row(result, None if self._source is None else self._source.images(result.key)) for result in results]
-        marks = ", ".join("?" * len(COLUMNS))
-        try:
+        statement = "INSERT OR REPLACE INTO {} VALUES ({})".format(TABLE, ", ".join("?" * len(COLUMNS)))
+        with explained(self._path):
             self._connection.execute("BEGIN IMMEDIATE")
             try:
-                self._connection.executemany("INSERT OR REPLACE INTO {} VALUES ({})".format(TABLE, marks), rows)
+                self._connection.executemany(statement, rows)
                 self._connection.execute("COMMIT")
             except BaseException:
                 if self._connection.in_transaction:
                     self._connection.execute("ROLLBACK")
                 raise
-        except sqlite3.Error as error:
-            self._fail(error)
 
     def close(self, finished: bool = True) -> None:
         """finished -- as for ArraySink; the table is the same whether it is or not."""
@@ -184,13 +178,10 @@ class ArraySink:
         self._rows = None
         if self._changed and not finished:
             return
-        try:
-            if self._changed:
-                with contextlib.closing(_open(self._part)) as connection:
-                    _list_columns.write(self._path, connection, TABLE)
-            os.remove(self._part)
-        except (sqlite3.Error, OSError) as error:
-            fail("{}: {}".format(self._part, error))
+        if self._changed:
+            with explained(self._part), contextlib.closing(connect(self._part)) as connection:
+                _list_columns.write(self._path, connection, TABLE)
+        os.remove(self._part)
 
 
 def openResults(path: str, source: ListSource, run: Mapping[str, object], resume: bool = False) -> Union[SqliteSink, ArraySink]:
@@ -205,11 +196,6 @@ def openResults(path: str, source: ListSource, run: Mapping[str, object], resume
                                               "; there is no library for Parquet in Debian" if extension == ".parquet" else ""))
 
 
-def _open(path: str) -> sqlite3.Connection:
-    return sqlite3.connect("file:{}?mode=ro".format(path.replace("%", "%25").replace("?", "%3f").replace("#", "%23")),
-                           _WAIT, uri=True)
-
-
 def readResults(path: str) -> Iterator[TwoView]:
     """The results of the command `pairs` in the order of their names, one after the other, from its SQLite, NPZ or HDF5 file, or
     from OUTPUT.part of a run that was interrupted. Raises CollectionError for a file that is none or that is damaged."""
@@ -222,8 +208,10 @@ def readResults(path: str) -> Iterator[TwoView]:
         yield from _list_columns.read(path)
         return
     try:
-        with contextlib.closing(_open(path)) as connection:
+        with explained(path), contextlib.closing(connect(path)) as connection:
+            if not columns(connection, TABLE):
+                fail("{}: no results of the command `pairs`".format(path))
             for row in connection.execute(_PAIRS):
                 yield _twoView(row)
-    except (sqlite3.Error, ValueError) as error:
-        fail("{}: {}".format(path, error))
+    except ValueError:
+        fail("{}: the results are damaged".format(path))

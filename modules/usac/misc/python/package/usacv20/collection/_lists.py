@@ -16,13 +16,13 @@ Arrays, all in pixels and without distortion:
 - points1, points2 (or mkpts0, mkpts1): N x 2, row i of one matches row i of the other,
 - or keypoints0, keypoints1 (or keypoints1, keypoints2): as those; with matches0 or matches: for each keypoint of image 1 the
   number of its match, negative: it has none; or M x 2 numbers,
-- scores (or matching_scores0, matching_scores, match_confidence, confidence, mconf; higher is better) or ratios (lower is better):
-  one for each match, or for each keypoint of image 1,
+- scores (or matching_scores0, matching_scores, match_confidence, confidence, mconf; higher is better) or ratios (lower is
+  better): one for each match, or for each keypoint of image 1,
 - K1, K2 (or K0, K1; or K, of both images): 3 x 3; without them the focal length is taken for unknown,
 - size1, size2 (or size0, size1; or with image_size in the place of size): width and height.
 
-Without K1 and K2 only F and H can be found. A pair is called by its file without the extension, relative to the folder, by its line
-of the list, or by its group."""
+Without K1 and K2 only F and H can be found. A pair is called by its file without the extension, relative to the folder, by its
+line of the list, or by its group."""
 
 from __future__ import annotations
 
@@ -58,6 +58,9 @@ class Container(Protocol):
 
     def images(self, name: str) -> Optional[Tuple[str, str]]:
         """Of a pair; None: it is not known."""
+
+    def close(self) -> None:
+        """Of the files that are open."""
 
 
 def inOrder(entries: Callable[[], Iterable[str]], batch: int) -> Iterator[str]:
@@ -139,6 +142,9 @@ class Folder:
     def images(self, name: str) -> Optional[Tuple[str, str]]:
         return None
 
+    def close(self) -> None:
+        pass
+
 
 class ListFile:
     """A file that names those of the pairs."""
@@ -176,6 +182,9 @@ class ListFile:
     def images(self, name: str) -> Optional[Tuple[str, str]]:
         return None
 
+    def close(self) -> None:
+        pass
+
 
 class NpzFile:
     """Arrays PAIR/NAME, or those of one pair. A zip file has one directory, which is read as a whole: some kilobytes of memory
@@ -184,12 +193,14 @@ class NpzFile:
     def __init__(self, path: str) -> None:
         self._path = path
         try:
-            # Not in the with statement of one call: it is open as long as the process reads pairs of it.
-            self._arrays = cast(Any, np.load(path, allow_pickle=False))
-            members: List[str] = self._arrays.files
+            self._file = open(path, "rb")  # noqa: SIM115, as long as the process reads pairs of it
         except OSError as error:
-            fail("{}: {}".format(path, error.strerror or "no NPZ file, or a damaged one"))
+            fail("{}: {}".format(path, error.strerror))
+        try:
+            self._arrays = cast(Any, np.load(self._file, allow_pickle=False))
+            members: List[str] = self._arrays.files
         except (AttributeError,) + UNREADABLE:
+            self._file.close()
             fail("{}: no NPZ file, or a damaged one".format(path))
         self._prefixes: Dict[str, str] = {}
         for member in members:
@@ -219,6 +230,10 @@ class NpzFile:
 
     def images(self, name: str) -> Optional[Tuple[str, str]]:
         return None
+
+    def close(self) -> None:
+        self._arrays.close()
+        self._file.close()
 
 
 def _open(path: str, features: Optional[str]) -> Container:
@@ -284,6 +299,12 @@ class ListSource:
     def images(self, key: Key) -> Optional[Tuple[str, str]]:
         """Names of the images of a pair; None where the files do not tell them."""
         return self._container().images(str(key))
+
+    def close(self) -> None:
+        """Closes what this process has opened; no thread may be using it. The next use opens it again."""
+        if self._opened is not None and self._opened[0] == os.getpid():
+            self._opened[1].close()
+        self._opened = None
 
     def fingerprint(self) -> str:
         """Of the names, sizes and times of all files."""

@@ -1,0 +1,75 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Pictures of the command `report`; matplotlib is needed for them."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Dict
+
+import numpy as np
+
+from ._optional import need
+from ._report_graph import indexed, matrixOf
+from ._report_table import VERIFIED, Results
+
+CELLS = 1000  # most rows of the matrix of the pairs
+
+
+class Pictures:
+    """PNG files in a folder: a histogram of each measure, `<name>.png`, and `pairs.png`."""
+
+    def __init__(self, folder: str) -> None:
+        """Makes the folder. Raises CollectionError if there is no matplotlib."""
+        # Without pyplot: it looks for a screen and keeps all figures.
+        self._figure = need("matplotlib.figure", "for --pictures").Figure
+        self._canvas = need("matplotlib.backends.backend_agg", "for --pictures").FigureCanvasAgg
+        self._colors = need("matplotlib.colors", "for --pictures")
+        os.makedirs(folder, exist_ok=True)
+        self._folder = folder
+
+    def _new(self, width: float, height: float) -> Any:
+        figure = self._figure(figsize=(width, height), dpi=100, constrained_layout=True)
+        self._canvas(figure)
+        return figure
+
+    def histograms(self, histograms: Dict[str, Any]) -> None:
+        """Of the summary of a report: bars between its edges, of equal width, as those of times and samples grow."""
+        for name, histogram in histograms.items():
+            figure = self._new(8, 4.5)
+            axes = figure.add_subplot()
+            counts, edges = histogram["pairs"], histogram["edges"]
+            axes.bar(range(len(counts)), counts, width=0.95, align="edge", color="tab:blue")
+            axes.set_xticks(range(len(edges)))
+            axes.set_xticklabels(["{:g}".format(edge) for edge in edges])
+            axes.set_xlabel(histogram["title"])
+            axes.set_ylabel("pairs")
+            axes.set_title("median {:.3g}, 90 % below {:.3g}, largest {:.3g}".format(*histogram["quantiles"]))
+            figure.savefig(os.path.join(self._folder, name + ".png"))
+
+    def pairs(self, results: Results) -> None:
+        """The matrix of the pairs: colors tell the inliers, gray: refused, white: no such pair. Nothing where the results do not
+        tell the images."""
+        images = results.images()
+        if not len(images):
+            return
+        cells = matrixOf(len(images), indexed(images, results.links()), VERIFIED, CELLS)
+        figure = self._new(9, 8)
+        axes = figure.add_subplot()
+        axes.set_facecolor("white")
+        extent = (0.5, len(images) + 0.5, len(images) + 0.5, 0.5)
+        gray = self._colors.ListedColormap(["lightgray"])
+        axes.imshow(np.where(cells == -1, 1.0, np.nan), cmap=gray, extent=extent, interpolation="nearest")
+        found = cells[cells > 0]
+        scale = self._colors.LogNorm(found.min() if len(found) else 1, found.max() + 1 if len(found) else 2)
+        colored = np.where(cells > 0, cells, np.nan)
+        shown = axes.imshow(colored, norm=scale, cmap="viridis", extent=extent, interpolation="nearest")
+        figure.colorbar(shown, ax=axes, label="inliers; gray: refused, white: not matched")
+        axes.set_xlabel("image, in the order of the database")
+        axes.set_ylabel("image")
+        share = -(-len(images) // len(cells))
+        shared = ", up to {} in a row: the most inliers".format(share) if share > 1 else ""
+        axes.set_title("{} images{}".format(len(images), shared))
+        figure.savefig(os.path.join(self._folder, "pairs.png"))

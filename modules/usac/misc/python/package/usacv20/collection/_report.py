@@ -1,0 +1,233 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The command `report`: what has become of the pairs of a collection, as text, JSON, CSV and pictures.
+
+Pairs most worth a look, the first few of each kind:
+- refused, although they have the most matches,
+- verified, although random matches would give such a model with a chance that is at least a hundredth of the limit (Settings.
+  significance), the largest first,
+- verified with an inlier ratio below 0.2, those with most inliers first: repeated structure, or a part of the images moves,
+- the only link between two parts of at least two images each: wrong, it joins what does not belong together, missing, it
+  parts the reconstruction; those of the largest parts first."""
+
+from __future__ import annotations
+
+import csv
+import json
+import sys
+from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, TextIO
+
+from . import _pictures
+from ._pair import CollectionError, Configuration
+from ._report_graph import Graph, graphOf, indexed
+from ._report_table import FAULT, OURS, PAIRS, REFUSED, VERIFIED, Results, Row
+from ._settings import Settings
+
+LOW_RATIO = 0.2
+NEAR_LIMIT = 0.01  # of the limit of the chance
+REASONS = 20  # kinds of reasons that are listed
+QUANTILES = (0.5, 0.9, 1.0)
+_STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000)
+
+
+class Measure(NamedTuple):
+    """What there is a histogram of."""
+
+    name: str
+    title: str
+    value: str  # of a row
+    edges: Sequence[float]
+    where: str
+
+
+MEASURES = (
+    Measure("inlierRatio", "inlier ratio of verified pairs", "(inliers * 1.0 / matches)", [i / 10 for i in range(11)],
+            "state = {} AND matches > 0".format(VERIFIED)),
+    Measure("iterations", "samples of a pair, of all models", "iterations", (0,) + _STEPS, "state != {}".format(FAULT)),
+    Measure("milliseconds", "milliseconds of a pair", "milliseconds", [0.0] + [step / 100 for step in _STEPS[2:]] + [1000.0],
+            "state != {}".format(FAULT)))
+
+
+def _significance(settings: Any) -> float:
+    """The limit of the chance among the settings of a run, at whatever depth; else the default."""
+    if isinstance(settings, dict):
+        for name, value in settings.items():
+            if name == "significance" and isinstance(value, (int, float)):
+                return float(value)
+            if isinstance(value, dict) and "significance" in value:
+                return _significance(value)
+    return Settings().significance
+
+
+def _named(row: Row) -> Dict[str, Any]:
+    return {"pair": row.name, "configuration": row.configuration.name, "reason": row.reason, "matches": row.matches,
+            "inliers": row.inliers, "chance": row.chance}
+
+
+def _look(results: Results, graph: Optional[Graph], images: Any, limit: float, most: int) -> List[Dict[str, Any]]:
+    verified = "state = {} AND ".format(VERIFIED)
+    kinds = [
+        ("refused, with the most matches", results.pairs(
+            "state = {} AND matches > 0".format(REFUSED), "matches DESC, name", most)),
+        ("verified, with a chance near the limit of {:g}".format(limit), results.pairs(
+            verified + "chance >= {!r}".format(NEAR_LIMIT * limit), "chance DESC, name", most)),
+        ("verified, many inliers, but an inlier ratio below {:g}".format(LOW_RATIO), results.pairs(
+            verified + "inliers < {!r} * matches".format(LOW_RATIO), "inliers DESC, name", most))]
+    found: List[Dict[str, Any]] = [dict(_named(row), kind=kind) for kind, rows in kinds for row in rows]
+    for bridge in [] if graph is None else [bridge for bridge in graph.bridges if bridge.images > 1][:most]:
+        row = results.pairOf(int(images[bridge.first]), int(images[bridge.second]))
+        if row is not None:
+            found.append(dict(_named(row), kind="the only link of two parts", images=bridge.images))
+    return found
+
+
+def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
+    """All figures of a report, as JSON has them."""
+    states: Dict[int, int] = dict((state, count) for state, count in results.rows(
+        "SELECT state, COUNT(*) FROM results GROUP BY state"))
+    if not states:
+        raise CollectionError("{}: no pair has been verified yet".format(results.path))
+    summary: Dict[str, Any] = {
+        "file": results.path, "source": results.kind, "pairs": sum(states.values()), "verified": states.get(VERIFIED, 0),
+        "refused": states.get(REFUSED, 0), "faults": states.get(FAULT, 0), "left": results.left(), "changed": results.changed(),
+        "configurations": {}, "reasons": [], "histograms": {}}
+    known = {int(configuration): configuration.name for configuration in Configuration}
+    for number, count in results.rows("SELECT configuration, COUNT(*) FROM results GROUP BY 1 ORDER BY 1"):
+        summary["configurations"][known.get(number, str(number))] = count
+    if results.kind in (OURS, PAIRS):
+        summary["reasons"] = [dict(zip(("reason", "pairs", "example"), row)) for row in results.reasons(REASONS)]
+    for measure in MEASURES:
+        quantiles = results.quantiles(measure.value, QUANTILES, measure.where)
+        if quantiles:
+            summary["histograms"][measure.name] = {
+                "title": measure.title, "edges": list(measure.edges), "quantiles": quantiles,
+                "pairs": results.histogram(measure.value, measure.edges, measure.where)}
+    summary["milliseconds"] = results.value("SELECT SUM(milliseconds) FROM results")
+    summary["iterations"] = results.value("SELECT SUM(iterations) FROM results")
+    images = results.images()
+    graph = None
+    if len(images):
+        links = indexed(images, results.links("state = {}".format(VERIFIED)))
+        graph = graphOf(len(images), ((int(first), int(second)) for block in links for first, second in block[:, :2].tolist()))
+        summary["images"] = len(images)
+        summary["components"] = {"all": len(graph.components), "largest": graph.components[:most],
+                                 "single": graph.components.count(1)}
+        summary["bridges"] = len(graph.bridges)
+    summary["look"] = _look(results, graph, images, _significance(results.settings()), most)
+    return summary
+
+
+def _table(rows: Iterable[Sequence[Any]], indent: str = "  ") -> List[str]:
+    """Lines with columns of the same width, numbers at the right."""
+    cells = [[cell if isinstance(cell, str) else _number(cell) for cell in row] for row in rows]
+    given = [list(row) for row in rows]
+    widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))] if cells else []
+    return [(indent + "  ".join(text.ljust(width) if isinstance(value, str) else text.rjust(width)
+                                for text, value, width in zip(row, values, widths))).rstrip()
+            for row, values in zip(cells, given)]
+
+
+def _number(value: Any) -> str:
+    if value is None:
+        return ""
+    return str(value) if isinstance(value, int) else "{:.3g}".format(value)
+
+
+def _share(count: int, total: int) -> str:
+    return "{:.1f} %".format(100 * count / total if total else 0)
+
+
+def _textOfCounts(summary: Dict[str, Any]) -> List[str]:
+    total = summary["pairs"]
+    lines = ["{}: {} pairs".format(summary["file"], total)]
+    rows = [[name, summary[key], _share(summary[key], total)] for name, key in (
+        ("verified", "verified"), ("refused", "refused"), ("cannot be read", "faults"))]
+    lines += _table(rows)
+    if summary["left"]:
+        lines.append("  {} more pairs were not looked at yet".format(summary["left"]))
+    if summary["changed"]:
+        lines.append("  {} rows of two_view_geometries are not of this run: another program has changed them".format(
+            summary["changed"]))
+    lines += ["", "Configurations"] + _table([[name, count, _share(count, total)]
+                                               for name, count in summary["configurations"].items()])
+    if summary["reasons"]:
+        lines += ["", "Reasons (N: a number)"] + _table([[row["pairs"], row["reason"], "for example " + row["example"]]
+                                                         for row in summary["reasons"]])
+    if "images" in summary:
+        components = summary["components"]
+        lines += ["", "Images", "  {} images, {} of them without a verified pair".format(summary["images"], components["single"]),
+                  "  {} connected components of more than one, the largest of {} images".format(
+                      components["all"] - components["single"], ", ".join(map(str, components["largest"]))),
+                  "  {} verified pairs are the only link of what they connect".format(summary["bridges"])]
+    return lines
+
+
+def _textOfHistograms(summary: Dict[str, Any]) -> List[str]:
+    lines: List[str] = []
+    for histogram in summary["histograms"].values():
+        counts, edges = histogram["pairs"], histogram["edges"]
+        lines += ["", "{}: median {:.3g}, 90 % below {:.3g}, largest {:.3g}".format(
+            histogram["title"][0].upper() + histogram["title"][1:], *histogram["quantiles"])]
+        used = [i for i, count in enumerate(counts) if count]
+        rows = [["{:g} to {:g}".format(edges[i], edges[i + 1]), counts[i], _share(counts[i], sum(counts)),
+                 "#" * round(40 * counts[i] / max(counts))] for i in range(used[0], used[-1] + 1)]
+        lines += _table(rows)
+    if summary["iterations"] is not None and summary["milliseconds"] is not None:
+        seconds = summary["milliseconds"] / 1000
+        lines += ["", "In all {} samples and {:.3g} s of estimation".format(summary["iterations"], seconds)]
+    return lines
+
+
+def textOf(summary: Dict[str, Any]) -> str:
+    """For a terminal."""
+    lines = _textOfCounts(summary) + _textOfHistograms(summary)
+    if summary["look"]:
+        lines += ["", "Pairs most worth a look"]
+    for kind in dict.fromkeys(pair["kind"] for pair in summary["look"]):
+        lines.append("  " + kind)
+        lines += _table([[pair["pair"], "{} of {}".format(pair["inliers"], pair["matches"]),
+                          "" if pair["chance"] is None else "chance {:.2g}".format(pair["chance"]),
+                          pair["reason"] or pair["configuration"],
+                          "smaller part: {} images".format(pair["images"]) if "images" in pair else ""]
+                         for pair in summary["look"] if pair["kind"] == kind], "    ")
+    return "\n".join(lines) + "\n"
+
+
+def _writeTable(results: Results, path: str) -> None:
+    with open(path, "w", newline="", encoding="utf-8") as out:
+        writer = csv.writer(out)
+        writer.writerow(("pair", "configuration", "reason", "matches", "inliers", "iterations", "chance", "milliseconds"))
+        for row in results.pairs():
+            writer.writerow((row.name, row.configuration.name, row.reason, row.matches, row.inliers, row.iterations, row.chance,
+                             row.milliseconds))
+
+
+def report(path: str, pictures: Optional[str] = None, jsonFile: Optional[str] = None, csvFile: Optional[str] = None,
+           most: int = 5, stream: Optional[TextIO] = None) -> int:
+    """Reports on a COLMAP database or on a database of the command `pairs`; the file is not changed.
+
+    pictures -- folder for histograms and the matrix of the pairs, None: no pictures
+    jsonFile -- for the figures; csvFile -- for a row a pair; None: none
+    most -- pairs of each kind that are worth a look
+    stream -- for the text, None: standard output
+
+    Returns the exit code. Raises CollectionError."""
+    draw = None if pictures is None else _pictures.Pictures(pictures)  # a missing library is known before the work
+    try:
+        with Results(path) as results:
+            summary = summarize(results, most)
+            (stream or sys.stdout).write(textOf(summary))
+            if draw is not None:
+                draw.histograms(summary["histograms"])
+                draw.pairs(results)
+            if jsonFile is not None:
+                with open(jsonFile, "w", encoding="utf-8") as out:
+                    json.dump(summary, out, indent=1)
+                    out.write("\n")
+            if csvFile is not None:
+                _writeTable(results, csvFile)
+    except OSError as error:
+        raise CollectionError("{}: {}".format(error.filename or path, error.strerror)) from error
+    return 0

@@ -1,0 +1,138 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The graph of the images that verified pairs connect: its components, and the links that hold it together."""
+
+from __future__ import annotations
+
+import itertools
+from typing import TYPE_CHECKING, Iterable, Iterator, List, NamedTuple, Tuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Numbers = npt.NDArray[np.int64]
+
+Edge = Tuple[int, int]
+
+
+class _Forest:
+    """Components by union-find."""
+
+    def __init__(self, count: int) -> None:
+        self._parent = list(range(count))
+
+    def root(self, node: int) -> int:
+        parent = self._parent
+        while parent[node] != node:
+            parent[node] = parent[parent[node]]
+            node = parent[node]
+        return node
+
+    def join(self, first: int, second: int) -> bool:
+        """False: they are connected already."""
+        first, second = self.root(first), self.root(second)
+        if first == second:
+            return False
+        self._parent[max(first, second)] = min(first, second)
+        return True
+
+
+class Bridge(NamedTuple):
+    """A link without which a component falls apart."""
+
+    first: int
+    second: int
+    images: int  # of the smaller part
+
+
+class Graph(NamedTuple):
+    components: List[int]  # numbers of images, the largest first
+    bridges: List[Bridge]  # those of the largest parts first
+
+
+def graphOf(count: int, links: Iterable[Edge]) -> Graph:
+    """Of `count` images. The memory depends on the images, not on the links: a spanning forest, and one of the links that are
+    not in it, have the same bridges as all links together (a sparse certificate of Nagamochi and Ibaraki, 1992)."""
+    forest, second = _Forest(count), _Forest(count)
+    kept: List[Edge] = []
+    for edge in links:
+        if edge[0] != edge[1] and (forest.join(*edge) or second.join(*edge)):
+            kept.append(edge)
+    sizes = np.bincount([forest.root(node) for node in range(count)], minlength=1)
+    return Graph(sorted((int(size) for size in sizes if size), reverse=True),
+                 sorted(_bridges(count, kept), key=lambda bridge: (-bridge.images, bridge)))
+
+
+def _neighbors(count: int, edges: List[Edge]) -> Tuple[Numbers, Numbers, Numbers]:
+    """Of node i: those of the numbers start[i] to start[i + 1] of the second array; the third tells by which edge."""
+    ends = np.array(edges, np.int64).reshape(-1, 2)
+    origins, targets = ends.T.ravel(), ends[:, ::-1].T.ravel()
+    order = np.argsort(origins, kind="stable")
+    start = np.zeros(count + 1, np.int64)
+    np.cumsum(np.bincount(origins, minlength=count), out=start[1:])
+    return start, targets[order], np.tile(np.arange(len(ends)), 2)[order]
+
+
+def _bridges(count: int, edges: List[Edge]) -> Iterator[Bridge]:
+    """Tarjan's: an edge of the tree of a depth-first search is a bridge if no edge leads from below it to above it."""
+    start, targets, numbers = [array.tolist() for array in _neighbors(count, edges)]
+    entered, low, below = [-1] * count, [0] * count, [1] * count
+    following = list(start[:-1])
+    clock = 0
+    for root in range(count):
+        if entered[root] >= 0:
+            continue
+        found: List[Edge] = []
+        stack = [(root, -1)]
+        entered[root] = low[root] = clock
+        clock += 1
+        while stack:
+            node, arrival = stack[-1]
+            if following[node] < start[node + 1]:
+                position = following[node]
+                following[node] += 1
+                target = targets[position]
+                if entered[target] < 0:
+                    entered[target] = low[target] = clock
+                    clock += 1
+                    stack.append((target, numbers[position]))
+                elif numbers[position] != arrival:
+                    low[node] = min(low[node], entered[target])
+                continue
+            stack.pop()
+            if stack:
+                parent = stack[-1][0]
+                low[parent] = min(low[parent], low[node])
+                below[parent] += below[node]
+                if low[node] > entered[parent]:
+                    found.append((parent, node))
+        for parent, node in found:
+            yield Bridge(parent, node, min(below[node], below[root] - below[node]))
+
+
+def indexed(images: Numbers, links: Iterable[Tuple[int, int, int, int]]) -> Iterator[Numbers]:
+    """Links with the places of their images among `images`, which are in order, in blocks of rows; others are left out."""
+    rows = iter(links)
+    for block in iter(lambda: list(itertools.islice(rows, 4096)), []):
+        values = np.array(block, np.int64)
+        places = np.searchsorted(images, values[:, :2])
+        if len(images):
+            known = (images[np.minimum(places, len(images) - 1)] == values[:, :2]).all(axis=1)
+            yield np.column_stack((places, values[:, 2:]))[known]
+
+
+def matrixOf(count: int, blocks: Iterable[Numbers], verified: int, most: int) -> Numbers:
+    """The largest number of inliers of the pairs of images in each cell, -1: none of them was verified, -2: there are none. Of
+    more than `most` images several share a row and a column."""
+    size = min(count, most)
+    cells = np.full((size, size), -2, np.int64)
+    for block in blocks:
+        rows, columns = (block[:, side] * size // max(count, 1) for side in (0, 1))
+        inliers = np.where(block[:, 3] == verified, block[:, 2], -1)
+        np.maximum.at(cells, (rows, columns), inliers)
+        np.maximum.at(cells, (columns, rows), inliers)
+    return cells
