@@ -7,20 +7,21 @@
 The noise is nearly the same in all pairs of a scene and a camera, so some of the pairs tell that of all.
 
 1. Some pairs are chosen by a hash of their keys.
-2. Of each E (both focal lengths known) or F is estimated, at first with a quality that is marginalized over the noise, then with the
-   threshold that came out, until it stays. A plane or a rotation leaves F undetermined, but not the errors of the matches under
-   it, which are all that is used: so H is not needed.
-3. Sampson's errors under the model are compared with those of matches that are wrong for certain, of point i with point j of the same
-   two images. Where there are the most errors beyond expectation is the radius of the right matches, as in an a-contrario RANSAC
-   @cite moisan2004probabilistic. Pairs in which that may be chance, or in which right matches would not be much denser than wrong ones,
-   tell nothing: pairs without overlap, or with clusters of wrong matches.
-4. To the errors of a pair a mixture is fitted by expectation and maximization: right matches (half normal), right matches that are
-   located badly (the same, `TAIL` times as wide), wrong matches (uniform) @cite torr2000mlesac. Real keypoints need the second: its
-   part is 0.2 to 0.4 on photographs, and 0 with normal noise.
-5. Of all pairs: the median of the noise; and as heavy a tail as all but `FEW_PAIRS` of them have at least, as wrong matches close to the
-   right ones look like a tail in some pairs.
+2. Of each E (both focal lengths known) or F is estimated, at first with a quality that is marginalized over the noise, then
+   with the threshold that came out, until it stays. A plane or a rotation leaves F undetermined, but not the errors of the
+   matches under it, which are all that is used: so H is not needed.
+3. Sampson's errors under the model are compared with those of matches that are wrong for certain, of point i with point j of
+   the same two images. Where there are the most errors beyond expectation is the radius of the right matches, as in an
+   a-contrario RANSAC @cite moisan2004probabilistic. Pairs in which that may be chance, or in which right matches would not be
+   much denser than wrong ones, tell nothing: pairs without overlap, or with clusters of wrong matches.
+4. To the errors of a pair a mixture is fitted by expectation and maximization: right matches (half normal), right matches that
+   are located badly (the same, `TAIL` times as wide), wrong matches (uniform) @cite torr2000mlesac. Real keypoints need the
+   second: its part is 0.2 to 0.4 on photographs, and 0 with normal noise.
+5. Of all pairs: the median of the noise; and as heavy a tail as all but `FEW_PAIRS` of them have at least, as wrong matches
+   close to right ones look like a tail in some pairs. All pairs have the same weight: between them the noise differs by more
+   than the 5 % to which 200 matches tell it.
 
-The threshold is where `QUANTILE` of the right matches are within."""
+The threshold is that within which `QUANTILE` of the right matches are."""
 
 from __future__ import annotations
 
@@ -28,7 +29,7 @@ import hashlib
 import heapq
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Sequence
+from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -50,8 +51,8 @@ MORE = 10  # times as many are read to find such with matches
 LEAST_MATCHES = 50  # of a pair that is preferred
 CHUNK = 50  # pairs that are read at once
 
-QUANTILE = 0.99  # of the right matches: as for the thresholds of MAGSAC @cite barath2019magsac
-IN_SIGMAS = 2.5758  # what that is of a normal distribution, one degree of freedom (two: 3.03)
+QUANTILE = 0.95  # of the right matches @cite hartley2003multiple (table 4.2)
+IN_SIGMAS = 1.96  # what that is of a normal distribution with one degree of freedom
 MEDIAN_IN_SIGMAS = 0.6745
 
 FIRST = 1.0  # pixels, threshold of the first round, whose search finds the scale by itself
@@ -61,7 +62,7 @@ MOST = 1000  # matches of a pair that are looked at
 SHIFTS = 3  # wrong matches for each match
 
 LEAST_INLIERS = 30  # beyond the parameters
-LEAST_EVIDENCE = 1.0  # natural logarithm of probability for each inlier; clusters of wrong matches: up to 0.4, right ones 1.2 to 5
+LEAST_EVIDENCE = 1.0  # logarithm of the chance for each inlier; clusters of wrong matches: up to 0.4, right ones: 1.2 to 5
 FEW_PAIRS = 0.25
 
 WINDOW = 10.0  # sigma of the first guess: right matches with their tail, and wrong ones beside them
@@ -84,13 +85,13 @@ class ThresholdEstimate:
 
     def describe(self) -> str:
         """One sentence for a log."""
-        return "{:g} px, from noise of {:.3g} px in each coordinate ({} of {} pairs tell it; it differs by {:.0%} between them)".format(
+        return "{:g} px, as the noise of a coordinate is {:.3g} px ({} of {} pairs tell it, apart by {:.0%})".format(
             self.threshold, self.sigma, self.used, self.asked, self.spread)
 
 
 def samplePairs(source: Source, count: int = SAMPLE) -> List[Pair]:
-    """Pairs that do not depend on the order of the keys, those with many matches preferred. Not more than `count` are held, and not
-    more than MORE times as many are read; of the keys each is seen once."""
+    """Pairs that do not depend on the order of the keys, those with many matches preferred. Not many more than `count` are held,
+    and not more than MORE times as many are read; each of the keys is seen once."""
     keys = heapq.nsmallest(MORE * count, source.keys(), key=_mark)
     many: List[Pair] = []
     few: List[Pair] = []
@@ -115,12 +116,13 @@ def estimateThreshold(pairs: Sequence[Pair], settings: Settings) -> ThresholdEst
     threshold = FIRST
     left = list(pairs)
     for step in range(ROUNDS):
-        params.threshold, params.seed, params.confidence, params.maxIterations = threshold, settings.seed, CONFIDENCE, ITERATIONS
+        params.threshold, params.seed = threshold, settings.seed
+        params.confidence, params.maxIterations = CONFIDENCE, ITERATIONS
         found = [None if model is None else _errors(pair, model) for pair, model in zip(left, _models(left, params))]
         left = [pair for pair, errors in zip(left, found) if errors is not None]
         told = [errors for errors in found if errors is not None]
         if not told:
-            raise CollectionError("threshold: none of {} pairs that were looked at tells the noise, as none has enough matches that "
+            raise CollectionError("threshold: none of {} pairs that were looked at tells the noise, as in none enough matches "
                                   "agree; give a number of pixels".format(len(pairs)))
         cores, sigmas = _noise(told)
         sigma = float(np.median(cores) * np.quantile(sigmas / cores, FEW_PAIRS))
@@ -194,7 +196,7 @@ def _sorted(errors: Numbers) -> Numbers:
     return result
 
 
-def _inliers(errors: Numbers, wrong: Numbers, parameters: int) -> "tuple[int, float]":
+def _inliers(errors: Numbers, wrong: Numbers, parameters: int) -> Tuple[int, float]:
     """How many of the errors are the least likely by chance, and minus the logarithm of Chernoff's bound of that chance."""
     count, total = len(errors), len(wrong)
     few = max(total // 100, 10)  # the least wrong ones: their density is that at 0
@@ -208,9 +210,9 @@ def _inliers(errors: Numbers, wrong: Numbers, parameters: int) -> "tuple[int, fl
     return best + 1, float((count - parameters) * divergence[best])
 
 
-def _noise(told: Sequence[_Errors]) -> "tuple[Numbers, Numbers]":
-    """Of each pair: sigma of the right matches without the tail, and of the normal distribution that has their QUANTILE. Expectation
-    and maximization of all pairs at once, in units of their guesses."""
+def _noise(told: Sequence[_Errors]) -> Tuple[Numbers, Numbers]:
+    """Of each pair: sigma of the right matches without the tail, and of the normal distribution that has their QUANTILE.
+    Expectation and maximization of all pairs at once, in units of their guesses."""
     counts = np.array([np.histogram(pair.errors / pair.guess, BINS, (0, WINDOW))[0] for pair in told], float)
     x = (np.arange(BINS) + 0.5) * (WINDOW / BINS)
     members = counts.sum(axis=1, keepdims=True)
