@@ -2,7 +2,26 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The threshold of a collection from the noise of its matches (--threshold auto)."""
+"""The threshold of a collection, from the noise of its keypoints (--threshold auto).
+
+The noise is nearly the same in all pairs of a scene and a camera, so some of the pairs tell that of all.
+
+1. Some pairs are chosen by a hash of their keys.
+2. Of each E (both focal lengths known) or F is estimated, at first with a quality that is marginalized over the noise, then
+   with the threshold that came out, until it stays. A plane or a rotation leaves F undetermined, but not the errors of the
+   matches under it, which are all that is used: so H is not needed.
+3. Sampson's errors under the model are compared with those of matches that are wrong for certain, of point i with point j of
+   the same two images. Where there are the most errors beyond expectation is the radius of the right matches, as in an
+   a-contrario RANSAC @cite moisan2004probabilistic. Pairs in which that may be chance, or in which right matches would not be
+   much denser than wrong ones, tell nothing: pairs without overlap, or with clusters of wrong matches.
+4. To the errors of a pair a mixture is fitted by expectation and maximization: right matches (half normal), right matches that
+   are located badly (the same, `TAIL` times as wide), wrong matches (uniform) @cite torr2000mlesac. Real keypoints need the
+   second: its part is 0.2 to 0.4 on photographs, and 0 with normal noise.
+5. Of all pairs: the median of the noise; and as heavy a tail as all but `FEW_PAIRS` of them have at least, as wrong matches
+   close to right ones look like a tail in some pairs. All pairs have the same weight: between them the noise differs by more
+   than the 5 % to which 200 matches tell it.
+
+The threshold is that within which `QUANTILE` of the right matches are."""
 
 from __future__ import annotations
 
@@ -10,205 +29,220 @@ import hashlib
 import heapq
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
 from .._batch import estimateEssentials, estimateFundamentals
 from .._params import Params
-from ._pair import CollectionError, Fault, Pair, Source
+from ._pair import CollectionError, Fault, Key, Pair, Source
+from ._poses import sampsonDistances
+from ._settings import Settings
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from .._report import Report
-
     Numbers = npt.NDArray[np.float64]
-    Model = Optional[Numbers]
 
-SAMPLE = 100
-CHUNK = 16
-LEAST_MATCHES = 50
+# Half and double of these: doc/collections.md.
 
-QUANTILE = 0.99
-IN_SIGMAS = 2.5758  # of a normal distribution, within which QUANTILE of it lie
+SAMPLE = 100  # pairs that are looked at
+MORE = 10  # times as many are read to find such with matches
+LEAST_MATCHES = 50  # of a pair that is preferred
+CHUNK = 50  # pairs that are read at once
+
+QUANTILE = 0.95  # of the right matches @cite hartley2003multiple (table 4.2)
+IN_SIGMAS = 1.96  # what that is of a normal distribution with one degree of freedom
 MEDIAN_IN_SIGMAS = 0.6745
 
-FIRST = 1.0
-SETTLED = 0.05
-ROUNDS = 4
+FIRST = 1.0  # pixels, threshold of the first round, whose search finds the scale by itself
+CONFIDENCE, ITERATIONS = 0.99, 2000  # pairs that need more are left out
+ROUNDS, SETTLED = 4, 0.05  # most rounds; relative change that ends them
+MOST = 1000  # matches of a pair that are looked at
+SHIFTS = 3  # wrong matches for each match
 
-MOST = 2000
-LEAST_INLIERS = 30
-LEAST_EVIDENCE = 1.0
-PART_OF_PAIRS = 0.25
-WINDOW = 10.0
+LEAST_INLIERS = 30  # beyond the parameters
+LEAST_EVIDENCE = 1.0  # logarithm of the chance for each inlier; clusters of wrong matches: up to 0.4, right ones: 1.2 to 5
+FEW_PAIRS = 0.25
+
+WINDOW = 10.0  # sigma of the first guess: right matches with their tail, and wrong ones beside them
 BINS = 200
-TAIL = 3.0
-LARGEST_TAIL = 0.5
+TAIL, LARGEST_TAIL = 3.0, 0.5
 STEPS = 50
 
-
-class Settings(Protocol):
-    """What is used of the settings of the tool."""
-
-    @property
-    def confidence(self) -> float: ...
-    @property
-    def maxIterations(self) -> int: ...
-    @property
-    def seed(self) -> int: ...
+SMALLEST = 0.01  # pixels, a threshold: ten times what float32 leaves of coordinates up to 2^14
 
 
 @dataclass(frozen=True)
 class ThresholdEstimate:
-    threshold: float
-    sigma: float
-    spread: float
-    asked: int
-    used: int
+    """What the sample tells of the collection."""
 
+    threshold: float  # pixels, rounded to three digits, so that what is printed is what is used
+    sigma: float  # pixels, noise of a coordinate: of normal noise with the same QUANTILE
+    spread: float  # half of the distance between the quartiles of the pairs, as a part of sigma
+    asked: int  # pairs
+    used: int  # pairs that tell the noise
 
-def mark(key: object) -> bytes:
-    return hashlib.blake2b(repr(key).encode(), digest_size=8).digest()
+    def describe(self) -> str:
+        """One sentence for a log."""
+        return "{:g} px, as the noise of a coordinate is {:.3g} px ({} of {} pairs tell it, apart by {:.0%})".format(
+            self.threshold, self.sigma, self.used, self.asked, self.spread)
 
 
 def samplePairs(source: Source, count: int = SAMPLE) -> List[Pair]:
-    keys = heapq.nsmallest(count * 4, source.keys(), key=mark)
-    pairs: List[Pair] = []
-    rest: List[Pair] = []
+    """Pairs that do not depend on the order of the keys, those with many matches preferred. Not many more than `count` are held,
+    and not more than MORE times as many are read; each of the keys is seen once."""
+    keys = heapq.nsmallest(MORE * count, source.keys(), key=_mark)
+    many: List[Pair] = []
+    few: List[Pair] = []
     for begin in range(0, len(keys), CHUNK):
         for pair in source.load(keys[begin:begin + CHUNK]):
             if not isinstance(pair, Fault):
-                (pairs if len(pair.matches) >= LEAST_MATCHES else rest).append(pair)
-        if len(pairs) >= count:
+                (many if len(pair.matches) >= LEAST_MATCHES else few).append(pair)
+        few = few[:max(count - len(many), 0)]
+        if len(many) >= count:
             break
-    return (pairs + rest)[:count]
+    return (many + few)[:count]
 
 
-class Noise(NamedTuple):
-    core: float
-    tail: float
-    sigma: float
-    inliers: int
+def _mark(key: Key) -> bytes:
+    """Orders keys as if by chance, in any process alike."""
+    return hashlib.blake2b(str(key).encode("utf-8", "surrogatepass"), digest_size=8).digest()
 
 
-def sampson(F: Numbers, first: Numbers, second: Numbers) -> Numbers:
-    ones = np.ones((len(first), 1))
-    a, b = np.hstack([first, ones]), np.hstack([second, ones])
-    forth, back = a @ F.T, b @ F
-    norm = np.sqrt((forth[:, :2] ** 2).sum(1) + (back[:, :2] ** 2).sum(1))
-    error: Numbers = np.abs((b * forth).sum(1)) / np.maximum(norm, np.finfo(float).tiny)
-    return error
+def estimateThreshold(pairs: Sequence[Pair], settings: Settings) -> ThresholdEstimate:
+    """The noise of the pairs and the threshold for it. Of the settings the seed is used."""
+    params = Params.magsacPlusPlus()
+    threshold = FIRST
+    left = list(pairs)
+    for step in range(ROUNDS):
+        params.threshold, params.seed = threshold, settings.seed
+        params.confidence, params.maxIterations = CONFIDENCE, ITERATIONS
+        found = [None if model is None else _errors(pair, model) for pair, model in zip(left, _models(left, params))]
+        left = [pair for pair, errors in zip(left, found) if errors is not None]
+        told = [errors for errors in found if errors is not None]
+        if not told:
+            raise CollectionError("threshold: none of {} pairs that were looked at tells the noise, as in none enough matches "
+                                  "agree; give a number of pixels".format(len(pairs)))
+        cores, sigmas = _noise(told)
+        sigma = float(np.median(cores) * np.quantile(sigmas / cores, FEW_PAIRS))
+        before, threshold = threshold, max(IN_SIGMAS * sigma, SMALLEST)
+        if step > 0 and abs(threshold - before) <= SETTLED * before:
+            break
+        params = Params()
+    low, high = np.quantile(sigmas, [0.25, 0.75])
+    return ThresholdEstimate(float("{:.3g}".format(threshold)), sigma, float(high - low) / 2 / sigma, len(pairs), len(left))
 
 
-def significantRadius(errors: Numbers, wrong: Numbers, parameters: int) -> Tuple[float, float]:
-    """(radius, evidence)."""
-    n = len(errors)
-    few = max(10, len(wrong) // 100)
-    density = few / len(wrong) / max(wrong[few - 1], 1e-9)
-    inside = np.searchsorted(wrong, errors, side="right") / len(wrong)
-    p = np.clip(np.where(errors < wrong[few - 1], errors * density, inside), 1e-9, 1 - 1e-9)
-    part = (np.arange(1, n + 1) - parameters) / (n - parameters)
-    k = np.clip(part, 1e-9, 1 - 1e-9)
-    evidence = np.where(part > p, k * np.log(k / p) + (1 - k) * np.log((1 - k) / (1 - p)), 0)
-    best = int(np.argmax(evidence))
-    return best, float((n - parameters) * evidence[best])
+class _Model(NamedTuple):
+    F: Numbers
+    parameters: int
 
 
-def normal(x: Numbers, sigma: float) -> Numbers:
-    density: Numbers = math.sqrt(2 / math.pi) / sigma * np.exp(-x * x / (2 * sigma * sigma))
+def _models(pairs: Sequence[Pair], params: Params) -> List[Optional[_Model]]:
+    """Of each pair; None: there is none that is significant."""
+    result: List[Optional[_Model]] = [None] * len(pairs)
+    for calibrated in (False, True):
+        which = [i for i, pair in enumerate(pairs) if (pair.first.focalKnown and pair.second.focalKnown) == calibrated]
+        if not which:
+            continue
+        chosen = [pairs[i] for i in which]
+        first, second = [pair.first.points for pair in chosen], [pair.second.points for pair in chosen]
+        outcomes: List[Any]
+        if calibrated:
+            outcomes = estimateEssentials(first, second, [pair.first.matrix for pair in chosen],
+                                          [pair.second.matrix for pair in chosen], params=params, returnExceptions=True)
+        else:
+            outcomes = estimateFundamentals(first, second, params, returnExceptions=True)
+        for i, outcome in zip(which, outcomes):
+            if isinstance(outcome, Exception) or outcome[0] is None:
+                continue
+            F = outcome[0]
+            if calibrated:
+                F = np.linalg.inv(pairs[i].second.matrix).T @ F @ np.linalg.inv(pairs[i].first.matrix)
+            result[i] = _Model(F, 5 if calibrated else 7)
+    return result
+
+
+class _Errors(NamedTuple):
+    """Of a pair that tells the noise."""
+
+    errors: Numbers  # sorted, pixels
+    guess: float  # of sigma
+    correction: float  # of sigma, as the model has been fitted to the same matches
+
+
+def _errors(pair: Pair, model: _Model) -> Optional[_Errors]:
+    """None: the pair tells nothing."""
+    a, b = pair.first.points, pair.second.points
+    a, b = a[::-(-len(a) // MOST)], b[::-(-len(b) // MOST)]
+    count = len(a)
+    if count <= LEAST_INLIERS + model.parameters:
+        return None
+    errors = _sorted(sampsonDistances(model.F, a, b))
+    wrong = _sorted(np.concatenate([sampsonDistances(model.F, a, np.roll(b, count * k // (SHIFTS + 1), 0))
+                                    for k in range(1, SHIFTS + 1)]))
+    inliers, evidence = _inliers(errors, wrong, model.parameters)
+    # A model with one more match than its parameters can be chosen in count^(parameters + 1) ways.
+    if inliers < LEAST_INLIERS + model.parameters or evidence < max(
+            (model.parameters + 1) * math.log(count), LEAST_EVIDENCE * inliers):
+        return None
+    guess = max(float(np.median(errors[:inliers])) / MEDIAN_IN_SIGMAS, SMALLEST / IN_SIGMAS)
+    return _Errors(errors, guess, math.sqrt(inliers / (inliers - model.parameters)))
+
+
+def _sorted(errors: Numbers) -> Numbers:
+    result: Numbers = np.sort(np.where(np.isnan(errors), np.inf, errors))
+    return result
+
+
+def _inliers(errors: Numbers, wrong: Numbers, parameters: int) -> Tuple[int, float]:
+    """How many of the errors are the least likely by chance, and minus the logarithm of Chernoff's bound of that chance."""
+    count, total = len(errors), len(wrong)
+    few = max(total // 100, 10)  # the least wrong ones: their density is that at 0
+    density = few / total / max(float(wrong[few - 1]), 1e-9)
+    within = np.searchsorted(wrong, errors, side="right") / total
+    chance = np.clip(np.where(errors < wrong[few - 1], errors * density, within), 1e-9, 1 - 1e-9)
+    part = np.clip((np.arange(1, count + 1) - parameters) / (count - parameters), 1e-9, 1 - 1e-9)
+    divergence = part * np.log(part / chance) + (1 - part) * np.log((1 - part) / (1 - chance))
+    divergence[part <= chance] = 0
+    best = int(np.argmax(divergence))
+    return best + 1, float((count - parameters) * divergence[best])
+
+
+def _noise(told: Sequence[_Errors]) -> Tuple[Numbers, Numbers]:
+    """Of each pair: sigma of the right matches without the tail, and of the normal distribution that has their QUANTILE.
+    Expectation and maximization of all pairs at once, in units of their guesses."""
+    counts = np.array([np.histogram(pair.errors / pair.guess, BINS, (0, WINDOW))[0] for pair in told], float)
+    x = (np.arange(BINS) + 0.5) * (WINDOW / BINS)
+    members = counts.sum(axis=1, keepdims=True)
+    sigma, right, tail = (np.full((len(told), 1), start) for start in (1.0, 0.7, 0.1))
+    for _ in range(STEPS):
+        core = right * (1 - tail) * _halfNormal(x, sigma)
+        far = right * tail * _halfNormal(x, TAIL * sigma)
+        weight = counts / (core + far + (1 - right) / WINDOW)
+        core, far = core * weight, far * weight
+        inside, outside = core.sum(axis=1, keepdims=True), far.sum(axis=1, keepdims=True)
+        right = np.clip((inside + outside) / members, 0.01, 0.99)
+        tail = np.minimum(outside / (inside + outside), LARGEST_TAIL)
+        sigma = np.sqrt(((core + far / TAIL**2) * x * x).sum(axis=1, keepdims=True) / (inside + outside))
+    cores = np.array([pair.guess * pair.correction for pair in told]) * sigma[:, 0]
+    return cores, cores * [_quantile(part) / IN_SIGMAS for part in tail[:, 0]]
+
+
+def _halfNormal(x: Numbers, sigma: Numbers) -> Numbers:
+    density: Numbers = math.sqrt(2 / math.pi) / sigma * np.exp(-0.5 * (x / sigma)**2)
     return density
 
 
-def fit(errors: Numbers, sigma: float) -> Tuple[float, float]:
-    """(sigma of the core, part of the tail)"""
-    window = WINDOW * sigma
-    counts, edges = np.histogram(errors, BINS, (0, window))
-    x = (edges[1:] + edges[:-1]) / 2
-    right, tail = 0.7, 0.1
-    for _ in range(STEPS):
-        near, far = right * (1 - tail) * normal(x, sigma), right * tail * normal(x, TAIL * sigma)
-        total = near + far + (1 - right) / window
-        near, far = counts * near / total, counts * far / total
-        members = near.sum() + far.sum()
-        right = float(np.clip(members / counts.sum(), 0.01, 0.99))
-        tail = min(float(far.sum() / members), LARGEST_TAIL)
-        sigma = math.sqrt(float(((near + far / TAIL ** 2) * x * x).sum() / members))
-    return sigma, tail
-
-
-def quantile(sigma: float, tail: float) -> float:
-    low, high = 0.0, 2 * TAIL * IN_SIGMAS * sigma
-    for _ in range(40):
+def _quantile(tail: float) -> float:
+    """Within how many sigma QUANTILE of the right matches are, by bisection."""
+    low, high = 0.0, TAIL * IN_SIGMAS
+    while high - low > 1e-6:
         middle = (low + high) / 2
-        z = middle / sigma / math.sqrt(2)
+        z = middle / math.sqrt(2)
         if (1 - tail) * math.erf(z) + tail * math.erf(z / TAIL) < QUANTILE:
             low = middle
         else:
             high = middle
-    return low
-
-
-def noiseOf(pair: Pair, F: Numbers, parameters: int) -> Optional[Noise]:
-    a, b = pair.first.points, pair.second.points
-    step = -(-len(a) // MOST)
-    a, b = a[::step], b[::step]
-    n = len(a)
-    errors = np.sort(sampson(F, a, b))
-    wrong = np.sort(np.concatenate([sampson(F, a, np.roll(b, n * k // 4, 0)) for k in (1, 2, 3)]))
-    best, evidence = significantRadius(errors, wrong, parameters)
-    if best + 1 < LEAST_INLIERS + parameters or evidence < max((parameters + 1) * math.log(n), LEAST_EVIDENCE * (best + 1)):
-        return None
-    core, tail = fit(errors, float(np.median(errors[:best + 1])) / MEDIAN_IN_SIGMAS)
-    core *= math.sqrt((best + 1) / (best + 1 - parameters))
-    return Noise(core, tail, quantile(core, tail) / IN_SIGMAS, best + 1)
-
-
-def isCalibrated(pair: Pair) -> bool:
-    return pair.first.focalKnown and pair.second.focalKnown
-
-
-def models(pairs: Sequence[Pair], params: Params) -> List[Optional[Tuple[Numbers, int]]]:
-    result: List[Optional[Tuple[Numbers, int]]] = [None] * len(pairs)
-    for calibrated in (False, True):
-        chosen = [i for i, pair in enumerate(pairs) if isCalibrated(pair) == calibrated]
-        if not chosen:
-            continue
-        first, second = [pairs[i].first.points for i in chosen], [pairs[i].second.points for i in chosen]
-        if calibrated:
-            found = estimateEssentials(first, second, [pairs[i].first.matrix for i in chosen], [pairs[i].second.matrix for i in chosen], params=params, returnExceptions=True)
-        else:
-            found = estimateFundamentals(first, second, params, returnExceptions=True)
-        for i, outcome in zip(chosen, found):
-            if isinstance(outcome, Exception) or outcome[0] is None:
-                continue
-            M = outcome[0]
-            if calibrated:
-                M = np.linalg.inv(pairs[i].second.matrix).T @ M @ np.linalg.inv(pairs[i].first.matrix)
-            result[i] = (M, 5 if calibrated else 7)
-    return result
-
-
-def estimateThreshold(pairs: Sequence[Pair], settings: Settings, debug=False) -> ThresholdEstimate:
-    params = Params.magsacPlusPlus()
-    threshold = FIRST
-    left = list(pairs)
-    for r in range(ROUNDS):
-        params.threshold = threshold
-        params.maxIterations, params.confidence, params.seed = settings.maxIterations, settings.confidence, settings.seed
-        found = [noiseOf(pair, *model) if model is not None else None for pair, model in zip(left, models(left, params))]
-        left = [pair for pair, noise in zip(left, found) if noise is not None]
-        noises = [n for n in found if n is not None]
-        if not noises:
-            raise CollectionError("nothing")
-        core = float(np.median([n.core for n in noises]))
-        sigma = core * float(np.quantile([n.sigma / n.core for n in noises], PART_OF_PAIRS))
-        if debug: print("core", round(core, 3), "old", float(np.median([n.sigma for n in noises])))
-        if debug: print("   round", r, "thr %.3f" % threshold, len(left), "sigma %.3f" % sigma, np.round(np.quantile([n.sigma for n in noises], [0, .1, .25, .75, .9, 1]), 3)); 
-        if debug > 1: print([(p.key, round(n.sigma, 2), n.inliers) for p, n in zip(left, noises)])
-        previous, threshold = threshold, IN_SIGMAS * sigma
-        if r and abs(threshold / previous - 1) < SETTLED:
-            break
-        params = Params()
-    return ThresholdEstimate(threshold, sigma, 0, len(pairs), len(left))
+    return high
