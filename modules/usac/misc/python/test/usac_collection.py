@@ -115,13 +115,13 @@ class Lens(NamedTuple):
         return np.asarray(plane @ K[:2, :2].T + K[:2, 2], float)
 
     def stored(self, size: Tuple[int, int]) -> Floats:
-        """The parameters for the database: where the focal length is unknown, COLMAP's guess."""
+        """The parameters for the database: where the focal length is unknown, COLMAP's guess of it and no distortion."""
         if self.focalKnown:
             return self.params
-        params = np.zeros(len(self.params))
-        focals = len(self.params) - len(self.split()[1]) - 2
-        params[:focals] = 1.2 * max(size)
-        params[focals:focals + 2] = np.array(size) / 2
+        params = self.params.copy()
+        center = len(params) - len(self.split()[1]) - 2
+        params[:center] = 1.2 * max(size)
+        params[center + 2:] = 0
         return params
 
 
