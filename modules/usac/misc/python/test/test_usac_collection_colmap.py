@@ -1,0 +1,236 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The collection tool on a synthetic collection: what it says of the pairs, and what colmap makes of its table."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import tempfile
+import unittest
+from typing import Any, Dict, List, Tuple
+
+import numpy as np
+
+import usac_colmap
+from usac_collection import MODELS, Collection, Kind, Label, PairTruth, Recipe
+from usac_common import once, package
+
+DEGENERATE, CALIBRATED, UNCALIBRATED, PLANAR, PANORAMIC, PLANAR_OR_PANORAMIC, WATERMARK = range(1, 8)
+KNOWN = Recipe(images=20, lonePairs=0.15)
+UNKNOWN = KNOWN._replace(cameras=(("SIMPLE_RADIAL", False),))
+# A scene that is flat but for some points is planar to who asks for most of the points.
+CLEAR = 0.7
+
+
+def verify(database: str) -> None:
+    """With COLMAP's threshold."""
+    usac_colmap.runProgram([sys.executable, "-m", "usacv20.collection", "verify", "--threads", "1", "--threshold", "4",
+                            "--no-progress", database])
+
+
+class Case(unittest.TestCase):
+
+    folder = ""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.folder = tempfile.mkdtemp()
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+
+    def write(self, collection: Collection, name: str) -> str:
+        path = os.path.join(self.folder, name + ".db")
+        collection.write(path)
+        return path
+
+
+@once
+@package
+class GeneratorTest(Case):
+    """The truth is true."""
+
+    def test_same_bytes_by_seed(self) -> None:
+        recipe = Recipe(images=12)
+        texts = []
+        for i, seed in enumerate((1, 1, 2)):
+            with open(self.write(Collection(recipe._replace(seed=seed)), str(i)), "rb") as file:
+                texts.append(file.read())
+        self.assertEqual(texts[0], texts[1])
+        self.assertNotEqual(texts[0], texts[2])
+
+    def test_right_matches_obey_the_cameras(self) -> None:
+        collection = Collection(Recipe(images=12, noise=0.0, cameras=(("PINHOLE", True), ("SIMPLE_PINHOLE", True))))
+        counts = np.zeros(len(Label), int)
+        for pair in collection.pairs:
+            counts += np.bincount(pair.labels, minlength=len(Label))
+            if pair.kind is Kind.NONE:
+                self.assertFalse(pair.right.any())
+                continue
+            self.assertEqual(len(np.unique(pair.matches[:, 0])), len(pair.matches))
+            self.assertEqual(len(np.unique(pair.matches[:, 1])), len(pair.matches))
+            error = self.epipolarError(collection, pair)
+            if pair.kind is not Kind.ROTATION and pair.kind is not Kind.WATERMARK:
+                self.assertLess(error[pair.right].max(), 1e-6)
+                self.assertGreater(np.median(error[~pair.right]), 1e-3)
+        self.assertGreater(counts.min(), 30)
+
+    def epipolarError(self, collection: Collection, pair: PairTruth) -> Any:
+        """Of directions: the sine of the angle between a ray and the plane of the other one."""
+        rays = []
+        for image, column in ((pair.first, 0), (pair.second, 1)):
+            pixels = collection.keypoints[image][pair.matches[:, column]]
+            ray = np.column_stack([pixels, np.ones(len(pixels))]) @ np.linalg.inv(collection.lens(image).split()[0]).T
+            rays.append(ray / np.linalg.norm(ray, axis=1, keepdims=True))
+        R, t = collection.relative(pair.first, pair.second)
+        normal = np.cross(rays[0] @ R.T, t)
+        return np.abs((normal * rays[1]).sum(1)) / np.maximum(np.linalg.norm(normal, axis=1), 1e-12)
+
+    def test_kinds_and_shares(self) -> None:
+        collection = Collection(KNOWN._replace(lonePairs=1.0))
+        kinds = [pair.kind for pair in collection.pairs]
+        self.assertEqual(len(kinds), 190)
+        self.assertEqual((kinds.count(Kind.ROTATION), kinds.count(Kind.WATERMARK)), (3, 1))
+        self.assertGreaterEqual(kinds.count(Kind.PLANAR), 6)
+        self.assertGreater(kinds.count(Kind.NONE), 50)
+        shares = [np.mean(~pair.right) for pair in collection.pairs if pair.kind in (Kind.GENERAL, Kind.PLANAR, Kind.ROTATION)]
+        self.assertGreater(min(shares), 0.25)
+        self.assertLess(max(shares), 0.75)
+
+
+class Found:
+    """What a table says, beside the truth."""
+
+    def __init__(self, collection: Collection, database: str) -> None:
+        self.collection = collection
+        self.table = usac_colmap.verified(database)
+
+    def close(self, pair: PairTruth) -> bool:
+        """Both cameras stand before the mural."""
+        return all(self.collection.names[image].startswith("close") for image in (pair.first, pair.second))
+
+    def configurations(self, kind: Kind) -> List[int]:
+        """Of pairs whose kind is beyond doubt: from far away pixels are too coarse for the homography to a picture from near."""
+        return [self.table[pair.pairId].configuration for pair in self.collection.pairs if pair.kind is kind
+                and (kind is not Kind.GENERAL or pair.flatShare < CLEAR) and (kind is not Kind.PLANAR or self.close(pair))]
+
+    def share(self, kind: Kind, configuration: int) -> float:
+        return float(np.mean(np.array(self.configurations(kind)) == configuration))
+
+    def inliers(self) -> Tuple[float, float]:
+        """Of the pairs that overlap: share of the right matches that are found, share of wrong ones in what is found."""
+        right = found = both = 0
+        for pair in self.collection.pairs:
+            if pair.kind in (Kind.GENERAL, Kind.PLANAR, Kind.ROTATION):
+                truth = {tuple(row) for row in pair.matches[pair.right].tolist()}
+                rows = {tuple(row) for row in self.table[pair.pairId].inliers.tolist()}
+                right, found, both = right + len(truth), found + len(rows), both + len(truth & rows)
+        return both / right, 1 - both / found
+
+
+@once
+@package
+class VerifyTest(Case):
+
+    def found(self, recipe: Recipe) -> Found:
+        collection = Collection(recipe)
+        path = self.write(collection, self.id())
+        verify(path)
+        return Found(collection, path)
+
+    def test_known_focal_lengths(self) -> None:
+        found = self.found(KNOWN)
+        self.assertGreaterEqual(found.share(Kind.GENERAL, CALIBRATED), 0.95)
+        self.assertEqual(set(found.configurations(Kind.PLANAR)), {PLANAR})
+        self.assertEqual(set(found.configurations(Kind.ROTATION)), {PANORAMIC})
+        self.assertEqual(found.configurations(Kind.WATERMARK), [WATERMARK])
+        self.assertEqual(set(found.configurations(Kind.NONE)), {DEGENERATE})
+        complete, wrong = found.inliers()
+        self.assertGreater(complete, 0.98)
+        self.assertLess(wrong, 0.08)
+
+    def test_unknown_focal_lengths(self) -> None:
+        found = self.found(UNKNOWN)
+        self.assertGreaterEqual(found.share(Kind.GENERAL, UNCALIBRATED), 0.95)
+        for kind in (Kind.PLANAR, Kind.ROTATION):
+            self.assertEqual(set(found.configurations(kind)), {PLANAR_OR_PANORAMIC})
+        self.assertEqual(found.configurations(Kind.WATERMARK), [WATERMARK])
+        self.assertEqual(set(found.configurations(Kind.NONE)), {DEGENERATE})
+        complete, wrong = found.inliers()
+        self.assertGreater(complete, 0.95)
+        self.assertLess(wrong, 0.11)
+
+    def test_one_focal_length_of_two(self) -> None:
+        found = self.found(Recipe(images=12, lonePairs=0, cameras=(("SIMPLE_PINHOLE", True), ("SIMPLE_PINHOLE", False))))
+        calibrated = {CALIBRATED: 0, UNCALIBRATED: 0}
+        for pair in found.collection.pairs:
+            if pair.kind is Kind.GENERAL and pair.flatShare < CLEAR:
+                configuration = found.table[pair.pairId].configuration
+                calibrated[configuration] += 1
+                if pair.first % 2 or pair.second % 2:
+                    self.assertEqual(configuration, UNCALIBRATED)
+        self.assertGreater(min(calibrated.values()), 0)
+
+    def test_camera_models(self) -> None:
+        for model in MODELS:
+            with self.subTest(model=model):
+                columns = 2 if model == "PINHOLE" else 4
+                found = self.found(Recipe(images=12, lonePairs=0, cameras=((model, True),), columns=columns))
+                self.assertGreaterEqual(found.share(Kind.GENERAL, CALIBRATED), 0.9)
+                self.assertGreater(found.inliers()[0], 0.97)
+                os.remove(os.path.join(self.folder, self.id() + ".db"))
+
+    def test_without_overlap(self) -> None:
+        found = self.found(Recipe(images=22, seed=4, lone=(0.1, 0.6)))
+        configurations = found.configurations(Kind.NONE)
+        kept = sum(configuration != DEGENERATE for configuration in configurations)
+        print("pairs without overlap: {} of {} kept".format(kept, len(configurations)))
+        self.assertGreater(len(configurations), 100)
+        self.assertLessEqual(kept, 0.01 * len(configurations))
+
+
+@once
+@package
+@unittest.skipUnless(usac_colmap.find(), "there is no program colmap")
+class MapperTest(Case):
+    """From our table and from COLMAP's, of the same matches."""
+
+    def mapped(self, database: str, collection: Collection) -> Dict[str, float]:
+        model, _ = usac_colmap.mapper(database)
+        truth = {name: (R, t) for name, R, t in zip(collection.names, collection.rotations, collection.translations)}
+        errors = usac_colmap.relativeErrors(model.poses, truth)
+        return dict(registered=len(model.poses), reprojection=model.reprojectionError, median=float(np.median(errors)),
+                    auc1=usac_colmap.areaUnderCurve(errors, 1), auc5=usac_colmap.areaUnderCurve(errors, 5))
+
+    def test_as_good_as_colmap(self) -> None:
+        collection = Collection(KNOWN)
+        ours, theirs = self.write(collection, "ours"), self.write(collection, "theirs")
+        verify(ours)
+        usac_colmap.verifyByColmap(theirs)
+        a, b = self.mapped(ours, collection), self.mapped(theirs, collection)
+        print("ours: {}\nCOLMAP: {}".format(a, b))
+        self.assertEqual(a["registered"], KNOWN.images)
+        self.assertGreaterEqual(a["registered"], b["registered"])
+        self.assertLess(a["reprojection"], max(b["reprojection"], KNOWN.noise) + 0.05)
+        self.assertLess(a["median"], b["median"] + 0.02)
+        self.assertGreater(a["auc1"], b["auc1"] - 0.02)
+        self.assertGreater(a["auc1"], 0.92)
+        verdicts = [Found(collection, path).share(Kind.GENERAL, CALIBRATED) for path in (ours, theirs)]
+        self.assertGreaterEqual(verdicts[0], verdicts[1])
+
+    def test_unknown_focal_lengths(self) -> None:
+        collection = Collection(UNKNOWN)
+        path = self.write(collection, "unknown")
+        verify(path)
+        found = self.mapped(path, collection)
+        print("unknown focal lengths: {}".format(found))
+        self.assertEqual(found["registered"], UNKNOWN.images)
+        self.assertLess(found["reprojection"], UNKNOWN.noise + 0.15)
+        self.assertGreater(found["auc1"], 0.85)
+
+
+if __name__ == "__main__":
+    unittest.main()

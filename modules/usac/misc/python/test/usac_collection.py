@@ -1,0 +1,390 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""A synthetic collection with known cameras, and the database of matches that COLMAP 3.8 would have of it.
+
+A square building: one side is a flat mural, three sides are grids of equal windows with balconies (repeated structure),
+and statues stand before all four. Cameras on a ring look at it, some stand close to the mural (all that they share lies in
+a plane), some turn on one spot. Opposite cameras have nothing in common; two of them carry the same logo in a corner.
+"""
+
+from __future__ import annotations
+
+import enum
+import itertools
+import sqlite3
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from usac_camera import distort, rotation
+
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.int64]
+
+MAX_IMAGES = 2147483647  # pair_id = MAX_IMAGES * smaller image_id + larger image_id
+# COLMAP's number of a camera model; the parameters of the lens: radial ones, then tangential ones.
+MODELS: Dict[str, Tuple[int, Tuple[float, ...]]] = {
+    "SIMPLE_PINHOLE": (0, ()),
+    "PINHOLE": (1, ()),
+    "SIMPLE_RADIAL": (2, (-0.06,)),
+    "RADIAL": (3, (-0.06, 0.02)),
+    "OPENCV": (4, (-0.08, 0.02, 0.001, -0.0008)),
+    "OPENCV_FISHEYE": (5, (-0.02, 0.006, -0.002, 0.0004)),
+}
+SCHEMA = """
+CREATE TABLE cameras (camera_id INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, model INTEGER NOT NULL, width INTEGER NOT NULL,
+    height INTEGER NOT NULL, params BLOB, prior_focal_length INTEGER NOT NULL);
+CREATE TABLE images (image_id INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, name TEXT NOT NULL UNIQUE, camera_id INTEGER NOT NULL,
+    prior_qw REAL, prior_qx REAL, prior_qy REAL, prior_qz REAL, prior_tx REAL, prior_ty REAL, prior_tz REAL,
+    CONSTRAINT image_id_check CHECK(image_id >= 0 and image_id < 2147483647),
+    FOREIGN KEY(camera_id) REFERENCES cameras(camera_id));
+CREATE UNIQUE INDEX index_name ON images(name);
+CREATE TABLE keypoints (image_id INTEGER PRIMARY KEY NOT NULL, rows INTEGER NOT NULL, cols INTEGER NOT NULL, data BLOB,
+    FOREIGN KEY(image_id) REFERENCES images(image_id) ON DELETE CASCADE);
+CREATE TABLE descriptors (image_id INTEGER PRIMARY KEY NOT NULL, rows INTEGER NOT NULL, cols INTEGER NOT NULL, data BLOB,
+    FOREIGN KEY(image_id) REFERENCES images(image_id) ON DELETE CASCADE);
+CREATE TABLE matches (pair_id INTEGER PRIMARY KEY NOT NULL, rows INTEGER NOT NULL, cols INTEGER NOT NULL, data BLOB);
+CREATE TABLE two_view_geometries (pair_id INTEGER PRIMARY KEY NOT NULL, rows INTEGER NOT NULL, cols INTEGER NOT NULL, data BLOB,
+    config INTEGER NOT NULL, F BLOB, E BLOB, H BLOB, qvec BLOB, tvec BLOB);
+PRAGMA user_version = 3800;
+"""
+
+
+class Kind(enum.Enum):
+    """What a pair of images is in truth."""
+
+    GENERAL = "general"
+    PLANAR = "planar"  # all that both see lies in one plane
+    ROTATION = "rotation"  # from one spot
+    NONE = "none"  # nothing in common
+    WATERMARK = "watermark"  # nothing in common but a logo
+
+
+class Label(enum.IntEnum):
+    """What a match is in truth."""
+
+    RANDOM = 0
+    RIGHT = 1
+    COPY = 2  # to the same part of another window, the same way for a whole group
+    LOGO = 3
+
+
+class Recipe(NamedTuple):
+    """What a collection is made by; the same recipe makes the same bytes."""
+
+    images: int = 23  # at least 12
+    noise: float = 0.5  # pixels, standard deviation of a coordinate
+    density: float = 1.0  # 1: some 250 keypoints an image
+    wrong: Tuple[float, float] = (0.3, 0.7)  # the share of wrong matches in pairs that overlap: from, to
+    lone: Tuple[float, float] = (0.1, 0.3)  # wrong matches of pairs without overlap, in terms of the keypoints of an image
+    lonePairs: float = 1.0  # the share of the pairs without overlap that have matches at all
+    copies: float = 0.3  # the share of the wrong matches that go to another window, where the pair shows enough of them
+    cameras: Tuple[Tuple[str, bool], ...] = (("SIMPLE_RADIAL", True),)  # model, focal length known; images take turns
+    columns: int = 6  # of a keypoint in the database: 2, 4 or 6
+    size: Tuple[int, int] = (1600, 1200)
+    seed: int = 0
+
+
+class Lens(NamedTuple):
+    """A camera as it is and as the database has it."""
+
+    model: str
+    params: Floats
+    focalKnown: bool
+
+    def split(self) -> Tuple[Floats, Floats]:
+        """(K, parameters of the lens)."""
+        own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1  # numbers of focal lengths: one or two
+        fx, fy, cx, cy = self.params[[0, 0, 1, 2]] if own == 2 else self.params[:4]
+        return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), self.params[3 if own == 2 else 4:]
+
+    def project(self, seen: Floats) -> Floats:
+        """Pixels of points in the camera's frame."""
+        K, lens = self.split()
+        plane = seen[:, :2] / seen[:, 2:]
+        if self.model == "OPENCV_FISHEYE":
+            radius = np.maximum(np.linalg.norm(plane, axis=1, keepdims=True), 1e-12)
+            theta = np.arctan(radius)
+            plane = plane * theta * (1 + sum(k * theta ** (2 * i + 2) for i, k in enumerate(lens))) / radius
+        elif len(lens):
+            plane = distort(plane, np.concatenate([lens, np.zeros(5 - len(lens))]))
+        return np.asarray(plane @ K[:2, :2].T + K[:2, 2], float)
+
+    def stored(self, size: Tuple[int, int]) -> Floats:
+        """The parameters for the database: where the focal length is unknown, COLMAP's guess of it and no distortion."""
+        if self.focalKnown:
+            return self.params
+        params = self.params.copy()
+        center = len(params) - len(self.split()[1]) - 2
+        params[:center] = 1.2 * max(size)
+        params[center + 2:] = 0
+        return params
+
+
+class Space(NamedTuple):
+    """The points of the scene."""
+
+    points: Floats  # P x 3
+    normals: Floats  # P x 3, of the surface: seen from the front only
+    sides: Integers  # P: the side of the building, 0: that with the mural
+    flat: npt.NDArray[np.bool_]  # P: lies in the plane of its side
+    windows: Integers  # 3 x columns x rows x parts: numbers of points
+
+
+class PairTruth(NamedTuple):
+    """A pair of images, numbers from 0, and its matches."""
+
+    first: int
+    second: int
+    kind: Kind
+    matches: npt.NDArray[np.uint32]  # M x 2: numbers of keypoints
+    labels: Integers  # M, of Label
+    flatShare: float  # of the right matches in the plane that has most of them
+
+    @property
+    def pairId(self) -> int:
+        return MAX_IMAGES * (self.first + 1) + self.second + 1
+
+    @property
+    def right(self) -> npt.NDArray[np.bool_]:
+        return np.asarray(self.labels == Label.RIGHT)
+
+
+def frame(side: int) -> Tuple[Floats, Floats]:
+    """(outward normal, direction to the right) of a side of the building."""
+    angle = side * np.pi / 2
+    return np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
+
+
+HALF_WIDTH, HEIGHT = 2.5, 4.0  # of the building, whose axis is the third axis of space
+COLUMNS, ROWS = 5, 3  # of windows
+
+
+def buildSpace(rng: np.random.RandomState, density: float) -> Space:
+    points: List[Floats] = []
+    normals: List[Floats] = []
+    sides: List[int] = []
+    flat: List[bool] = []
+
+    def add(side: int, across: float, up: float, before: float, normal: Optional[Floats] = None) -> int:
+        out, along = frame(side)
+        points.append((HALF_WIDTH + before) * out + across * along + np.array([0, 0, up]))
+        normals.append(out if normal is None else normal)
+        sides.append(side)
+        flat.append(before == 0)
+        return len(points) - 1
+
+    for across, up in rng.uniform([-2.4, 0.2], [2.4, 3.8], (int(170 * density), 2)):
+        add(0, across, up, 0)
+    parts = rng.uniform([0.05, 0.05, 0.1], [0.85, 1.15, 0.9], (int(12 * density), 3))  # of a window, and of its balcony
+    parts[::2, 2] = 0
+    windows = np.zeros((3, COLUMNS, ROWS, len(parts)), int)
+    for side, column, row, part in itertools.product(range(3), range(COLUMNS), range(ROWS), range(len(parts))):
+        across, up, before = parts[part]
+        windows[side, column, row, part] = add(side + 1, across + column - HALF_WIDTH, up + row * 1.3, before)
+    for side in range(4):
+        for statue in range(4):
+            center = np.array([rng.uniform(2.0, 2.8) * (-1) ** statue, rng.uniform(0.6, 2.5), rng.uniform(0.9, 2.0)])
+            radii = rng.uniform([0.3, 0.4, 0.3], [0.6, 1.0, 0.6])
+            for direction in rng.normal(size=(int((45 if side else 70) * density), 3)):
+                direction /= np.linalg.norm(direction)
+                out, along = frame(side)
+                normal = direction[0] * along + direction[2] * out + np.array([0, 0, direction[1]])
+                across, up, before = center + radii * direction
+                add(side, across, up, before, normal)
+    return Space(np.array(points), np.array(normals), np.array(sides), np.array(flat), windows)
+
+
+def lookAt(center: Floats, target: Floats, roll: float) -> Tuple[Floats, Floats]:
+    """R, t of a camera (x right, y down, z ahead)."""
+    ahead = (target - center) / np.linalg.norm(target - center)
+    right = np.cross(ahead, [0, 0, 1.0])
+    right /= np.linalg.norm(right)
+    R: Floats = rotation([0, 0, roll]) @ np.array([right, np.cross(ahead, right), ahead])
+    return R, -R @ center
+
+
+class Collection:
+    """Cameras, keypoints and matches, all of it known."""
+
+    def __init__(self, recipe: Recipe = Recipe()) -> None:
+        self.recipe = recipe
+        self.rng = np.random.RandomState(recipe.seed)
+        self.space = buildSpace(self.rng, recipe.density)
+        self.lenses = [self._lens(model, known) for model, known in recipe.cameras]
+        self.names: List[str] = []
+        self.rotations: List[Floats] = []
+        self.translations: List[Floats] = []
+        self._placeCameras()
+        self.keypoints: List[Floats] = []
+        self.pointOf: List[Integers] = []  # of each keypoint: the point of the scene, -1: none
+        for image in range(recipe.images):
+            self._detect(image)
+        ring = [i for i, name in enumerate(self.names) if name.startswith("ring")]
+        self.marked = (ring[0], ring[len(ring) // 2])
+        self._logo = self._addLogo()
+        self.pairs = [self._match(i, j) for i, j in itertools.combinations(range(recipe.images), 2)]
+        keep = self.rng.uniform(size=len(self.pairs)) < recipe.lonePairs
+        self.pairs = [pair for i, pair in enumerate(self.pairs) if keep[i] or pair.kind is not Kind.NONE]
+
+    def _lens(self, model: str, known: bool) -> Lens:
+        focal, (width, height) = 0.875 * max(self.recipe.size), self.recipe.size
+        focals = (focal,) if model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else (focal, 1.01 * focal)
+        return Lens(model, np.array([*focals, 0.51 * width, 0.49 * height, *MODELS[model][1]]), known)
+
+    def lens(self, image: int) -> Lens:
+        return self.lenses[image % len(self.lenses)]
+
+    def center(self, image: int) -> Floats:
+        return np.asarray(-self.rotations[image].T @ self.translations[image])
+
+    def relative(self, first: int, second: int) -> Tuple[Floats, Floats]:
+        """R, t of the second camera seen from the first: x2 ~ R x1 + t."""
+        R = self.rotations[second] @ self.rotations[first].T
+        return R, self.translations[second] - R @ self.translations[first]
+
+    def fromOneSpot(self, first: int, second: int) -> bool:
+        return bool(np.linalg.norm(self.center(first) - self.center(second)) < 1e-9)
+
+    def _place(self, name: str, center: Sequence[float], target: Sequence[float], roll: float) -> None:
+        R, t = lookAt(np.array(center, float), np.array(target, float), roll)
+        self.names.append(name)
+        self.rotations.append(R)
+        self.translations.append(t)
+
+    def _placeCameras(self) -> None:
+        rng, close, turning = self.rng, 4, 3
+        ring = self.recipe.images - close - turning
+        for i in range(ring):
+            angle, radius = 2 * np.pi * (i + rng.uniform(-0.2, 0.2)) / ring, rng.uniform(8, 10)
+            self._place("ring{:02}.png".format(i), [radius * np.cos(angle), radius * np.sin(angle), rng.uniform(0.5, 4.5)],
+                        np.array([0, 0, HEIGHT / 2]) + rng.uniform(-0.4, 0.4, 3), rng.uniform(-0.1, 0.1))
+        for i in range(close):
+            self._place("close{:02}.png".format(i), [HALF_WIDTH + rng.uniform(2.6, 3.4), 0.8 * i - 1.2, rng.uniform(1.0, 3.0)],
+                        [HALF_WIDTH, 0.3 * i - 0.45, HEIGHT / 2], rng.uniform(-0.2, 0.2))
+        for i in range(turning):
+            self._place("turning{:02}.png".format(i), [-5.6, 5.4, 1.7], [0.9 * i - 0.9, 0.9 * i - 0.9, 1.8 + 0.3 * i],
+                        0.15 * i - 0.15)
+
+    def _detect(self, image: int) -> None:
+        """Keypoints on what the camera sees, and others on nothing that another camera sees."""
+        rng, size, space = self.rng, np.array(self.recipe.size), self.space
+        seen = space.points @ self.rotations[image].T + self.translations[image]
+        pixels = self.lens(image).project(np.where(seen[:, 2:] > 0.5, seen, 1))
+        rays = self.center(image) - space.points
+        facing = (rays * space.normals).sum(1) > 0.25 * np.linalg.norm(rays, axis=1)
+        before = np.array([frame(side)[0] @ self.center(image) > HALF_WIDTH + 0.3 for side in range(4)])[space.sides]
+        inside = (seen[:, 2] > 0.5) & (pixels > 10).all(1) & (pixels < size - 10).all(1)
+        visible = facing & before & inside
+        if self.names[image].startswith("close"):
+            visible &= space.flat & (space.sides == 0)
+        found = np.flatnonzero(visible & (rng.uniform(size=len(visible)) < 0.85))
+        clutter = len(found) // 2
+        points = np.concatenate([found, np.full(clutter, -1)])
+        pixels = np.concatenate([pixels[found] + rng.normal(0, self.recipe.noise, (len(found), 2)),
+                                 rng.uniform(0, size, (clutter, 2))])
+        order = rng.permutation(len(points))
+        self.keypoints.append(pixels[order].astype(np.float32).astype(float))
+        self.pointOf.append(points[order])
+
+    def _addLogo(self) -> Integers:
+        """Its matches. It is near the border: COLMAP looks for it within a tenth of the diagonal."""
+        size, count = np.array(self.recipe.size), 40
+        shape = size - self.rng.uniform([20, 15], [0.3 * size[0], 0.08 * size[1]], (count, 2))
+        numbers = []
+        for image, shift in zip(self.marked, ((0, 0), (3, -2))):
+            pixels = shape + shift + self.rng.normal(0, self.recipe.noise, (count, 2))
+            numbers.append(np.arange(count) + len(self.keypoints[image]))
+            self.keypoints[image] = np.concatenate([self.keypoints[image], pixels]).astype(np.float32).astype(float)
+            self.pointOf[image] = np.concatenate([self.pointOf[image], np.full(count, -1)])
+        return np.stack(numbers, axis=1)
+
+    def _match(self, first: int, second: int) -> PairTruth:
+        """Matches one to one in no order: some of the common points, groups of copies, then any keypoints that are left."""
+        rng, enough = self.rng, 30
+        a, b = self.pointOf[first], self.pointOf[second]
+        common = np.intersect1d(a[a >= 0], b[b >= 0])
+        logo = (first, second) == self.marked
+        most = min(len(a), len(b))
+        share = rng.uniform(*self.recipe.wrong)
+        if len(common) < enough or logo:
+            groups = [(self._logo, Label.LOGO)] if logo else []
+            wrong = int(rng.uniform(*self.recipe.lone) * most)
+        else:
+            common = rng.permutation(common)[:int((1 - share) * most)]
+            wrong = int(len(common) * share / (1 - share))
+            # From one spot copies and right matches obey one epipolar geometry, so they would tell of a motion.
+            most = 0 if self.fromOneSpot(first, second) else min(int(self.recipe.copies * wrong), len(common) // 3)
+            copies = self._copies(a, b, most)
+            common = common[~np.isin(common, np.concatenate([a[copies[:, 0]], b[copies[:, 1]]]))]
+            groups = [(np.stack([_whereIn(a, common), _whereIn(b, common)], axis=1), Label.RIGHT), (copies, Label.COPY)]
+            wrong = int(len(common) * share / (1 - share)) - len(copies)
+        used = np.concatenate([group for group, _ in groups] + [np.zeros((0, 2), int)])
+        left = [rng.permutation(np.setdiff1d(np.arange(len(c)), used[:, side])) for side, c in enumerate((a, b))]
+        wrong = max(0, min(wrong, len(left[0]), len(left[1])))
+        groups.append((np.stack([left[0][:wrong], left[1][:wrong]], axis=1), Label.RANDOM))
+        matches = np.concatenate([group for group, _ in groups]).astype(np.uint32)
+        labels = np.concatenate([np.full(len(group), int(label)) for group, label in groups])
+        labels[(a[matches[:, 0]] >= 0) & (a[matches[:, 0]] == b[matches[:, 1]])] = Label.RIGHT  # by chance
+        order = rng.permutation(len(matches))
+        return self._truth(first, second, matches[order], labels[order])
+
+    def _copies(self, a: Integers, b: Integers, most: int) -> Integers:
+        """Matches from the parts of windows to those of the windows at a distance that is the same for all."""
+        windows = self.space.windows
+        best = np.zeros((0, 2), int)
+        for across, up in ((1, 0), (-1, 0), (2, 0), (-2, 0), (0, 1), (0, -1)):
+            source = windows[:, max(0, -across):COLUMNS - max(0, across), max(0, -up):ROWS - max(0, up)]
+            target = windows[:, max(0, across):COLUMNS + min(0, across), max(0, up):ROWS + min(0, up)]
+            group = np.stack([_whereIn(a, source.ravel()), _whereIn(b, target.ravel())], axis=1)
+            group = group[(group >= 0).all(1)]
+            best = group if len(group) > len(best) else best
+        return self.rng.permutation(best)[:most]
+
+    def _truth(self, first: int, second: int, matches: npt.NDArray[np.uint32], labels: Integers) -> PairTruth:
+        points = self.pointOf[first][matches[labels == Label.RIGHT, 0]]
+        share = 0.0
+        if len(points):
+            share = max(float((self.space.flat & (self.space.sides == side))[points].mean()) for side in range(4))
+        kind = Kind.GENERAL if share < 1 else Kind.PLANAR
+        if (first, second) == self.marked:
+            kind = Kind.WATERMARK
+        elif len(points) < 5:
+            kind = Kind.NONE
+        elif self.fromOneSpot(first, second):
+            kind = Kind.ROTATION
+        return PairTruth(first, second, kind, matches, labels, share)
+
+    def write(self, path: str) -> None:
+        """A new database without descriptors and without verified pairs."""
+        with sqlite3.connect(path) as database:
+            database.executescript(SCHEMA)
+            for number, lens in enumerate(self.lenses, 1):
+                params = lens.stored(self.recipe.size).tobytes()
+                database.execute("INSERT INTO cameras VALUES (?, ?, ?, ?, ?, ?)",
+                                 (number, MODELS[lens.model][0], *self.recipe.size, params, int(lens.focalKnown)))
+            for image, (name, pixels) in enumerate(zip(self.names, self.keypoints)):
+                database.execute("INSERT INTO images (image_id, name, camera_id) VALUES (?, ?, ?)",
+                                 (image + 1, name, image % len(self.lenses) + 1))
+                columns = np.zeros((len(pixels), self.recipe.columns), np.float32)
+                columns[:, :2] = pixels
+                columns[:, 2:] = {2: [], 4: [3, 0], 6: [3, 0, 0, 3]}[self.recipe.columns]  # scale, angle or affine shape
+                database.execute("INSERT INTO keypoints VALUES (?, ?, ?, ?)", (image + 1, *columns.shape, columns.tobytes()))
+            database.executemany("INSERT INTO matches VALUES (?, ?, ?, ?)", self._rows())
+        database.close()
+
+    def _rows(self) -> Iterator[Tuple[Any, ...]]:
+        for pair in self.pairs:
+            yield pair.pairId, len(pair.matches), 2, pair.matches.tobytes()
+
+
+def _whereIn(pointOf: Integers, points: Integers) -> Integers:
+    """The keypoints on points, -1: there is none."""
+    number = np.full(max(int(points.max(initial=0)), int(pointOf.max(initial=0))) + 1, -1)
+    known = pointOf >= 0
+    number[pointOf[known]] = np.flatnonzero(known)
+    return number[points]

@@ -1,0 +1,224 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""COLMAP's verification of the pairs of a collection and that of `usacv20-collection verify`, on the same matches.
+
+    compare_colmap.py WORK --images FOLDER --cameras cameras.json --repeats 3
+    compare_colmap.py WORK --database matches.db --cameras cameras.json --pairs
+
+WORK is a folder for databases; what it has already is not made again. Without --database colmap extracts and matches features
+of the images first. Both verifications then fill two_view_geometries in copies of the database (COLMAP's matcher verifies only
+where there are matches), and `colmap mapper` goes on from each. cameras.json has {name: {"K": 3 x 3, "R": 3 x 3, "t": 3}} with
+x ~ K (R X + t), the center of the first pixel at 0, 0.
+
+Focal lengths (--focal): known: the K of cameras.json, prior_focal_length 1, not refined by the mapper; unknown: as COLMAP guesses
+them, prior_focal_length 0; given: as the database has them.
+
+Columns: CPU seconds of the verification (user and system of the whole process; the runs of both alternate, the median of
+--repeats); pairs verified; of the reconstruction (the median of --repeats, each with another seed of the mapper) registered
+images, mean reprojection error in pixels, and the area under the curve of the errors of the relative poses of all pairs of
+images up to 1, 3 and 5 degrees, images that are not registered being wrong; in brackets the range of AUC 1. With --pairs the
+pairs follow whose configurations differ, with what the true cameras say of their inliers (at most --limit pixels from the
+epipolar lines of both images).
+
+Needs colmap (Debian's is 3.8), NumPy and the package usacv20."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import sqlite3
+import sys
+from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "modules", "usac", "misc", "python", "test"))
+
+import usac_colmap as uc  # noqa: E402
+
+Floats = npt.NDArray[np.float64]
+PINHOLE = 1  # COLMAP's number
+CONFIGURATIONS = ("-", "degenerate", "calibrated", "uncalibrated", "planar", "panoramic", "planar or panoramic", "watermark")
+
+
+class TrueCamera(NamedTuple):
+    K: Floats  # COLMAP's: the corner of the first pixel is at 0, 0
+    R: Floats
+    t: Floats
+
+
+def readCameras(path: str) -> Dict[str, TrueCamera]:
+    with open(path) as file:
+        entries = json.load(file)
+    half = np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])
+    return {name: TrueCamera(np.array(entry["K"]) + half, np.array(entry["R"]), np.array(entry["t"]))
+            for name, entry in entries.items()}
+
+
+def makeDatabase(path: str, images: str) -> None:
+    """Features and matches of a folder of images; all images are of one camera."""
+    part = path + ".part"
+    if os.path.exists(part):
+        os.remove(part)
+    uc.colmap("feature_extractor", database_path=part, image_path=images, ImageReader__single_camera=1, SiftExtraction__use_gpu=0)
+    uc.colmap("exhaustive_matcher", database_path=part, SiftMatching__use_gpu=0)
+    os.rename(part, path)
+
+
+def setFocal(database: str, mode: str, cameras: Dict[str, TrueCamera]) -> None:
+    """Writes the cameras as --focal tells."""
+    connection = sqlite3.connect(database)
+    with connection:
+        if mode == "unknown":
+            connection.execute("UPDATE cameras SET prior_focal_length = 0")
+        elif mode == "known":
+            sizes = dict(connection.execute("SELECT name, width || ' ' || height FROM images JOIN cameras USING (camera_id)"))
+            connection.execute("DELETE FROM cameras")
+            numbers: Dict[bytes, int] = {}
+            for name, size in sizes.items():
+                K = cameras[name].K
+                params = K[[0, 1, 0, 1], [0, 1, 2, 2]].tobytes()
+                if params not in numbers:
+                    numbers[params] = len(numbers) + 1
+                    connection.execute("INSERT INTO cameras VALUES (?, ?, ?, ?, ?, 1)",
+                                       (numbers[params], PINHOLE, *map(int, size.split()), params))
+                connection.execute("UPDATE images SET camera_id = ? WHERE name = ?", (numbers[params], name))
+    connection.close()
+
+
+class Rival(NamedTuple):
+    """A way to verify."""
+
+    name: str
+    options: Tuple[str, ...]  # of usacv20-collection verify; none: COLMAP
+
+    def verify(self, database: str) -> float:
+        """CPU seconds."""
+        if not self.options:
+            return uc.verifyByColmap(database).cpuSeconds
+        uc.clear(database)
+        return uc.runProgram([sys.executable, "-m", "usacv20.collection", "verify", "--threads", "1", "--no-progress",
+                              *self.options, database]).cpuSeconds
+
+
+def reconstruct(database: str, mode: str, cameras: Dict[str, TrueCamera], repeats: int) -> List[List[float]]:
+    """Registered images, reprojection error, AUC at 1, 3, 5 degrees; a line for each seed."""
+    fixed: Dict[str, Any] = dict(Mapper__ba_refine_focal_length=0, Mapper__ba_refine_extra_params=0) if mode == "known" else {}
+    truth = {name: (camera.R, camera.t) for name, camera in cameras.items()}
+    lines = []
+    for seed in range(repeats):
+        model, _ = uc.mapper(database, threads=1, random_seed=seed, **fixed)
+        errors = uc.relativeErrors(model.poses, truth) if truth else np.array([])
+        auc = [uc.areaUnderCurve(errors, limit) if truth else np.nan for limit in (1, 3, 5)]
+        lines.append([len(model.poses), model.reprojectionError, *auc])
+    return lines
+
+
+def compare(options: argparse.Namespace, source: str, mode: str, cameras: Dict[str, TrueCamera],
+            rivals: Sequence[Rival]) -> None:
+    databases = {rival.name: os.path.join(options.work, "{}-{}.db".format(mode, rival.name.replace(" ", "_")))
+                 for rival in rivals}
+    for path in databases.values():
+        shutil.copy(source, path)
+        os.chmod(path, 0o644)
+        setFocal(path, mode, cameras)
+    times: Dict[str, List[float]] = {rival.name: [] for rival in rivals}
+    for _ in range(options.repeats):
+        for rival in rivals:
+            times[rival.name].append(rival.verify(databases[rival.name]))
+    print("\nfocal lengths {}:".format(mode))
+    print("{:<24}{:>9}{:>8}{:>12}{:>14}{:>10}{:>8}{:>8}{:>9}".format(
+        "", "CPU s", "pairs", "registered", "reprojection", "AUC 1", "AUC 3", "AUC 5", "(range)"))
+    for rival in rivals:
+        kept = sum(len(pair.inliers) > 0 for pair in uc.verified(databases[rival.name]).values())
+        lines = np.array(reconstruct(databases[rival.name], mode, cameras, options.repeats))
+        median, spread = np.median(lines, axis=0), np.ptp(lines, axis=0)
+        print("{:<24}{:9.2f}{:8}{:12.0f}{:14.4f}{:10.4f}{:8.4f}{:8.4f}{:9.4f}".format(
+            rival.name, float(np.median(times[rival.name])), kept, *median.tolist(), float(spread[2])), flush=True)
+    if options.pairs:
+        showPairs(databases[rivals[0].name], databases[rivals[1].name], rivals[0].name, rivals[1].name, cameras, options.limit)
+
+
+def epipolarErrors(points: Tuple[Floats, Floats], first: TrueCamera, second: TrueCamera) -> Floats:
+    """Larger one of the distances to the true epipolar lines in both images."""
+    R, t = uc.between((first.R, first.t), (second.R, second.t))
+    cross = np.array([[0, -t[2], t[1]], [t[2], 0, -t[0]], [-t[1], t[0], 0]])
+    F = np.linalg.inv(second.K).T @ cross @ R @ np.linalg.inv(first.K)
+    a, b = (np.column_stack([x, np.ones(len(x))]) for x in points)
+    lines2, lines1 = a @ F.T, b @ F
+    product = np.abs((b * lines2).sum(1))
+    return np.asarray(product / np.minimum(np.hypot(*lines1[:, :2].T), np.hypot(*lines2[:, :2].T)))
+
+
+def showPairs(path1: str, path2: str, name1: str, name2: str, cameras: Dict[str, TrueCamera], limit: float) -> None:
+    connection = sqlite3.connect(path1)
+    names = dict(connection.execute("SELECT image_id, name FROM images"))
+    points = {image: np.frombuffer(data, np.float32).reshape(rows, cols)[:, :2].astype(float)
+              for image, rows, cols, data in connection.execute("SELECT * FROM keypoints")}
+    matches = {key: np.frombuffer(data or b"", np.uint32).reshape(rows, 2)
+               for key, rows, data in connection.execute("SELECT pair_id, rows, data FROM matches ORDER BY pair_id")}
+    connection.close()
+    tables = [uc.verified(path1), uc.verified(path2)]
+    print("\npairs with other configurations (inliers, of them within {} px of the true epipolar lines), {} | {}".format(
+        limit, name1, name2))
+
+    def right(key: int, rows: npt.NDArray[np.uint32]) -> str:
+        a, b = key // uc.MAX_IMAGES, key % uc.MAX_IMAGES
+        if names[a] not in cameras or names[b] not in cameras:
+            return "?"
+        errors = epipolarErrors((points[a][rows[:, 0]], points[b][rows[:, 1]]), cameras[names[a]], cameras[names[b]])
+        return str(int(np.count_nonzero(errors <= limit)))
+
+    for key, rows in matches.items():
+        found = [table.get(key) for table in tables]
+        configurations = [0 if row is None or not len(row.inliers) else row.configuration for row in found]
+        if configurations[0] != configurations[1]:
+            texts = ["{} {} ({})".format(CONFIGURATIONS[configuration], 0 if row is None else len(row.inliers),
+                                         "0" if row is None else right(key, row.inliers))
+                     for configuration, row in zip(configurations, found)]
+            print("{} {}: {} matches ({}): {} | {}".format(names[key // uc.MAX_IMAGES], names[key % uc.MAX_IMAGES], len(rows),
+                                                            right(key, rows), *texts))
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Verification of a collection: COLMAP's and that of usacv20.")
+    parser.add_argument("work", metavar="WORK", help="folder for databases")
+    parser.add_argument("--images", metavar="FOLDER")
+    parser.add_argument("--database", metavar="FILE", help="with keypoints and matches; it is copied")
+    parser.add_argument("--cameras", metavar="FILE", help="cameras.json: the true ones")
+    parser.add_argument("--focal", nargs="+", choices=("known", "unknown", "given"), default=["known", "unknown"])
+    parser.add_argument("--threshold", nargs="+", default=["4"], help="pixels, or auto; one run for each (default 4, as COLMAP)")
+    parser.add_argument("--method", nargs="+", default=["USACV20"], help="presets, one run for each")
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--pairs", action="store_true", help="list the pairs with other configurations")
+    parser.add_argument("--limit", type=float, default=4.0, help="pixels")
+    options = parser.parse_args()
+    if options.images is None and options.database is None:
+        parser.error("--images or --database is needed")
+    if "known" in options.focal and options.cameras is None:
+        parser.error("--focal known needs --cameras")
+    os.makedirs(options.work, exist_ok=True)
+    source = options.database or os.path.join(options.work, "matches.db")
+    if not os.path.exists(source):
+        makeDatabase(source, options.images)
+    cameras = readCameras(options.cameras) if options.cameras else {}
+    rivals = [Rival("COLMAP", ())] + [Rival("{} {}".format(method, threshold), ("--method", method, "--threshold", threshold))
+                                      for method in options.method for threshold in options.threshold]
+    for mode in options.focal:
+        compare(options, source, mode, cameras, rivals)
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (uc.ColmapError, OSError, sqlite3.Error, KeyError, ValueError) as mistake:
+        print("compare_colmap.py: {!s}".format(mistake), file=sys.stderr)
+        sys.exit(1)
