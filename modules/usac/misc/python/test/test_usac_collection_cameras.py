@@ -9,7 +9,7 @@ import unittest
 
 import numpy as np
 
-from usac_common import cv, needsCv2, package
+from usac_common import cv, needsCv2, once, package
 
 try:
     from usacv20.collection._cameras import Camera
@@ -50,6 +50,7 @@ def grid(extent):
     return np.stack(np.meshgrid(np.linspace(-extent, extent, 21), np.linspace(-extent, extent, 21)), axis=-1).reshape(-1, 2)
 
 
+@once
 @package
 class CamerasTest(unittest.TestCase):
 

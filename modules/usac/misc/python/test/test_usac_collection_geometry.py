@@ -10,7 +10,7 @@ import unittest
 
 import numpy as np
 
-from usac_common import package
+from usac_common import once, package
 
 try:
     from usacv20.collection._geometry import verifyPairs
@@ -77,6 +77,7 @@ def verified(scene, **settings):
     return verifyPairs([scene.pair], Settings(**dict({"threshold": 2.0}, **settings)))[0]
 
 
+@once
 @package
 class GeometryTest(unittest.TestCase):
 

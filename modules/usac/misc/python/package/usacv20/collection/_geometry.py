@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequenc
 import numpy as np
 
 from .._batch import estimateEssentials, estimateFundamentals, estimateHomographies
+from .._enumerations import StopReason
 from .._params import Params
 from .._report import Report
 from ._pair import Configuration, Pair, TwoView, View
@@ -99,8 +100,15 @@ class _Work:
         if model is not None and model.inliers >= minInliers:
             self.models[name] = model
         elif among is None:
-            self.reason = "{}: {}".format(name, report.describe() if model is None else "{} inliers, {} are needed".format(
+            self.reason = self.reason or "{}: {}".format(name, _why(report) if model is None else "{} inliers, {} are needed".format(
                 model.inliers, minInliers))
+
+
+def _why(report: Report) -> str:
+    """There is no model."""
+    if report.stop == StopReason.STOP_NOT_SIGNIFICANT:
+        return "random matches would give as good a model with a chance of {:.1g}".format(report.chance)
+    return report.stop.name[len("STOP_"):].lower().replace("_", " ")
 
 
 def verifyPairs(pairs: Sequence[Pair], settings: Settings) -> List[TwoView]:
