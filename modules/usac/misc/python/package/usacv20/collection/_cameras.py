@@ -91,7 +91,7 @@ class Camera(NamedTuple):
         focal, center = self.matrix[[0, 1], [0, 1]], self.matrix[:2, 2]
         distorted = (np.asarray(points, np.float64) - center) / focal
         with np.errstate(all="ignore"):
-            undistorted = _withoutFisheye(distorted, self.distortion) if self.fisheye else _withoutLens(distorted, self.distortion)
+            undistorted = (_withoutFisheye if self.fisheye else _withoutLens)(distorted, self.distortion)
         result: Array = undistorted * focal + center
         return result
 

@@ -22,8 +22,8 @@ from ._sqlite import copyDatabase
 
 DONE, FAULTS, MISTAKE, INTERRUPTED = 0, 1, 2, 130
 
-_EPILOG = """exit code: 0 all pairs are done (refused ones, too); 1 some cannot be read, each is named on a line; 2 nothing could be
-done; 130 interrupted: what was done is stored, --resume goes on"""
+_EPILOG = """exit code: 0 all pairs are done (refused ones, too); 1 some cannot be read, each is named on a line; 2 nothing could
+be done; 130 interrupted: what was done is stored, --resume goes on"""
 
 
 def _threshold(text: str) -> Optional[float]:
@@ -84,8 +84,9 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
 
     verify = commands.add_parser("verify", epilog=_EPILOG, help="all pairs of a COLMAP database",
-                                 description="Estimates the two-view geometry of all pairs of a COLMAP database and writes its "
-                                 "table two_view_geometries, from which colmap mapper goes on. Other tables of COLMAP are not changed.")
+                                 description="Estimates the two-view geometry of all pairs of a COLMAP database and writes "
+                                 "its table two_view_geometries, from which colmap mapper goes on. Other tables of COLMAP are "
+                                 "not changed.")
     verify.add_argument("database", metavar="DATABASE")
     verify.add_argument("--output", metavar="COPY", help="leave the database as it is and write to a copy")
     scores = verify.add_mutually_exclusive_group()
@@ -107,10 +108,11 @@ def _parser() -> argparse.ArgumentParser:
     pairs.set_defaults(function=_pairs)
 
     report = commands.add_parser("report", help="what a run has found",
-                                 description="Which pairs are verified and why the others are refused; inlier ratios, iterations, "
-                                 "times; the pairs most worth a look.")
+                                 description="Which pairs are verified and why the others are refused; inlier ratios, "
+                                 "iterations, times; the pairs most worth a look.")
     report.add_argument("database", metavar="DATABASE", help="a database after verify, or the results of pairs")
-    report.add_argument("--pictures", metavar="FOLDER", help="write the histograms and the matrix of the pairs as PNG (matplotlib)")
+    report.add_argument("--pictures", metavar="FOLDER",
+                        help="write the histograms and the matrix of the pairs as PNG (matplotlib)")
     report.set_defaults(function=_report)
     return parser
 
@@ -118,8 +120,8 @@ def _parser() -> argparse.ArgumentParser:
 def _settings(options: argparse.Namespace, source: Source) -> Settings:
     given: Dict[str, Any] = dict(
         method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
-        inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance, watermarks=not options.no_watermarks,
-        seed=options.seed)
+        inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance,
+        watermarks=not options.no_watermarks, seed=options.seed)
     if options.threshold is not None:
         return Settings(threshold=options.threshold, **given)
     from ._threshold import estimateThreshold, samplePairs

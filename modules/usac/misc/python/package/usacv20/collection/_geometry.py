@@ -100,8 +100,8 @@ class _Work:
         if model is not None and model.inliers >= minInliers:
             self.models[name] = model
         elif among is None:
-            self.reason = self.reason or "{}: {}".format(name, _why(report) if model is None else "{} inliers, {} are needed".format(
-                model.inliers, minInliers))
+            why = _why(report) if model is None else "{} inliers, {} are needed".format(model.inliers, minInliers)
+            self.reason = self.reason or "{}: {}".format(name, why)
 
 
 def _why(report: Report) -> str:

@@ -32,8 +32,8 @@ class Settings:
     inlierRatio: float = 0.25
     seed: int = 0
     minInliers: int = 15  # of a pair that is kept
-    # Largest Report.chance of a pair that is kept: of pairs without overlap at most this part is taken for one with. A hundredth of
-    # what is asked of a single pair, as most pairs of a collection have no overlap.
+    # Largest Report.chance of a pair that is kept: of pairs without overlap at most this part is taken for one with. A
+    # hundredth of what is asked of a single pair, as most pairs of a collection have no overlap.
     significance: float = 1e-4
     planarRatio: float = 0.8  # of the inliers; a homography with more of them makes the pair planar or panoramic
     calibrationRatio: float = 0.95  # E with less of the inliers of F tells that the focal lengths are wrong
