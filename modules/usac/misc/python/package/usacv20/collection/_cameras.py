@@ -137,6 +137,6 @@ def _withoutLens(distorted: Array, distortion: Tuple[float, ...]) -> Array:
             break
     # As above: on the branch of the image's center both derivatives stay positive.
     wrong = ~(found & (determinant > 0) & (uu > 0) & (below > 0))
-    result = np.stack([u, v], axis=1)
+    result: Array = np.stack([u, v], axis=1)
     result[wrong] = np.nan
     return result

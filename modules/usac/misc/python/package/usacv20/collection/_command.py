@@ -173,7 +173,8 @@ def _pairs(options: argparse.Namespace) -> int:
     from ._lists import ListSource
     source = ListSource(options.list, options.keypoints)
     settings = _settings(options, source)
-    return _exitCode(_go(options, source, openResults(options.output, settings.asDict(), options.resume), settings))
+    sink = openResults(options.output, source, settings.asDict(), options.resume)
+    return _exitCode(_go(options, source, sink, settings))
 
 
 def _report(options: argparse.Namespace) -> int:
