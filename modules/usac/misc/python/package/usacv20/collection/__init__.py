@@ -9,3 +9,8 @@
     report DATABASE   what a run has found
 
 doc/collections.md describes the rules, the files and what they cost."""
+
+from ._list_results import readResults
+from ._pair import CollectionError, Configuration, TwoView
+
+__all__ = ["CollectionError", "Configuration", "TwoView", "readResults"]
