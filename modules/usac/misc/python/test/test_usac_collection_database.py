@@ -22,7 +22,7 @@ if not IN_TREE:
     from usacv20.collection._cameras import Camera
     from usacv20.collection._database import DatabaseSource
     from usacv20.collection._database_sink import DatabaseSink
-    from usacv20.collection._pair import Fault, Pair
+    from usacv20.collection._pair import CollectionError, Fault, Pair
 
 
 @once
@@ -54,9 +54,26 @@ class SourceTest(DatabaseCase):
         camera = Camera.fromColmap(*rows(self.path, "SELECT * FROM cameras")[0])
         for pair in self.load():
             for view in (pair.first, pair.second):
-                np.testing.assert_array_equal(view.points, camera.ideal(view.taken))
+                np.testing.assert_allclose(view.points, camera.ideal(view.taken), atol=1e-6)
                 self.assertGreater(np.abs(view.points - view.taken).max(), 1)
                 self.assertTrue(view.focalKnown)
+
+    def test_points_without_a_direction(self):
+        """They and their scores are left out: of this lens the distortion falls from a radius on."""
+        smallDatabase(self.path, distorted=True)
+        before = self.load(scores=Column())
+        change(self.path, "UPDATE cameras SET params = ?", np.array([600, 610, 320, 240, -0.9, 0, 0, 0], "<f8").tobytes())
+        camera = Camera.fromColmap(*rows(self.path, "SELECT * FROM cameras")[0])
+        left = 0
+        for old, new in zip(before, self.load(scores=Column())):
+            seen = np.isfinite(camera.ideal(old.first.taken)).all(axis=1) & np.isfinite(camera.ideal(old.second.taken)).all(axis=1)
+            left += np.count_nonzero(~seen)
+            for name in ("matches", "scores"):
+                np.testing.assert_array_equal(getattr(new, name), getattr(old, name)[seen])
+            for view, all_ in ((new.first, old.first), (new.second, old.second)):
+                np.testing.assert_array_equal(view.taken, all_.taken[seen])
+                np.testing.assert_allclose(view.points, camera.ideal(view.taken), atol=1e-6)
+        self.assertTrue(0 < left < sum(len(pair.matches) for pair in before))
 
     def test_pages_of_keys(self):
         smallDatabase(self.path, images=8)
@@ -118,6 +135,8 @@ class SourceTest(DatabaseCase):
         for pair in self.load(scores=Column()):
             np.testing.assert_array_equal(pair.scores, pair.matches[:, 1] + len(pair.first.name))
             self.assertFalse(pair.higherIsBetter)
+        self.assertEqual({item.reason.split(": ")[1] for item in self.load(scores=Missing())}, {"there are no scores"})
+        self.assertEqual(len({self.source(scores=scores).fingerprint() for scores in (None, Column(), Short(), Missing())}), 4)
         self.assertIn("2 scores of 59 matches", self.load(scores=Short())[0].reason)
         self.assertEqual({pair.scores for pair in self.load()}, {None})
 
@@ -133,6 +152,12 @@ class Short(Column):
 
     def of(self, key, first, second, matches, connection):
         return np.zeros(2)
+
+
+class Missing(Column):
+
+    def of(self, key, first, second, matches, connection):
+        raise CollectionError("there are no scores")
 
 
 @once
@@ -341,37 +366,6 @@ class WholeTest(DatabaseCase):
             text = file.read()
         os.waitpid(child, 0)
         return text
-
-
-@once
-@package
-class CopyTest(DatabaseCase):
-
-    def test_copy(self):
-        target = os.path.join(self.folder, "b.db")
-        for wal in (True, False):
-            smallDatabase(self.path, wal=wal)
-            with contextlib.closing(sqlite3.connect(self.path)) as other:
-                other.execute("UPDATE images SET name = 'new.jpg' WHERE image_id = 1")
-                other.commit()  # of a database in WAL mode this is in the file beside it
-                _sqlite.copyDatabase(self.path, target)
-                self.assertEqual(dump(target, *INPUT), dump(self.path, *INPUT))
-                self.assertIn("new.jpg", [row[1] for row in dump(target, "images")["images"]])
-            self.assertEqual(rows(target, "PRAGMA journal_mode"), [("wal" if wal else "delete",)])
-            self.assertEqual(sorted(os.listdir(self.folder)), ["a.db", "b.db"])
-            os.remove(self.path)
-            os.remove(target)
-
-    def test_refused(self):
-        smallDatabase(self.path)
-        target = os.path.join(self.folder, "b.db")
-        with open(target, "w") as file:
-            file.write("something")
-        self.refused(["b.db", "already"], _sqlite.copyDatabase, self.path, target)
-        with open(target) as file:
-            self.assertEqual(file.read(), "something")
-        self.refused(["already"], _sqlite.copyDatabase, self.path, self.path)
-        self.refused(["none"], _sqlite.copyDatabase, self.path, os.path.join(self.folder, "none", "b.db"))
 
 
 if __name__ == "__main__":

@@ -133,6 +133,11 @@ class ThreadsTest(EngineCase):
         told = self.run_engine()[2].splitlines()
         self.assertEqual((len(told), told[-1]), (21, "more pairs cannot be read; the report lists them"))
 
+    def test_faults_of_the_estimation(self):
+        """The reason gets the names of the images."""
+        told = self.run_engine(verify=stand.cannot, threads=1)[2].splitlines()
+        self.assertEqual(told[0], "cannot be read: image1.jpg - image2.jpg: no")
+
     def test_a_mistake_in_a_worker(self):
         path = self.fresh()
         for verify, words in ((stand.fails, "a mistake in image"), (stand.forgets, "other pairs")):

@@ -7,6 +7,7 @@
 
 import contextlib
 import os
+import sqlite3
 import unittest
 
 import numpy as np
@@ -15,6 +16,7 @@ from usac_collection_database import INPUT, SCHEMAS, DatabaseCase, change, dump,
 from usac_common import IN_TREE, once, package
 
 if not IN_TREE:
+    from usacv20.collection import _sqlite
     from usacv20.collection._database_sink import DatabaseSink, lastRun
     from usacv20.collection._pair import Configuration, TwoView
     from usacv20.collection._sqlite import connect
@@ -237,6 +239,37 @@ class RunTest(SinkCase):
         sink.close()
         sink.close()
         self.refused(["closed"], sink.commit, [found(1, 2)])
+
+
+@once
+@package
+class CopyTest(DatabaseCase):
+
+    def test_copy(self):
+        target = os.path.join(self.folder, "b.db")
+        for wal in (True, False):
+            smallDatabase(self.path, wal=wal)
+            with contextlib.closing(sqlite3.connect(self.path)) as other:
+                other.execute("UPDATE images SET name = 'new.jpg' WHERE image_id = 1")
+                other.commit()  # of a database in WAL mode this is in the file beside it
+                _sqlite.copyDatabase(self.path, target)
+                self.assertEqual(dump(target, *INPUT), dump(self.path, *INPUT))
+                self.assertIn("new.jpg", [row[1] for row in dump(target, "images")["images"]])
+            self.assertEqual(rows(target, "PRAGMA journal_mode"), [("wal" if wal else "delete",)])
+            self.assertEqual(sorted(os.listdir(self.folder)), ["a.db", "b.db"])
+            os.remove(self.path)
+            os.remove(target)
+
+    def test_refused(self):
+        smallDatabase(self.path)
+        target = os.path.join(self.folder, "b.db")
+        with open(target, "w") as file:
+            file.write("something")
+        self.refused(["b.db", "already"], _sqlite.copyDatabase, self.path, target)
+        with open(target) as file:
+            self.assertEqual(file.read(), "something")
+        self.refused(["already"], _sqlite.copyDatabase, self.path, self.path)
+        self.refused(["none"], _sqlite.copyDatabase, self.path, os.path.join(self.folder, "none", "b.db"))
 
 
 if __name__ == "__main__":

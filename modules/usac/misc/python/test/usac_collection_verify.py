@@ -52,6 +52,10 @@ def failsLate(pairs, settings):
     return verify(pairs, settings)
 
 
+def cannot(pairs, settings):
+    return [result._replace(configuration=Configuration.UNDEFINED, reason="no") for result in nothing(pairs, settings)]
+
+
 def forgets(pairs, settings):
     return verify(pairs, settings)[1:]
 
@@ -66,14 +70,10 @@ class Here(DatabaseSource):
     def __getstate__(self):
         return dict(super().__getstate__(), process=self.process)
 
-    def fingerprint(self):
+    def connection(self):
         if os.getpid() != self.process:
             raise CollectionError("there is no such file")
-        return super().fingerprint()
-
-    def load(self, keys):
-        self.fingerprint()
-        return super().load(keys)
+        return super().connection()
 
 
 def main(path, *options):

@@ -12,6 +12,7 @@ import time
 import warnings
 from typing import Any, Callable, Optional, Sequence
 
+from ._optional import need
 from ._pair import CollectionError, Key, Source
 from ._work import Future, Verify, fingerprintOf, processRemotely
 
@@ -32,11 +33,7 @@ class Cluster:
 
     def __init__(self, source: Source, settings: Any, verify: Verify, workers: int, scheduler: str,
                  say: Callable[[str], None]) -> None:
-        try:
-            distributed = importlib.import_module("distributed")
-        except ImportError:
-            raise CollectionError("--workers and --scheduler need Dask "
-                                  "(apt-get install python3-distributed, or python3 -m pip install distributed)") from None
+        distributed = need("distributed", "for --workers and --scheduler")
         if workers and scheduler:
             raise CollectionError("--workers starts processes here, --scheduler uses those that run: one of them, not both")
         self._source, self._settings, self._verify, self._say = source, settings, verify, say
@@ -107,8 +104,8 @@ class Cluster:
 
     def explain(self, error: BaseException) -> BaseException:
         if type(error).__name__ == "KilledWorker":
-            return CollectionError("the workers that were given a certain chunk of pairs died, each of them; is the memory enough? "
-                                   "({})".format(" ".join(str(error).split())))
+            return CollectionError("several workers died of the same chunk of pairs; is the memory enough? ({})".format(
+                " ".join(str(error).split())))
         return error
 
     def close(self) -> None:

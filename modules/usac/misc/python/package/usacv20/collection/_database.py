@@ -7,7 +7,9 @@ there or not."""
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import itertools
 import os
 import sqlite3
 import threading
@@ -40,7 +42,8 @@ class Scores(Protocol):
 
     def of(self, key: int, first: str, second: str, matches: Matches,
            connection: sqlite3.Connection) -> Optional[Array]:
-        """One for each match, None: there are none. `first` and `second` are names of the images."""
+        """One for each match, None: there are none. `first` and `second` are names of the images. CollectionError makes the pair
+        a fault."""
 
 
 class _Image(NamedTuple):
@@ -51,6 +54,7 @@ class _Image(NamedTuple):
     taken: npt.NDArray[np.float32]  # N x 2
     ideal: Optional[Array]  # N x 2; None: there is no distortion
     finite: bool  # all of `taken`
+    seen: Optional[npt.NDArray[np.bool_]]  # N: whether `ideal` is finite; None: all are
     fault: str  # why it cannot be used; empty: it can
 
 
@@ -93,8 +97,8 @@ class DatabaseSource:
     scores -- of the matches, None: not known
     cache -- bytes of keypoints kept in each process
 
-    The first use of a damaged or foreign database raises CollectionError. A single pair that is damaged becomes a Fault. Points
-    of View.points are NaN where Camera.ideal says so."""
+    The first use of a damaged or foreign database raises CollectionError. A single pair that is damaged becomes a Fault. Matches
+    of points that no direction in front of the camera is mapped to (see Camera.ideal) are left out of a Pair."""
 
     def __init__(self, path: str, scores: Optional[Scores] = None, cache: int = CACHE) -> None:
         self.path = os.path.abspath(path)
@@ -136,11 +140,16 @@ class DatabaseSource:
 
     def close(self) -> None:
         """Closes the connections of all threads; none of them may be in use. The next use opens new ones."""
-        opened = self._opened
+        opened = self._opened if self._process == os.getpid() else []
         self._prepare()
         for connection in opened:
             connection.close()
-        tidy(self.path)
+        if opened:
+            tidy(self.path)
+
+    def __del__(self) -> None:
+        with contextlib.suppress(Exception):
+            self.close()
 
     def keys(self) -> Iterator[Key]:
         last = -(1 << 63)
@@ -171,6 +180,9 @@ class DatabaseSource:
                     rows = self.connection().execute("SELECT {0}, {1} FROM {2} ORDER BY {0} {3} LIMIT 4".format(
                         key, values, table, order)).fetchall()
                 digest.update(repr(rows).encode())
+        for first in itertools.islice(self.keys(), 1):  # with the file of the scores, if there is one
+            item = self.load([first])[0]
+            digest.update(repr(item if isinstance(item, Fault) else item.scores is not None and item.scores.tobytes()).encode())
         return digest.hexdigest()
 
     def load(self, keys: Sequence[Key]) -> List[Union[Pair, Fault]]:
@@ -193,13 +205,19 @@ class DatabaseSource:
             scores = self._scores(connection, key, first.name, second.name, matches)
         except _Wrong as wrong:
             return Fault(key, "{} - {}: {}".format(first.name, second.name, wrong))
+        seen = _seen(matches, first, second)
+        if seen is not None:
+            matches, scores = matches[seen], None if scores is None else scores[seen]
         views = [_view(image, matches[:, side]) for side, image in enumerate((first, second))]
         return Pair(key, views[0], views[1], matches, scores, self.scores is None or self.scores.higherIsBetter)
 
     def _scores(self, connection: sqlite3.Connection, key: int, first: str, second: str, matches: Matches) -> Optional[Array]:
         if self.scores is None:
             return None
-        found = self.scores.of(key, first, second, matches, connection)
+        try:
+            found = self.scores.of(key, first, second, matches, connection)
+        except CollectionError as error:
+            raise _Wrong(str(error)) from error
         if found is not None and found.shape != (len(matches),):
             raise _Wrong("{} scores of {} matches".format(len(found), len(matches)))
         return found
@@ -216,16 +234,17 @@ def _readImage(connection: sqlite3.Connection, number: int) -> _Image:
     none = np.empty((0, 2), np.float32)
     rows = connection.execute("SELECT name, camera_id FROM images WHERE image_id = ?", (number,)).fetchall()
     if not rows:
-        return _Image("image {}".format(number), None, none, None, True, "image {} is not in the table images".format(number))
-    name, cameraNumber = rows[0]
-    name = str(name)
+        name = "image {}".format(number)
+        return _Image(name, None, none, None, True, None, name + " is not in the table images")
+    name, cameraNumber = str(rows[0][0]), rows[0][1]
     try:
         camera = _readCamera(connection, name, cameraNumber)
         taken = _readKeypoints(connection, name, number)
     except _Wrong as wrong:
-        return _Image(name, None, none, None, True, str(wrong))
-    return _Image(name, camera, taken, camera.ideal(taken) if camera.distorted else None,
-                  bool(np.isfinite(taken).all()), "")
+        return _Image(name, None, none, None, True, None, str(wrong))
+    ideal = camera.ideal(taken) if camera.distorted else None
+    seen = None if ideal is None else np.isfinite(ideal).all(axis=1)
+    return _Image(name, camera, taken, ideal, bool(np.isfinite(taken).all()), None if seen is None or seen.all() else seen, "")
 
 
 def _readCamera(connection: sqlite3.Connection, name: str, number: Any) -> Camera:
@@ -277,6 +296,16 @@ def _check(matches: Matches, side: int, image: _Image) -> None:
         match = int(np.argmax(wrong))
         x, y = image.taken[numbers[match]]
         raise _Wrong("match {}: keypoint {} of {} is at ({:g}, {:g})".format(match, numbers[match], image.name, x, y))
+
+
+def _seen(matches: Matches, first: _Image, second: _Image) -> Optional[npt.NDArray[np.bool_]]:
+    """Which matches have a direction in both cameras; None: all."""
+    result: Optional[npt.NDArray[np.bool_]] = None
+    for side, image in enumerate((first, second)):
+        if image.seen is not None:
+            found = image.seen[matches[:, side]]
+            result = found if result is None else result & found
+    return None if result is None or result.all() else result
 
 
 def _view(image: _Image, numbers: npt.NDArray[np.uint32]) -> View:

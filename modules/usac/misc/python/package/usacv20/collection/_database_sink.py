@@ -57,7 +57,8 @@ class DatabaseSink:
         try:
             checkInput(self._connection, self.path)
             with explained(self.path):
-                if self._connection.execute("PRAGMA journal_mode").fetchone()[0] == "wal":
+                self._wal = self._connection.execute("PRAGMA journal_mode").fetchone()[0] == "wal"
+                if self._wal:
                     # A commit survives the death of the process, and the database that of the machine.
                     self._connection.execute("PRAGMA synchronous = NORMAL")
                 self._matrices = self._checkTable()
@@ -96,6 +97,8 @@ class DatabaseSink:
         try:
             with explained(self.path):
                 self._transaction(lambda: self._finish(FINISHED if finished else INTERRUPTED))
+                if self._wal:  # all is in the one file then, even if other programs keep it open
+                    self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
         finally:
             self._connection.close()
 
@@ -156,8 +159,8 @@ class DatabaseSink:
             "INSERT OR REPLACE INTO two_view_geometries ({}) VALUES ({})".format(", ".join(names), ", ".join("?" * len(names))),
             (self._row(result) for result in results if result.configuration != Configuration.UNDEFINED))
         self._connection.executemany(
-            "INSERT OR REPLACE INTO {} (pair_id, run_id, configuration, reason, matches, inliers, iterations, chance, milliseconds) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
+            "INSERT OR REPLACE INTO {} (pair_id, run_id, configuration, reason, matches, inliers, iterations, chance, "
+            "milliseconds) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
             ((result.key, self._run, int(result.configuration), result.reason, int(result.matches), len(result.inliers),
               int(result.iterations), float(result.chance), float(result.milliseconds)) for result in results))
         self._connection.execute("UPDATE {} SET state = ?, updated = ? WHERE run_id = ?".format(RUNS),

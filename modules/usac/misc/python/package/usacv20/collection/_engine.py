@@ -212,6 +212,7 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
                 made.close()
     finally:
         bar.close()
+        _close(source)  # a reader keeps the sink from removing the files of SQLite beside the database
     return state.summary
 
 
@@ -234,3 +235,10 @@ def _cores() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
+
+
+def _close(source: Source) -> None:
+    """Closes the files of a source that has some; it opens them again when it is used again."""
+    close = getattr(source, "close", None)
+    if close is not None:
+        close()

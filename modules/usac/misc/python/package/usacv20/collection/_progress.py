@@ -6,10 +6,10 @@
 
 from __future__ import annotations
 
-import importlib
 import sys
 from typing import Any, Optional
 
+from ._optional import need
 from ._pair import CollectionError
 
 _LINES = 20  # of faults that are shown; a table of the report has all
@@ -27,10 +27,10 @@ class Progress:
         if wanted is False or wanted is None and not sys.stderr.isatty():
             return
         try:
-            tqdm = importlib.import_module("tqdm")
-        except ImportError:
+            tqdm = need("tqdm", "for a progress bar")
+        except CollectionError:
             if wanted:
-                raise CollectionError("a progress bar needs tqdm (python3 -m pip install tqdm)") from None
+                raise
             return
         self._bar = tqdm.tqdm(total=total, unit=" pairs", file=sys.stderr, dynamic_ncols=True, smoothing=0.05)
 

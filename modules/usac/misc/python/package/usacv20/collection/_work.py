@@ -73,9 +73,16 @@ def finish(items: Sequence[Union[Pair, Fault]], verify: Verify, settings: Any, r
     found = verify(pairs, settings) if pairs else []
     if [result.key for result in found] != [pair.key for pair in pairs]:
         raise RuntimeError("results are of other pairs than were given")
-    results = iter(found)
+    results = (_named(result, pair) for result, pair in zip(found, pairs))
     return Outcome([next(results) if isinstance(item, Pair) else faulty(item) for item in items], reading,
                    time.perf_counter() - start)
+
+
+def _named(result: TwoView, pair: Pair) -> TwoView:
+    """The reason of a fault is of use only with the names of the images."""
+    if result.configuration != Configuration.UNDEFINED:
+        return result
+    return result._replace(reason="{} - {}: {}".format(pair.first.name, pair.second.name, result.reason))
 
 
 _kept: Dict[str, Source] = {}
