@@ -14,7 +14,7 @@ from unittest import mock
 
 import numpy as np
 
-from usac_collection_database import (INPUT, OPENCV, SCHEMAS, DatabaseCase, change, dump, flat, pairId, rows, same, smallDatabase)
+from usac_collection_database import (OPENCV, SCHEMAS, DatabaseCase, change, flat, pairId, rows, same, smallDatabase)
 from usac_common import IN_TREE, once, package
 
 if not IN_TREE:

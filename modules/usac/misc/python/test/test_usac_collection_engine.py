@@ -7,8 +7,10 @@
 run is stopped, killed or loses a worker in the middle."""
 
 import contextlib
+import importlib.util
 import io
 import os
+import pickle
 import shutil
 import signal
 import subprocess
@@ -22,7 +24,7 @@ from usac_common import IN_TREE, once, package
 
 if not IN_TREE:
     import usac_collection_verify as stand
-    from usacv20.collection import _dask, _engine, _progress
+    from usacv20.collection import _dask, _engine, _progress, _work
     from usacv20.collection._database import DatabaseSource
     from usacv20.collection._database_sink import DatabaseSink
     from usacv20.collection._pair import CollectionError
@@ -190,9 +192,7 @@ class ThreadsTest(EngineCase):
 class ProgressTest(EngineCase):
 
     def test_bar(self):
-        try:
-            import tqdm  # noqa: F401
-        except ImportError:
+        if importlib.util.find_spec("tqdm") is None:
             self.skipTest("tqdm was not found")
         change(self.path, "UPDATE matches SET rows = 5 WHERE pair_id = ?", pairId(1, 2))
         summary, _, told = self.run_engine(progress=True)
@@ -200,6 +200,12 @@ class ProgressTest(EngineCase):
         self.assertIn("pairs/s", told)
         self.assertIn("cannot be read: image1.jpg - image2.jpg", told)
         self.assertNotIn("pairs/s", self.run_engine(progress=None)[2])  # this is no terminal
+        path = self.fresh()
+        self.run_engine(path)
+        change(path, "DELETE FROM two_view_geometries WHERE pair_id >= ?", pairId(18, 19))
+        summary, _, told = self.run_engine(path, resume=True, progress=True)
+        self.assertEqual((summary.pairs, summary.skipped), (3, PAIRS - 3))
+        self.assertIn("{0}/{0}".format(PAIRS), told)
 
     def test_no_tqdm(self):
         with mock.patch.dict(sys.modules, tqdm=None):
@@ -328,6 +334,20 @@ class DaskTest(ProcessCase):
         self.assertEqual((code, error), (130, ""))
         self.assertIn("interrupted", out)
         self.resumed(path)
+
+    def test_workers_that_differ(self):
+        """One that came later and sees other files; a chunk that no worker survives."""
+        source = self.source(self.fresh())
+        packed, keys = pickle.dumps(source), list(source.keys())
+        for fingerprint in (source.fingerprint(), "another"):
+            with contextlib.ExitStack() as stack:
+                if fingerprint == "another":
+                    stack.enter_context(self.assertRaisesRegex(CollectionError, "other files"))
+                    _work._checked.clear()
+                found = _work.processRemotely(packed, fingerprint, keys, None, 0, stand.verify, {})
+                self.assertEqual([result.key for result in found.results], keys)
+        killed = type("KilledWorker", (Exception,), {})("task 5")
+        self.assertRegex(str(_dask.Cluster.explain(None, killed)), "several workers died.*task 5")
 
     def test_mistakes_of_the_call(self):
         with self.assertRaisesRegex(CollectionError, "not both"):
