@@ -66,7 +66,8 @@ class SourceTest(DatabaseCase):
         camera = Camera.fromColmap(*rows(self.path, "SELECT * FROM cameras")[0])
         left = 0
         for old, new in zip(before, self.load(scores=Column())):
-            seen = np.isfinite(camera.ideal(old.first.taken)).all(axis=1) & np.isfinite(camera.ideal(old.second.taken)).all(axis=1)
+            ideal = np.hstack([camera.ideal(old.first.taken), camera.ideal(old.second.taken)])
+            seen = np.isfinite(ideal).all(axis=1)
             left += np.count_nonzero(~seen)
             for name in ("matches", "scores"):
                 np.testing.assert_array_equal(getattr(new, name), getattr(old, name)[seen])
@@ -92,6 +93,13 @@ class SourceTest(DatabaseCase):
         self.assertEqual(len(source._cache._images), 3)
         self.assertLessEqual(source._cache._bytes, limit)
         self.assertTrue(same(source.load(keys[::-1]), self.load()[::-1]))
+        for other in range(2, 7):  # the image of all these pairs stays
+            source.load([pairId(1, other)])
+            self.assertIn(1, source._cache._images)
+            self.assertIn(other, source._cache._images)
+        first = source._cache.get(1)
+        source.load([pairId(1, 2), pairId(1, 3), pairId(1, 4)])
+        self.assertIs(source._cache.get(1), first)
 
     def test_pickled(self):
         smallDatabase(self.path)
@@ -332,7 +340,9 @@ class WholeTest(DatabaseCase):
                 with contextlib.suppress(FileNotFoundError):
                     os.remove(self.path)
                 smallDatabase(self.path, wal=wal)
-                expected = flat(self.load())
+                with contextlib.closing(DatabaseSource(self.path)) as source:
+                    expected = flat(source.load(list(source.keys())))
+                self.assertEqual(os.listdir(self.folder), ["a.db"])
                 os.chmod(self.path, mode)
                 os.chmod(self.folder, 0o555)
                 try:

@@ -105,8 +105,8 @@ class RowTest(SinkCase):
         sink = self.sink()
         self.assertIsNone(lastRun(sink._connection))
         sink.commit([found(1, 2), refused(2, 3)])
-        self.assertEqual(rows(self.path, "SELECT pair_id, configuration, reason, matches, inliers, iterations, chance, milliseconds "
-                                         "FROM usacv20_pairs ORDER BY pair_id"),
+        self.assertEqual(rows(self.path, "SELECT pair_id, configuration, reason, matches, inliers, iterations, chance, "
+                                         "milliseconds FROM usacv20_pairs ORDER BY pair_id"),
                          [(pairId(1, 2), 2, "", 50, 30, 123, 1e-9, 0.25),
                           (pairId(2, 3), 1, "too few inliers", 50, 0, 123, 1e-9, 0.25)])
         last = lastRun(sink._connection)

@@ -81,7 +81,6 @@ def main(path, *options):
     source, sink = DatabaseSource(path), DatabaseSink(path, {})
     summary = run(source, sink, {"sleep": 0.02}, sys.modules["usac_collection_verify"].verify, threads=2, chunk=5,
                   workers=2 * ("workers" in options))
-    source.close()
     sink.close(finished=not summary.interrupted)
     print(summary.line())
     return 130 if summary.interrupted else 0

@@ -75,13 +75,13 @@ class DatabaseSink:
         return self._resumed
 
     def done(self, key: Key) -> bool:
-        """Faults are not: the database may have been repaired meanwhile."""
+        """Faults, which have no row, are not: the database may have been repaired meanwhile."""
         if not self._resumed:
             return False
         with explained(self.path):
             return bool(self._connection.execute(
-                "SELECT 1 FROM {} AS own JOIN two_view_geometries AS geometry USING (pair_id) WHERE pair_id = ? AND "
-                "configuration != {:d}".format(PAIRS, Configuration.UNDEFINED), (int(key),)).fetchall())
+                "SELECT 1 FROM {} JOIN two_view_geometries USING (pair_id) WHERE pair_id = ?".format(PAIRS),
+                (int(key),)).fetchall())
 
     def commit(self, results: Sequence[TwoView]) -> None:
         if self._closed:
