@@ -344,6 +344,8 @@ class MistakesTest(Reports):
     def test_files(self):
         self.assertMistake("no such file", self.path("none.db"))
         self.assertMistake("not a database", self.write("text.db", "text " * 100))
+        np.savez(self.path("a.npz"), a=[1])
+        self.assertMistake("not in NPZ or HDF5", self.path("a.npz"))
         smallDatabase(self.path("a.db"))
         self.assertMistake("no pair has been verified", self.path("a.db"))
         change(self.path("a.db"), "DROP TABLE two_view_geometries")
