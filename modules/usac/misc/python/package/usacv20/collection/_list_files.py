@@ -132,8 +132,16 @@ def _scores(get: Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optional
     return None, True
 
 
-def pairOfArrays(key: Key, get: Get, names: Tuple[str, str]) -> Pair:
-    """The pair of an NPZ file or of a group. `names` are those of the images. Raises CollectionError."""
+def pairOfArrays(key: Key, read: Get, names: Tuple[str, str]) -> Pair:
+    """The pair of an NPZ file or of a group; read: is called once for a name. `names` are those of the images. Raises
+    CollectionError."""
+    known: Dict[str, Optional[Array]] = {}
+
+    def get(name: str) -> Optional[Array]:
+        if name not in known:
+            known[name] = read(name)
+        return known[name]
+
     found = next((n for n in POINTS if get(n[0]) is not None and get(n[1]) is not None), None)
     if found is None:
         half = next((n for both in POINTS for n in both if get(n) is not None), None)

@@ -8,6 +8,7 @@ database of the command `pairs`."""
 from __future__ import annotations
 
 import json
+import os
 import re
 import sqlite3
 from typing import TYPE_CHECKING, Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
@@ -76,6 +77,12 @@ class Results:
 
     def __init__(self, path: str) -> None:
         self.path = path
+        if os.path.isfile(path):
+            with open(path, "rb") as file:
+                start = file.read(4)
+            if start in (b"PK\3\4", b"\x89HDF"):
+                raise CollectionError("{}: the report is made of databases; of results of `pairs` in SQLite files, not in NPZ or "
+                                      "HDF5 files".format(path))
         self._connection = connect(path)
         try:
             with explained(path):
