@@ -23,8 +23,8 @@ set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "USACv20 robust estimation for OpenCV, l
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libopencv-usac-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libopencv-core-dev, libopencv-calib3d-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS  # OpenCV's CMake package and pkg-config file are in libopencv-dev only
+  "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libopencv-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "USACv20 robust estimation for OpenCV, development files
  Headers, the CMake package opencv_usac and the pkg-config file.")
 
