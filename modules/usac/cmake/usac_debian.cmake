@@ -36,6 +36,8 @@ if(BUILD_PYTHON)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), python3-numpy,\
  python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_LIST_DIR}/debian/postinst" "${CMAKE_CURRENT_LIST_DIR}/debian/prerm")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "USACv20 robust estimation for OpenCV, Python package
  usacv20.findHomography and its kin, beside any cv2 or without.")
 endif()
