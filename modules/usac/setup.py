@@ -101,6 +101,7 @@ class Native(build_ext):
 remove_later(EGG_INFO)
 setup(
     version=version(),
+    license="Apache-2.0",
     ext_modules=[Extension("usacv20._native", sources=[])],
     cmdclass={"build_ext": Native, "sdist": Sources},
     options={"build": {"build_base": temporary()}},

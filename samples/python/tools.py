@@ -146,7 +146,7 @@ def _place(point: Any) -> Tuple[int, ...]:
 
 
 def _some_inliers(mask: Array, count: int) -> List[int]:
-    inliers = list(np.flatnonzero(mask))
+    inliers = [int(i) for i in np.flatnonzero(mask)]
     random.Random(1).shuffle(inliers)
     return inliers[:count]
 

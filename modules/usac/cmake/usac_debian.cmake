@@ -23,8 +23,8 @@ set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "USACv20 robust estimation for OpenCV, l
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libopencv-usac-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libopencv-core-dev, libopencv-calib3d-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS  # OpenCV's CMake package and pkg-config file are in libopencv-dev only
+  "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libopencv-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "USACv20 robust estimation for OpenCV, development files
  Headers, the CMake package opencv_usac and the pkg-config file.")
 
@@ -36,6 +36,8 @@ if(BUILD_PYTHON)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), python3-numpy,\
  python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_LIST_DIR}/debian/postinst" "${CMAKE_CURRENT_LIST_DIR}/debian/prerm")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "USACv20 robust estimation for OpenCV, Python package
  usacv20.findHomography and its kin, beside any cv2 or without.")
 endif()

@@ -203,3 +203,4 @@ class Usac:
 
 for _class in (Correspondences, Sampler, Score, Components, Usac):
     _class.__module__ = __name__.rpartition(".")[0]
+del _class

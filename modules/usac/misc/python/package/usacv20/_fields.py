@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import enum
 import typing
-from typing import TYPE_CHECKING, Any, Optional, Type, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Optional, Type, overload
 
 import numpy as np
 
@@ -20,10 +20,10 @@ from . import _arguments
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-Read = TypeVar("Read")
-Enumeration = TypeVar("Enumeration", bound=enum.IntEnum)
-Flags = TypeVar("Flags", bound=enum.IntFlag)
-Self = TypeVar("Self")
+Read = typing.TypeVar("Read")
+Enumeration = typing.TypeVar("Enumeration", bound=enum.IntEnum)
+Flags = typing.TypeVar("Flags", bound=enum.IntFlag)
+Self = typing.TypeVar("Self")
 
 
 class Field(typing.Generic[Read]):

@@ -148,8 +148,9 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     if isOptions("findFundamentalMat", _FUNDAMENTAL, "method", 2, 2, args, kwargs):
         v = bind("findFundamentalMat", _FUNDAMENTAL_OF_PARAMS, 3, dict(mask=None), args, kwargs)
     else:
-        if len(args) == 6 and isinstance(args[5], np.ndarray) and args[5].ndim > 0:  # OpenCV has this form, too
-            args, kwargs = args[:5], dict(kwargs, mask=args[5])
+        last = args[5] if len(args) == 6 else None
+        if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV has this form, too
+            args, kwargs = args[:5], dict(kwargs, mask=last)
         v = bind("findFundamentalMat", _FUNDAMENTAL, 2, _FUNDAMENTAL_DEFAULTS, args, kwargs)
         if isinstance(v["method"], Params):
             refuseBesideParams("findFundamentalMat", v, _FUNDAMENTAL_DEFAULTS, ("ransacReprojThreshold", "confidence", "maxIters"))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import enum
 import typing
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Type, TypeVar
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Type
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from ._fields import Field, Integer, Numbers, Option, Real, Scores, Set
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-P = TypeVar("P", bound="Params")
+P = typing.TypeVar("P", bound="Params")
 
 
 def _restored(type_: Type[P], values: Dict[str, Any]) -> P:
