@@ -301,7 +301,11 @@ class SourceTest(Files):
         self.corr("a", 4)
         source = self.source(self.folder)
         source.load(["a"])
-        copy = pickle.loads(pickle.dumps(source))
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(os.path.dirname(self.folder))
+        copy = pickle.loads(pickle.dumps(self.source(os.path.basename(self.folder))))
+        os.chdir(before)
         self.check(copy.load(["a"])[0], 4)
         with multiprocessing.get_context("fork").Pool(1) as pool:
             self.assertEqual(pool.apply(copy.fingerprint), source.fingerprint())

@@ -260,7 +260,9 @@ class ListSource:
     CollectionError if there is none, or if it has no pairs."""
 
     def __init__(self, path: str, features: Optional[str] = None) -> None:
-        self._path, self._features = path, features
+        # Workers may run in another folder.
+        self._path = os.path.abspath(path)
+        self._features = None if features is None else os.path.abspath(features)
         self._opened: Optional[Tuple[int, Container]] = None
         self._count = sum(1 for _ in self.keys())
         if not self._count:
@@ -310,12 +312,11 @@ class ListSource:
     def fingerprint(self) -> str:
         """Of the names, sizes and times of all files."""
         digest = hashlib.sha256()
-        base = os.path.abspath(self._path)
         for file in self._container().files():
             try:
                 stat = os.stat(file)
                 state = "{} {}".format(stat.st_size, stat.st_mtime_ns)
             except OSError:
                 state = "missing"
-            digest.update("{}\0{}\n".format(os.path.relpath(file, base), state).encode("utf-8", "surrogateescape"))
+            digest.update("{}\0{}\n".format(os.path.relpath(file, self._path), state).encode("utf-8", "surrogateescape"))
         return digest.hexdigest()
