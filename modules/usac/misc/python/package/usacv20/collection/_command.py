@@ -113,6 +113,9 @@ def _parser() -> argparse.ArgumentParser:
     report.add_argument("database", metavar="DATABASE", help="a database after verify, or the results of pairs")
     report.add_argument("--pictures", metavar="FOLDER",
                         help="write the histograms and the matrix of the pairs as PNG (matplotlib)")
+    report.add_argument("--json", metavar="FILE", help="write the numbers of the report")
+    report.add_argument("--csv", metavar="FILE", help="write a line for each pair")
+    report.add_argument("--most", type=_count, default=5, metavar="N", help="pairs of a kind worth a look (default %(default)s)")
     report.set_defaults(function=_report)
     return parser
 
@@ -179,7 +182,7 @@ def _pairs(options: argparse.Namespace) -> int:
 
 def _report(options: argparse.Namespace) -> int:
     from ._report import report
-    return report(options.database, options.pictures)
+    return report(options.database, options.pictures, options.json, options.csv, options.most)
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:

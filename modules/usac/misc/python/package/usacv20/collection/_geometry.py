@@ -76,6 +76,7 @@ class _Work:
         self.models: Dict[str, _Model] = {}
         self.iterations = 0
         self.milliseconds = 0.0
+        self.chance = 1.0  # of the best model that was refused
         self.reason = ""
         self.mistake = ""
 
@@ -102,6 +103,7 @@ class _Work:
         elif among is None:
             why = _why(report) if model is None else "{} inliers, {} are needed".format(model.inliers, minInliers)
             self.reason = self.reason or "{}: {}".format(name, why)
+            self.chance = min(self.chance, report.chance)
 
 
 def _why(report: Report) -> str:
@@ -228,7 +230,7 @@ def _refused(work: _Work, settings: Settings) -> TwoView:
     reason = work.mistake or (work.reason if count >= needed else "{} matches, {} are needed".format(count, needed))
     configuration = Configuration.UNDEFINED if work.mistake else Configuration.DEGENERATE
     return TwoView(work.pair.key, configuration, np.empty((0, 2), np.uint32), None, None, None, None, None, reason, count,
-                   work.iterations, 1.0, work.milliseconds)
+                   work.iterations, work.chance, work.milliseconds)
 
 
 def _views(pair: Pair, mask: Mask) -> Tuple[Array, Array]:
