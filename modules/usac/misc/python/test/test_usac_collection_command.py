@@ -1,0 +1,216 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The command line of the collection tool from end to end, and the scores of matches."""
+
+import contextlib
+import io
+import os
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+from test_usac_collection_geometry import K, Scene
+from usac_collection_database import PINHOLE, pairId, writeDatabase
+from usac_common import once, package
+
+try:
+    from usacv20.collection._command import main
+except ImportError:  # in-tree
+    pass
+try:
+    import h5py
+except ImportError:
+    h5py = None
+
+NAMES = {1: "day/a.jpg", 2: "day/b.jpg", 3: "night/c.jpg", 4: "d.jpg"}
+WRONG = 0.96  # of the matches: nothing is found in a few samples without scores
+
+
+def scenes(wrong):
+    """A pair of images each, with keypoints of their own."""
+    return {(1, 2): Scene(7, wrong=wrong, count=2500), (3, 4): Scene(8, wrong=wrong, count=2500)}
+
+
+def collection(path, wrong=WRONG):
+    keypoints, matches, right = {}, {}, {}
+    for pair, scene in scenes(wrong).items():
+        for image, view, side in zip(pair, (scene.pair.first, scene.pair.second), (0, 1)):
+            keypoints[image] = np.empty((len(view.points), 2), np.float32)
+            keypoints[image][scene.matches[:, side]] = view.points
+        matches[pair], right[pair] = scene.matches, scene.right
+    cameras = {1: (PINHOLE, 1000, 800, [K[0, 0], K[1, 1], K[0, 2], K[1, 2]], True)}
+    writeDatabase(path, cameras, {image: (name, 1) for image, name in NAMES.items()}, keypoints, matches)
+    return matches, right
+
+
+def content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def scoresOf(right):
+    return np.where(right, 0.9, 0.1) + np.random.RandomState(1).uniform(-.05, .05, len(right))
+
+
+@once
+@package
+class CommandTest(unittest.TestCase):
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.path = self.file("scene.db")
+
+    def file(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_main(self, *arguments):
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = main(list(arguments))
+        return code, out.getvalue(), err.getvalue()
+
+    def verify(self, *more):
+        return self.run_main("verify", self.path, "--threshold", "2", "--max-iterations", "20", "--threads", "1", *more)
+
+    def configurations(self, path=None):
+        with contextlib.closing(sqlite3.connect(path or self.path)) as connection:
+            return dict(connection.execute("SELECT pair_id, config FROM two_view_geometries"))
+
+    def found(self, expected):
+        self.assertEqual(self.configurations(), {pairId(1, 2): expected, pairId(3, 4): expected})
+
+    def test_whole_run(self):
+        collection(self.path, wrong=0.4)
+        copy, json = self.file("copy.db"), self.file("report.json")
+        before = content(self.path)
+        code, out, err = self.run_main("verify", self.path, "--output", copy)
+        self.assertEqual((code, err), (0, ""))
+        self.assertRegex(out, r"^threshold: [0-9.]+ px.*\n2 pairs in .*: 2 verified, 0 refused\nseconds of all workers: ")
+        self.assertEqual(content(self.path), before)
+        self.assertEqual(set(self.configurations(copy).values()), {2})
+        code, out, err = self.run_main("verify", self.path, "--output", copy)
+        self.assertEqual(code, 2)
+        self.assertIn(copy, err)
+        code, out, err = self.run_main("verify", self.path, "--output", copy, "--resume")
+        self.assertEqual((code, err), (0, ""))
+        self.assertIn("2 were done before", out)
+        code, out, err = self.run_main("report", copy, "--json", json)
+        self.assertEqual((code, err, os.path.exists(json)), (0, "", True))
+        self.assertIn("CALIBRATED", out)
+
+    def test_a_process(self):
+        collection(self.path, wrong=0.4)
+        run = subprocess.run([sys.executable, "-m", "usacv20.collection", "verify", self.path, "--threshold", "2"],
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.found(2)
+
+    def test_without_scores(self):
+        collection(self.path)
+        self.assertEqual(self.verify()[0], 0)
+        self.found(1)
+
+    def test_scores_of_a_column(self):
+        matches, right = collection(self.path)
+        for dtype, better in ((np.float32, "higher"), (np.float64, "lower")):
+            with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+                connection.execute("ALTER TABLE matches ADD COLUMN {}_scores BLOB".format(better))
+                for pair, marked in right.items():
+                    connection.execute("UPDATE matches SET {}_scores = ? WHERE pair_id = ?".format(better), (
+                        scoresOf(marked == (better == "higher")).astype(dtype).tobytes(), pairId(*pair)))
+            options = ["--lower-is-better"] if better == "lower" else []
+            self.assertEqual(self.verify("--scores-column", better + "_scores", *options)[0], 0)
+            self.found(2)
+        self.assertEqual(self.verify("--scores-column", "lower_scores")[0], 0)
+        self.found(1)
+
+    def test_mistakes_of_a_column(self):
+        collection(self.path)
+        code, _, err = self.verify("--scores-column", "nothing")
+        self.assertEqual(code, 2)
+        self.assertIn("nothing", err)
+        with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+            connection.execute("ALTER TABLE matches ADD COLUMN scores BLOB")
+            connection.execute("UPDATE matches SET scores = ? WHERE pair_id = ?", (b"12345", pairId(1, 2)))
+        code, _, err = self.verify("--scores-column", "scores")
+        self.assertEqual(code, 1)
+        self.assertRegex(err, "day/a.jpg.*day/b.jpg.*column scores has 5 bytes, not 4 or 8 for each of 2500 matches")
+        self.assertRegex(err, "night/c.jpg.*d.jpg.*column scores has 0 bytes")
+
+    def hloc(self, matches, right, joint="/", swapped=False):
+        path = self.file("matches.h5")
+        with h5py.File(path, "w") as file:
+            for pair, rows in matches.items():
+                first, second = (NAMES[image].replace("/", "-") for image in (pair[::-1] if swapped else pair))
+                a, b = rows.T[::-1] if swapped else rows.T
+                partners, scores = np.full(2600, -1, np.int32), np.zeros(2600, np.float16)
+                partners[a], scores[a] = b, scoresOf(right[pair])
+                group = file.create_group(first + joint + second)
+                group["matches0"], group["matching_scores0"] = partners, scores
+        return path
+
+    @unittest.skipIf(h5py is None, "h5py was not found")
+    def test_scores_of_hloc(self):
+        matches, right = collection(self.path)
+        for joint, swapped in (("/", False), ("_", False), ("/", True)):
+            code, _, err = self.verify("--scores", self.hloc(matches, right, joint, swapped))
+            self.assertEqual((code, err), (0, ""))
+            self.found(2)
+
+    @unittest.skipIf(h5py is None, "h5py was not found")
+    def test_mistakes_of_hloc(self):
+        matches, right = collection(self.path)
+        path = self.hloc({(1, 2): matches[1, 2]}, right)
+        code, _, err = self.verify("--scores", path)
+        self.assertEqual(code, 1)
+        self.assertRegex(err, "night/c.jpg.*d.jpg.*has no scores of this pair")
+        other = {pair: np.c_[rows[:, 0], np.roll(rows[:, 1], 1)] for pair, rows in matches.items()}
+        code, _, err = self.verify("--scores", self.hloc(other, right))
+        self.assertEqual(code, 1)
+        self.assertRegex(err, "has other matches of this pair than the database")
+        for path in (self.file("missing.h5"), self.path):
+            code, _, err = self.verify("--scores", path)
+            self.assertEqual(code, 2)
+            self.assertIn(path, err)
+
+    def test_mistakes(self):
+        collection(self.path)
+        for arguments, said in ((["verify", self.file("missing.db")], "there is no such file"),
+                                (["verify", __file__], "not a database of sqlite"),
+                                (["verify", self.path, "--threshold", "-1"], "threshold"),
+                                (["verify", self.path, "--confidence", "2", "--threshold", "2"], "confidence"),
+                                (["verify", self.path, "--chunk", "0", "--threshold", "2"], "chunk"),
+                                (["pairs", self.folder, "--output", self.file("a.parquet")], "parquet"),
+                                (["report", self.file("missing.db")], "missing.db")):
+            code, _, err = self.run_main(*arguments)
+            self.assertEqual((code, err.count("\n")), (2, 1), err)
+            self.assertIn(said, err.lower(), arguments)
+        for arguments in (["verify", self.path, "--threshold", "x"], ["verify"], [], ["verify", self.path, "--threads", "-1"],
+                          ["verify", self.path, "--workers", "2", "--threads", "2"]):
+            with self.assertRaises(SystemExit) as caught:
+                self.run_main(*arguments)
+            self.assertEqual(caught.exception.code, 2)
+
+    def test_pairs(self):
+        for number in range(3):
+            scene = Scene(number, wrong=0.4)
+            np.savez(self.file("{}.npz".format(number)), points1=scene.pair.first.points, points2=scene.pair.second.points, K=K)
+        code, out, err = self.run_main("pairs", self.folder, "--output", self.file("results.npz"), "--threshold", "2")
+        self.assertEqual((code, err), (0, ""))
+        from usacv20.collection import Configuration, readResults
+        found = list(readResults(self.file("results.npz")))
+        self.assertEqual([(pair.key, pair.configuration) for pair in found],
+                         [(str(number), Configuration.CALIBRATED) for number in range(3)])
+
+
+if __name__ == "__main__":
+    unittest.main()
