@@ -172,8 +172,9 @@ def _verify(options: argparse.Namespace) -> int:
 
 
 def _pairs(options: argparse.Namespace) -> int:
-    from ._list_results import openResults
+    from ._list_results import checkExtension, openResults
     from ._lists import ListSource
+    checkExtension(options.output)
     source = ListSource(options.list, options.keypoints)
     settings = _settings(options, source)
     sink = openResults(options.output, source, settings.asDict(), options.resume)

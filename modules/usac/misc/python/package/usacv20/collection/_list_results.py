@@ -187,13 +187,21 @@ class ArraySink:
 def openResults(path: str, source: ListSource, run: Mapping[str, object], resume: bool = False) -> Union[SqliteSink, ArraySink]:
     """The sink of a file by its extension. `run` is what the results depend on beside the pairs themselves, the settings, say;
     --resume goes on with a run of the same. Raises CollectionError."""
-    extension = os.path.splitext(path)[1].lower()
-    if extension in SQLITE:
-        return SqliteSink(path, source, run, resume)
-    if extension in ARRAYS:
-        return ArraySink(path, source, run, resume)
-    fail("{}: results go to files {}{}".format(path, ", ".join(SQLITE + ARRAYS[:-1]) + " or " + ARRAYS[-1],
-                                              "; there is no library for Parquet in Debian" if extension == ".parquet" else ""))
+    checkExtension(path)
+    sink = ArraySink if _extension(path) in ARRAYS else SqliteSink
+    return sink(path, source, run, resume)
+
+
+def _extension(path: str) -> str:
+    return os.path.splitext(path)[1].lower()
+
+
+def checkExtension(path: str) -> None:
+    """Raises CollectionError for a file that is of none of the formats by its name."""
+    if _extension(path) not in SQLITE + ARRAYS:
+        fail("{}: results go to files {} or {}{}".format(
+            path, ", ".join(SQLITE + ARRAYS[:-1]), ARRAYS[-1],
+            "; there is no library for Parquet in Debian" if _extension(path) == ".parquet" else ""))
 
 
 def readResults(path: str) -> Iterator[TwoView]:
