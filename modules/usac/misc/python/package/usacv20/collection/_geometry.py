@@ -256,16 +256,16 @@ def _turn(H: _Model, base: _Model, pair: Pair, settings: Settings) -> Optional[A
 
 def _isWatermark(mask: Mask, pair: Pair, threshold: float) -> bool:
     """A picture's frame, mark or date stays where it is in the image, whatever the camera sees."""
-    inside = np.ones(int(np.count_nonzero(mask)), bool)
+    inside = mask.copy()
+    count = np.count_nonzero(mask)
     for view in (pair.first, pair.second):
         if view.width <= 0 or view.height <= 0:
             return False
-        points = view.taken[mask]
         margin = _BORDER * float(np.hypot(view.width, view.height))
-        far = np.minimum(points, np.array([view.width, view.height]) - points).min(axis=1) > margin
-        inside &= ~far
-    if np.count_nonzero(inside) < _WATERMARK * len(inside):
-        return False
-    motion = (pair.second.taken[mask] - pair.first.taken[mask])[inside]
+        x, y = view.taken[:, 0], view.taken[:, 1]
+        inside &= (x < margin) | (y < margin) | (x > view.width - margin) | (y > view.height - margin)
+        if np.count_nonzero(inside) < _WATERMARK * count:
+            return False
+    motion = pair.second.taken[inside] - pair.first.taken[inside]
     same = np.linalg.norm(motion - np.median(motion, axis=0), axis=1) <= threshold
-    return bool(np.count_nonzero(same) >= _WATERMARK * len(inside))
+    return bool(np.count_nonzero(same) >= _WATERMARK * count)

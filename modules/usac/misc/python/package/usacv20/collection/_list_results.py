@@ -188,8 +188,9 @@ def openResults(path: str, source: ListSource, run: Mapping[str, object], resume
     """The sink of a file by its extension. `run` is what the results depend on beside the pairs themselves, the settings, say;
     --resume goes on with a run of the same. Raises CollectionError."""
     checkExtension(path)
-    sink = ArraySink if _extension(path) in ARRAYS else SqliteSink
-    return sink(path, source, run, resume)
+    if _extension(path) in ARRAYS:
+        return ArraySink(path, source, run, resume)
+    return SqliteSink(path, source, run, resume)
 
 
 def _extension(path: str) -> str:
