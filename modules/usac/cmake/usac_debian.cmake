@@ -38,8 +38,10 @@ if(BUILD_PYTHON)
  python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     "${CMAKE_CURRENT_LIST_DIR}/debian/postinst" "${CMAKE_CURRENT_LIST_DIR}/debian/prerm")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "colmap, python3-distributed, python3-h5py, python3-matplotlib, python3-tqdm")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "USACv20 robust estimation for OpenCV, Python package
- usacv20.findHomography and its kin, beside any cv2 or without.")
+ usacv20.findHomography and its kin, beside any cv2 or without; usacv20-collection
+ for all pairs of a collection of images.")
 endif()
 
 include(CPack)
