@@ -137,7 +137,7 @@ def constants(args):
             elif name:
                 setattr(_threshold, name, type(value)(value * factor))
             few, many = deviation(args), deviation(args, none=0.9)
-            heavy = estimate(noisyPairs(args.seed, args.pairs, heavy=True))[0]
+            heavy = estimate(noisyPairs(args.seed, args.pairs, heavy=0.5))[0]
             printRow(name or "all as they are", "%g" % getattr(_threshold, name) if name else "", "%.3f, %+.3f" % few[:2],
                      "%.3f, %+.3f" % many[:2], "%.2f" % heavy.threshold if heavy else "none", "%.1f" % few[2])
         if name:

@@ -94,13 +94,13 @@ class NoiseTest(unittest.TestCase):
 
     def test_heavy_tails_count(self):
         """The threshold is a quantile of the errors, not a multiple of the standard deviation of a core."""
-        scenes = noisyPairs(8, 40, none=0, heavy=True, matches=600, size=(6000, 4000))
+        scenes = noisyPairs(8, 40, none=0, heavy=0.8, matches=600, size=(6000, 4000))
         rng = np.random.RandomState(1)
-        factors = np.exp(rng.normal(0, 0.5, (10**6, 2)))  # of both keypoints
+        factors = np.exp(rng.normal(0, 0.8, (10**6, 2)))  # of both keypoints
         true = np.quantile(np.abs(rng.normal(0, 1, 10**6)) * np.sqrt((factors**2).mean(axis=1)), QUANTILE)
         found = estimate(scenes)
-        self.assertLess(abs(found.threshold / true - 1), 0.2)
-        self.assertGreater(found.threshold, 1.05 * IN_SIGMAS)
+        self.assertLess(abs(found.threshold / true - 1), 0.25)
+        self.assertGreater(found.threshold, 1.4 * IN_SIGMAS)
 
     def test_no_noise(self):
         found = estimate(noisyPairs(9, 12, none=0, sigma=0.0, matches=300))

@@ -18,11 +18,11 @@ class NoisyPair(object):
     """A pair and what is true of it.
 
     A quarter of the wrong matches go from one square to another, a quarter follow right ones at an offset (repeated
-    structure), the others go anywhere. `heavy`: the noise differs from match to match, by a factor of 1.6 or more in a third of
-    them."""
+    structure), the others go anywhere. `heavy`: the noise differs from keypoint to keypoint by a log-normal factor with
+    this standard deviation."""
 
     def __init__(self, seed, kind="general", size=(1600, 1200), sigma=1.0, wrong=0.5, known=True, matches=None,
-                 heavy=False):
+                 heavy=0.0):
         self.kind, self.rng = kind, np.random.RandomState(seed)
         self.size, self.sigma, self.heavy = np.array(size, float), sigma, heavy
         focal = 1.2 * max(size)
@@ -69,7 +69,7 @@ class NoisyPair(object):
     def _noisy(self, x):
         noise = self.rng.normal(0, self.sigma, x.shape)
         if self.heavy:
-            noise *= np.exp(self.rng.normal(0, 0.5, (len(x), 1)))
+            noise *= np.exp(self.rng.normal(0, self.heavy, (len(x), 1)))
         return x + noise
 
 
