@@ -17,7 +17,7 @@ Focal lengths (--focal): known: the K of cameras.json, prior_focal_length 1, not
 them, prior_focal_length 0; given: as the database has them.
 
 Columns: CPU seconds of the verification (user and system of the whole process; the runs of both alternate, the median of
---repeats); pairs verified; of the reconstruction (the median of --repeats, each with another seed of the mapper) registered
+--repeats); pairs verified; of the reconstruction (the median of --seeds of the mapper) registered
 images, mean reprojection error in pixels, and the area under the curve of the errors of the relative poses of all pairs of
 images up to 1, 3 and 5 degrees, images that are not registered being wrong; in brackets the range of AUC 1. With --pairs the
 pairs follow whose configurations differ, with what the true cameras say of their inliers (at most --limit pixels from the
@@ -46,6 +46,7 @@ import usac_colmap as uc  # noqa: E402
 Floats = npt.NDArray[np.float64]
 PINHOLE = 1  # COLMAP's number
 CONFIGURATIONS = ("-", "degenerate", "calibrated", "uncalibrated", "planar", "panoramic", "planar or panoramic", "watermark")
+PLANE_OR_TURN = {4, 5, 6}  # COLMAP's matcher tells them apart with an option only
 
 
 class TrueCamera(NamedTuple):
@@ -108,12 +109,12 @@ class Rival(NamedTuple):
                               *self.options, database]).cpuSeconds
 
 
-def reconstruct(database: str, mode: str, cameras: Dict[str, TrueCamera], repeats: int) -> List[List[float]]:
+def reconstruct(database: str, mode: str, cameras: Dict[str, TrueCamera], seeds: int) -> List[List[float]]:
     """Registered images, reprojection error, AUC at 1, 3, 5 degrees; a line for each seed."""
     fixed: Dict[str, Any] = dict(Mapper__ba_refine_focal_length=0, Mapper__ba_refine_extra_params=0) if mode == "known" else {}
     truth = {name: (camera.R, camera.t) for name, camera in cameras.items()}
     lines = []
-    for seed in range(repeats):
+    for seed in range(seeds):
         model, _ = uc.mapper(database, threads=1, random_seed=seed, **fixed)
         errors = uc.relativeErrors(model.poses, truth) if truth else np.array([])
         auc = [uc.areaUnderCurve(errors, limit) if truth else np.nan for limit in (1, 3, 5)]
@@ -134,14 +135,15 @@ def compare(options: argparse.Namespace, source: str, mode: str, cameras: Dict[s
         for rival in rivals:
             times[rival.name].append(rival.verify(databases[rival.name]))
     print("\nfocal lengths {}:".format(mode))
-    print("{:<24}{:>9}{:>8}{:>12}{:>14}{:>10}{:>8}{:>8}{:>9}".format(
-        "", "CPU s", "pairs", "registered", "reprojection", "AUC 1", "AUC 3", "AUC 5", "(range)"))
+    print("{:<24}{:>9}{:>12}{:>8}{:>12}{:>14}{:>10}{:>8}{:>8}{:>9}".format(
+        "", "CPU s", "(range)", "pairs", "registered", "reprojection", "AUC 1", "AUC 3", "AUC 5", "(range)"))
     for rival in rivals:
         kept = sum(len(pair.inliers) > 0 for pair in uc.verified(databases[rival.name]).values())
-        lines = np.array(reconstruct(databases[rival.name], mode, cameras, options.repeats))
+        lines = np.array(reconstruct(databases[rival.name], mode, cameras, options.seeds))
         median, spread = np.median(lines, axis=0), np.ptp(lines, axis=0)
-        print("{:<24}{:9.2f}{:8}{:12.0f}{:14.4f}{:10.4f}{:8.4f}{:8.4f}{:9.4f}".format(
-            rival.name, float(np.median(times[rival.name])), kept, *median.tolist(), float(spread[2])), flush=True)
+        cpu = times[rival.name]
+        print("{:<24}{:9.2f}{:6.2f}{:6.2f}{:8}{:12.0f}{:14.4f}{:10.4f}{:8.4f}{:8.4f}{:9.4f}".format(
+            rival.name, float(np.median(cpu)), min(cpu), max(cpu), kept, *median.tolist(), float(spread[2])), flush=True)
     if options.pairs:
         showPairs(databases[rivals[0].name], databases[rivals[1].name], rivals[0].name, rivals[1].name, cameras, options.limit)
 
@@ -179,7 +181,7 @@ def showPairs(path1: str, path2: str, name1: str, name2: str, cameras: Dict[str,
     for key, rows in matches.items():
         found = [table.get(key) for table in tables]
         configurations = [0 if row is None or not len(row.inliers) else row.configuration for row in found]
-        if configurations[0] != configurations[1]:
+        if configurations[0] != configurations[1] and not set(configurations) <= PLANE_OR_TURN:
             texts = ["{} {} ({})".format(CONFIGURATIONS[configuration], 0 if row is None else len(row.inliers),
                                          "0" if row is None else right(key, row.inliers))
                      for configuration, row in zip(configurations, found)]
@@ -196,7 +198,8 @@ def main() -> int:
     parser.add_argument("--focal", nargs="+", choices=("known", "unknown", "given"), default=["known", "unknown"])
     parser.add_argument("--threshold", nargs="+", default=["4"], help="pixels, or auto; one run for each (default 4, as COLMAP)")
     parser.add_argument("--method", nargs="+", default=["USACV20"], help="presets, one run for each")
-    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--repeats", type=int, default=5, help="verifications (default %(default)s)")
+    parser.add_argument("--seeds", type=int, default=3, help="reconstructions of each (default %(default)s)")
     parser.add_argument("--pairs", action="store_true", help="list the pairs with other configurations")
     parser.add_argument("--limit", type=float, default=4.0, help="pixels")
     options = parser.parse_args()
