@@ -8,7 +8,9 @@ The rules are COLMAP's, with differences that are marked (*).
 
 1. An essential matrix E is estimated where both focal lengths are known, else a fundamental matrix F. With a significant E (see
    Params.significance) of at least `minInliers` inliers F starts from E (*), else it is searched for, too.
-2. A homography H is estimated from the inliers of E, else of F (*). With more than `planarRatio` of them the scene is a plane,
+2. A homography H is estimated from the inliers of E, else of F (*). Its error has two coordinates and the noise of both images,
+   that of E and F one coordinate, so that H's threshold is sqrt(2 5.991 / 3.841) = 1.77 times theirs: as much of the right
+   matches, 0.95, is within it @cite hartley2003multiple (table 4.2) (*). With more than `planarRatio` of them the scene is a plane,
    or the camera has only turned. Where there is neither E nor F, H is estimated from all matches.
 3. CALIBRATED: E has at least `calibrationRatio` of the inliers of F, but for the two matches that F's two degrees of freedom
    more can win from any points, or H has more than `planarRatio` of E's (*): with a plane F can choose an epipole that suits
@@ -26,6 +28,7 @@ of E but for a PANORAMIC pair, which has a rotation only. Of a PLANAR pair it is
 
 from __future__ import annotations
 
+import dataclasses
 from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
@@ -52,6 +55,7 @@ _DEVIATIONS = 3  # of a count: one in a thousand is larger by chance
 _ITERATIONS_FROM_E = 10
 # An H with most of the points is found within 17 samples with a chance of 1 - 10^-4 (0.8^4 of the samples are right).
 _ITERATIONS_IN_INLIERS = 100
+_PLANAR_REACH = (2 * 5.991 / 3.841)**0.5  # of the threshold, see 2.
 # As COLMAP has them: the border as part of the diagonal, and the part of the inliers that make a watermark.
 _BORDER, _WATERMARK = 0.1, 0.7
 
@@ -130,6 +134,8 @@ def _estimate(name: str, works: List[_Work], settings: Settings) -> None:
     amongs: List[Optional[Mask]] = [_among(work) if name == "H" else None for work in works]
     points1 = [_rows(work.pair.first.points, among) for work, among in zip(works, amongs)]
     points2 = [_rows(work.pair.second.points, among) for work, among in zip(works, amongs)]
+    if name == "H":
+        settings = dataclasses.replace(settings, threshold=_PLANAR_REACH * settings.threshold)
     plain: Dict[int, Params] = {}
     params = [_params(name, work, among, settings) or _plain(name, work, settings, plain) for work, among in zip(works, amongs)]
     if name == "E":
@@ -250,7 +256,7 @@ def _turn(H: _Model, base: _Model, pair: Pair, settings: Settings) -> Optional[A
     moved = first @ (pair.second.matrix @ R).T
     with np.errstate(all="ignore"):
         error = np.linalg.norm(moved[:, :2] / moved[:, 2:] - pair.second.points[base.mask], axis=1)
-    right = np.count_nonzero((error <= settings.threshold) & (moved[:, 2] > 0))
+    right = np.count_nonzero((error <= _PLANAR_REACH * settings.threshold) & (moved[:, 2] > 0))
     return R if right > settings.planarRatio * base.inliers else None
 
 
@@ -267,5 +273,5 @@ def _isWatermark(mask: Mask, pair: Pair, threshold: float) -> bool:
         if np.count_nonzero(inside) < _WATERMARK * count:
             return False
     motion = pair.second.taken[inside] - pair.first.taken[inside]
-    same = np.linalg.norm(motion - np.median(motion, axis=0), axis=1) <= threshold
+    same = np.linalg.norm(motion - np.median(motion, axis=0), axis=1) <= _PLANAR_REACH * threshold
     return bool(np.count_nonzero(same) >= _WATERMARK * count)
