@@ -207,11 +207,13 @@ def main() -> int:
         parser.error("--images or --database is needed")
     if "known" in options.focal and options.cameras is None:
         parser.error("--focal known needs --cameras")
+    cameras = readCameras(options.cameras) if options.cameras else {}
     os.makedirs(options.work, exist_ok=True)
     source = options.database or os.path.join(options.work, "matches.db")
+    if options.database is not None and not os.path.exists(source):
+        parser.error("there is no file " + source)
     if not os.path.exists(source):
         makeDatabase(source, options.images)
-    cameras = readCameras(options.cameras) if options.cameras else {}
     rivals = [Rival("COLMAP", ())] + [Rival("{} {}".format(method, threshold), ("--method", method, "--threshold", threshold))
                                       for method in options.method for threshold in options.threshold]
     for mode in options.focal:

@@ -118,10 +118,15 @@ def verified(database: str) -> Dict[int, Verified]:
 
 
 def mapper(database: str, images: Optional[str] = None, threads: int = 1, **options: object) -> Tuple[Model, Usage]:
-    """The largest model that the mapper makes; without a folder of images there are no colors."""
+    """The largest model that the mapper makes, an empty one if it makes none; without a folder of images there are no colors."""
     with tempfile.TemporaryDirectory() as folder:
-        usage = colmap("mapper", database_path=database, image_path=images or folder, output_path=folder,
-                       Mapper__extract_colors=int(images is not None), Mapper__num_threads=threads, **options)
+        try:
+            usage = colmap("mapper", database_path=database, image_path=images or folder, output_path=folder,
+                           Mapper__extract_colors=int(images is not None), Mapper__num_threads=threads, **options)
+        except ColmapError as error:
+            if "failed to create sparse model" not in str(error):
+                raise
+            usage = Usage(str(error), float("nan"))
         models = [readModel(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
     return max(models, key=lambda model: len(model.poses), default=Model({}, 0, 0.0)), usage
 
