@@ -10,7 +10,9 @@ The rules are COLMAP's, with differences that are marked (*).
    Params.significance) of at least `minInliers` inliers F starts from E (*), else it is searched for, too.
 2. A homography H is estimated from the inliers of E, else of F (*). Its error has two coordinates and the noise of both images,
    that of E and F one coordinate, so that H's threshold is sqrt(2 5.991 / 3.841) = 1.77 times theirs: as much of the right
-   matches, 0.95, is within it @cite hartley2003multiple (table 4.2) (*). With more than `planarRatio` of them the scene is a plane,
+   matches, 0.95, is within it @cite hartley2003multiple (table 4.2) (*). From afar to near H magnifies the noise, so it is
+   estimated towards the image with the smaller part of the scene's picture, and its inliers are counted by the Sampson distance,
+   with sqrt(5.991 / 3.841) times the threshold (*). With more than `planarRatio` of them the scene is a plane,
    or the camera has only turned. Where there is neither E nor F, H is estimated from all matches.
 3. CALIBRATED: E has at least `calibrationRatio` of the inliers of F, but for the two matches that F's two degrees of freedom
    more can win from any points, or H has more than `planarRatio` of E's (*): with a plane F can choose an epipole that suits
@@ -55,7 +57,8 @@ _DEVIATIONS = 3  # of a count: one in a thousand is larger by chance
 _ITERATIONS_FROM_E = 10
 # An H with most of the points is found within 17 samples with a chance of 1 - 10^-4 (0.8^4 of the samples are right).
 _ITERATIONS_IN_INLIERS = 100
-_PLANAR_REACH = (2 * 5.991 / 3.841)**0.5  # of the threshold, see 2.
+# Parts of the threshold, see 2.: of an error in one image, of the distance in both.
+_PLANAR_REACH, _PLANAR_DISTANCE = (2 * 5.991 / 3.841)**0.5, (5.991 / 3.841)**0.5
 # As COLMAP has them: the border as part of the diagonal, and the part of the inliers that make a watermark.
 _BORDER, _WATERMARK = 0.1, 0.7
 
@@ -134,6 +137,12 @@ def _estimate(name: str, works: List[_Work], settings: Settings) -> None:
     amongs: List[Optional[Mask]] = [_among(work) if name == "H" else None for work in works]
     points1 = [_rows(work.pair.first.points, among) for work, among in zip(works, amongs)]
     points2 = [_rows(work.pair.second.points, among) for work, among in zip(works, amongs)]
+    # H's error is measured in its second image: there the points are to be the nearer together.
+    back = [among is not None and _area(b) > _area(a) for among, a, b in zip(amongs, points1, points2)]
+    for i, swapped in enumerate(back):
+        if swapped:
+            points1[i], points2[i] = points2[i], points1[i]
+    threshold = settings.threshold
     if name == "H":
         settings = dataclasses.replace(settings, threshold=_PLANAR_REACH * settings.threshold)
     plain: Dict[int, Params] = {}
@@ -144,8 +153,36 @@ def _estimate(name: str, works: List[_Work], settings: Settings) -> None:
     else:
         estimate = estimateFundamentals if name == "F" else estimateHomographies
         results = estimate(points1, points2, params, threads=1, returnExceptions=True)
-    for work, result, among in zip(works, results, amongs):
+    for work, result, among, swapped in zip(works, results, amongs, back):
+        if swapped and not isinstance(result, Exception) and result[0] is not None:
+            result = (np.linalg.inv(result[0]), *result[1:])
         work.take(name, result, settings.minInliers, among)
+        if among is not None and name in work.models:
+            model = work.models[name]
+            error = _mapDistances(model.matrix, work.pair.first.points[among], work.pair.second.points[among])
+            model.mask[among] = error <= _PLANAR_DISTANCE * threshold
+
+
+def _area(points: Array) -> float:
+    """The square of the area that the points cover, up to a factor; some of them tell it."""
+    x, y = (points[:: len(points) // 200 + 1] - points[0]).T
+    n = len(x)
+    xx, xy, yy = (a @ b / n - a.sum() * b.sum() / (n * n) for a, b in ((x, x), (x, y), (y, y)))
+    return float(xx * yy - xy * xy)
+
+
+def _mapDistances(H: Array, first: Array, second: Array) -> Array:
+    """Sampson distances: to first order, of a match to the nearest one that H maps exactly, in both images. Infinite where H
+    takes the point to the other side of the camera than most of the points."""
+    x, y = first[:, 0], first[:, 1]
+    with np.errstate(all="ignore"):
+        w = H[2, 0] * x + H[2, 1] * y + H[2, 2]
+        u, v = (H[0, 0] * x + H[0, 1] * y + H[0, 2]) / w, (H[1, 0] * x + H[1, 1] * y + H[1, 2]) / w
+        ux, uy, vx, vy = ((row[k] - moved * H[2, k]) / w for row, moved in ((H[0], u), (H[1], v)) for k in (0, 1))
+        a, b, c = 1 + ux * ux + uy * uy, ux * vx + uy * vy, 1 + vx * vx + vy * vy  # the covariance of the error
+        eu, ev = second[:, 0] - u, second[:, 1] - v
+        squared = (c * eu * eu - 2 * b * eu * ev + a * ev * ev) / (a * c - b * b)
+        return np.where(w * np.median(w) > 0, np.sqrt(np.maximum(squared, 0)), np.inf)
 
 
 def _among(work: _Work) -> Optional[Mask]:
@@ -252,11 +289,9 @@ def _motion(E: _Model, pair: Pair) -> Tuple[Array, Array]:
 def _turn(H: _Model, base: _Model, pair: Pair, settings: Settings) -> Optional[Array]:
     """The rotation of the camera that explains the inliers of `base`; None: there is none."""
     R = rotation(*_views(pair, H.mask))
-    first, _ = _views(pair, base.mask)
-    moved = first @ (pair.second.matrix @ R).T
-    with np.errstate(all="ignore"):
-        error = np.linalg.norm(moved[:, :2] / moved[:, 2:] - pair.second.points[base.mask], axis=1)
-    right = np.count_nonzero((error <= _PLANAR_REACH * settings.threshold) & (moved[:, 2] > 0))
+    map = pair.second.matrix @ R @ np.linalg.inv(pair.first.matrix)
+    error = _mapDistances(map, pair.first.points[base.mask], pair.second.points[base.mask])
+    right = np.count_nonzero(error <= _PLANAR_DISTANCE * settings.threshold)
     return R if right > settings.planarRatio * base.inliers else None
 
 
