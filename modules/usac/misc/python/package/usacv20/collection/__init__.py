@@ -10,7 +10,18 @@
 
 doc/collections.md describes the rules, the files and what they cost."""
 
-from ._list_results import readResults
+from typing import Iterator
+
 from ._pair import CollectionError, Configuration, TwoView
 
 __all__ = ["CollectionError", "Configuration", "TwoView", "readResults"]
+
+
+def readResults(path: str) -> Iterator[TwoView]:
+    """The results of the command `pairs` in the order of their names, one after the other.
+
+    path -- its SQLite, NPZ or HDF5 file, or OUTPUT.part of a run that was interrupted
+
+    Raises CollectionError for a file that is none or that is damaged."""
+    from ._list_results import readResults as read  # what the other commands do not need
+    return read(path)

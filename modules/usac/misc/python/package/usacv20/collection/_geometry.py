@@ -39,8 +39,9 @@ from .._batch import estimateEssentials, estimateFundamentals, estimateHomograph
 from .._enumerations import StopReason
 from .._params import Params
 from .._report import Report
+from ._distances import area, mapDistances, sampsonDistances
 from ._pair import Configuration, Pair, TwoView, View
-from ._poses import directions, motionOfEssential, quaternion, rotation, sampsonDistances
+from ._poses import directions, motionOfEssential, quaternion, rotation
 from ._settings import Settings
 
 if TYPE_CHECKING:
@@ -124,65 +125,46 @@ def verifyPairs(pairs: Sequence[Pair], settings: Settings) -> List[TwoView]:
     """The two-view geometry of each pair, in their order. A result depends on its pair and the settings only."""
     works = [_Work(pair) for pair in pairs]
     enough = [work for work in works if len(work.pair.matches) >= max(settings.minInliers, 8)]
-    _estimate("E", [work for work in enough if work.calibrated], settings)
-    _estimate("F", enough, settings)
-    _estimate("H", enough, settings)
+    _estimateEpipolar("E", [work for work in enough if work.calibrated], settings)
+    _estimateEpipolar("F", enough, settings)
+    _estimateHomographies(enough, settings)
     return [_result(work, settings) for work in works]
 
 
-def _estimate(name: str, works: List[_Work], settings: Settings) -> None:
-    """One model of many pairs, in one call of the package."""
-    if not works:
-        return
-    amongs: List[Optional[Mask]] = [_among(work) if name == "H" else None for work in works]
-    points1 = [_rows(work.pair.first.points, among) for work, among in zip(works, amongs)]
-    points2 = [_rows(work.pair.second.points, among) for work, among in zip(works, amongs)]
-    # H's error is measured in its second image: there the points are to be the nearer together.
-    back = [among is not None and _area(b) > _area(a) for among, a, b in zip(amongs, points1, points2)]
-    for i, swapped in enumerate(back):
-        if swapped:
-            points1[i], points2[i] = points2[i], points1[i]
-    threshold = settings.threshold
-    if name == "H":
-        settings = dataclasses.replace(settings, threshold=_PLANAR_REACH * settings.threshold)
-    plain: Dict[int, Params] = {}
-    params = [_params(name, work, among, settings) or _plain(name, work, settings, plain) for work, among in zip(works, amongs)]
+def _estimateEpipolar(name: str, works: List[_Work], settings: Settings) -> None:
+    """E or F of many pairs, in one call of the package."""
+    points1, points2 = [work.pair.first.points for work in works], [work.pair.second.points for work in works]
+    params = _options(name, works, [None] * len(works), settings)
     if name == "E":
         results = estimateEssentials(points1, points2, [work.pair.first.matrix for work in works],
                                      [work.pair.second.matrix for work in works], params=params, threads=1, returnExceptions=True)
     else:
-        estimate = estimateFundamentals if name == "F" else estimateHomographies
-        results = estimate(points1, points2, params, threads=1, returnExceptions=True)
-    for work, result, among, swapped in zip(works, results, amongs, back):
-        if swapped and not isinstance(result, Exception) and result[0] is not None:
-            result = (np.linalg.inv(result[0]), *result[1:])
-        work.take(name, result, settings.minInliers, among)
-        if among is not None and name in work.models:
-            model = work.models[name]
-            error = _mapDistances(model.matrix, work.pair.first.points[among], work.pair.second.points[among])
-            model.mask[among] = error <= _PLANAR_DISTANCE * threshold
+        results = estimateFundamentals(points1, points2, params, threads=1, returnExceptions=True)
+    for work, result in zip(works, results):
+        work.take(name, result, settings.minInliers)
 
 
-def _area(points: Array) -> float:
-    """The square of the area that the points cover, up to a factor; some of them tell it."""
-    x, y = (points[:: len(points) // 200 + 1] - points[0]).T
-    n = len(x)
-    xx, xy, yy = (a @ b / n - a.sum() * b.sum() / (n * n) for a, b in ((x, x), (x, y), (y, y)))
-    return float(xx * yy - xy * xy)
+def _estimateHomographies(works: List[_Work], settings: Settings) -> None:
+    """H of the matches that E or F explains, else of all, in one call of the package."""
+    amongs = [_among(work) for work in works]
+    sides = [(_rows(work.pair.first.points, among), _rows(work.pair.second.points, among)) for work, among in zip(works, amongs)]
+    # H's error is measured in its second image: there the points are to be the nearer together.
+    back = [among is not None and area(b) > area(a) for among, (a, b) in zip(amongs, sides)]
+    results = estimateHomographies(
+        [side[swapped] for side, swapped in zip(sides, back)], [side[not swapped] for side, swapped in zip(sides, back)],
+        _options("H", works, amongs, dataclasses.replace(settings, threshold=_PLANAR_REACH * settings.threshold)),
+        threads=1, returnExceptions=True)
+    for work, result, among, (first, second), swapped in zip(works, results, amongs, sides, back):
+        if not isinstance(result, Exception) and result[0] is not None and among is not None:
+            H = np.linalg.inv(result[0]) if swapped else result[0]
+            mask = mapDistances(H, first, second) <= _PLANAR_DISTANCE * settings.threshold
+            result = H / (H[2, 2] or 1), mask, result[2]
+        work.take("H", result, settings.minInliers, among)
 
 
-def _mapDistances(H: Array, first: Array, second: Array) -> Array:
-    """Sampson distances: to first order, of a match to the nearest one that H maps exactly, in both images. Infinite where H
-    takes the point to the other side of the camera than most of the points."""
-    x, y = first[:, 0], first[:, 1]
-    with np.errstate(all="ignore"):
-        w = H[2, 0] * x + H[2, 1] * y + H[2, 2]
-        u, v = (H[0, 0] * x + H[0, 1] * y + H[0, 2]) / w, (H[1, 0] * x + H[1, 1] * y + H[1, 2]) / w
-        ux, uy, vx, vy = ((row[k] - moved * H[2, k]) / w for row, moved in ((H[0], u), (H[1], v)) for k in (0, 1))
-        a, b, c = 1 + ux * ux + uy * uy, ux * vx + uy * vy, 1 + vx * vx + vy * vy  # the covariance of the error
-        eu, ev = second[:, 0] - u, second[:, 1] - v
-        squared = (c * eu * eu - 2 * b * eu * ev + a * ev * ev) / (a * c - b * b)
-        return np.where(w * np.median(w) > 0, np.sqrt(np.maximum(squared, 0)), np.inf)
+def _options(name: str, works: List[_Work], amongs: Sequence[Optional[Mask]], settings: Settings) -> List[Params]:
+    plain: Dict[int, Params] = {}
+    return [_params(name, work, among, settings) or _plain(name, work, settings, plain) for work, among in zip(works, amongs)]
 
 
 def _among(work: _Work) -> Optional[Mask]:
@@ -289,8 +271,8 @@ def _motion(E: _Model, pair: Pair) -> Tuple[Array, Array]:
 def _turn(H: _Model, base: _Model, pair: Pair, settings: Settings) -> Optional[Array]:
     """The rotation of the camera that explains the inliers of `base`; None: there is none."""
     R = rotation(*_views(pair, H.mask))
-    map = pair.second.matrix @ R @ np.linalg.inv(pair.first.matrix)
-    error = _mapDistances(map, pair.first.points[base.mask], pair.second.points[base.mask])
+    mapped = pair.second.matrix @ R @ np.linalg.inv(pair.first.matrix)
+    error = mapDistances(mapped, pair.first.points[base.mask], pair.second.points[base.mask])
     right = np.count_nonzero(error <= _PLANAR_DISTANCE * settings.threshold)
     return R if right > settings.planarRatio * base.inliers else None
 

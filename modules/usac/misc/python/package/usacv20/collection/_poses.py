@@ -30,16 +30,6 @@ def directions(points: Array, matrix: Array) -> Array:
     return result
 
 
-def sampsonDistances(F: Array, points1: Array, points2: Array) -> Array:
-    """Of N x 2 pixels, in pixels: the error of a match under x2^T F x1 = 0 to first order @cite hartley2003multiple (11.4.3)."""
-    lines2 = points1 @ F[:, :2].T + F[:, 2]
-    lines1 = points2 @ F[:2] + F[2]
-    algebraic = np.einsum("ij,ij->i", points2, lines2[:, :2]) + lines2[:, 2]
-    with np.errstate(all="ignore"):
-        result: Array = np.abs(algebraic) / np.sqrt((lines1[:, :2]**2).sum(axis=1) + (lines2[:, :2]**2).sum(axis=1))
-    return result
-
-
 def motionOfEssential(E: Array, first: Array, second: Array) -> Tuple[Array, Array]:
     """Rotation and unit translation: of the four motions that E allows the one with which most points are in front of both
     cameras @cite hartley2003multiple (9.6.2). `first` and `second` are the directions of the inliers."""

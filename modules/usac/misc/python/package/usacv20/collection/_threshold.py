@@ -35,8 +35,8 @@ import numpy as np
 
 from .._batch import estimateEssentials, estimateFundamentals
 from .._params import Params
+from ._distances import sampsonDistances
 from ._pair import CollectionError, Fault, Key, Pair, Source
-from ._poses import sampsonDistances
 from ._settings import Settings
 
 if TYPE_CHECKING:
