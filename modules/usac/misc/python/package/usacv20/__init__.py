@@ -27,7 +27,8 @@ The same package is the module cv2.usacv20 of an OpenCV that was built with the 
 
        H, mask, report = usacv20.estimateHomography(points1, points2, params)
 
-Many pairs at once, on all cores, are estimateHomographies and its kin.
+Many pairs at once, on all cores, are estimateHomographies and its kin; all pairs of a collection of images, from a COLMAP database
+or files of matches, python3 -m usacv20.collection.
 
 Where there is no model (too few or degenerate points, or random ones, see Params.significance) the model is None, the mask zero,
 and report.stop says why; report.chance bounds the probability that random matches give as good a model. A flag does not tell
