@@ -10,14 +10,14 @@
 
 doc/collections.md describes the rules, the files and what they cost."""
 
-from typing import Iterator
+import typing
 
 from ._pair import CollectionError, Configuration, TwoView
 
 __all__ = ["CollectionError", "Configuration", "TwoView", "readResults"]
 
 
-def readResults(path: str) -> Iterator[TwoView]:
+def readResults(path: str) -> typing.Iterator[TwoView]:
     """The results of the command `pairs` in the order of their names, one after the other.
 
     path -- its SQLite, NPZ or HDF5 file, or OUTPUT.part of a run that was interrupted

@@ -11,7 +11,8 @@ with the others 0; its models FOV, THIN_PRISM_FISHEYE and those of later version
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, NamedTuple, Tuple
+import typing
+from typing import TYPE_CHECKING, Dict, Tuple
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from ._pair import CollectionError
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Array = npt.NDArray[np.float64]
+    _Array = npt.NDArray[np.float64]
 
 # COLMAP's number of a model: its name and parameters, as its documentation lists them.
 _MODELS: Dict[int, Tuple[str, str]] = {
@@ -42,14 +43,14 @@ _STEPS = 30
 _TOLERANCE = 1e-10
 
 
-class Camera(NamedTuple):
+class Camera(typing.NamedTuple):
     """One row of the table `cameras`."""
 
     id: int
     model: str  # COLMAP's name
     width: int  # pixels
     height: int
-    matrix: Array  # 3 x 3
+    matrix: _Array  # 3 x 3
     distortion: Tuple[float, ...]  # k1 k2 p1 p2 k3 k4 k5 k6; of a fisheye p1, p2, k5, k6 are 0
     fisheye: bool
     focalKnown: bool  # prior_focal_length: by EXIF data or the user
@@ -82,7 +83,7 @@ class Camera(NamedTuple):
     def distorted(self) -> bool:
         return self.fisheye or any(self.distortion)
 
-    def ideal(self, points: npt.NDArray[np.floating]) -> Array:  # type: ignore[type-arg]
+    def ideal(self, points: npt.NDArray[np.floating]) -> _Array:  # type: ignore[type-arg]
         """Pixels as the same camera sees them without distortion.
 
         points -- N x 2 pixels in the image as taken
@@ -92,11 +93,11 @@ class Camera(NamedTuple):
         distorted = (np.asarray(points, np.float64) - center) / focal
         with np.errstate(all="ignore"):
             undistorted = (_withoutFisheye if self.fisheye else _withoutLens)(distorted, self.distortion)
-        result: Array = undistorted * focal + center
+        result: _Array = undistorted * focal + center
         return result
 
 
-def _withoutFisheye(distorted: Array, distortion: Tuple[float, ...]) -> Array:
+def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
     """The direction whose image is given, by Newton's method for the angle to the axis."""
     k1, k2, _, _, k3, k4, _, _ = distortion
     target = np.hypot(distorted[:, 0], distorted[:, 1])
@@ -111,11 +112,11 @@ def _withoutFisheye(distorted: Array, distortion: Tuple[float, ...]) -> Array:
     # Where the polynomial falls with the angle its other branch was found: no lens maps two angles to one point.
     angle[~((np.abs(error) < _TOLERANCE) & (slope > 0) & (angle >= 0) & (angle < np.pi / 2))] = np.nan
     scale = np.where(target > 0, np.tan(angle) / np.where(target > 0, target, 1), 1)
-    result: Array = distorted * scale[:, None]
+    result: _Array = distorted * scale[:, None]
     return result
 
 
-def _withoutLens(distorted: Array, distortion: Tuple[float, ...]) -> Array:
+def _withoutLens(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
     """The point whose image is given, by Newton's method in both coordinates."""
     k1, k2, p1, p2, k3, k4, k5, k6 = distortion
     u, v = distorted[:, 0].copy(), distorted[:, 1].copy()
@@ -137,6 +138,6 @@ def _withoutLens(distorted: Array, distortion: Tuple[float, ...]) -> Array:
             break
     # As above: on the branch of the image's center both derivatives stay positive.
     wrong = ~(found & (determinant > 0) & (uu > 0) & (below > 0))
-    result: Array = np.stack([u, v], axis=1)
+    result: _Array = np.stack([u, v], axis=1)
     result[wrong] = np.nan
     return result

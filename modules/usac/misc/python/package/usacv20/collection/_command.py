@@ -9,7 +9,8 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from typing import Any, Dict, Optional, Sequence
+import typing
+from typing import Any, Dict, Optional
 
 from ._database import DatabaseSource
 from ._database_sink import DatabaseSink
@@ -186,7 +187,7 @@ def _report(options: argparse.Namespace) -> int:
     return report(options.database, options.pictures, options.json, options.csv, options.most)
 
 
-def main(arguments: Optional[Sequence[str]] = None) -> int:
+def main(arguments: Optional[typing.Sequence[str]] = None) -> int:
     """Runs a command; returns its exit code."""
     options = _parser().parse_args(arguments)
     try:

@@ -9,8 +9,9 @@ from __future__ import annotations
 import importlib
 import pickle
 import time
+import typing
 import warnings
-from typing import Any, Callable, Optional, Sequence
+from typing import Any, Callable, Optional
 
 from ._optional import need
 from ._pair import CollectionError, Key, Source
@@ -88,7 +89,7 @@ class Cluster:
                 self._say("all workers are gone; waiting for others")
         return _PER_THREAD * max(1, self._threads)
 
-    def submit(self, keys: Sequence[Key]) -> Future:
+    def submit(self, keys: typing.Sequence[Key]) -> Future:
         items: Optional[bytes] = None
         reading = 0.0
         if self._expected is None:

@@ -13,8 +13,9 @@ import itertools
 import os
 import sqlite3
 import threading
+import typing
 from collections import OrderedDict
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -25,8 +26,8 @@ from ._sqlite import checkInput, connect, explained, tidy
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Array = npt.NDArray[np.float64]
-    Matches = npt.NDArray[np.uint32]
+    _Array = npt.NDArray[np.float64]
+    _Matches = npt.NDArray[np.uint32]
 
 # COLMAP's pair_id is this times the smaller image_id, plus the larger one.
 IMAGES = 2147483647
@@ -35,24 +36,24 @@ _PAGE = 4096  # keys read at once: a statement that stays open keeps other conne
 _COLUMNS = (2, 4, 6)  # of keypoints: x, y; with scale and orientation; with an affine shape
 
 
-class Scores(Protocol):
+class Scores(typing.Protocol):
     """Scores of matches. Can be pickled."""
 
     higherIsBetter: bool
 
-    def of(self, key: int, first: str, second: str, matches: Matches,
-           connection: sqlite3.Connection) -> Optional[Array]:
+    def of(self, key: int, first: str, second: str, matches: _Matches,
+           connection: sqlite3.Connection) -> Optional[_Array]:
         """One for each match, None: there are none. `first` and `second` are names of the images. CollectionError makes the pair
         a fault."""
 
 
-class _Image(NamedTuple):
+class _Image(typing.NamedTuple):
     """What pairs need of an image."""
 
     name: str
     camera: Optional[Camera]
     taken: npt.NDArray[np.float32]  # N x 2
-    ideal: Optional[Array]  # N x 2; None: there is no distortion
+    ideal: Optional[_Array]  # N x 2; None: there is no distortion
     finite: bool  # all of `taken`
     seen: Optional[npt.NDArray[np.bool_]]  # N: whether `ideal` is finite; None: all are
     fault: str  # why it cannot be used; empty: it can
@@ -151,7 +152,7 @@ class DatabaseSource:
         with contextlib.suppress(Exception):
             self.close()
 
-    def keys(self) -> Iterator[Key]:
+    def keys(self) -> typing.Iterator[Key]:
         last = -(1 << 63)
         while True:
             with explained(self.path):
@@ -185,7 +186,7 @@ class DatabaseSource:
             digest.update(repr(item if isinstance(item, Fault) else item.scores is not None and item.scores.tobytes()).encode())
         return digest.hexdigest()
 
-    def load(self, keys: Sequence[Key]) -> List[Union[Pair, Fault]]:
+    def load(self, keys: typing.Sequence[Key]) -> List[Union[Pair, Fault]]:
         with explained(self.path):
             connection = self.connection()
             return [self._load(connection, int(key)) for key in keys]
@@ -211,7 +212,7 @@ class DatabaseSource:
         views = [_view(image, matches[:, side]) for side, image in enumerate((first, second))]
         return Pair(key, views[0], views[1], matches, scores, self.scores is None or self.scores.higherIsBetter)
 
-    def _scores(self, connection: sqlite3.Connection, key: int, first: str, second: str, matches: Matches) -> Optional[Array]:
+    def _scores(self, connection: sqlite3.Connection, key: int, first: str, second: str, matches: _Matches) -> Optional[_Array]:
         if self.scores is None:
             return None
         try:
@@ -272,7 +273,7 @@ def _readKeypoints(connection: sqlite3.Connection, name: str, number: int) -> np
     return table[:, :2].astype(np.float32)
 
 
-def _matches(connection: sqlite3.Connection, key: int) -> Matches:
+def _matches(connection: sqlite3.Connection, key: int) -> _Matches:
     stored = connection.execute("SELECT rows, cols, data FROM matches WHERE pair_id = ?", (key,)).fetchall()
     if not stored:
         raise _Wrong("the pair is no longer in the table matches")
@@ -283,7 +284,7 @@ def _matches(connection: sqlite3.Connection, key: int) -> Matches:
     return np.frombuffer(blob, "<u4").reshape(rows, 2).astype(np.uint32)
 
 
-def _check(matches: Matches, side: int, image: _Image) -> None:
+def _check(matches: _Matches, side: int, image: _Image) -> None:
     numbers = matches[:, side]
     count = len(image.taken)
     if len(numbers) and numbers.max() >= count:
@@ -298,7 +299,7 @@ def _check(matches: Matches, side: int, image: _Image) -> None:
         raise _Wrong("match {}: keypoint {} of {} is at ({:g}, {:g})".format(match, numbers[match], image.name, x, y))
 
 
-def _seen(matches: Matches, first: _Image, second: _Image) -> Optional[npt.NDArray[np.bool_]]:
+def _seen(matches: _Matches, first: _Image, second: _Image) -> Optional[npt.NDArray[np.bool_]]:
     """Which matches have a direction in both cameras; None: all."""
     result: Optional[npt.NDArray[np.bool_]] = None
     for side, image in enumerate((first, second)):

@@ -10,7 +10,8 @@ import datetime
 import json
 import os
 import sqlite3
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+import typing
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -46,7 +47,7 @@ class DatabaseSink:
 
     A pair that is refused has a row without inliers, by which COLMAP knows that it was looked at. A fault has none."""
 
-    def __init__(self, path: str, settings: Mapping[str, Any], resume: bool = False) -> None:
+    def __init__(self, path: str, settings: typing.Mapping[str, Any], resume: bool = False) -> None:
         self.path = os.path.abspath(path)
         self._settings = json.loads(json.dumps(dict(settings), sort_keys=True))
         self.removed = 0  # rows of two_view_geometries that another program, or an earlier run, has left
@@ -83,7 +84,7 @@ class DatabaseSink:
                 "SELECT 1 FROM {} JOIN two_view_geometries USING (pair_id) WHERE pair_id = ?".format(PAIRS),
                 (int(key),)).fetchall())
 
-    def commit(self, results: Sequence[TwoView]) -> None:
+    def commit(self, results: typing.Sequence[TwoView]) -> None:
         if self._closed:
             raise CollectionError("{}: results come after the database was closed".format(self.path))
         with explained(self.path):
@@ -150,7 +151,7 @@ class DatabaseSink:
                 self.path, "; ".join(differing)))
         self._run, self._resumed = run, True
 
-    def _write(self, results: Sequence[TwoView]) -> None:
+    def _write(self, results: typing.Sequence[TwoView]) -> None:
         self._begin()
         names = ["pair_id", "rows", "cols", "data", "config"] + self._matrices
         faults = [(result.key,) for result in results if result.configuration == Configuration.UNDEFINED]

@@ -13,20 +13,20 @@ import numpy as np
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Array = npt.NDArray[np.float64]
+    _Array = npt.NDArray[np.float64]
 
 
-def sampsonDistances(F: Array, points1: Array, points2: Array) -> Array:
+def sampsonDistances(F: _Array, points1: _Array, points2: _Array) -> _Array:
     """Of N x 2 pixels, in pixels: the error of a match under x2^T F x1 = 0 to first order @cite hartley2003multiple (11.4.3)."""
     lines2 = points1 @ F[:, :2].T + F[:, 2]
     lines1 = points2 @ F[:2] + F[2]
     algebraic = np.einsum("ij,ij->i", points2, lines2[:, :2]) + lines2[:, 2]
     with np.errstate(all="ignore"):
-        result: Array = np.abs(algebraic) / np.sqrt((lines1[:, :2]**2).sum(axis=1) + (lines2[:, :2]**2).sum(axis=1))
+        result: _Array = np.abs(algebraic) / np.sqrt((lines1[:, :2]**2).sum(axis=1) + (lines2[:, :2]**2).sum(axis=1))
     return result
 
 
-def area(points: Array) -> float:
+def area(points: _Array) -> float:
     """The square of the area that the points cover, up to a factor; some of them tell it."""
     x, y = (points[:: len(points) // 200 + 1] - points[0]).T
     n = len(x)
@@ -34,7 +34,7 @@ def area(points: Array) -> float:
     return float(xx * yy - xy * xy)
 
 
-def mapDistances(H: Array, first: Array, second: Array) -> Array:
+def mapDistances(H: _Array, first: _Array, second: _Array) -> _Array:
     """Sampson distances: to first order, of a match to the nearest one that H maps exactly, in both images. Infinite where H
     takes the point to the other side of the camera than most of the points."""
     x, y = first[:, 0], first[:, 1]

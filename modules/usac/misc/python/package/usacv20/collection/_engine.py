@@ -16,8 +16,9 @@ import queue
 import signal
 import threading
 import time
+import typing
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, Dict, Iterator, List, Optional, Sequence
+from typing import Any, Dict, List, Optional
 
 from ._pair import Configuration, Key, Sink, Source
 from ._progress import Progress
@@ -72,7 +73,7 @@ class _Threads:
     def capacity(self) -> int:
         return _PER_THREAD * self._threads
 
-    def submit(self, keys: Sequence[Key]) -> Future:
+    def submit(self, keys: typing.Sequence[Key]) -> Future:
         source, settings, verify = self._job
         return self._pool.submit(process, source, keys, verify, settings)
 
@@ -119,7 +120,7 @@ class _Run:
         self.pending: Dict[int, Future] = {}
         self.failure: Optional[BaseException] = None
 
-    def go(self, chunks: Iterator[List[Key]]) -> None:
+    def go(self, chunks: typing.Iterator[List[Key]]) -> None:
         more = True
         while more or self.pending:
             if self.interrupts.asked or self.failure is not None:
@@ -152,7 +153,7 @@ class _Run:
                 futures.append(self.done.get(timeout=0 if futures else _POLL))
         return futures
 
-    def _store(self, futures: Sequence[Future]) -> None:
+    def _store(self, futures: typing.Sequence[Future]) -> None:
         outcomes = []
         for future in futures:
             del self.pending[id(future)]
@@ -174,7 +175,7 @@ class _Run:
                     self.progress.complain(result.reason)
             self.progress.advance(len(outcome.results))
 
-    def remaining(self, keys: Iterator[Key]) -> Iterator[Key]:
+    def remaining(self, keys: typing.Iterator[Key]) -> typing.Iterator[Key]:
         for key in keys:
             if self.sink.done(key):
                 self.summary.skipped += 1
@@ -223,7 +224,7 @@ def _workers(source: Source, settings: Any, verify: Verify, threads: int, worker
     return Cluster(source, settings, verify, workers, scheduler, bar.say)
 
 
-def _chunks(keys: Iterator[Key], size: int) -> Iterator[List[Key]]:
+def _chunks(keys: typing.Iterator[Key], size: int) -> typing.Iterator[List[Key]]:
     while True:
         chunk = list(itertools.islice(keys, size))
         if not chunk:

@@ -31,7 +31,8 @@ of E but for a PANORAMIC pair, which has a rotation only. Of a PLANAR pair it is
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+import typing
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -47,8 +48,8 @@ from ._settings import Settings
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Array = npt.NDArray[np.float64]
-    Mask = npt.NDArray[np.bool_]
+    _Array = npt.NDArray[np.float64]
+    _Mask = npt.NDArray[np.bool_]
 
 _SAMPLE = {"E": 5, "F": 7, "H": 4}  # points of a minimal sample
 # F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
@@ -64,11 +65,11 @@ _PLANAR_REACH, _PLANAR_DISTANCE = (2 * 5.991 / 3.841)**0.5, (5.991 / 3.841)**0.5
 _BORDER, _WATERMARK = 0.1, 0.7
 
 
-class _Model(NamedTuple):
+class _Model(typing.NamedTuple):
     """A model of one pair and what it explains."""
 
-    matrix: Array
-    mask: Mask  # of all matches
+    matrix: _Array
+    mask: _Mask  # of all matches
     report: Report
 
     @property
@@ -92,7 +93,7 @@ class _Work:
     def calibrated(self) -> bool:
         return self.pair.first.focalKnown and self.pair.second.focalKnown
 
-    def take(self, name: str, result: Any, minInliers: int, among: Optional[Mask] = None) -> None:
+    def take(self, name: str, result: Any, minInliers: int, among: Optional[_Mask] = None) -> None:
         """What a batch has returned for this pair; `among`: the matches that it was given."""
         if isinstance(result, Exception):
             self.mistake = str(result).strip().splitlines()[-1]
@@ -121,7 +122,7 @@ def _why(report: Report) -> str:
     return report.stop.name[len("STOP_"):].lower().replace("_", " ")
 
 
-def verifyPairs(pairs: Sequence[Pair], settings: Settings) -> List[TwoView]:
+def verifyPairs(pairs: typing.Sequence[Pair], settings: Settings) -> List[TwoView]:
     """The two-view geometry of each pair, in their order. A result depends on its pair and the settings only."""
     works = [_Work(pair) for pair in pairs]
     enough = [work for work in works if len(work.pair.matches) >= max(settings.minInliers, 8)]
@@ -162,12 +163,12 @@ def _estimateHomographies(works: List[_Work], settings: Settings) -> None:
         work.take("H", result, settings.minInliers, among)
 
 
-def _options(name: str, works: List[_Work], amongs: Sequence[Optional[Mask]], settings: Settings) -> List[Params]:
+def _options(name: str, works: List[_Work], amongs: typing.Sequence[Optional[_Mask]], settings: Settings) -> List[Params]:
     plain: Dict[int, Params] = {}
     return [_params(name, work, among, settings) or _plain(name, work, settings, plain) for work, among in zip(works, amongs)]
 
 
-def _among(work: _Work) -> Optional[Mask]:
+def _among(work: _Work) -> Optional[_Mask]:
     """The matches that a homography is asked to explain; None: all."""
     model = work.models.get("E") or work.models.get("F")
     return None if model is None else model.mask
@@ -186,7 +187,7 @@ def _base(work: _Work, settings: Settings) -> Optional[_Model]:
     return E if surplus <= _DEVIATIONS * np.sqrt(np.count_nonzero(beside) / 2) else F
 
 
-def _rows(points: Array, among: Optional[Mask]) -> Array:
+def _rows(points: _Array, among: Optional[_Mask]) -> _Array:
     return points if among is None else points[among]
 
 
@@ -199,7 +200,7 @@ def _plain(name: str, work: _Work, settings: Settings, made: Dict[int, Params]) 
     return made[iterations]
 
 
-def _params(name: str, work: _Work, among: Optional[Mask], settings: Settings) -> Optional[Params]:
+def _params(name: str, work: _Work, among: Optional[_Mask], settings: Settings) -> Optional[Params]:
     """Options of this pair; None: those of any."""
     fromE = name == "F" and "E" in work.models
     if among is None and not fromE and work.pair.scores is None:
@@ -217,8 +218,8 @@ def _params(name: str, work: _Work, among: Optional[Mask], settings: Settings) -
     return params
 
 
-def _fundamental(E: Array, pair: Pair) -> Array:
-    F: Array = np.linalg.inv(pair.second.matrix).T @ E @ np.linalg.inv(pair.first.matrix)
+def _fundamental(E: _Array, pair: Pair) -> _Array:
+    F: _Array = np.linalg.inv(pair.second.matrix).T @ E @ np.linalg.inv(pair.first.matrix)
     return F / np.linalg.norm(F)
 
 
@@ -230,7 +231,7 @@ def _result(work: _Work, settings: Settings) -> TwoView:
         return _refused(work, settings)
     calibrated = base is work.models.get("E")
     configuration = Configuration.CALIBRATED if calibrated else Configuration.UNCALIBRATED
-    pose: Optional[Tuple[Array, Array]] = None
+    pose: Optional[Tuple[_Array, _Array]] = None
     if calibrated:
         pose = _motion(base, pair)
     if H is not None and H.inliers > settings.planarRatio * base.inliers:
@@ -258,17 +259,17 @@ def _refused(work: _Work, settings: Settings) -> TwoView:
                    work.iterations, work.chance, work.milliseconds)
 
 
-def _views(pair: Pair, mask: Mask) -> Tuple[Array, Array]:
-    def of(view: View) -> Array:
+def _views(pair: Pair, mask: _Mask) -> Tuple[_Array, _Array]:
+    def of(view: View) -> _Array:
         return directions(view.points[mask], view.matrix)
     return of(pair.first), of(pair.second)
 
 
-def _motion(E: _Model, pair: Pair) -> Tuple[Array, Array]:
+def _motion(E: _Model, pair: Pair) -> Tuple[_Array, _Array]:
     return motionOfEssential(E.matrix, *_views(pair, E.mask))
 
 
-def _turn(H: _Model, base: _Model, pair: Pair, settings: Settings) -> Optional[Array]:
+def _turn(H: _Model, base: _Model, pair: Pair, settings: Settings) -> Optional[_Array]:
     """The rotation of the camera that explains the inliers of `base`; None: there is none."""
     R = rotation(*_views(pair, H.mask))
     mapped = pair.second.matrix @ R @ np.linalg.inv(pair.first.matrix)
@@ -277,7 +278,7 @@ def _turn(H: _Model, base: _Model, pair: Pair, settings: Settings) -> Optional[A
     return R if right > settings.planarRatio * base.inliers else None
 
 
-def _isWatermark(mask: Mask, pair: Pair, threshold: float) -> bool:
+def _isWatermark(mask: _Mask, pair: Pair, threshold: float) -> bool:
     """A picture's frame, mark or date stays where it is in the image, whatever the camera sees."""
     inside = mask.copy()
     count = np.count_nonzero(mask)

@@ -18,8 +18,9 @@ from __future__ import annotations
 import contextlib
 import os
 import sqlite3
+import typing
 import zipfile
-from typing import TYPE_CHECKING, Any, BinaryIO, Callable, Dict, IO, Iterator, List, Optional, Protocol, Tuple, cast
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, cast
 
 import numpy as np
 
@@ -30,7 +31,7 @@ from ._pair import Configuration, TwoView
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Array = npt.NDArray[Any]
+    _Array = npt.NDArray[Any]
 
 _BLOCK = 4096  # pairs that are in memory
 _MODELS = (("quaternions", "quaternion", (4,)), ("translations", "translation", (3,)), ("F", "F", (3, 3)), ("E", "E", (3, 3)),
@@ -39,8 +40,8 @@ _NUMBERS = (("configurations", "configuration", "<i4"), ("matches", "matches", "
             ("chances", "chance", "<f8"), ("milliseconds", "milliseconds", "<f8"))
 
 
-class _Writer(Protocol):
-    def array(self, name: str, dtype: str, shape: Tuple[int, ...], blocks: Iterator[Array]) -> None:
+class _Writer(typing.Protocol):
+    def array(self, name: str, dtype: str, shape: Tuple[int, ...], blocks: typing.Iterator[_Array]) -> None:
         """Writes an array that comes in blocks of rows."""
 
     def close(self) -> None:
@@ -51,10 +52,10 @@ class _NpzWriter:
     def __init__(self, path: str) -> None:
         self._zip = zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=1)
 
-    def array(self, name: str, dtype: str, shape: Tuple[int, ...], blocks: Iterator[Array]) -> None:
+    def array(self, name: str, dtype: str, shape: Tuple[int, ...], blocks: typing.Iterator[_Array]) -> None:
         header = {"descr": dtype, "fortran_order": False, "shape": shape}
         with self._zip.open(name + ".npy", "w", force_zip64=True) as out:
-            np.lib.format.write_array_header_1_0(cast(BinaryIO, out), header)  # type: ignore[no-untyped-call]
+            np.lib.format.write_array_header_1_0(cast(typing.BinaryIO, out), header)  # type: ignore[no-untyped-call]
             for block in blocks:
                 out.write(np.ascontiguousarray(block, dtype).tobytes())
 
@@ -67,7 +68,7 @@ class _Hdf5Writer:
         self._h5py = useH5py()
         self._file = self._h5py.File(path, "w")
 
-    def array(self, name: str, dtype: str, shape: Tuple[int, ...], blocks: Iterator[Array]) -> None:
+    def array(self, name: str, dtype: str, shape: Tuple[int, ...], blocks: typing.Iterator[_Array]) -> None:
         text = dtype.startswith("<U")
         array = self._file.create_dataset(name, shape, self._h5py.string_dtype() if text else dtype)
         row = 0
@@ -98,7 +99,7 @@ class _Table:
     def settings(self) -> str:
         return str(self._connection.execute("SELECT settings FROM {}_runs".format(self._table)).fetchone()[0])
 
-    def blocks(self, columns: str, make: Callable[[List[Tuple[Any, ...]]], Array]) -> Iterator[Array]:
+    def blocks(self, columns: str, make: Callable[[List[Tuple[Any, ...]]], _Array]) -> typing.Iterator[_Array]:
         cursor = self._connection.execute("SELECT {} FROM {} ORDER BY name".format(columns, self._table))
         while True:
             rows = cursor.fetchmany(_BLOCK)
@@ -110,7 +111,7 @@ class _Table:
         return [reason for reason, in self._connection.execute(
             "SELECT DISTINCT reason FROM {} ORDER BY reason".format(self._table))]
 
-    def offsets(self) -> Iterator[Array]:
+    def offsets(self) -> typing.Iterator[_Array]:
         last = 0
         yield np.zeros(1, np.int64)
         for block in self.blocks("inliers", lambda rows: np.array(rows, np.int64)[:, 0]):
@@ -119,7 +120,7 @@ class _Table:
             yield ends
 
 
-def _model(rows: List[Tuple[Any, ...]], shape: Tuple[int, ...]) -> Array:
+def _model(rows: List[Tuple[Any, ...]], shape: Tuple[int, ...]) -> _Array:
     none = np.full(shape, np.nan, "<f8").tobytes()
     return np.frombuffer(b"".join(none if row[0] is None else row[0] for row in rows), "<f8").reshape((-1,) + shape)
 
@@ -165,7 +166,7 @@ def write(path: str, connection: sqlite3.Connection, table: str) -> None:
 class _NpzArray:
     """An array of an NPZ file, read from its front."""
 
-    def __init__(self, stream: IO[bytes]) -> None:
+    def __init__(self, stream: typing.IO[bytes]) -> None:
         version = np.lib.format.read_magic(stream)  # type: ignore[no-untyped-call]
         read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
         self.shape, columnMajor, self._dtype = read(stream)  # type: ignore[no-untyped-call]
@@ -173,7 +174,7 @@ class _NpzArray:
             raise ValueError("not in the order of rows")
         self._stream = stream
 
-    def next(self, rows: int) -> Array:
+    def next(self, rows: int) -> _Array:
         shape = (rows,) + tuple(self.shape[1:])
         size = int(np.prod(shape)) * self._dtype.itemsize
         data = self._stream.read(size)
@@ -187,12 +188,12 @@ class _Hdf5Array:
         self.shape, self._row = array.shape, 0
         self._array = array.asstr() if array.dtype.kind == "O" else array
 
-    def next(self, rows: int) -> Array:
+    def next(self, rows: int) -> _Array:
         self._row += rows
-        return cast("Array", self._array[self._row - rows:self._row])
+        return cast("_Array", self._array[self._row - rows:self._row])
 
 
-def _results(open_: Callable[[str], Any]) -> Iterator[TwoView]:
+def _results(open_: Callable[[str], Any]) -> typing.Iterator[TwoView]:
     names = ["names", "reason", "offsets", "inliers"] + [row[0] for row in _NUMBERS + _MODELS]
     arrays = {name: open_(name) for name in names}
     table = open_("reasons")
@@ -203,9 +204,9 @@ def _results(open_: Callable[[str], Any]) -> Iterator[TwoView]:
     offsets.next(1)
     for start in range(0, count, _BLOCK):
         rows = min(_BLOCK, count - start)
-        block: Dict[str, Array] = {name: array.next(rows) for name, array in arrays.items()}
+        block: Dict[str, _Array] = {name: array.next(rows) for name, array in arrays.items()}
         for i, last in enumerate(int(last) for last in offsets.next(rows)):
-            models: List[Optional[Array]] = []
+            models: List[Optional[_Array]] = []
             for name, _, _ in _MODELS:
                 model = np.array(block[name][i], np.float64)
                 models.append(None if np.isnan(model).all() else model)
@@ -218,7 +219,7 @@ def _results(open_: Callable[[str], Any]) -> Iterator[TwoView]:
 
 
 @contextlib.contextmanager
-def _arrays(path: str) -> Iterator[Callable[[str], Any]]:
+def _arrays(path: str) -> typing.Iterator[Callable[[str], Any]]:
     """What opens an array of the file by its name."""
     try:
         with open(path, "rb") as file:
@@ -235,7 +236,7 @@ def _arrays(path: str) -> Iterator[Callable[[str], Any]]:
         fail("{}: no results of the command `pairs`, or damaged ones".format(path))
 
 
-def read(path: str) -> Iterator[TwoView]:
+def read(path: str) -> typing.Iterator[TwoView]:
     """The results of a file. Raises CollectionError."""
     with _arrays(path) as arrays:
         yield from _results(arrays)

@@ -19,9 +19,9 @@ from ._pair import CollectionError, Key, Pair, View
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Array = npt.NDArray[Any]
-    Points = npt.NDArray[np.float64]
-    Get = Callable[[str], Optional[Array]]  # the array of a name, None: there is none
+    _Array = npt.NDArray[Any]
+    _Points = npt.NDArray[np.float64]
+    _Get = Callable[[str], Optional[_Array]]  # the array of a name, None: there is none
 
 # Points of image 1 and of image 2. Those of the last two rows may come with numbers that say which of them match.
 POINTS = (("points1", "points2"), ("mkpts0", "mkpts1"), ("keypoints0", "keypoints1"), ("keypoints1", "keypoints2"))
@@ -30,7 +30,7 @@ SCORES = (("scores", True), ("matching_scores0", True), ("matching_scores", True
           ("confidence", True), ("mconf", True), ("ratios", False))  # True: higher is better
 SIZES = ("size", "image_size")
 # What a file that is no NPZ, or a damaged one, makes NumPy raise; a damaged header may ask for any amount of memory.
-UNREADABLE = (OSError, ValueError, EOFError, KeyError, MemoryError, NotImplementedError, zipfile.BadZipFile, zlib.error)
+UNREADABLE: Any = (OSError, ValueError, EOFError, KeyError, MemoryError, NotImplementedError, zipfile.BadZipFile, zlib.error)
 # COLMAP's guess of a focal length that is not known: default_focal_length_factor times the larger side of the image.
 _FOCAL_LENGTH = 1.2
 
@@ -39,7 +39,7 @@ def fail(message: str) -> NoReturn:
     raise CollectionError(message)
 
 
-def _view(name: str, points: Points, matrix: Optional[Points], size: Optional[Tuple[int, int]]) -> View:
+def _view(name: str, points: _Points, matrix: Optional[_Points], size: Optional[Tuple[int, int]]) -> View:
     """A view without distortion. Without a camera matrix a guess takes its place, of the extent of the points if even the size
     of the image is not known; focalKnown says that it is none to rely on."""
     width, height = size or (0, 0)
@@ -68,7 +68,7 @@ def _numbers(array: Any, name: str, columns: int) -> npt.NDArray[np.float64]:
     return numbers
 
 
-def _matrix(array: Any, name: str) -> Points:
+def _matrix(array: Any, name: str) -> _Points:
     matrix = _numbers(array, name, 3)
     if matrix.shape != (3, 3) or matrix[0, 0] <= 0 or matrix[1, 1] <= 0 or not np.allclose(matrix[2], (0, 0, 1)):
         fail("{}: no camera matrix".format(name))
@@ -82,7 +82,7 @@ def _size(array: Any, name: str) -> Tuple[int, int]:
     return int(size[0]), int(size[1])
 
 
-def _ofBoth(get: Get, stem: str, each: Callable[[Any, str], Any]) -> Tuple[Any, Any]:
+def _ofBoth(get: _Get, stem: str, each: Callable[[Any, str], Any]) -> Tuple[Any, Any]:
     """What the arrays stem1 and stem2 hold, or stem0 and stem1; None, None without them."""
     zero = get(stem + "0")
     names = (stem + "1", stem + "2") if zero is None else (stem + "0", stem + "1")
@@ -95,7 +95,7 @@ def _ofBoth(get: Get, stem: str, each: Callable[[Any, str], Any]) -> Tuple[Any, 
     return each(arrays[0], names[0]), each(arrays[1], names[1])
 
 
-def _rows(matches: Array, name: str, points: List[Points], names: Tuple[str, str]) -> npt.NDArray[np.int64]:
+def _rows(matches: _Array, name: str, points: List[_Points], names: Tuple[str, str]) -> npt.NDArray[np.int64]:
     """M x 2 numbers of keypoints: of a list of such rows, or of the match of each keypoint of image 1, negative: it has none."""
     if matches.size and matches.dtype.kind not in "iu":
         fail("{}: whole numbers are expected".format(name))
@@ -116,7 +116,7 @@ def _rows(matches: Array, name: str, points: List[Points], names: Tuple[str, str
     return rows
 
 
-def _scores(get: Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optional[Points], bool]:
+def _scores(get: _Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optional[_Points], bool]:
     """Scores of the matches, and whether higher is better; count: keypoints of image 1. Those that are all the same say
     nothing."""
     for name, higherIsBetter in SCORES:
@@ -132,12 +132,12 @@ def _scores(get: Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optional
     return None, True
 
 
-def pairOfArrays(key: Key, read: Get, names: Tuple[str, str]) -> Pair:
+def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
     """The pair of an NPZ file or of a group; read: is called once for a name. `names` are those of the images. Raises
     CollectionError."""
-    known: Dict[str, Optional[Array]] = {}
+    known: Dict[str, Optional[_Array]] = {}
 
-    def get(name: str) -> Optional[Array]:
+    def get(name: str) -> Optional[_Array]:
         if name not in known:
             known[name] = read(name)
         return known[name]
@@ -184,7 +184,7 @@ def _sides(key: Key) -> Tuple[str, str]:
     return "{} (1)".format(key), "{} (2)".format(key)
 
 
-def _rowByRow(lines: List[str]) -> Points:
+def _rowByRow(lines: List[str]) -> _Points:
     """Slower than NumPy, but lines may or may not have a score, and a mistake has its line."""
     rows: List[List[float]] = []
     for number, line in enumerate(lines, 1):
@@ -199,7 +199,7 @@ def _rowByRow(lines: List[str]) -> Points:
     return np.array(rows, np.float64).reshape(-1, 5)
 
 
-def _correspondences(path: str) -> Points:
+def _correspondences(path: str) -> _Points:
     """The rows of a .corr file with a score each, 1 where there is none."""
     try:
         with open(path, encoding="ascii") as file:

@@ -8,18 +8,19 @@ from __future__ import annotations
 
 import os
 import threading
+import typing
 from collections import OrderedDict
-from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator, Optional, Tuple, Union, cast
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Union, cast
 
 from ._list_files import MATCHES, POINTS, SCORES, fail, pairOfArrays
 from ._optional import need
 from ._pair import Pair
 
 if TYPE_CHECKING:
-    from ._list_files import Array, Get
+    from ._list_files import _Array, _Get
 
 _KEPT = 64  # images whose keypoints stay in memory: the pairs of an image follow each other
-_DAMAGED = (OSError, KeyError, RuntimeError, ValueError, MemoryError)
+_DAMAGED: Any = (OSError, KeyError, RuntimeError, ValueError, MemoryError)
 
 
 def useH5py() -> Any:
@@ -49,7 +50,7 @@ def _isGroup(item: Any) -> bool:
     return hasattr(item, "keys")
 
 
-def _groups(h5py: Any, group: Any, path: str = "") -> Iterator[str]:
+def _groups(h5py: Any, group: Any, path: str = "") -> typing.Iterator[str]:
     """Paths of the groups that hold arrays, in the order of their names. What is below such a group is not looked at. `group` is
     of the low-level interface of h5py, as a pair takes three times as long by the other."""
     first = next(iter(group), None)
@@ -74,16 +75,16 @@ class Groups:
         self._path, self._file = path, openFile(path)
         self._only = os.path.splitext(os.path.basename(path))[0]
 
-    def paths(self) -> Iterator[str]:
+    def paths(self) -> typing.Iterator[str]:
         try:
             yield from _groups(useH5py(), self._file["/"].id)
         except _DAMAGED:
             fail("{}: the file is damaged".format(self._path))
 
-    def names(self) -> Iterator[str]:
+    def names(self) -> typing.Iterator[str]:
         return (path or self._only for path in self.paths())
 
-    def files(self) -> Iterable[str]:
+    def files(self) -> typing.Iterable[str]:
         return [self._path]
 
     def group(self, name: str) -> Any:
@@ -99,7 +100,7 @@ class Groups:
     def close(self) -> None:
         self._file.close()
 
-    def reader(self, name: str) -> Get:
+    def reader(self, name: str) -> _Get:
         """What reads the arrays of a group. Raises CollectionError."""
         group = self.group(name)
         try:
@@ -107,12 +108,12 @@ class Groups:
         except _DAMAGED:
             fail("{}: {} is damaged".format(self._path, group.name))
 
-        def get(member: str) -> Optional[Array]:
+        def get(member: str) -> Optional[_Array]:
             if member not in members:
                 return None
             try:
                 item = group[member]
-                return None if _isGroup(item) else cast("Array", item[()])
+                return None if _isGroup(item) else cast("_Array", item[()])
             except _DAMAGED:
                 fail("{}: {}/{} is damaged".format(self._path, group.name, member))
 
@@ -135,7 +136,7 @@ class _Features:
         for name in self._groups.paths():
             dashed = name.replace("/", "-")
             self._image[dashed] = None if dashed in self._image else name
-        self._kept: OrderedDict[str, Tuple[Array, Optional[Array]]] = OrderedDict()
+        self._kept: OrderedDict[str, Tuple[_Array, Optional[_Array]]] = OrderedDict()
         self._lock = threading.Lock()
 
     def close(self) -> None:
@@ -145,7 +146,7 @@ class _Features:
         """Name of the image, None: there is none, or there are several."""
         return self._image.get(dashed)
 
-    def load(self, image: str) -> Tuple[Array, Optional[Array]]:
+    def load(self, image: str) -> Tuple[_Array, Optional[_Array]]:
         """Keypoints and size."""
         with self._lock:
             if image in self._kept:
@@ -170,10 +171,10 @@ class Hloc:
         self._matches, self._features = Groups(path), _Features(features)
         self._path = path
 
-    def names(self) -> Iterator[str]:
+    def names(self) -> typing.Iterator[str]:
         return self._matches.names()
 
-    def files(self) -> Iterable[str]:
+    def files(self) -> typing.Iterable[str]:
         return [self._path, self._features.path]
 
     def close(self) -> None:

@@ -17,7 +17,8 @@ import itertools
 import json
 import os
 import sqlite3
-from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Sequence, Tuple, Union
+import typing
+from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
 
@@ -29,7 +30,7 @@ from ._sqlite import PATIENCE, columns, connect, explained
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._lists import ListSource
+    from ._lists import ListSource as _ListSource
 
 SQLITE = (".sqlite", ".sqlite3", ".db")
 ARRAYS = (".npz", ".h5", ".hdf5")
@@ -45,7 +46,7 @@ _THERE = "there is such a file already (--resume goes on with it)"
 _OTHER = "the results are of a run with other settings"
 
 
-def settingsText(run: Mapping[str, object]) -> str:
+def settingsText(run: typing.Mapping[str, object]) -> str:
     return json.dumps(dict(run), sort_keys=True, default=str)
 
 
@@ -64,7 +65,7 @@ def _row(result: TwoView, images: Optional[Tuple[str, str]]) -> Tuple[Any, ...]:
             _blob(result.translation), _blob(result.F), _blob(result.E), _blob(result.H), inliers.tobytes())
 
 
-def _twoView(row: Sequence[Any]) -> TwoView:
+def _twoView(row: typing.Sequence[Any]) -> TwoView:
     name, _, _, configuration, reason, matches, _, iterations, chance, ms, quaternion, translation, F, E, H, inliers = row
     return TwoView(name, Configuration(configuration), np.frombuffer(inliers, "<u4").astype(np.uint32).reshape(-1, 2),
                    _array(F, 3, 3), _array(E, 3, 3), _array(H, 3, 3), _array(quaternion, 4), _array(translation, 3), reason,
@@ -74,7 +75,7 @@ def _twoView(row: Sequence[Any]) -> TwoView:
 class SqliteSink:
     """A database of results; the pairs of a commit are in it together or not at all."""
 
-    def __init__(self, path: str, source: Optional[ListSource], run: Mapping[str, object], resume: bool) -> None:
+    def __init__(self, path: str, source: Optional[_ListSource], run: typing.Mapping[str, object], resume: bool) -> None:
         """source: knows the images of the pairs; run, resume: see openResults. Raises CollectionError."""
         if os.path.exists(path) and not resume:
             fail("{}: {}".format(path, _THERE))
@@ -110,7 +111,7 @@ class SqliteSink:
             return bool(self._connection.execute("SELECT 1 FROM {} WHERE name = ? AND configuration != {:d}".format(
                 TABLE, Configuration.UNDEFINED), (str(key),)).fetchall())
 
-    def commit(self, results: Sequence[TwoView]) -> None:
+    def commit(self, results: typing.Sequence[TwoView]) -> None:
         if self._connection is None:
             fail("{}: results come after the file was closed".format(self._path))
         rows = [_row(result, None if self._source is None else self._source.images(result.key)) for result in results]
@@ -135,7 +136,7 @@ class SqliteSink:
 class ArraySink:
     """An NPZ or HDF5 file of results, made of OUTPUT.part at the end of a run."""
 
-    def __init__(self, path: str, source: ListSource, run: Mapping[str, object], resume: bool) -> None:
+    def __init__(self, path: str, source: _ListSource, run: typing.Mapping[str, object], resume: bool) -> None:
         """As SqliteSink."""
         _list_columns.check(path)
         self._path, self._part = path, path + ".part"
@@ -147,7 +148,7 @@ class ArraySink:
         self._rows: Optional[SqliteSink] = SqliteSink(self._part, source, run, resume)
         self._changed = begun or not there
 
-    def _restore(self, source: ListSource, run: Mapping[str, object]) -> None:
+    def _restore(self, source: _ListSource, run: typing.Mapping[str, object]) -> None:
         """Goes on from a file that is complete: the list may have more pairs now, or faults may have been repaired. OUTPUT.part
         always has all pairs of OUTPUT."""
         if _list_columns.readSettings(self._path) != settingsText(run):
@@ -164,7 +165,7 @@ class ArraySink:
     def done(self, key: Key) -> bool:
         return self._rows is not None and self._rows.done(key)
 
-    def commit(self, results: Sequence[TwoView]) -> None:
+    def commit(self, results: typing.Sequence[TwoView]) -> None:
         if self._rows is None:
             fail("{}: results come after the file was closed".format(self._path))
         self._changed = self._changed or len(results) > 0
@@ -184,7 +185,8 @@ class ArraySink:
         os.remove(self._part)
 
 
-def openResults(path: str, source: ListSource, run: Mapping[str, object], resume: bool = False) -> Union[SqliteSink, ArraySink]:
+def openResults(path: str, source: _ListSource, run: typing.Mapping[str, object],
+                resume: bool = False) -> Union[SqliteSink, ArraySink]:
     """The sink of a file by its extension. `run` is what the results depend on beside the pairs themselves, the settings, say;
     --resume goes on with a run of the same. Raises CollectionError."""
     checkExtension(path)
@@ -205,7 +207,7 @@ def checkExtension(path: str) -> None:
             "; there is no library for Parquet in Debian" if _extension(path) == ".parquet" else ""))
 
 
-def readResults(path: str) -> Iterator[TwoView]:
+def readResults(path: str) -> typing.Iterator[TwoView]:
     """The results of the command `pairs` in the order of their names, one after the other, from its SQLite, NPZ or HDF5 file, or
     from OUTPUT.part of a run that was interrupted. Raises CollectionError for a file that is none or that is damaged."""
     try:

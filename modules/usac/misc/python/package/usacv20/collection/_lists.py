@@ -29,8 +29,9 @@ from __future__ import annotations
 import hashlib
 import heapq
 import os
+import typing
 import zipfile
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, Iterator, List, Optional, Protocol, Sequence, Tuple, Union, cast
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Union, cast
 
 import numpy as np
 
@@ -45,13 +46,13 @@ EXTENSIONS = (".corr", ".npz") + HDF5
 BATCH = 1 << 16  # entries of a folder that are sorted at once: some ten megabytes of names
 
 
-class Container(Protocol):
+class Container(typing.Protocol):
     """What ListSource opens in each process."""
 
-    def names(self) -> Iterator[str]:
+    def names(self) -> typing.Iterator[str]:
         """Of all pairs in a fixed order, as a stream."""
 
-    def files(self) -> Iterable[str]:
+    def files(self) -> typing.Iterable[str]:
         """That the pairs come from."""
 
     def load(self, name: str) -> Pair:
@@ -64,7 +65,7 @@ class Container(Protocol):
         """Of the files that are open."""
 
 
-def inOrder(entries: Callable[[], Iterable[str]], batch: int) -> Iterator[str]:
+def inOrder(entries: Callable[[], typing.Iterable[str]], batch: int) -> typing.Iterator[str]:
     """Different strings by size, however many, with `batch` of them in memory: each pass finds those that follow the last one."""
     last = ""
     while True:
@@ -105,7 +106,7 @@ class Folder:
         if not self._extension:
             fail("{}: no {} files".format(path, ", ".join(EXTENSIONS)))
 
-    def _scanned(self, folder: str) -> Iterator[str]:
+    def _scanned(self, folder: str) -> typing.Iterator[str]:
         """Entries of interest; folders end in '/'. Links to folders are not followed, they may lead back."""
         with os.scandir(os.path.join(self._path, folder)) as entries:
             for entry in entries:
@@ -116,7 +117,7 @@ class Folder:
                 elif entry.name.lower().endswith(EXTENSIONS):
                     yield entry.name
 
-    def _walk(self, folder: str, entries: Callable[[str], Iterable[str]]) -> Iterator[str]:
+    def _walk(self, folder: str, entries: Callable[[str], typing.Iterable[str]]) -> typing.Iterator[str]:
         """Paths of the files, relative."""
         try:
             for entry in entries(folder):
@@ -127,13 +128,13 @@ class Folder:
         except OSError as error:
             fail("{}: {}".format(os.path.join(self._path, folder), error.strerror))
 
-    def _sorted(self) -> Iterator[str]:
+    def _sorted(self) -> typing.Iterator[str]:
         return self._walk("", lambda folder: inOrder(lambda: self._scanned(folder), BATCH))
 
-    def names(self) -> Iterator[str]:
+    def names(self) -> typing.Iterator[str]:
         return (os.path.splitext(file)[0] for file in self._sorted())
 
-    def files(self) -> Iterator[str]:
+    def files(self) -> typing.Iterator[str]:
         for file in self._sorted():
             yield from _withDescription(os.path.join(self._path, file))
 
@@ -158,7 +159,7 @@ class ListFile:
         self._path = path
         self._base = os.path.dirname(folder) if os.path.basename(folder) == "lists" else folder
 
-    def names(self) -> Iterator[str]:
+    def names(self) -> typing.Iterator[str]:
         try:
             with open(self._path, encoding="utf-8") as lines:
                 for line in lines:
@@ -172,7 +173,7 @@ class ListFile:
         path = os.path.join(self._base, name)
         return next((path + extension for extension in EXTENSIONS if os.path.exists(path + extension)), path + EXTENSIONS[0])
 
-    def files(self) -> Iterator[str]:
+    def files(self) -> typing.Iterator[str]:
         yield self._path
         for name in self.names():
             yield from _withDescription(self._file(name))
@@ -204,10 +205,10 @@ class NpzFile:
             group = member.rpartition("/")[0]
             self._prefixes[group or os.path.splitext(os.path.basename(path))[0]] = group + "/" if group else ""
 
-    def names(self) -> Iterator[str]:
+    def names(self) -> typing.Iterator[str]:
         return iter(sorted(self._prefixes))
 
-    def files(self) -> Iterable[str]:
+    def files(self) -> typing.Iterable[str]:
         return [self._path]
 
     def _get(self, member: str) -> Optional[npt.NDArray[Any]]:
@@ -278,7 +279,7 @@ class ListSource:
             self._opened = process, _open(self._path, self._features)
         return self._opened[1]
 
-    def keys(self) -> Iterator[Key]:
+    def keys(self) -> typing.Iterator[Key]:
         for name in self._container().names():
             try:
                 name.encode("utf-8")
@@ -289,7 +290,7 @@ class ListSource:
     def __len__(self) -> int:
         return self._count
 
-    def load(self, keys: Sequence[Key]) -> List[Union[Pair, Fault]]:
+    def load(self, keys: typing.Sequence[Key]) -> List[Union[Pair, Fault]]:
         container = self._container()
         loaded: List[Union[Pair, Fault]] = []
         for key in keys:

@@ -7,7 +7,8 @@
 from __future__ import annotations
 
 import enum
-from typing import TYPE_CHECKING, Iterator, List, NamedTuple, Optional, Protocol, Sequence, Union
+import typing
+from typing import TYPE_CHECKING, List, Optional, Union
 
 import numpy as np
 
@@ -34,7 +35,7 @@ class Configuration(enum.IntEnum):
     WATERMARK = 7
 
 
-class View(NamedTuple):
+class View(typing.NamedTuple):
     """One side of a pair: the matched points of an image and its camera."""
 
     name: str
@@ -46,7 +47,7 @@ class View(NamedTuple):
     height: int
 
 
-class Pair(NamedTuple):
+class Pair(typing.NamedTuple):
     """Two images and their matches; row i of the points of both views is match i."""
 
     key: Key
@@ -57,14 +58,14 @@ class Pair(NamedTuple):
     higherIsBetter: bool
 
 
-class Fault(NamedTuple):
+class Fault(typing.NamedTuple):
     """A pair that cannot be read, in the place of a Pair."""
 
     key: Key
     reason: str  # one line that names the images
 
 
-class TwoView(NamedTuple):
+class TwoView(typing.NamedTuple):
     """What has become of a pair."""
 
     key: Key
@@ -82,29 +83,29 @@ class TwoView(NamedTuple):
     milliseconds: float
 
 
-class Source(Protocol):
+class Source(typing.Protocol):
     """Where pairs come from. Can be pickled; each process opens the files by itself when it needs them first."""
 
-    def keys(self) -> Iterator[Key]:
+    def keys(self) -> typing.Iterator[Key]:
         """Of all pairs in a fixed order, as a stream."""
 
     def __len__(self) -> int:
         """How many."""
 
-    def load(self, keys: Sequence[Key]) -> List[Union[Pair, Fault]]:
+    def load(self, keys: typing.Sequence[Key]) -> List[Union[Pair, Fault]]:
         """Pairs in the order of the keys."""
 
     def fingerprint(self) -> str:
         """The same in two processes that see the same files."""
 
 
-class Sink(Protocol):
+class Sink(typing.Protocol):
     """Where results go; used by one thread only."""
 
     def done(self, key: Key) -> bool:
         """True if an earlier run has stored the pair (--resume)."""
 
-    def commit(self, results: Sequence[TwoView]) -> None:
+    def commit(self, results: typing.Sequence[TwoView]) -> None:
         """Stores results at once, or none of them."""
 
     def close(self, finished: bool = True) -> None:

@@ -15,13 +15,13 @@ import numpy as np
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Array = npt.NDArray[np.float64]
+    _Array = npt.NDArray[np.float64]
 
 # Only the signs of depths are asked for, and these many tell them; the same bound for every pair.
 _MOST_FOR_SIGNS = 500
 
 
-def directions(points: Array, matrix: Array) -> Array:
+def directions(points: _Array, matrix: _Array) -> _Array:
     """Of pixels without distortion, by the matrix of the camera."""
     result = np.empty((len(points), 3))
     result[:, 0] = (points[:, 0] - matrix[0, 2]) / matrix[0, 0]
@@ -30,7 +30,7 @@ def directions(points: Array, matrix: Array) -> Array:
     return result
 
 
-def motionOfEssential(E: Array, first: Array, second: Array) -> Tuple[Array, Array]:
+def motionOfEssential(E: _Array, first: _Array, second: _Array) -> Tuple[_Array, _Array]:
     """Rotation and unit translation: of the four motions that E allows the one with which most points are in front of both
     cameras @cite hartley2003multiple (9.6.2). `first` and `second` are the directions of the inliers."""
     U, _, V = np.linalg.svd(E)
@@ -47,7 +47,7 @@ def motionOfEssential(E: Array, first: Array, second: Array) -> Tuple[Array, Arr
     return best[1], best[2]
 
 
-def _depthSigns(a: Array, b: Array, t: Array) -> npt.NDArray[np.int8]:
+def _depthSigns(a: _Array, b: _Array, t: _Array) -> npt.NDArray[np.int8]:
     """1 where the point z1 a + t = z2 b has both depths positive, -1 where it has with -t, else 0. The depths are those of the
     least squares, times a positive number."""
     aa, ab, bb = np.einsum("ij,ij->i", a, a), np.einsum("ij,ij->i", a, b), np.einsum("ij,ij->i", b, b)
@@ -56,17 +56,17 @@ def _depthSigns(a: Array, b: Array, t: Array) -> npt.NDArray[np.int8]:
     return np.where((z1 > 0) & (z2 > 0), 1, np.where((z1 < 0) & (z2 < 0), -1, 0)).astype(np.int8)
 
 
-def rotation(first: Array, second: Array) -> Array:
+def rotation(first: _Array, second: _Array) -> _Array:
     """The rotation that takes directions nearest to directions, by least squares of unit vectors @cite umeyama1991least."""
     a = first / np.linalg.norm(first, axis=1)[:, None]
     b = second / np.linalg.norm(second, axis=1)[:, None]
     U, _, V = np.linalg.svd(b.T @ a)
     U[:, 2] *= np.linalg.det(U) * np.linalg.det(V)
-    result: Array = U @ V
+    result: _Array = U @ V
     return result
 
 
-def quaternion(R: Array) -> Array:
+def quaternion(R: _Array) -> _Array:
     """(w, x, y, z) with w >= 0 of a rotation: of the four columns of the quaternion's square the one with the largest norm."""
     xx, yy, zz = R[0, 0], R[1, 1], R[2, 2]
     square = np.array([
@@ -74,6 +74,6 @@ def quaternion(R: Array) -> Array:
         [R[2, 1] - R[1, 2], 1 + xx - yy - zz, R[0, 1] + R[1, 0], R[0, 2] + R[2, 0]],
         [R[0, 2] - R[2, 0], R[0, 1] + R[1, 0], 1 - xx + yy - zz, R[1, 2] + R[2, 1]],
         [R[1, 0] - R[0, 1], R[0, 2] + R[2, 0], R[1, 2] + R[2, 1], 1 - xx - yy + zz]])
-    q: Array = square[int(np.argmax(np.diag(square)))]
+    q: _Array = square[int(np.argmax(np.diag(square)))]
     q = q / np.linalg.norm(q)
     return -q if q[0] < 0 else q

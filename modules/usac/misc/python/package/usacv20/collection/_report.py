@@ -17,7 +17,8 @@ from __future__ import annotations
 import csv
 import json
 import sys
-from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, TextIO
+import typing
+from typing import Any, Dict, List, Optional
 
 from . import _pictures
 from ._pair import CollectionError, Configuration
@@ -32,13 +33,13 @@ QUANTILES = (0.5, 0.9, 1.0)
 _STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000)
 
 
-class Measure(NamedTuple):
+class Measure(typing.NamedTuple):
     """What there is a histogram of."""
 
     name: str
     title: str
     value: str  # of a row
-    edges: Sequence[float]
+    edges: typing.Sequence[float]
     where: str
 
 
@@ -119,7 +120,7 @@ def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
     return summary
 
 
-def _table(rows: Iterable[Sequence[Any]], indent: str = "  ") -> List[str]:
+def _table(rows: typing.Iterable[typing.Sequence[Any]], indent: str = "  ") -> List[str]:
     """Lines with columns of the same width, numbers at the right."""
     cells = [[cell if isinstance(cell, str) else _number(cell) for cell in row] for row in rows]
     given = [list(row) for row in rows]
@@ -205,7 +206,7 @@ def _writeTable(results: Results, path: str) -> None:
 
 
 def report(path: str, pictures: Optional[str] = None, jsonFile: Optional[str] = None, csvFile: Optional[str] = None,
-           most: int = 5, stream: Optional[TextIO] = None) -> int:
+           most: int = 5, stream: Optional[typing.TextIO] = None) -> int:
     """Reports on a COLMAP database or on a database of the command `pairs`; the file is not changed.
 
     pictures -- folder for histograms and the matrix of the pairs, None: no pictures

@@ -7,14 +7,15 @@
 from __future__ import annotations
 
 import itertools
-from typing import TYPE_CHECKING, Iterable, Iterator, List, NamedTuple, Tuple
+import typing
+from typing import TYPE_CHECKING, List, Tuple
 
 import numpy as np
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Numbers = npt.NDArray[np.int64]
+    _Numbers = npt.NDArray[np.int64]
 
 Edge = Tuple[int, int]
 
@@ -41,7 +42,7 @@ class _Forest:
         return True
 
 
-class Bridge(NamedTuple):
+class Bridge(typing.NamedTuple):
     """A link without which a component falls apart."""
 
     first: int
@@ -49,12 +50,12 @@ class Bridge(NamedTuple):
     images: int  # of the smaller part
 
 
-class Graph(NamedTuple):
+class Graph(typing.NamedTuple):
     components: List[int]  # numbers of images, the largest first
     bridges: List[Bridge]  # those of the largest parts first
 
 
-def graphOf(count: int, links: Iterable[Edge]) -> Graph:
+def graphOf(count: int, links: typing.Iterable[Edge]) -> Graph:
     """Of `count` images. The memory depends on the images, not on the links: a spanning forest, and one of the links that are
     not in it, have the same bridges as all links together (a sparse certificate of Nagamochi and Ibaraki, 1992)."""
     forest, second = _Forest(count), _Forest(count)
@@ -67,7 +68,7 @@ def graphOf(count: int, links: Iterable[Edge]) -> Graph:
                  sorted(_bridges(count, kept), key=lambda bridge: (-bridge.images, bridge)))
 
 
-def _neighbors(count: int, edges: List[Edge]) -> Tuple[Numbers, Numbers, Numbers]:
+def _neighbors(count: int, edges: List[Edge]) -> Tuple[_Numbers, _Numbers, _Numbers]:
     """Of node i: those of the numbers start[i] to start[i + 1] of the second array; the third tells by which edge."""
     ends = np.array(edges, np.int64).reshape(-1, 2)
     origins, targets = ends.T.ravel(), ends[:, ::-1].T.ravel()
@@ -77,7 +78,7 @@ def _neighbors(count: int, edges: List[Edge]) -> Tuple[Numbers, Numbers, Numbers
     return start, targets[order], np.tile(np.arange(len(ends)), 2)[order]
 
 
-def _bridges(count: int, edges: List[Edge]) -> Iterator[Bridge]:
+def _bridges(count: int, edges: List[Edge]) -> typing.Iterator[Bridge]:
     """Tarjan's: an edge of the tree of a depth-first search is a bridge if no edge leads from below it to above it."""
     start, targets, numbers = [array.tolist() for array in _neighbors(count, edges)]
     entered, low, below = [-1] * count, [0] * count, [1] * count
@@ -114,7 +115,7 @@ def _bridges(count: int, edges: List[Edge]) -> Iterator[Bridge]:
             yield Bridge(parent, node, min(below[node], below[root] - below[node]))
 
 
-def indexed(images: Numbers, links: Iterable[Tuple[int, int, int, int]]) -> Iterator[Numbers]:
+def indexed(images: _Numbers, links: typing.Iterable[Tuple[int, int, int, int]]) -> typing.Iterator[_Numbers]:
     """Links with the places of their images among `images`, which are in order, in blocks of rows; others are left out."""
     rows = iter(links)
     for block in iter(lambda: list(itertools.islice(rows, 4096)), []):
@@ -125,7 +126,7 @@ def indexed(images: Numbers, links: Iterable[Tuple[int, int, int, int]]) -> Iter
             yield np.column_stack((places, values[:, 2:]))[known]
 
 
-def matrixOf(count: int, blocks: Iterable[Numbers], verified: int, most: int) -> Numbers:
+def matrixOf(count: int, blocks: typing.Iterable[_Numbers], verified: int, most: int) -> _Numbers:
     """The largest number of inliers of the pairs of images in each cell, -1: none of them was verified, -2: there are none. Of
     more than `most` images several share a row and a column."""
     size = min(count, most)

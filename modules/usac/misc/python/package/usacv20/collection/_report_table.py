@@ -10,7 +10,8 @@ from __future__ import annotations
 import json
 import os
 import re
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
+import typing
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -44,7 +45,7 @@ _STATE = "CASE WHEN configuration = {:d} THEN {} WHEN configuration = {:d} OR re
     Configuration.UNDEFINED, FAULT, Configuration.DEGENERATE, REFUSED, VERIFIED)
 
 
-class Row(NamedTuple):
+class Row(typing.NamedTuple):
     """A pair. What the results do not tell is None."""
 
     name: str
@@ -61,7 +62,7 @@ class Row(NamedTuple):
 _ROW = "name, configuration, state, reason, matches, inliers, iterations, chance, milliseconds"
 
 
-def _row(values: Sequence[Any]) -> Row:
+def _row(values: typing.Sequence[Any]) -> Row:
     known = int(values[1]) in list(Configuration)
     return Row(values[0], Configuration(values[1]) if known else Configuration.UNDEFINED, *values[2:])
 
@@ -118,7 +119,7 @@ class Results:
         self._connection.close()
         tidy(self.path)
 
-    def rows(self, sql: str, *values: Any) -> Iterator[Tuple[Any, ...]]:
+    def rows(self, sql: str, *values: Any) -> typing.Iterator[Tuple[Any, ...]]:
         with explained(self.path):
             cursor = self._connection.execute(sql, values)
             for block in iter(lambda: cursor.fetchmany(_BLOCK), []):
@@ -130,7 +131,8 @@ class Results:
             found = self._connection.execute(sql, values).fetchone()
         return None if found is None else found[0]
 
-    def pairs(self, where: str = "1", order: str = "name", most: int = -1, values: Sequence[Any] = ()) -> Iterator[Row]:
+    def pairs(self, where: str = "1", order: str = "name", most: int = -1,
+              values: typing.Sequence[Any] = ()) -> typing.Iterator[Row]:
         """Pairs as a stream; most -- -1: all."""
         for row in self.rows("SELECT {} FROM results WHERE {} ORDER BY {} LIMIT {:d}".format(_ROW, where, order, most), *values):
             yield _row(row)
@@ -143,7 +145,7 @@ class Results:
             "SELECT {} AS kind, COUNT(*), MIN(name) FROM results WHERE state != {} GROUP BY kind ORDER BY 2 DESC, 1 "
             "LIMIT {:d}".format(kind, VERIFIED, most))]
 
-    def histogram(self, value: str, edges: Sequence[float], where: str) -> List[int]:
+    def histogram(self, value: str, edges: typing.Sequence[float], where: str) -> List[int]:
         """How many pairs have a value, if it is known, in edges[i] <= value < edges[i + 1]; those beyond the ends are in the
         first and the last."""
         cases = " ".join("WHEN {} < {!r} THEN {}".format(value, edge, i) for i, edge in enumerate(edges[1:-1]))
@@ -153,7 +155,7 @@ class Results:
             counts[number] = count
         return counts
 
-    def quantiles(self, value: str, parts: Sequence[float], where: str) -> List[float]:
+    def quantiles(self, value: str, parts: typing.Sequence[float], where: str) -> List[float]:
         """Of the pairs where the value is known; empty if there are none."""
         where = "{} AND {} IS NOT NULL".format(where, value)
         count = self.value("SELECT COUNT(*) FROM results WHERE {}".format(where))
@@ -165,7 +167,7 @@ class Results:
         sql = "SELECT number FROM temp.nodes ORDER BY 1" if self.kind == PAIRS else "SELECT image_id FROM images ORDER BY 1"
         return np.fromiter((number for number, in self.rows(sql)), np.int64)
 
-    def links(self, where: str = "1") -> Iterator[Tuple[int, int, int, int]]:
+    def links(self, where: str = "1") -> typing.Iterator[Tuple[int, int, int, int]]:
         """Numbers of the images, inliers and state of each pair."""
         for first, second, inliers, state in self.rows(
                 "SELECT first, second, inliers, state FROM results WHERE first IS NOT NULL AND {}".format(where)):

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import os
 import sqlite3
-from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, Tuple
+import typing
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
 
 import numpy as np
 
@@ -18,8 +19,8 @@ from ._pair import CollectionError
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Array = npt.NDArray[np.float64]
-    Matches = npt.NDArray[np.uint32]
+    _Array = npt.NDArray[np.float64]
+    _Matches = npt.NDArray[np.uint32]
 
 
 class HlocScores:
@@ -49,7 +50,7 @@ class HlocScores:
                 raise CollectionError("scores: {} is no HDF5 file that can be read: {}".format(self.path, mistake))
         return self._file
 
-    def of(self, pairId: int, name1: str, name2: str, matches: Matches, connection: sqlite3.Connection) -> Optional[Array]:
+    def of(self, pairId: int, name1: str, name2: str, matches: _Matches, connection: sqlite3.Connection) -> Optional[_Array]:
         """One number for each match. Raises CollectionError if the file has other matches, or none of the pair."""
         for first, second, order in ((name1, name2, (0, 1)), (name2, name1, (1, 0))):
             for name in _groupNames(first, second):
@@ -57,17 +58,17 @@ class HlocScores:
                     return self._read(self._open()[name], matches[:, order[0]], matches[:, order[1]], name)
         raise CollectionError("{} has no scores of this pair".format(self.path))
 
-    def _read(self, group: Any, first: npt.NDArray[np.uint32], second: npt.NDArray[np.uint32], name: str) -> Array:
+    def _read(self, group: Any, first: npt.NDArray[np.uint32], second: npt.NDArray[np.uint32], name: str) -> _Array:
         if "matches0" not in group or "matching_scores0" not in group:
             raise CollectionError("{}: matches0 and matching_scores0 are expected in {}".format(self.path, name))
         partners, scores = np.asarray(group["matches0"]), np.asarray(group["matching_scores0"], np.float64)
         if len(first) and (int(first.max()) >= min(len(partners), len(scores)) or np.any(partners[first] != second)):
             raise CollectionError("{} has other matches of this pair than the database".format(self.path))
-        result: Array = scores[first]
+        result: _Array = scores[first]
         return result
 
 
-def _groupNames(first: str, second: str) -> Iterator[str]:
+def _groupNames(first: str, second: str) -> typing.Iterator[str]:
     """Of hloc's present and of its older versions."""
     first, second = first.replace("/", "-"), second.replace("/", "-")
     yield first + "/" + second
@@ -87,7 +88,7 @@ class ColumnScores:
         """For the settings of a run."""
         return "matches.{}, {} is better".format(self.column, "higher" if self.higherIsBetter else "lower")
 
-    def of(self, pairId: int, name1: str, name2: str, matches: Matches, connection: sqlite3.Connection) -> Optional[Array]:
+    def of(self, pairId: int, name1: str, name2: str, matches: _Matches, connection: sqlite3.Connection) -> Optional[_Array]:
         """One number for each match. Raises CollectionError if there are more or less."""
         row: Optional[Tuple[Any]] = connection.execute(
             'SELECT matches."{}" FROM matches WHERE pair_id = ?'.format(self.column), (pairId,)).fetchone()

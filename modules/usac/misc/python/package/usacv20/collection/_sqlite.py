@@ -10,14 +10,15 @@ import contextlib
 import os
 import pathlib
 import sqlite3
-from typing import Dict, Iterator, List, Sequence
+import typing
+from typing import Dict, List
 
 from ._pair import CollectionError
 
 PATIENCE = 5.0  # seconds to wait for a lock of another connection
 
 # What COLMAP 3.8 and all later versions have, of those columns that are read.
-INPUT: Dict[str, Sequence[str]] = {
+INPUT: Dict[str, typing.Sequence[str]] = {
     "cameras": ("camera_id", "model", "width", "height", "params", "prior_focal_length"),
     "images": ("image_id", "name", "camera_id"),
     "keypoints": ("image_id", "rows", "cols", "data"),
@@ -37,7 +38,7 @@ _MEANINGS = (
 
 
 @contextlib.contextmanager
-def explained(path: str) -> Iterator[None]:
+def explained(path: str) -> typing.Iterator[None]:
     """What SQLite raises inside becomes a CollectionError of one line."""
     try:
         yield

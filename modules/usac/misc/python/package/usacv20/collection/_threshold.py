@@ -28,8 +28,9 @@ from __future__ import annotations
 import hashlib
 import heapq
 import math
+import typing
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 import numpy as np
 
@@ -42,7 +43,7 @@ from ._settings import Settings
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Numbers = npt.NDArray[np.float64]
+    _Numbers = npt.NDArray[np.float64]
 
 # Half and double of these: doc/collections.md.
 
@@ -111,7 +112,7 @@ def _mark(key: Key) -> bytes:
     return hashlib.blake2b(str(key).encode("utf-8", "surrogatepass"), digest_size=8).digest()
 
 
-def estimateThreshold(pairs: Sequence[Pair], settings: Settings) -> ThresholdEstimate:
+def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> ThresholdEstimate:
     """The noise of the pairs and the threshold for it. Of the settings the seed is used."""
     params = Params.magsacPlusPlus()
     threshold = FIRST
@@ -135,12 +136,12 @@ def estimateThreshold(pairs: Sequence[Pair], settings: Settings) -> ThresholdEst
     return ThresholdEstimate(float("{:.3g}".format(threshold)), sigma, float(high - low) / 2 / sigma, len(pairs), len(left))
 
 
-class _Model(NamedTuple):
-    F: Numbers
+class _Model(typing.NamedTuple):
+    F: _Numbers
     parameters: int
 
 
-def _models(pairs: Sequence[Pair], params: Params) -> List[Optional[_Model]]:
+def _models(pairs: typing.Sequence[Pair], params: Params) -> List[Optional[_Model]]:
     """Of each pair; None: there is none that is significant."""
     result: List[Optional[_Model]] = [None] * len(pairs)
     for calibrated in (False, True):
@@ -165,10 +166,10 @@ def _models(pairs: Sequence[Pair], params: Params) -> List[Optional[_Model]]:
     return result
 
 
-class _Errors(NamedTuple):
+class _Errors(typing.NamedTuple):
     """Of a pair that tells the noise."""
 
-    errors: Numbers  # sorted, pixels
+    errors: _Numbers  # sorted, pixels
     guess: float  # of sigma
     correction: float  # of sigma, as the model has been fitted to the same matches
 
@@ -192,12 +193,12 @@ def _errors(pair: Pair, model: _Model) -> Optional[_Errors]:
     return _Errors(errors, guess, math.sqrt(inliers / (inliers - model.parameters)))
 
 
-def _sorted(errors: Numbers) -> Numbers:
-    result: Numbers = np.sort(np.where(np.isnan(errors), np.inf, errors))
+def _sorted(errors: _Numbers) -> _Numbers:
+    result: _Numbers = np.sort(np.where(np.isnan(errors), np.inf, errors))
     return result
 
 
-def _inliers(errors: Numbers, wrong: Numbers, parameters: int) -> Tuple[int, float]:
+def _inliers(errors: _Numbers, wrong: _Numbers, parameters: int) -> Tuple[int, float]:
     """How many of the errors are the least likely by chance, and minus the logarithm of Chernoff's bound of that chance."""
     count, total = len(errors), len(wrong)
     few = max(total // 100, 10)  # the least wrong ones: their density is that at 0
@@ -211,7 +212,7 @@ def _inliers(errors: Numbers, wrong: Numbers, parameters: int) -> Tuple[int, flo
     return best + 1, float((count - parameters) * divergence[best])
 
 
-def _noise(told: Sequence[_Errors]) -> Tuple[Numbers, Numbers]:
+def _noise(told: typing.Sequence[_Errors]) -> Tuple[_Numbers, _Numbers]:
     """Of each pair: sigma of the right matches without the tail, and of the normal distribution that has their QUANTILE.
     Expectation and maximization of all pairs at once, in units of their guesses."""
     counts = np.array([np.histogram(pair.errors / pair.guess, BINS, (0, WINDOW))[0] for pair in told], float)
@@ -231,8 +232,8 @@ def _noise(told: Sequence[_Errors]) -> Tuple[Numbers, Numbers]:
     return cores, cores * [_quantile(part) / IN_SIGMAS for part in tail[:, 0]]
 
 
-def _halfNormal(x: Numbers, sigma: Numbers) -> Numbers:
-    density: Numbers = math.sqrt(2 / math.pi) / sigma * np.exp(-0.5 * (x / sigma)**2)
+def _halfNormal(x: _Numbers, sigma: _Numbers) -> _Numbers:
+    density: _Numbers = math.sqrt(2 / math.pi) / sigma * np.exp(-0.5 * (x / sigma)**2)
     return density
 
 

@@ -10,16 +10,17 @@ import hashlib
 import pickle
 import threading
 import time
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Protocol, Sequence, Union
+import typing
+from typing import Any, Callable, Dict, List, Optional, Union
 
 import numpy as np
 
 from ._pair import CollectionError, Configuration, Fault, Key, Pair, Source, TwoView
 
-Verify = Callable[[Sequence[Pair], Any], List[TwoView]]
+Verify = Callable[[typing.Sequence[Pair], Any], List[TwoView]]
 
 
-class Future(Protocol):
+class Future(typing.Protocol):
     """What the futures of Python and those of Dask have in common."""
 
     def result(self) -> Outcome: ...
@@ -33,13 +34,13 @@ class Future(Protocol):
     def add_done_callback(self, fn: Any) -> Any: ...
 
 
-class Workers(Protocol):
+class Workers(typing.Protocol):
     """Who processes chunks."""
 
     def capacity(self) -> int:
         """Chunks that may be under way at once."""
 
-    def submit(self, keys: Sequence[Key]) -> Future: ...
+    def submit(self, keys: typing.Sequence[Key]) -> Future: ...
 
     def explain(self, error: BaseException) -> BaseException:
         """What to raise instead of what a future has raised."""
@@ -47,7 +48,7 @@ class Workers(Protocol):
     def close(self) -> None: ...
 
 
-class Outcome(NamedTuple):
+class Outcome(typing.NamedTuple):
     """Of a chunk."""
 
     results: List[TwoView]  # in the order of the keys
@@ -60,13 +61,13 @@ def faulty(fault: Fault) -> TwoView:
                    0, 0, float("nan"), 0.0)
 
 
-def process(source: Source, keys: Sequence[Key], verify: Verify, settings: Any) -> Outcome:
+def process(source: Source, keys: typing.Sequence[Key], verify: Verify, settings: Any) -> Outcome:
     start = time.perf_counter()
     items = source.load(keys)
     return finish(items, verify, settings, time.perf_counter() - start)
 
 
-def finish(items: Sequence[Union[Pair, Fault]], verify: Verify, settings: Any, reading: float) -> Outcome:
+def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings: Any, reading: float) -> Outcome:
     """What is left to do with pairs that are loaded."""
     start = time.perf_counter()
     pairs = [item for item in items if isinstance(item, Pair)]
@@ -100,7 +101,7 @@ def unpickled(source: bytes) -> Source:
         return _kept[digest]
 
 
-def processRemotely(source: bytes, fingerprint: Optional[str], keys: Sequence[Key], items: Optional[bytes], reading: float,
+def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequence[Key], items: Optional[bytes], reading: float,
                     verify: Verify, settings: Any) -> Outcome:
     """`process` in another process.
 
