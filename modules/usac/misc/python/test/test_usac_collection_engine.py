@@ -345,7 +345,8 @@ class DaskTest(ProcessCase):
         """As a command starts them; Ctrl-C in the terminal reaches the workers, too."""
         path = self.fresh()
         code, out, error = self.stopped(path, signal.SIGINT, True, "workers")
-        self.assertEqual((code, error), (130, ""))
+        self.assertEqual(code, 130, error)  # some versions of Dask tell in its log that workers were closed
+        self.assertNotIn("Traceback", error)
         self.assertIn("interrupted", out)
         self.resumed(path)
 

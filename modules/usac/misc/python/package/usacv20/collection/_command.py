@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import sys
 import typing
@@ -159,7 +160,11 @@ def _verify(options: argparse.Namespace) -> int:
         scores = HlocScores(options.scores)
     elif options.scores_column:
         scores = ColumnScores(options.scores_column, not options.lower_is_better)
-    source = DatabaseSource(options.database, scores)
+    with contextlib.closing(DatabaseSource(options.database, scores)) as source:
+        return _verifyAll(options, source, scores)
+
+
+def _verifyAll(options: argparse.Namespace, source: DatabaseSource, scores: Any) -> int:
     settings = _settings(options, source)
     target = options.output or options.database
     if options.output and not (options.resume and os.path.exists(options.output)):
@@ -176,10 +181,10 @@ def _pairs(options: argparse.Namespace) -> int:
     from ._list_results import checkExtension, openResults
     from ._lists import ListSource
     checkExtension(options.output)
-    source = ListSource(options.list, options.keypoints)
-    settings = _settings(options, source)
-    sink = openResults(options.output, source, settings.asDict(), options.resume)
-    return _exitCode(_go(options, source, sink, settings))
+    with contextlib.closing(ListSource(options.list, options.keypoints)) as source:
+        settings = _settings(options, source)
+        sink = openResults(options.output, source, settings.asDict(), options.resume)
+        return _exitCode(_go(options, source, sink, settings))
 
 
 def _report(options: argparse.Namespace) -> int:

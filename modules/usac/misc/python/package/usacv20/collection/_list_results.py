@@ -83,7 +83,7 @@ class SqliteSink:
         self._connection: Optional[sqlite3.Connection] = None
         try:
             with explained(path):
-                self._connection = sqlite3.connect(path, PATIENCE, isolation_level=None, check_same_thread=False)
+                self._connection = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None, check_same_thread=False)
                 self._create(settingsText(run))
         except BaseException:
             self.close()

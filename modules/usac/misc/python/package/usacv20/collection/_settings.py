@@ -50,7 +50,7 @@ class Settings:
         try:
             self.params().check()
         except Exception as mistake:
-            raise CollectionError(str(mistake).strip().splitlines()[-1])
+            raise CollectionError(getattr(mistake, "err", "") or str(mistake))
 
     def asDict(self) -> Dict[str, Any]:
         """For a file: what two runs must have in common to be one."""
