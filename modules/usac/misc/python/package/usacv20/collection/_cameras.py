@@ -12,7 +12,7 @@ with the others 0; its models FOV, THIN_PRISM_FISHEYE and those of later version
 from __future__ import annotations
 
 import typing
-from typing import TYPE_CHECKING, Dict, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Tuple
 
 import numpy as np
 
@@ -83,7 +83,7 @@ class Camera(typing.NamedTuple):
     def distorted(self) -> bool:
         return self.fisheye or any(self.distortion)
 
-    def ideal(self, points: npt.NDArray[np.floating]) -> _Array:  # type: ignore[type-arg]
+    def ideal(self, points: npt.NDArray[Any]) -> _Array:
         """Pixels as the same camera sees them without distortion.
 
         points -- N x 2 pixels in the image as taken

@@ -244,7 +244,7 @@ def _readImage(connection: sqlite3.Connection, number: int) -> _Image:
     except _Wrong as wrong:
         return _Image(name, None, none, None, True, None, str(wrong))
     ideal = camera.ideal(taken) if camera.distorted else None
-    seen = None if ideal is None else np.isfinite(ideal).all(axis=1)
+    seen: Any = None if ideal is None else np.isfinite(ideal).all(axis=1)
     return _Image(name, camera, taken, ideal, bool(np.isfinite(taken).all()), None if seen is None or seen.all() else seen, "")
 
 

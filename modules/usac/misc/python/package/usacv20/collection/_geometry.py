@@ -157,7 +157,7 @@ def _estimateHomographies(works: List[_Work], settings: Settings) -> None:
         threads=1, returnExceptions=True)
     for work, result, among, (first, second), swapped in zip(works, results, amongs, sides, back):
         if not isinstance(result, Exception) and result[0] is not None and among is not None:
-            H = np.linalg.inv(result[0]) if swapped else result[0]
+            H: Any = np.linalg.inv(result[0]) if swapped else result[0]
             mask = mapDistances(H, first, second) <= _PLANAR_DISTANCE * settings.threshold
             result = H / (H[2, 2] or 1), mask, result[2]
         work.take("H", result, settings.minInliers, among)

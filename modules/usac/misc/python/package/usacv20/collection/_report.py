@@ -111,7 +111,7 @@ def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
     graph = None
     if len(images):
         links = indexed(images, results.links("state = {}".format(VERIFIED)))
-        graph = graphOf(len(images), ((int(first), int(second)) for block in links for first, second in block[:, :2].tolist()))
+        graph = graphOf(len(images), ((int(row[0]), int(row[1])) for block in links for row in block))
         summary["images"] = len(images)
         summary["components"] = {"all": len(graph.components), "largest": graph.components[:most],
                                  "single": graph.components.count(1)}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import typing
-from typing import TYPE_CHECKING, List, Tuple
+from typing import TYPE_CHECKING, Any, List, Tuple
 
 import numpy as np
 
@@ -80,7 +80,8 @@ def _neighbors(count: int, edges: List[Edge]) -> Tuple[_Numbers, _Numbers, _Numb
 
 def _bridges(count: int, edges: List[Edge]) -> typing.Iterator[Bridge]:
     """Tarjan's: an edge of the tree of a depth-first search is a bridge if no edge leads from below it to above it."""
-    start, targets, numbers = [array.tolist() for array in _neighbors(count, edges)]
+    lists: Any = [array.tolist() for array in _neighbors(count, edges)]
+    start, targets, numbers = lists
     entered, low, below = [-1] * count, [0] * count, [1] * count
     following = list(start[:-1])
     clock = 0

@@ -73,6 +73,9 @@ def connect(path: str, write: bool = False) -> sqlite3.Connection:
             if os.access(os.path.dirname(os.path.abspath(path)), os.W_OK) or os.path.exists(journal) and os.path.getsize(journal):
                 raise
             connection = _open(path, "mode=ro&immutable=1")
+        except BaseException:
+            connection.close()
+            raise
         return connection
 
 
