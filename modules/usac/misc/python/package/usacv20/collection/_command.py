@@ -123,6 +123,8 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _settings(options: argparse.Namespace, source: Source) -> Settings:
+    if options.chunk < 1:
+        raise CollectionError("chunk: a positive number is expected")
     given: Dict[str, Any] = dict(
         method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
         inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance,
@@ -136,8 +138,6 @@ def _settings(options: argparse.Namespace, source: Source) -> Settings:
 
 
 def _go(options: argparse.Namespace, source: Source, sink: Sink, settings: Settings) -> Summary:
-    if options.chunk < 1:
-        raise CollectionError("chunk: a positive number is expected")
     finished = False
     try:
         summary = run(source, sink, settings, verifyPairs, threads=options.threads, chunk=options.chunk, workers=options.workers,
