@@ -18,16 +18,13 @@ import numpy as np
 
 from test_usac_collection_geometry import K, Scene
 from usac_collection_database import PINHOLE, pairId, writeDatabase
+from usac_collection_lists import h5py, needsH5py
 from usac_common import once, package
 
 try:
     from usacv20.collection._command import main
 except ImportError:  # in-tree
     pass
-try:
-    import h5py
-except ImportError:
-    h5py = None
 
 NAMES = {1: "day/a.jpg", 2: "day/b.jpg", 3: "night/c.jpg", 4: "d.jpg"}
 WRONG = 0.96  # of the matches: nothing is found in a few samples without scores
@@ -158,7 +155,7 @@ class CommandTest(unittest.TestCase):
                 group["matches0"], group["matching_scores0"] = partners, scores
         return path
 
-    @unittest.skipIf(h5py is None, "h5py was not found")
+    @needsH5py
     def test_scores_of_hloc(self):
         matches, right = collection(self.path)
         for joint, swapped in (("/", False), ("_", False), ("/", True)):
@@ -166,7 +163,7 @@ class CommandTest(unittest.TestCase):
             self.assertEqual((code, err), (0, ""))
             self.found(2)
 
-    @unittest.skipIf(h5py is None, "h5py was not found")
+    @needsH5py
     def test_mistakes_of_hloc(self):
         matches, right = collection(self.path)
         path = self.hloc({(1, 2): matches[1, 2]}, right)

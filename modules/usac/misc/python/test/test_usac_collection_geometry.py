@@ -81,13 +81,13 @@ def verified(scene, **settings):
 @package
 class GeometryTest(unittest.TestCase):
 
-    def check(self, scene, result, configuration, degrees=1.):
+    def check(self, scene, result, configuration, degrees=1., wrong=0.05):
         self.assertEqual((result.key, result.configuration, result.reason), (5, configuration, ""))
         self.assertEqual(result.matches, len(scene.matches))
         marked = scene.marked(result)
         self.assertEqual(marked.sum(), len(result.inliers))
         self.assertGreater(marked[scene.right].mean(), 0.95)
-        self.assertLess(marked[~scene.right].mean(), 0.08)
+        self.assertLess(marked[~scene.right].mean(), wrong)
         self.assertLess(result.chance, 1e-6)
         self.assertGreater(result.iterations, 0)
         if result.quaternion is not None and configuration != Configuration.PANORAMIC:
@@ -138,7 +138,9 @@ class GeometryTest(unittest.TestCase):
         for seed in range(5):
             scene = Scene(seed, planar=1)
             result = verified(scene)
-            self.check(scene, result, Configuration.PLANAR, None)
+            # A plane determines E weakly, and of what is left the epipolar lines with the most matches win: of the wrong ones
+            # 0.027 are inliers (40 seeds, at most 0.053), under the true E 0.008 (at most 0.035).
+            self.check(scene, result, Configuration.PLANAR, None, wrong=0.08)
             cross = np.cross(np.eye(3), result.translation)  # two motions see the plane alike; E is that of the pose
             E = -cross @ matrixOf(result.quaternion)
             self.assertAlmostEqual(abs(np.sum(E * result.E)), np.sqrt(2), places=6)
@@ -236,13 +238,14 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(verifyPairs([], settings), [])
 
     def test_methods(self):
-        for method in ("USACV20_FAST", "USACV20_ACCURATE", "USACV20_MAGSAC", "USACV20_PROSAC"):
+        for method in ("USACV20_FAST", "USACV20_ACCURATE", "USACV20_MAGSAC"):
             scene = Scene(1, wrong=0.2)
             self.check(scene, verified(scene, method=method), Configuration.CALIBRATED, 2.)
 
     def test_mistakes(self):
         for settings, said in (({"threshold": -1}, "threshold"), ({"threshold": float("nan")}, "threshold"),
                                ({"method": "RANSAC"}, "method: one of USACV20, "), ({"confidence": 2}, "confidence"),
+                               ({"method": "USACV20_PROSAC"}, "method: "),
                                ({"maxIterations": 0}, "maxIterations"), ({"minInliers": 0}, "min-inliers"),
                                ({"planarRatio": 2}, "planarRatio"), ({"significance": -1}, "significance")):
             with self.assertRaisesRegex(CollectionError, said):

@@ -125,7 +125,7 @@ def _why(report: Report) -> str:
 def verifyPairs(pairs: typing.Sequence[Pair], settings: Settings) -> List[TwoView]:
     """The two-view geometry of each pair, in their order. A result depends on its pair and the settings only."""
     works = [_Work(pair) for pair in pairs]
-    enough = [work for work in works if len(work.pair.matches) >= max(settings.minInliers, 8)]
+    enough = [work for work in works if len(work.pair.matches) >= settings.leastMatches]
     _estimateEpipolar("E", [work for work in enough if work.calibrated], settings)
     _estimateEpipolar("F", enough, settings)
     _estimateHomographies(enough, settings)
@@ -252,7 +252,7 @@ def _result(work: _Work, settings: Settings) -> TwoView:
 
 def _refused(work: _Work, settings: Settings) -> TwoView:
     count = len(work.pair.matches)
-    needed = max(settings.minInliers, 8)
+    needed = settings.leastMatches
     reason = work.mistake or (work.reason if count >= needed else "{} matches, {} are needed".format(count, needed))
     configuration = Configuration.UNDEFINED if work.mistake else Configuration.DEGENERATE
     return TwoView(work.pair.key, configuration, np.empty((0, 2), np.uint32), None, None, None, None, None, reason, count,

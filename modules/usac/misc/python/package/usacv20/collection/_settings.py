@@ -14,7 +14,10 @@ from .._enumerations import ScoreOrder, UsacV20Method
 from .._params import Params
 from ._pair import CollectionError, Pair
 
-METHODS = {flag.name: flag for flag in UsacV20Method if flag is not UsacV20Method.USACV20_PARALLEL}  # parallel are the pairs
+# Not USACV20_PARALLEL, as the pairs are what is parallel; not USACV20_PROSAC, as matches of a collection come in no order: scores
+# are for all other methods.
+METHODS = {flag.name: flag for flag in UsacV20Method
+           if flag not in (UsacV20Method.USACV20_PARALLEL, UsacV20Method.USACV20_PROSAC)}
 
 # A right sample is not always a good one: its points may be near to each other. That many cost less than 2 ms.
 LEAST_ITERATIONS = 500
@@ -55,6 +58,11 @@ class Settings:
     def asDict(self) -> Dict[str, Any]:
         """For a file: what two runs must have in common to be one."""
         return dataclasses.asdict(self)
+
+    @property
+    def leastMatches(self) -> int:
+        """Pairs with less are refused at once: any seven matches have an F that fits."""
+        return max(self.minInliers, 8)
 
     def iterations(self, sample: int, matches: int) -> int:
         """Samples of so many points that find a pair that is to be kept: with `confidence` one of them is right."""
