@@ -26,20 +26,19 @@ constexpr double PARALLEL_WORK = 44800;
 //! Streams of random numbers beside those of the iterations.
 constexpr uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
-//! A runner-up is worth the time if what it gains over no model at all is at least so much of what the best one gained.
-//! Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4 %, failures of H and E +0.2 points.
+//! A model of a uniform sample may be a runner-up if what it gains over no model at all is at least so much of what the
+//! best one gained. Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4 %, failures of H and E +0.2 points.
 constexpr double WORTHWHILE = 0.6;
-//! And if less of its inliers than this are inliers of the best model. 0.95, 0.8: time within 3 %, errors the same.
-constexpr double SAME = 0.9;
-//! Points that it is told from, in a buffer on the stack. Half, double: no run differs.
-constexpr int LOOKED_AT = 1024;
+//! It is worth the time if more of its inliers than this are not those of the best model. Half, double: time within 3 %,
+//! errors the same.
+constexpr double DIFFERENT = 0.1;
 
 }  // namespace
 
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
     : context(context_), parts(context_.components), state(state_), samples(context_.arena.take<Sample>(LARGEST_BATCH)),
       counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0), hypotheses(0),
-      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)
@@ -54,7 +53,7 @@ bool Ransac::run(int pause)
     bool ended = true;
     if (parts.verifier)
         parts.verifier->adapt(context, state);
-    while (!terminate() || improveRunnersUp())  // 2
+    while (!terminate() || lookBeside())  // 2
     {
         ended = state.iteration < pause;
         if (!ended)
@@ -80,7 +79,7 @@ bool Ransac::run(int pause)
                 const Candidate candidate(samples[i], h.models[k], h.qualities[k]);
                 if (!candidate.quality.betterThan(state.sampleQuality))  // 13
                 {
-                    runnersUp.add(candidate);
+                    addRunnerUp(candidate);
                     ++state.report.droppedModels;
                     continue;
                 }
@@ -89,7 +88,7 @@ bool Ransac::run(int pause)
                 if (!first)
                     improve(candidate, before);
                 else if (found)
-                    runnersUp.add(best);
+                    addRunnerUp(best);
                 best = candidate;
                 found = true;
             }
@@ -119,9 +118,7 @@ void Ransac::begin(const Model& initial)
     state.sampleQuality = quality;
     if (parts.localOptimizer)
         optimize(model, quality);
-    state.best = model;
-    state.bestQuality = quality;
-    updateTermination();
+    setBest(model, quality);
 }
 
 void Ransac::thresholdChanged()
@@ -136,7 +133,7 @@ void Ransac::thresholdChanged()
         state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
         optimize(state.best, state.bestQuality);
     }
-    updateTermination();
+    setBest(state.best, state.bestQuality);
 }
 
 //! Batches grow, so that easy problems waste little and hard ones keep the threads busy.
@@ -196,8 +193,7 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
     const int* sample = samples[index].val;
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
     h.rejectedSample = h.repeated = false;
-    for (size_t d = 0; d < parts.degeneracies.size() && !h.rejectedSample; ++d)  // 4
-        h.rejectedSample = !parts.degeneracies[d]->validSample(context, sample);
+    h.rejectedSample = !validSample(sample);  // 4
     for (size_t d = 0; d < parts.degeneracies.size() && h.rejectedSample && !h.repeated; ++d)
         h.repeated = parts.degeneracies[d]->mayBeGood(context, sample);
     if (h.rejectedSample)
@@ -208,10 +204,7 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
     for (int k = 0; k < h.computed; ++k)  // 7
     {
         const Model& model = h.models[k];
-        bool valid = true;
-        for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)  // 8
-            valid = parts.degeneracies[d]->validModel(context, sample, model);
-        if (!valid)
+        if (!validModel(sample, model))  // 8
         {
             ++h.rejected;
             continue;  // 9
@@ -245,6 +238,22 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
     }
 }
 
+bool Ransac::validSample(const int* sample) const
+{
+    bool valid = true;
+    for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)
+        valid = parts.degeneracies[d]->validSample(context, sample);
+    return valid;
+}
+
+bool Ransac::validModel(const int* sample, const Model& model) const
+{
+    bool valid = true;
+    for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)
+        valid = parts.degeneracies[d]->validModel(context, sample, model);
+    return valid;
+}
+
 /* A model that is better than the models of all samples before. Here the paper compares with the optimized best model;
 but a good model from a noisy sample is often worse than a bad one after its optimization, and would never be optimized.
 `before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way
@@ -268,50 +277,55 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
         state.yield = yield;  // that of the best model
         return;
     }
+    setBest(model, quality);
+}
+
+void Ransac::setBest(const Model& model, const Quality& quality)
+{
     state.best = model;  // 25
     state.bestQuality = quality;
+    if (!runnersUp.none())
+        runnersUp.setBest(InlierBits(context, model));
     updateTermination();  // 26
 }
 
 double Ransac::uselessCost() const
 {
     const double best = state.sampleQuality.cost, points = context.points.size;
-    // runners-up may be better than the best one, where a check has lowered the quality of theirs when they were the
-    // best
-    return std::max(best, std::min(runnersUp.uselessCost(best), points - WORTHWHILE * (points - best)));
+    return runnersUp.none() ? best : std::max(best, points - WORTHWHILE * (points - best));
 }
 
-//! A model whose inliers are those of the best one leads to the same optimum, if the problem is not ambiguous.
-bool Ransac::improveRunnersUp()
+void Ransac::addRunnerUp(const Candidate& candidate)
 {
-    const int points = context.points.size;
-    const Candidate* candidates;
-    const int count = runnersUp.take(candidates);
-    for (int i = 0; i < count; ++i)
-    {
-        const Candidate& candidate = candidates[i];
-        if (points - candidate.quality.cost < WORTHWHILE * (points - state.sampleQuality.cost))
-            break;
-        if (context.points.problem->ambiguous() || !sameInliers(candidate.model, state.best))
-            improve(candidate, state.sampleQuality);
-    }
+    if (!runnersUp.none() && candidate.quality.cost < uselessCost())
+        runnersUp.add(candidate, InlierBits(context, candidate.model));
+}
+
+bool Ransac::lookBeside()
+{
+    improveRunnersUp();
+    if (terminate() && searchUnexplained())
+        improveRunnersUp();
     return !terminate();
 }
 
-bool Ransac::sameInliers(const Model& model, const Model& other) const
+void Ransac::improveRunnersUp()
 {
-    const int count = std::min<int>(context.points.size, LOOKED_AT);
-    const float limit = (float)(context.points.threshold * context.points.threshold);
-    float errors[LOOKED_AT], otherErrors[LOOKED_AT];
-    parts.residual->squaredErrors(context.points, model, 0, count, errors);
-    parts.residual->squaredErrors(context.points, other, 0, count, otherErrors);
-    int own = 0, shared = 0;
+    rivals = runnersUp.mostUnexplained();
+    const RunnerUp* taken;
+    const int count = runnersUp.take(taken);
     for (int i = 0; i < count; ++i)
-    {
-        own += errors[i] <= limit;
-        shared += (errors[i] <= limit) & (otherErrors[i] <= limit);
-    }
-    return shared >= SAME * own;
+        if (worthOptimizing(taken[i]))
+            improve(taken[i].candidate, state.sampleQuality);
+}
+
+//! A model whose inliers are those of the best one leads to the same optimum, if the problem is not ambiguous.
+bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
+{
+    const int unexplained = runnerUp.inliers.without(runnersUp.best());
+    if (unexplained < rivalInliers() && runnerUp.candidate.quality.cost >= uselessCost())
+        return false;
+    return context.points.problem->ambiguous() || unexplained > DIFFERENT * runnerUp.inliers.count();
 }
 
 //! Lines 19 to 24; a second time if the optimized model was degenerate and a better one took its place.

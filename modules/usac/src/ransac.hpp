@@ -30,8 +30,8 @@ Samples are drawn in batches. Their models are computed and rated one after the 
 either case looked at in the order of the samples. What decides (samples, verification, the best model at the time of
 the look) is the same in both cases, so the number of threads does not change a bit of the result. Of the first batch,
 only the best model is optimized: the first models are soon beaten @cite lebeda2012fixing. When the search is about to
-end, the runners-up (Params::runnersUp) are optimized, too; if one of them becomes the best model, the criteria are
-asked again. */
+end, the runners-up (Params::runnersUp) are optimized, too, and those of samples among the points that the best model
+leaves; if one of them becomes the best model, the criteria are asked again. */
 class Ransac
 {
 public:
@@ -57,9 +57,22 @@ private:
     //! Cost from which on the model of a sample is of no use.
     double uselessCost() const;
     void improve(const Candidate& candidate, const Quality& before);
-    //! @return false if the search ends nevertheless
-    bool improveRunnersUp();
-    bool sameInliers(const Model& model, const Model& other) const;
+    void setBest(const Model& model, const Quality& quality);
+    void addRunnerUp(const Candidate& candidate);
+    //! The search is about to end. @return false if it ends nevertheless
+    bool lookBeside();
+    void improveRunnersUp();
+    bool worthOptimizing(const RunnerUp& runnerUp) const;
+    //! Samples of the points that the best model leaves; see ransac_unexplained.cpp. @return false if there was none
+    bool searchUnexplained();
+    int unexplainedPoints(int* indices) const;
+    void sampleUnexplained(const int* indices, int count, int most);
+    //! So many inliers for itself has a rival of the best model, of those of InlierBits.
+    double rivalInliers() const;
+    void addRival(const Sample& sample, const Model& model);
+    //! What the checks of degeneracy say.
+    bool validSample(const int* sample) const;
+    bool validModel(const int* sample, const Model& model) const;
     void optimize(Model& model, Quality& quality);
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
@@ -77,6 +90,8 @@ private:
     int size;           //!< of the batch
     int hypotheses;     //!< that there is room for
     RunnersUp runnersUp;
+    Model explored;  //!< the best model when what it leaves was searched
+    int rivals;      //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
     int firstOfBatch;  //!< number of its first sample
     const int exhaustive;

@@ -23,6 +23,9 @@ const double MIN_SHIFT = 5, MAX_SHIFT = 50;
 const int MATCHES_OF_ONE_POINT = 10;
 //! Sides of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL, pixels.
 const double CLUSTER = 80, PATCH = 160;
+//! Pixels: lengths of OUTLIERS_SHIFT; deviation of OUTLIERS_PLACE; sides of the squares of OUTLIERS_CLUSTERS; where half
+//! of OUTLIERS_CENTER are; OUTLIERS_WINDOW.
+const double LEAST_SHIFT = 30, LARGEST_SHIFT = 100, JITTER = 0.4, SMALL_CLUSTER = 20, HALF_WITHIN = 20, WINDOW = 60;
 
 Matx33d crossMatrix(const Vec3d& v) { return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0); }
 
@@ -171,6 +174,26 @@ Point2d randomInSquare(RNG& rng, const Point2d& corner, double side)
     return corner + Point2d(rng.uniform(0., side), rng.uniform(0., side));
 }
 
+//! By Cauchy's distribution in both coordinates, within the image.
+Point2d aboutCenter(RNG& rng)
+{
+    Point2d p;
+    do
+    {
+        const double x = std::tan(CV_PI * rng.uniform(-0.5, 0.5)), y = std::tan(CV_PI * rng.uniform(-0.5, 0.5));
+        p = Point2d(WIDTH / 2 + HALF_WITHIN * x, HEIGHT / 2 + HALF_WITHIN * y);
+    } while (!inside(p));
+    return p;
+}
+
+Point2d onBorder(RNG& rng)
+{
+    const double at = rng.uniform(0., 2 * (WIDTH + HEIGHT));
+    if (at < 2 * WIDTH)
+        return Point2d(std::fmod(at, WIDTH), at < WIDTH ? 0 : HEIGHT);
+    return Point2d(at < 2 * WIDTH + HEIGHT ? 0 : WIDTH, std::fmod(at - 2 * WIDTH, HEIGHT));
+}
+
 //! What the wrong matches of the structured kinds have in common.
 struct OutlierStructure
 {
@@ -185,6 +208,11 @@ struct OutlierStructure
             corner[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - PATCH),
                                 rng.uniform(MARGIN, HEIGHT - MARGIN - PATCH));
         }
+        const double direction = rng.uniform(0., 2 * CV_PI), length = rng.uniform(LEAST_SHIFT, LARGEST_SHIFT);
+        shift = Point2d(std::cos(direction), std::sin(direction)) * length;
+        for (int k = 0; k < 2 * CLUSTERS; ++k)
+            small[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - SMALL_CLUSTER),
+                               rng.uniform(MARGIN, HEIGHT - MARGIN - SMALL_CLUSTER));
     }
 
     //! The i-th wrong match; false if there is none of this kind.
@@ -193,8 +221,33 @@ struct OutlierStructure
         const Geometry geometry(second, secondNormal, options);
         p1 = randomPixel(rng);
         p2 = randomPixel(rng);
+        if (options.outlierModel >= OUTLIERS_SHIFT && i >= options.structured)
+            return false;
         switch (options.outlierModel)
         {
+        case OUTLIERS_SHIFT:
+            while (!inside(p2 = p1 + shift))
+                p1 = randomPixel(rng);
+            break;
+        case OUTLIERS_PLANE: seenPoint(geometry, true, rng, p1, p2); break;
+        case OUTLIERS_PLACE: p2 = target[0] + Point2d(rng.gaussian(JITTER), rng.gaussian(JITTER)); break;
+        case OUTLIERS_CLUSTERS:
+            p1 = randomInSquare(rng, small[rng.uniform(0, (int)CLUSTERS)], SMALL_CLUSTER);
+            p2 = randomInSquare(rng, small[CLUSTERS + rng.uniform(0, (int)CLUSTERS)], SMALL_CLUSTER);
+            break;
+        case OUTLIERS_CENTER:
+            p1 = aboutCenter(rng);
+            p2 = aboutCenter(rng);
+            break;
+        case OUTLIERS_WINDOW:
+            do
+                p2 = p1 + Point2d(rng.uniform(-WINDOW, WINDOW), rng.uniform(-WINDOW, WINDOW));
+            while (!inside(p2));
+            break;
+        case OUTLIERS_BORDER:
+            p1 = onBorder(rng);
+            p2 = onBorder(rng);
+            break;
         case OUTLIERS_TARGETS: p2 = target[i % 2]; break;
         case OUTLIERS_LINE:
             if (i % 2 == 0)
@@ -215,12 +268,19 @@ struct OutlierStructure
     }
 
     //! Have the wrong matches the noise of the true ones?
-    bool noisy() const { return options.outlierModel >= OUTLIERS_TARGETS; }
+    bool noisy(int i) const
+    {
+        return options.outlierModel >= OUTLIERS_SHIFT
+                   ? options.outlierModel <= OUTLIERS_PLANE && i < options.structured
+                   : options.outlierModel >= OUTLIERS_TARGETS;
+    }
+
+    enum { CLUSTERS = 5 };
 
     const SceneOptions& options;
     Scene second;
     Vec3d secondNormal;
-    Point2d target[2], corner[2];
+    Point2d target[2], corner[2], shift, small[2 * CLUSTERS];
 };
 
 void repeatRow(Scene& scene, int from, int to)
@@ -271,7 +331,7 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
     const Geometry geometry(scene, makeGeometry(scene, rng, options), options);
     const OutlierStructure structure(problem, options);
     const int size = options.inliers + options.outliers, own = options.inliers - options.duplicates;
-    CV_Assert(own > 0);
+    CV_Assert(own >= 0);
     const int shared = std::min(own, options.outliers / MATCHES_OF_ONE_POINT + 1);
     const int planar = mapsPoints(problem) ? own : cvRound(own * options.planeFraction);
     std::vector<int> order(size);
@@ -303,12 +363,12 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
             p1 = randomPixel(rng);
             p2 = scene.points2[order[rng.uniform(0, shared)]];
         }
-        else if (!structure.noisy() || !structure.match(i - options.inliers, rng, p1, p2))
+        else if (options.outlierModel < OUTLIERS_TARGETS || !structure.match(i - options.inliers, rng, p1, p2))
         {
             p1 = randomPixel(rng);
             p2 = randomPixel(rng);
         }
-        const double noise = i < own || structure.noisy() ? options.noise : 0;
+        const double noise = i < own || structure.noisy(i - options.inliers) ? options.noise : 0;
         scene.points1[row] = p1 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
         scene.points2[row] = p2 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
     }

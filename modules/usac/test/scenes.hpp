@@ -6,6 +6,7 @@
 #define OPENCV_USACV20_TEST_SCENES_HPP
 
 #include <algorithm>
+#include <climits>
 #include <vector>
 #include "opencv2/core.hpp"
 #include "opencv2/usac.hpp"
@@ -31,8 +32,16 @@ enum OutlierModel {
     OUTLIERS_TARGETS,      //!< in image 2 one of two points, but for noise; anywhere in image 1
     OUTLIERS_LINE,         //!< every second one on one line of image 2, but for noise, the others anywhere
     OUTLIERS_CLUSTERED,    //!< from one square of 80 pixels in image 1 to one in image 2
-    OUTLIERS_SECOND_MODEL  //!< true matches of another motion (not F, E: of another plane, too), from a square of 160
-                           //!< pixels in image 1
+    OUTLIERS_SECOND_MODEL,  //!< true matches of another motion (not F, E: of another plane, too), from a square of 160
+                            //!< pixels in image 1
+    // `structured` of the wrong matches are as follows, the others anywhere
+    OUTLIERS_SHIFT,     //!< all shifted in image 2 by the same 30 to 100 pixels, as repeated windows are
+    OUTLIERS_PLANE,     //!< on a plane that another motion of the camera has seen, from all of image 1
+    OUTLIERS_PLACE,     //!< in image 2 at one place, but for 0.4 pixels, as a watermark or a dead pixel makes them
+    OUTLIERS_CLUSTERS,  //!< both points in one of five squares of 20 pixels, each anew
+    OUTLIERS_CENTER,    //!< both points about the middle of their image: Cauchy's distribution, half within 20 pixels
+    OUTLIERS_WINDOW,    //!< in image 2 up to 60 pixels from where they are in image 1, as a matcher's search window
+    OUTLIERS_BORDER     //!< both points anywhere on the border of their image
 };
 
 //! How the camera moves from image 1 to image 2.
@@ -50,8 +59,8 @@ enum Motion {
 struct SceneOptions
 {
     SceneOptions()
-        : inliers(200), outliers(100), noise(0.5), seed(1), planeFraction(0), frontalPlane(false), nearest(4),
-          farthest(9), duplicates(0), copies(1), motion(MOTION_GENERAL), angle(12), baseline(1),
+        : inliers(200), outliers(100), structured(INT_MAX), noise(0.5), seed(1), planeFraction(0), frontalPlane(false),
+          nearest(4), farthest(9), duplicates(0), copies(1), motion(MOTION_GENERAL), angle(12), baseline(1),
           outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5)
     {}
 
@@ -60,6 +69,7 @@ struct SceneOptions
 
     int inliers;   //!< true matches
     int outliers;  //!< wrong matches
+    int structured;  //!< so many of them, at most, are as OUTLIERS_SHIFT and those behind it say; the others anywhere
     double noise;  //!< standard deviation in each of the four coordinates, pixels
     uint64 seed;
     double planeFraction;      //!< F, E: this part of the true matches lies on one plane; others: all do

@@ -42,15 +42,21 @@ const NamedOutliers OUTLIERS[] = {
     {"second", OUTLIERS_SECOND_MODEL},   {"duplicates", OUTLIERS_UNIFORM},  {"copies", OUTLIERS_UNIFORM},
 };
 
-//! The part of a name `planeN`; 0 if it is none.
-double planeOf(const std::string& name)
+//! Wrong matches that agree with each other: a name and percent of all matches.
+const NamedOutliers AGREEING[] = {
+    {"shift", OUTLIERS_SHIFT}, {"moving", OUTLIERS_PLANE}, {"place", OUTLIERS_PLACE}};
+
+//! The part of a name that is `word` and a number of percent; 0 if it is none.
+double partOf(const std::string& name, const std::string& word)
 {
-    const std::string number = name.compare(0, 5, "plane") == 0 ? name.substr(5) : std::string();
+    const std::string number = name.compare(0, word.size(), word) == 0 ? name.substr(word.size()) : std::string();
     const bool digits = !number.empty() && number.size() < 4 &&
                         number.find_first_not_of("0123456789") == std::string::npos;
     const int percent = digits ? std::atoi(number.c_str()) : 0;
     return percent <= 100 ? percent / 100. : 0;
 }
+
+double planeOf(const std::string& name) { return partOf(name, "plane"); }
 
 }  // namespace
 
@@ -89,6 +95,13 @@ bool setKind(const std::string& name, SceneOptions& options)
         options.planeFraction = plane;
         return true;
     }
+    for (const NamedOutliers& known : AGREEING)
+        if (partOf(name, known.name) > 0)
+        {
+            options.outlierModel = known.model;
+            options.structured = cvRound((options.inliers + options.outliers) * partOf(name, known.name));
+            return true;
+        }
     for (const NamedOutliers& known : OUTLIERS)
         if (name == known.name)
         {
@@ -112,6 +125,8 @@ bool Cell::options(int spare, SceneOptions& result) const
         result.scoreInformation = std::atof(order.c_str());
     if (problem == cv::usacv20::HOMOGRAPHY && planeOf(kind) > 0)
         return false;  // all of its right matches are on a plane
+    if (result.structured != INT_MAX && result.structured > result.outliers)
+        return false;
     if (motion == "frontal" && problem == cv::usacv20::FUNDAMENTAL)
         return false;
     return result.inliers - result.duplicates >= sampleSizeOf(problem) + spare;

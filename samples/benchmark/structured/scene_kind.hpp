@@ -58,6 +58,9 @@ bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
     planeN       generic, N percent of the right ones on one plane (F, E)
     duplicates   half of the right ones repeat others       copies      all are there five times
     second       right ones of another model, 90 % as many as of the right one, from a square of 160 pixels
+    shiftN       N percent of all matches shifted by the same 30 to 100 pixels, the other wrong ones anywhere
+    movingN      the same on a plane that another motion has seen
+    placeN       the same in image 2 at one place, but for 0.4 pixels
 
 @return false for any other name. */
 bool setKind(const std::string& name, opencv_test::SceneOptions& options);

@@ -8,38 +8,75 @@
 namespace cv {
 namespace usacv20 {
 
-RunnersUp::RunnersUp(int most_, Arena& arena)
-    : most(most_), limit(std::numeric_limits<double>::infinity()), kept(arena.take<Candidate>(most + 1)), count(0)
+namespace {
+
+bool before(const RunnerUp& a, const RunnerUp& b)
 {
-    for (int i = 0; i <= most; ++i)
-        new (kept + i) Candidate();
+    return a.unexplained > b.unexplained ||
+           (a.unexplained == b.unexplained && a.candidate.quality.betterThan(b.candidate.quality));
 }
 
-void RunnersUp::add(const Candidate& candidate)
+RunnerUp* make(Arena& arena, int count)
 {
-    if (most == 0 || candidate.quality.cost >= limit)
-        return;
+    RunnerUp* const result = arena.take<RunnerUp>(count);
+    for (int i = 0; i < count; ++i)
+        new (result + i) RunnerUp();
+    return result;
+}
+
+}  // namespace
+
+RunnersUp::RunnersUp(int most_, Arena& arena_) : most(most_), kept(0), given(0), count(0), arena(arena_) {}
+
+void RunnersUp::insert(const RunnerUp& item)
+{
     int place = count;
-    for (; place > 0 && candidate.quality.betterThan(kept[place - 1].quality); --place)
+    for (; place > 0 && before(item, kept[place - 1]); --place)
         kept[place] = kept[place - 1];
-    kept[place] = candidate;
+    kept[place] = item;
     count = std::min(count + 1, most);
-    if (count == most)
-        limit = kept[most - 1].quality.cost;
+}
+
+void RunnersUp::add(const Candidate& candidate, const InlierBits& inliers)
+{
+    if (most == 0)
+        return;
+    if (!kept)
+    {
+        kept = make(arena, most + 1);
+        given = make(arena, most + 1);
+    }
+    const RunnerUp item = {candidate, inliers, inliers.without(known)};
+    if (count < most || before(item, kept[most - 1]))
+        insert(item);
+}
+
+void RunnersUp::setBest(const InlierBits& inliers)
+{
+    known = inliers;
+    const int all = count;
+    count = 0;
+    for (int i = 0; i < all; ++i)
+    {
+        RunnerUp item = kept[i];
+        item.unexplained = item.inliers.without(known);
+        insert(item);
+    }
+}
+
+int RunnersUp::take(const RunnerUp*& taken)
+{
+    std::swap(kept, given);
+    taken = given;
+    const int all = count;
+    count = 0;
+    return all;
 }
 
 void RunnersUp::clear()
 {
     count = 0;
-    limit = std::numeric_limits<double>::infinity();
-}
-
-int RunnersUp::take(const Candidate*& candidates)
-{
-    const int taken = count;
-    candidates = kept;
-    count = 0;
-    return taken;
+    known = InlierBits();
 }
 
 }  // namespace usacv20

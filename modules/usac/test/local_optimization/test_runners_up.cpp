@@ -17,26 +17,62 @@ Candidate candidateOf(double cost)
     return Candidate(sample, Matx33d::eye(), Quality(cost, 10));
 }
 
-std::vector<double> costsOf(const std::vector<Candidate>& candidates)
+//! Points in rows, each of which is shifted by 10 pixels more than the one above it: the inliers of one shift are a row.
+struct Rows
 {
-    std::vector<double> costs;
-    for (size_t i = 0; i < candidates.size(); ++i)
+    Rows() : rows(20), each(10)
     {
-        EXPECT_EQ((int)candidates[i].quality.cost, candidates[i].sample[0]) << "another's sample";
-        costs.push_back(candidates[i].quality.cost);
+        for (int i = 0; i < rows * each; ++i)
+        {
+            from.push_back(Point2d(20. * (i % each), 20. * (i / each)));
+            to.push_back(from.back() + Point2d(10. * (i / each), 0));
+        }
+        usac = Usac::create(HOMOGRAPHY, from, to, Params());
+    }
+
+    InlierBits bitsOf(int row) const
+    {
+        const Params params;
+        const Context context(usac->points(), usac->components(), params, arena);
+        return InlierBits(context, toInternal(usac->points(), Matx33d(1, 0, 10. * row, 0, 1, 0, 0, 0, 1)));
+    }
+
+    const int rows, each;
+    std::vector<Point2d> from, to;
+    Ptr<Usac> usac;
+    mutable Arena arena;
+};
+
+std::vector<double> costsOf(RunnersUp& kept)
+{
+    const RunnerUp* taken;
+    const int count = kept.take(taken);
+    std::vector<double> costs;
+    for (int i = 0; i < count; ++i)
+    {
+        EXPECT_EQ((int)taken[i].candidate.quality.cost, taken[i].candidate.sample[0]) << "another's sample";
+        costs.push_back(taken[i].candidate.quality.cost);
     }
     return costs;
 }
 
-std::vector<Candidate> taken(RunnersUp& kept)
+TEST(Usac_InlierBits, areThoseOfTheModel)
 {
-    const Candidate* candidates;
-    const int count = kept.take(candidates);
-    return std::vector<Candidate>(candidates, candidates + count);
+    const Rows scene;
+    EXPECT_EQ(0, InlierBits().count());
+    for (int row = 0; row < scene.rows; ++row)
+    {
+        EXPECT_EQ(scene.each, scene.bitsOf(row).count());
+        EXPECT_EQ(scene.each, scene.bitsOf(row).without(InlierBits()));
+        EXPECT_EQ(0, scene.bitsOf(row).without(scene.bitsOf(row)));
+        EXPECT_EQ(scene.each, scene.bitsOf(row).without(scene.bitsOf((row + 1) % scene.rows)));
+    }
 }
 
+//! Of models with equally many inliers of their own those with the lowest cost.
 TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
 {
+    const Rows scene;
     RNG rng(5);
     for (int most = 1; most <= 12; most += 5)
     {
@@ -46,39 +82,70 @@ TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
         for (int i = 0; i < 100; ++i)
         {
             costs.push_back(rng.uniform(0, 60));  // also equal ones
-            kept.add(candidateOf(costs.back()));
+            kept.add(candidateOf(costs.back()), scene.bitsOf(i % scene.rows));
         }
         std::sort(costs.begin(), costs.end());
         costs.resize(most);
-        EXPECT_EQ(costs.back(), kept.uselessCost(0));
-        EXPECT_EQ(costs, costsOf(taken(kept)));
+        EXPECT_EQ(costs, costsOf(kept));
     }
+}
+
+//! A model that explains what the best one does not is kept, however many cheaper ones there are of what it does.
+TEST(Usac_RunnersUp, keepsWhatIsDifferent)
+{
+    const Rows scene;
+    Arena arena;
+    RunnersUp kept(3, arena);
+    kept.setBest(scene.bitsOf(2));
+    kept.add(candidateOf(50), scene.bitsOf(7));
+    for (int i = 0; i < 20; ++i)
+        kept.add(candidateOf(i), scene.bitsOf(2));
+    EXPECT_EQ(scene.each, kept.mostUnexplained());
+    const double expected[] = {50, 0, 1};
+    EXPECT_EQ(std::vector<double>(expected, expected + 3), costsOf(kept));
+}
+
+//! When another model is the best one, the order is that of what this one does not explain.
+TEST(Usac_RunnersUp, followTheBestModel)
+{
+    const Rows scene;
+    Arena arena;
+    RunnersUp kept(3, arena);
+    for (int row = 0; row < 3; ++row)
+        kept.add(candidateOf(row), scene.bitsOf(row));
+    kept.setBest(scene.bitsOf(0));
+    EXPECT_EQ(scene.each, kept.mostUnexplained());
+    kept.add(candidateOf(9), scene.bitsOf(3));  // in the place of the model that explains nothing new
+    const double expected[] = {1, 2, 9};
+    EXPECT_EQ(std::vector<double>(expected, expected + 3), costsOf(kept));
+    kept.clear();
+    EXPECT_EQ(0, kept.mostUnexplained());
+    EXPECT_EQ(0, kept.best().count());
 }
 
 TEST(Usac_RunnersUp, givesEachOnce)
 {
+    const Rows scene;
     Arena arena;
     RunnersUp kept(2, arena);
-    EXPECT_TRUE(taken(kept).empty());
-    EXPECT_GT(kept.uselessCost(3), 1e300) << "all are welcome as long as there is room";
+    EXPECT_TRUE(costsOf(kept).empty());
     const double first[] = {5, 3, 4};
     for (int i = 0; i < 3; ++i)
-        kept.add(candidateOf(first[i]));
-    EXPECT_EQ(2u, taken(kept).size());
-    EXPECT_TRUE(taken(kept).empty());
-    kept.add(candidateOf(9));  // two better ones have been given
-    EXPECT_TRUE(taken(kept).empty());
-    kept.add(candidateOf(2));
-    EXPECT_EQ(std::vector<double>(1, 2.), costsOf(taken(kept)));
+        kept.add(candidateOf(first[i]), scene.bitsOf(i));
+    EXPECT_EQ(2u, costsOf(kept).size());
+    EXPECT_TRUE(costsOf(kept).empty());
+    kept.add(candidateOf(2), scene.bitsOf(0));
+    EXPECT_EQ(std::vector<double>(1, 2.), costsOf(kept));
 }
 
 TEST(Usac_RunnersUp, noneAreKeptIfNoneAreAskedFor)
 {
+    const Rows scene;
     Arena arena;
     RunnersUp kept(0, arena);
-    kept.add(candidateOf(1));
-    EXPECT_TRUE(taken(kept).empty());
-    EXPECT_EQ(7, kept.uselessCost(7)) << "only what beats the best one is of use";
+    EXPECT_TRUE(kept.none());
+    kept.add(candidateOf(1), scene.bitsOf(1));
+    EXPECT_TRUE(costsOf(kept).empty());
 }
 
 //! Counts the optimizations and improves nothing.

@@ -1,0 +1,123 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "check_components.hpp"
+#include "core/sample_counts.hpp"
+#include "ransac.hpp"
+
+/* Samples of the points that the best model leaves, when the search is about to end.
+
+Wrong matches may agree with each other: repeated windows have a common shift, a moving object has a motion of its own.
+Their model has as many inliers, beside chance, as the criteria of termination promise to have found, or more. That of
+the right matches has only been found if one of their samples was good enough, and of the samples of right matches many
+are not: with noise a half of those of H, and most of F and E, give models that the sequential test drops. But where two
+models have most of their inliers for themselves, the points that one of them leaves are mostly those of the other, and
+samples of these are right far more often: with 45 % right matches and 35 % of another model, (45 / 65)^7 = 8 % of those of
+seven points, where (45 / 100)^7 = 0.4 % of all are.
+
+A few such samples are drawn in any case. If one of them, or a runner-up, has a tenth as many inliers for itself as the
+best model has (on random wrong matches it is less than 6 %), there may be a rival, and as many are drawn as find a model that
+has as many inliers as the best one, and most of them for itself, with the promised confidence; at most half as many as the
+search has drawn. They count as iterations, but not for the criteria. */
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Stream of random numbers beside those of ransac.cpp.
+constexpr uint64 UNEXPLAINED_STREAM = (uint64)3 << 40;
+// What half and double of these do: doc/constants.md. Search failures are those of H and F beside a motion that is nearly
+// as large (doc/structured.md).
+
+//! Without a sign of a rival one in so many samples is drawn, but LEAST_SAMPLES. 32: instructions of H +1, of E +1 %, 2
+//! samples at least: USACV20_FAST misses 5 % more.
+constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
+//! With one, at most one in so many. 1: instructions of H +6 %, failures of USACV20_FAST 15 -> 7 %; 4: H -2 %, 15 -> 20 %.
+constexpr int MOST_PART = 2;
+//! A rival has this part of the inliers of the best model for itself. On random wrong matches it is 0.06, of matches of
+//! a cluster 0.15 at most; 0.2: instructions of H -2 %, failures of USACV20_FAST 15 -> 36 %.
+constexpr double RIVAL = 0.1;
+//! The least part of the inliers of a rival that it does not share with the best model, as samples are counted.
+constexpr double FOR_ITSELF = 2. / 3;
+
+}  // namespace
+
+int Ransac::unexplainedPoints(int* indices) const
+{
+    const Correspondences& p = context.points;
+    Arena::Scope scope(context.arena);
+    float* const errors = scope.take<float>(p.size);
+    parts.residual->squaredErrors(p, state.best, 0, p.size, errors);
+    const float limit = (float)(p.threshold * p.threshold);
+    int count = 0;
+    for (int i = 0; i < p.size; ++i)
+    {
+        indices[count] = i;
+        count += !(errors[i] <= limit);  // true for NaN
+    }
+    return count;
+}
+
+double Ransac::rivalInliers() const { return RIVAL * runnersUp.best().count(); }
+
+bool Ransac::searchUnexplained()
+{
+    const int m = parts.minimalSolver->sampleSize(), drawn = state.iteration;
+    if (runnersUp.none() || explored == state.best || state.bestQuality.inliers <= m ||
+        drawn >= context.params.maxIterations)
+        return false;
+    explored = state.best;
+    const double wanted = FOR_ITSELF * state.bestQuality.inliers;
+    if (wanted > context.points.size - state.bestQuality.inliers)
+        return false;
+    Arena::Scope scope(context.arena);
+    int* const indices = scope.take<int>(context.points.size);
+    const int count = unexplainedPoints(indices);
+    if (count <= m || wanted > count)
+        return false;
+    const int needed = samplesNeeded(goodSampleProbability(wanted, count, m, true),
+                                     std::log(1 - context.params.confidence));
+    const int few = std::max(drawn / FIRST_PART, LEAST_SAMPLES), many = std::max(drawn / MOST_PART, LEAST_SAMPLES);
+    const double rival = rivalInliers();
+    if (rivals < rival)
+        sampleUnexplained(indices, count, std::min(needed, few));
+    if (std::max(rivals, runnersUp.mostUnexplained()) >= rival)
+        sampleUnexplained(indices, count, std::min(needed, many) - (state.iteration - drawn));
+    return true;
+}
+
+void Ransac::sampleUnexplained(const int* indices, int count, int most)
+{
+    const int m = parts.minimalSolver->sampleSize(),
+              end = state.iteration + std::min(most, context.params.maxIterations - state.iteration);
+    for (; state.iteration < end; ++state.iteration)
+    {
+        Rng rng(context.params.seed, UNEXPLAINED_STREAM + state.iteration);
+        Sample sample;
+        rng.distinct(count, m, sample.val);
+        for (int k = 0; k < m; ++k)
+            sample[k] = indices[sample[k]];
+        if (!validSample(sample.val))
+            continue;
+        Model models[MAX_MODELS];
+        const int computed = parts.minimalSolver->solve(context.points, sample.val, models);
+        checkModels(models, computed);
+        for (int i = 0; i < computed; ++i)
+            if (validModel(sample.val, models[i]))
+                addRival(sample, models[i]);
+    }
+}
+
+void Ransac::addRival(const Sample& sample, const Model& model)
+{
+    const InlierBits inliers(context, model);
+    const int own = inliers.without(runnersUp.best());
+    if (own >= rivalInliers() && own > parts.minimalSolver->sampleSize())
+        runnersUp.add(Candidate(sample, model, context.rate(model)), inliers);
+}
+
+}  // namespace usacv20
+}  // namespace cv
