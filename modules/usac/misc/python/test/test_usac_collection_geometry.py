@@ -260,7 +260,8 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(wide.iterations(5, 75), 10250)
         self.assertAlmostEqual(Settings(maxIterations=7070).reached(5, 75), 0.9915, places=4)
         # What has to be an integer is one: 0.07 * 100 is more than 7.
-        self.assertEqual(Settings(inlierRatio=0.07, minInliers=1).needed(4, 100), Settings(inlierRatio=0, minInliers=7).needed(4, 100))
+        self.assertEqual(Settings(inlierRatio=0.07, minInliers=1).needed(4, 100),
+                         Settings(inlierRatio=0, minInliers=7).needed(4, 100))
         # The least number of inliers where that is more; nothing but right matches; the limit.
         self.assertEqual(wide.needed(5, 24), Settings(inlierRatio=15 / 24).needed(5, 24))
         self.assertEqual((wide.needed(7, 15), wide.reached(7, 15)), (500, 1))
