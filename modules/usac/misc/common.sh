@@ -7,7 +7,7 @@
 project=$(cd "$(dirname "$0")/../../.." && pwd)
 module=$project/modules/usac
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac}
-source=${OPENCV_SOURCE_DIR:-$work/opencv}
+source=${OPENCV_SOURCE_DIR:-$work/opencv${OPENCV_SUITE:+-$OPENCV_SUITE}}
 build=$work/build-$(printf %s "$source" | cksum | cut -d ' ' -f 1)
 packages="g++ cmake ninja-build ccache pkg-config xz-utils python3-dev python3-numpy libjpeg-dev libpng-dev zlib1g-dev
     libblas-dev liblapack-dev liblapacke-dev libeigen3-dev libopencv-dev pybind11-dev python3-opencv python3-build python3-pip
@@ -34,7 +34,8 @@ install_packages() # more packages
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 }
 
-# The repository that offers libopencv-dev offers its source, too. Lists and settings of the system stay as they are.
+# The repository that offers libopencv-dev offers its source, too, and that of other suites (OPENCV_SUITE; Debian's trixie has OpenCV 4.10).
+# Lists and settings of the system stay as they are.
 fetch_opencv()
 {
     apt=$work/apt
@@ -44,6 +45,9 @@ fetch_opencv()
     offers() { apt-cache policy libopencv-dev | awk '$NF == "Packages" { print $2, $3 }'; }
     [ -n "$(offers)" ] || as_root apt-get update
     offers | sort -u | sed "s|^|deb-src $signed |; s|/\([^/]*\)\$| \1|" > "$apt/sources.list"
+    if [ -n "${OPENCV_SUITE:-}" ]; then
+        sed -i "1!d; s|[^ ]* \([^ ]*\)\$|$OPENCV_SUITE \1|" "$apt/sources.list"
+    fi
 
     options="-o Dir::Etc::SourceList=$apt/sources.list -o Dir::Etc::SourceParts=/dev/null -o APT::Sandbox::User=root
         -o Dir::State::Lists=$apt/lists -o Dir::Cache=$apt"

@@ -46,14 +46,29 @@ static double confidenceOf(double confidence) { return confidence > 0 && confide
 //! 2. F has unit norm; that of OpenCV's flags has f33 = 1.
 static Mat scaled(const Mat& F) { return F.empty() || F.at<double>(2, 2) == 0 ? F : Mat(F / F.at<double>(2, 2)); }
 
-/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras; those of test_fundam.cpp
-look anywhere. Where that leaves no model (1 call of 100 there), it is estimated without that test. */
-static bool mayBeBehind(const Mat& model, int method) { return model.empty() && !isUsac(method); }
-
 static usacv20::Params anySide(usacv20::Params params)
 {
     params.degeneracy &= ~usacv20::DEGENERACY_ORIENTATION;
     return params;
+}
+
+/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras; those of test_fundam.cpp
+look anywhere, and no sample of points before and behind a camera gives the right model. All points are right there.
+Where not all are inliers, the model is estimated without that test, too; it is returned if all are inliers of that one,
+or if there is no other (11 of 1000 calls).
+
+@param find, findAnywhere calls with and without the test; they take the place of the mask */
+template <typename Find, typename FindAnywhere>
+Mat maybeBehind(int method, OutputArray mask, const Find& find, const FindAnywhere& findAnywhere)
+{
+    Mat inFront, anywhere;
+    const Mat model = find(inFront);
+    const bool enough = isUsac(method) || (!model.empty() && countNonZero(inFront == 0) == 0);
+    const Mat other = enough ? Mat() : findAnywhere(anywhere);
+    const bool better = !other.empty() && (model.empty() || countNonZero(anywhere == 0) == 0);
+    if (mask.needed())
+        (better ? anywhere : inFront).copyTo(mask);
+    return better ? other : model;
 }
 
 //! 4. For E, OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the threshold, not the
@@ -84,30 +99,38 @@ Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, 
                             int maxIters, OutputArray mask)
 {
     confidence = confidenceOf(confidence);
-    Mat F = findFundamentalMat(points1, points2, exchange(), threshold, confidence, maxIters, mask);
-    if (mayBeBehind(F, method))
-        F = findFundamentalMat(points1, points2, mask, anySide(exchange(threshold, confidence, maxIters)));
-    return scaled(F);
+    return scaled(maybeBehind(
+        method, mask,
+        [&](Mat& inliers) {
+            return findFundamentalMat(points1, points2, exchange(), threshold, confidence, maxIters, inliers);
+        },
+        [&](Mat& inliers) {
+            return findFundamentalMat(points1, points2, inliers, anySide(exchange(threshold, confidence, maxIters)));
+        }));
 }
 
 Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold, double confidence,
                             OutputArray mask)
 {
     confidence = confidenceOf(confidence);
-    Mat F = findFundamentalMat(points1, points2, exchange(), threshold, confidence, mask);
-    if (mayBeBehind(F, method))
-        F = findFundamentalMat(points1, points2, mask, anySide(exchange(threshold, confidence, 1000)));
-    return scaled(F);
+    return scaled(maybeBehind(
+        method, mask,
+        [&](Mat& inliers) { return findFundamentalMat(points1, points2, exchange(), threshold, confidence, inliers); },
+        [&](Mat& inliers) {
+            return findFundamentalMat(points1, points2, inliers, anySide(exchange(threshold, confidence, 1000)));
+        }));
 }
 
 Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method, double threshold,
                             double confidence)
 {
     confidence = confidenceOf(confidence);
-    Mat F = findFundamentalMat(points1, points2, mask, exchange(), threshold, confidence);
-    if (mayBeBehind(F, method))
-        F = findFundamentalMat(points1, points2, mask, anySide(exchange(threshold, confidence, 1000)));
-    return scaled(F);
+    return scaled(maybeBehind(
+        method, mask,
+        [&](Mat& inliers) { return findFundamentalMat(points1, points2, inliers, exchange(), threshold, confidence); },
+        [&](Mat& inliers) {
+            return findFundamentalMat(points1, points2, inliers, anySide(exchange(threshold, confidence, 1000)));
+        }));
 }
 
 Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params)
@@ -121,10 +144,15 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, 
     if (isUsac(method))
         return findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
                                 symmetric(exchange(threshold, confidence, maxIters)));
-    const Mat E = findEssentialMat(points1, points2, K, exchange(), confidence, threshold, maxIters, mask);
-    return !mayBeBehind(E, method) ? E
-                                   : findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
-                                                      anySide(exchange(threshold, confidence, maxIters)));
+    return maybeBehind(
+        method, mask,
+        [&](Mat& inliers) {
+            return findEssentialMat(points1, points2, K, exchange(), confidence, threshold, maxIters, inliers);
+        },
+        [&](Mat& inliers) {
+            return findEssentialMat(points1, points2, K, K, noArray(), noArray(), inliers,
+                                    anySide(exchange(threshold, confidence, maxIters)));
+        });
 }
 
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence,
@@ -132,10 +160,13 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, 
 {
     if (isUsac(method))
         return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, 1000, mask);
-    const Mat E = findEssentialMat(points1, points2, K, exchange(), confidence, threshold, mask);
-    return !mayBeBehind(E, method) ? E
-                                   : findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
-                                                      anySide(exchange(threshold, confidence, 1000)));
+    return maybeBehind(
+        method, mask,
+        [&](Mat& inliers) { return findEssentialMat(points1, points2, K, exchange(), confidence, threshold, inliers); },
+        [&](Mat& inliers) {
+            return findEssentialMat(points1, points2, K, K, noArray(), noArray(), inliers,
+                                    anySide(exchange(threshold, confidence, 1000)));
+        });
 }
 
 static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1); }
@@ -143,20 +174,35 @@ static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
                           double confidence, double threshold, int maxIters, OutputArray mask)
 {
-    const Mat E = findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, maxIters, mask);
-    return isUsac(method) || mayBeBehind(E, method)
-               ? exchangedEssentialMat(points1, points2, cameraOf(focal, pp), method, confidence, threshold, maxIters,
-                                       mask)
-               : E;
+    const Matx33d K = cameraOf(focal, pp);
+    if (isUsac(method))
+        return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, maxIters, mask);
+    return maybeBehind(
+        method, mask,
+        [&](Mat& inliers) {
+            return findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, maxIters, inliers);
+        },
+        [&](Mat& inliers) {
+            return findEssentialMat(points1, points2, K, K, noArray(), noArray(), inliers,
+                                    anySide(exchange(threshold, confidence, maxIters)));
+        });
 }
 
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
                           double confidence, double threshold, OutputArray mask)
 {
-    const Mat E = findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, mask);
-    return isUsac(method) || mayBeBehind(E, method)
-               ? exchangedEssentialMat(points1, points2, cameraOf(focal, pp), method, confidence, threshold, mask)
-               : E;
+    const Matx33d K = cameraOf(focal, pp);
+    if (isUsac(method))
+        return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, mask);
+    return maybeBehind(
+        method, mask,
+        [&](Mat& inliers) {
+            return findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, inliers);
+        },
+        [&](Mat& inliers) {
+            return findEssentialMat(points1, points2, K, K, noArray(), noArray(), inliers,
+                                    anySide(exchange(threshold, confidence, 1000)));
+        });
 }
 
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray distortion1, InputArray K2,

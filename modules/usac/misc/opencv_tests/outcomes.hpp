@@ -7,12 +7,14 @@
 
 #include <map>
 #include <set>
+#include <vector>
 #include "opencv2/ts.hpp"
 
 /** Runs all tests once with each flag of the module, compares what comes out with the list of differences, and counts.
 
 Only a test that has called one of the exchanged functions counts. One that fails with a flag for which it is on the
-list is neither passed nor failed; one that is on the list and passes is a failure, so that the list stays true. */
+list is neither passed nor failed; one that is on the list and passes is a failure, and so is one that is on the list
+and not among the tests, so that the list stays true. The tests of the list itself (test_outcomes.cpp) count, too. */
 class Outcomes : public testing::EmptyTestEventListener
 {
 public:
@@ -24,8 +26,15 @@ public:
     //! The pattern of the tests whose data are missing, for the filter; empty if all are there.
     std::string withoutData();
 
+    //! Why a test is expected to fail with a flag; empty: it is not.
+    std::string reason(const std::string& flag, const std::string& test) const;
+
+    //! Tests that are on the list and that this program does not have, in alphabetical order.
+    std::vector<std::string> missingTests() const;
+
     bool good() const { return passed > 0 && failed == 0; }
 
+    virtual void OnTestProgramStart(const testing::UnitTest&) CV_OVERRIDE;
     virtual void OnTestIterationStart(const testing::UnitTest&, int iteration) CV_OVERRIDE;
     virtual void OnTestStart(const testing::TestInfo& test) CV_OVERRIDE;
     virtual void OnTestEnd(const testing::TestInfo& test) CV_OVERRIDE;

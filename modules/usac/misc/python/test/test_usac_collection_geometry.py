@@ -5,6 +5,8 @@
 
 """Configurations and poses of pairs of images."""
 
+import itertools
+import math
 import pickle
 import unittest
 
@@ -241,6 +243,53 @@ class GeometryTest(unittest.TestCase):
         for method in ("USACV20_FAST", "USACV20_ACCURATE", "USACV20_MAGSAC"):
             scene = Scene(1, wrong=0.2)
             self.check(scene, verified(scene, method=method), Configuration.CALIBRATED, 2.)
+
+    def test_samples_that_keep_a_pair(self):
+        """Counted: all samples of few matches, of which the first are right."""
+        for sample, matches, ratio, right in ((4, 12, 0.5, 6), (5, 14, 0.36, 6), (7, 16, 0.5, 8), (5, 15, 0.01, 5), (5, 10, 0.1, 5)):
+            settings = Settings(inlierRatio=ratio, minInliers=1, confidence=0.99999, maxIterations=10**9)
+            samples = list(itertools.combinations(range(matches), sample))
+            part = sum(max(chosen) < right for chosen in samples) / len(samples)
+            needed = next(n for n in itertools.count(500) if 1 - (1 - part)**n >= settings.confidence)
+            self.assertEqual(settings.iterations(sample, matches), needed)
+            self.assertAlmostEqual(settings.reached(sample, matches), 1 - (1 - part)**needed, places=12)
+        # 19 of 75 are the least of which a quarter is right; 7070 samples, as many as with replacement, keep 0.9915.
+        part = math.factorial(19) * math.factorial(70) / (math.factorial(14) * math.factorial(75))
+        wide = Settings(maxIterations=20000)
+        self.assertEqual(wide.iterations(5, 75), math.ceil(math.log(0.001) / math.log(1 - part)))
+        self.assertEqual(wide.iterations(5, 75), 10250)
+        self.assertAlmostEqual(Settings(maxIterations=7070).reached(5, 75), 0.9915, places=4)
+        # What has to be an integer is one: 0.07 * 100 is more than 7.
+        self.assertEqual(Settings(inlierRatio=0.07, minInliers=1).needed(4, 100),
+                         Settings(inlierRatio=0, minInliers=7).needed(4, 100))
+        # The least number of inliers where that is more; nothing but right matches; the limit.
+        self.assertEqual(wide.needed(5, 24), Settings(inlierRatio=15 / 24).needed(5, 24))
+        self.assertEqual((wide.needed(7, 15), wide.reached(7, 15)), (500, 1))
+        self.assertEqual(Settings(maxIterations=20).iterations(5, 300), 20)
+
+    def test_where_the_limit_of_the_samples_cuts(self):
+        """The figures that stand at Settings.maxIterations."""
+        default = Settings()
+        cut = [[matches for matches in range(15, 500) if default.needed(sample, matches) > default.maxIterations]
+               for sample in (5, 7, 4)]
+        self.assertEqual((cut[0][0], cut[0][-1]), (58, 92))
+        self.assertEqual(cut[1], list(range(37, 500)))
+        self.assertEqual(cut[2], [])
+        for sample, matches, reached in ((5, 60, 0.996), (7, 60, 0.15), (7, 300, 0.39), (7, 2000, 0.45)):
+            self.assertAlmostEqual(default.reached(sample, matches), reached, delta=0.005 if sample == 7 else 0.0005)
+        for ratio, matches in ((0.42, 37), (0.3545, 10**5)):
+            self.assertLessEqual(Settings(inlierRatio=ratio).needed(7, matches), default.maxIterations)
+            self.assertGreater(Settings(inlierRatio=ratio - 0.03).needed(7, matches), default.maxIterations)
+
+    def test_a_refused_pair_says_that_the_limit_has_cut(self):
+        random = Scene(3, wrong=1, count=75)
+        found = verified(random)
+        self.assertEqual(found.configuration, Configuration.DEGENERATE)
+        self.assertRegex(found.reason, r"^E: .*; all 10000 samples drawn, confidence 0\.9988 for E, 0\.2242 for F$")
+        self.assertNotIn("confidence", verified(random, maxIterations=300000).reason)
+        self.assertRegex(verified(random, maxIterations=10250).reason, r"drawn, confidence 0\.2291 for F$")
+        self.assertRegex(verified(Scene(3, wrong=1, count=75, known=False)).reason, "^F: .* confidence 0.2242 for F$")
+        self.assertNotIn("confidence", verified(Scene(3, wrong=1, count=30)).reason)
 
     def test_mistakes(self):
         for settings, said in (({"threshold": -1}, "threshold"), ({"threshold": float("nan")}, "threshold"),

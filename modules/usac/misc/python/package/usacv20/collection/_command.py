@@ -55,7 +55,8 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--method", choices=sorted(METHODS), default=default.method, help="preset (default %(default)s)")
     group.add_argument("--confidence", type=float, default=default.confidence, help="default %(default)s")
     group.add_argument("--max-iterations", type=_count, default=default.maxIterations, metavar="N",
-                       help="samples of a model (default %(default)s)")
+                       help="samples of a model (default %(default)s); where that is too few for --confidence the reason of a "
+                            "refused pair says so")
     group.add_argument("--min-inlier-ratio", type=float, default=default.inlierRatio, metavar="PART",
                        help="of the matches: what --confidence is for; bounds the samples (default %(default)s)")
     group.add_argument("--min-inliers", type=_count, default=default.minInliers, metavar="N",

@@ -31,6 +31,7 @@ of E but for a PANORAMIC pair, which has a rotation only. Of a PLANAR pair it is
 from __future__ import annotations
 
 import dataclasses
+import math
 import typing
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
@@ -87,13 +88,14 @@ class _Work:
         self.milliseconds = 0.0
         self.chance = 1.0  # of the best model that was refused
         self.reason = ""
+        self.limited: List[str] = []  # models whose search the limit of the samples has ended before its confidence
         self.mistake = ""
 
     @property
     def calibrated(self) -> bool:
         return self.pair.first.focalKnown and self.pair.second.focalKnown
 
-    def take(self, name: str, result: Any, minInliers: int, among: Optional[_Mask] = None) -> None:
+    def take(self, name: str, result: Any, settings: Settings, among: Optional[_Mask] = None) -> None:
         """What a batch has returned for this pair; `among`: the matches that it was given."""
         if isinstance(result, Exception):
             self.mistake = str(result).strip().splitlines()[-1]
@@ -107,12 +109,19 @@ class _Work:
             whole[among] = found
             found = whole
         model = None if matrix is None else _Model(matrix, found, report)
-        if model is not None and model.inliers >= minInliers:
+        if model is not None and model.inliers >= settings.minInliers:
             self.models[name] = model
         elif among is None:
-            why = _why(report) if model is None else "{} inliers, {} are needed".format(model.inliers, minInliers)
+            why = _why(report) if model is None else "{} inliers, {} are needed".format(model.inliers, settings.minInliers)
             self.reason = self.reason or "{}: {}".format(name, why)
             self.chance = min(self.chance, report.chance)
+            self._limit(name, report.iterations, settings)
+
+    def _limit(self, name: str, drawn: int, settings: Settings) -> None:
+        sample, matches = _SAMPLE[name], len(self.pair.matches)
+        if drawn >= settings.maxIterations < settings.needed(sample, matches):
+            # Rounded down, so that it never looks like the one that was asked for.
+            self.limited.append("{:g} for {}".format(math.floor(1e4 * settings.reached(sample, matches)) / 1e4, name))
 
 
 def _why(report: Report) -> str:
@@ -142,7 +151,7 @@ def _estimateEpipolar(name: str, works: List[_Work], settings: Settings) -> None
     else:
         results = estimateFundamentals(points1, points2, params, threads=1, returnExceptions=True)
     for work, result in zip(works, results):
-        work.take(name, result, settings.minInliers)
+        work.take(name, result, settings)
 
 
 def _estimateHomographies(works: List[_Work], settings: Settings) -> None:
@@ -160,7 +169,7 @@ def _estimateHomographies(works: List[_Work], settings: Settings) -> None:
             H: Any = np.linalg.inv(result[0]) if swapped else result[0]
             mask = mapDistances(H, first, second) <= _PLANAR_DISTANCE * settings.threshold
             result = H / (H[2, 2] or 1), mask, result[2]
-        work.take("H", result, settings.minInliers, among)
+        work.take("H", result, settings, among)
 
 
 def _options(name: str, works: List[_Work], amongs: typing.Sequence[Optional[_Mask]], settings: Settings) -> List[Params]:
@@ -254,6 +263,8 @@ def _refused(work: _Work, settings: Settings) -> TwoView:
     count = len(work.pair.matches)
     needed = settings.leastMatches
     reason = work.mistake or (work.reason if count >= needed else "{} matches, {} are needed".format(count, needed))
+    if work.limited and not work.mistake:
+        reason += "; all {} samples drawn, confidence {}".format(settings.maxIterations, ", ".join(work.limited))
     configuration = Configuration.UNDEFINED if work.mistake else Configuration.DEGENERATE
     return TwoView(work.pair.key, configuration, np.empty((0, 2), np.uint32), None, None, None, None, None, reason, count,
                    work.iterations, work.chance, work.milliseconds)
