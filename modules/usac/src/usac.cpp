@@ -233,7 +233,8 @@ private:
         uchar* const inliers = arena.take<uchar>(rows);
         std::fill(inliers, inliers + rows, (uchar)0);
         Mat result;
-        if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) && context.points.size > parts.minimalSolver->sampleSize())
+        if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) &&
+            context.points.size > parts.minimalSolver->sampleSize())
             Restarts(context, context, state).begin(state.best, state.bestQuality);
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {

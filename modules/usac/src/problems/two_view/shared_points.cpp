@@ -68,8 +68,8 @@ Which inliers these are: where the line F^T x2 has next to no normal (its first 
 noise turns it anywhere, and x1 tells nothing. The lengths of the normals of F x1 and F^T x2 are as the distances of
 neighboring epipolar lines in the two images, which in right geometries are as the local scales; a ratio of #FAR_APART
 times that of the images' sizes is taken for too much, if it is enough for #ANYWHERE thresholds to hold the other end
-wherever it is in its image. (With a camera among the points the scale in one image may differ by hundreds.) Points beside the epipole of a camera that moves forwards are
-beside both epipoles, and pass.
+wherever it is in its image. (With a camera among the points the scale in one image may differ by hundreds.) Points
+beside the epipole of a camera that moves forwards are beside both epipoles, and pass.
 
 The first #LOOKED_AT points tell whether it is worth while to look at the others. Qualities that are no sum over the
 points are left. */
