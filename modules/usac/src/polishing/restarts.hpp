@@ -41,9 +41,10 @@ public:
 
 private:
     enum {
-        //! Inliers: most that take part; with more there are no restarts, unless the threshold is wide.
+        //! Inliers: most that take part; with more there are no restarts, unless the threshold is wide. Half: failures
+        //! 2 -> 6 of 8400 scenes; double: the same.
         MOST = 30,
-        //! Points outside that are tried, and steps of a fit.
+        //! Points outside that are tried, and steps of a fit. Half, double: the same.
         NEXT = 4,
         STEPS = 20
     };
