@@ -180,7 +180,8 @@ private:
     }
 
     /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse
-    after it, the model stays as the search found it. @return quality of the model */
+    after it, the model stays as the search found it. Few points are polished from other starts, too. @param search
+    context of the search @param context that of the polishing @return quality of the model */
     Quality polish(const Context& search, const Context& context, State& state, Model& best)
     {
         const Model found = problem->closest(best);
