@@ -11,6 +11,7 @@
 #include "significance/significance.hpp"
 #include "core/chi_square.hpp"
 #include "optimization/significant_scale.hpp"
+#include "polishing/restarts.hpp"
 #include "termination/termination.hpp"
 
 namespace cv {
@@ -179,20 +180,28 @@ private:
     }
 
     /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse
-    after it, the model stays as the search found it. @return quality of the model */
-    Quality polish(const Context& context, Model& best)
+    after it, the model stays as the search found it. Few points are polished from other starts, too. @param search
+    context of the search @param context that of the polishing @return quality of the model */
+    Quality polish(const Context& search, const Context& context, State& state, Model& best)
     {
         const Model found = problem->closest(best);
         const Quality before = context.rate(found);
-        if (parts.polisher)
-            parts.polisher->polish(context, best);
+        if (!parts.polisher)
+        {
+            best = found;
+            return before;
+        }
+        parts.polisher->polish(context, best);
         best = problem->closest(best);
-        const Quality after = context.rate(best);
+        Quality quality = context.rate(best);
         const double size = context.points.size;
-        if (size - after.cost >= KEPT * (size - before.cost))  // false for NaN
-            return after;
-        best = found;
-        return before;
+        if (!(size - quality.cost >= KEPT * (size - before.cost)))  // or NaN
+        {
+            best = found;
+            quality = before;
+        }
+        Restarts(search, context, state).improve(best, quality);
+        return quality;
     }
 
     //! What polishing and mask take in the place of a residual of the search, if there is something better.
@@ -204,16 +213,16 @@ private:
     }
 
     //! The same with the points as they were seen, if the solver is not one of the caller's, which may not know them.
-    Quality polishAsSeen(const Context& context, Model& best)
+    Quality polishAsSeen(const Context& context, State& state)
     {
         if (!imageFit || parts.nonMinimalSolver != made.nonMinimalSolver)
-            return polish(context, best);
+            return polish(context, context, state, state.best);
         const Correspondences seen = data.imagePoints();
         imageParts = parts;
         imageParts.residual = imageResidual;
         imageParts.nonMinimalSolver = imageFit;
         imageFit->start(context);
-        return polish(Context(seen, imageParts, params, arena), best);
+        return polish(context, Context(seen, imageParts, params, arena), state, state.best);
     }
 
     //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
@@ -225,10 +234,13 @@ private:
         uchar* const inliers = arena.take<uchar>(rows);
         std::fill(inliers, inliers + rows, (uchar)0);
         Mat result;
+        if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) &&
+            context.points.size > parts.minimalSolver->sampleSize())
+            Restarts(context, context, state).begin(state.best, state.bestQuality);
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
             data.setThreshold(parts.score->threshold(context, state.best));
-            learned.cost = polishAsSeen(context, state.best).cost / context.points.size;
+            learned.cost = polishAsSeen(context, state).cost / context.points.size;
             Model model;
             if (problem->toInput(state.best, context.points, model))
             {

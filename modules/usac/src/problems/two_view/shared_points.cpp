@@ -25,13 +25,18 @@ constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
 //! One in so many of the first points is left out at each end for the size of the image.
 constexpr int TRIMMED = 10;
 
-/** Tells whether a match is an inlier whatever one of its ends is, see SharedPoints. `scale`: size of image 2 over that
-of image 1. */
+//! Thresholds: what the error is, at most, of a match that is an inlier whatever one of its ends is. At the thresholds
+//! of images of some hundred pixels #FAR_APART says more. 20: the
+//! same for E of OpenCV's tests.
+constexpr double ANYWHERE = 60;
+
+/** Tells whether a match is an inlier whatever one of its ends is, see SharedPoints. `sizes`: of the images. */
 class OneEnd
 {
 public:
-    OneEnd(const Model& F, double scale)
-        : most1((float)square(FAR_APART / scale)), most2((float)square(FAR_APART * scale))
+    OneEnd(const Model& F, const float* sizes, double threshold)
+        : most1((float)square(std::max<double>(FAR_APART / sizes[1], 1 / (ANYWHERE * threshold)) * sizes[0])),
+          most2((float)square(std::max<double>(FAR_APART / sizes[0], 1 / (ANYWHERE * threshold)) * sizes[1]))
     {
         toFloat(F, f);
     }
@@ -63,8 +68,9 @@ more.
 Which inliers these are: where the line F^T x2 has next to no normal (its first two entries), a shift of x2 within the
 noise turns it anywhere, and x1 tells nothing. The lengths of the normals of F x1 and F^T x2 are as the distances of
 neighboring epipolar lines in the two images, which in right geometries are as the local scales; a ratio of #FAR_APART
-times that of the images' sizes is taken for too much. Points beside the epipole of a camera that moves forwards are
-beside both epipoles, and pass.
+times that of the images' sizes is taken for too much, if it is enough for #ANYWHERE thresholds to hold the other end
+wherever it is in its image. (With a camera among the points the scale in one image may differ by hundreds.) Points
+beside the epipole of a camera that moves forwards are beside both epipoles, and pass.
 
 The first #LOOKED_AT points tell whether it is worth while to look at the others. Qualities that are no sum over the
 points are left. */
@@ -122,7 +128,7 @@ public:
         const Score& score = *context.components.score;
         if (score.wholeModel())
             return true;
-        const OneEnd one(model, sizes[1] / sizes[0]);
+        const OneEnd one(model, sizes, p.threshold);
         int seen = 0;
         for (int i = 0; i < std::min<int>(p.size, LOOKED_AT); ++i)
             seen += one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]);

@@ -92,6 +92,39 @@ struct Checked
     Quality before, after;
 };
 
+//! Exact points on both sides of the second camera, of which some are near it.
+Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
+{
+    Matx33d R;
+    Rodrigues(Vec3d(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1)), R);
+    const Vec3d t(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(0., 10.));
+    for (int i = 0; i < 16; ++i)
+    {
+        const Vec3d X(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(10., 20.)), Y = R * X + t;
+        points1.push_back(Point2d(X[0] / X[2], X[1] / X[2]));
+        points2.push_back(Point2d(Y[0] / Y[2], Y[1] / Y[2]));
+    }
+    return Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
+}
+
+/** Next to a camera the scales of the two images differ by far more than their sizes. But the other end of such a match
+is not anywhere: it is held to some thresholds. */
+TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
+{
+    Scene scene;
+    scene.problem = ESSENTIAL;
+    scene.K = Matx33d::eye();
+    for (int seed = 1; seed <= 100; ++seed)
+    {
+        RNG rng(seed);
+        std::vector<Point2d> points1, points2;
+        const Matx33d E = pointsAroundACamera(rng, points1, points2);
+        const Checked checked(scene, points1, points2, E, 1e-4);
+        EXPECT_EQ(16, checked.before.inliers) << "seed " << seed;
+        EXPECT_EQ(checked.before.cost, checked.after.cost) << "seed " << seed;
+    }
+}
+
 //! Every F whose epipole is the target has all of its matches; they are one.
 TEST(Usac_SharedPoints_Models, targetsCountOnce)
 {

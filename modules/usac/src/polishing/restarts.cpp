@@ -1,0 +1,258 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "polishing/restarts.hpp"
+#include "core/random_part.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// What half and double of these do is in doc/constants.md. Failures: of 8400 scenes of few points and a wide threshold,
+// those whose error is more than 1.1 times that of least squares, worst of the flags.
+
+//! Samples of the inliers, and of the inliers and each of the points outside, that it starts from. Half of both: 2
+//! failures for 0; double: 0, twice the time.
+constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
+//! Probability that a point is an inlier of a wrong model from which on the threshold is wide. Half: the same; double:
+//! 7 of 200 H of 25 to 300 points fail for 3, without it 45.
+constexpr double WIDE = 0.2;
+//! A part of the loss that another minimum must be below. 0.95: the same; 0.8: 10 failures.
+constexpr double CLEAR = 0.9;
+/** The same of models that the checks refuse, to the power of half the degrees of freedom that are left: as far as the
+better fit may be chance. Half, double: the same. */
+constexpr double UNLIKELY = 0.1;
+//! Probability that random points fit a model of which no sample has passed the checks. Half, double: the same.
+constexpr double CHANCE = 1e-6;
+//! What a degree of freedom of another point adds to the loss, in that of the inliers: 8 is exceeded by one right point
+//! in a hundred where ten degrees are left. Half: the ten inliers of OpenCV's EKcase are 9; double: the same.
+constexpr double GROWN = 8;
+//! Stream of random numbers beside those of the search.
+constexpr uint64 STREAM = (uint64)1 << 42;
+
+}  // namespace
+
+Restarts::Restarts(const Context& search_, const Context& polish, State& state_)
+    : search(search_), context(polish), parts(polish.components), state(state_), m(parts.minimalSolver->sampleSize()),
+      count(0), all(0), outside(0), loss(0)
+{}
+
+void Restarts::improve(Model& model, Quality& quality)
+{
+    if (!parts.nonMinimalSolver || !look(model))
+        return;
+    for (int before = 0; before < count; look(model))
+    {
+        before = count;
+        restartInliers(model, quality);
+        restartOutside(model, quality);
+        extendInliers(model, quality);
+    }
+}
+
+void Restarts::restartInliers(Model& model, Quality& quality)
+{
+    Model here = model;
+    if (fit(count, here))
+        accept(here, count, CLEAR * loss, model, quality);
+    for (int i = 0; i < (count > m ? RESTARTS : 1); ++i)
+        restart(i, count, model, quality);
+}
+
+void Restarts::restartOutside(Model& model, Quality& quality)
+{
+    if (context.points.size - all > NEXT)
+        return;
+    for (int i = 0; i < outside * RESTARTS_OUTSIDE; ++i)
+    {
+        members[count] = next[i / RESTARTS_OUTSIDE];
+        if (restart(RESTARTS + i, count + 1, model, quality))
+            look(model);
+    }
+}
+
+void Restarts::extendInliers(Model& model, Quality& quality)
+{
+    for (int i = 0; i < outside && freedom(count) > 0; ++i)
+    {
+        const int before = all;
+        if (!extend(next[i], model, quality))
+            continue;
+        if (!look(model) || all <= before)
+            return;
+        i = -1;
+    }
+}
+
+bool Restarts::begin(Model& model, Quality& quality)
+{
+    const Correspondences& p = context.points;
+    if (!parts.nonMinimalSolver || p.size > MOST || freedom(p.size) <= 0)
+        return false;
+    count = p.size;
+    for (int i = 0; i < count; ++i)
+        members[i] = i;
+    const double random = std::min(p.problem->randomInlierRatio(p), 1.);
+    const double part = std::pow(std::pow(CHANCE, 1. / (count - m)) / random, 2. / p.problem->errorDimension());
+    loss = count * std::min(part, 1.);
+    bool found = false;
+    for (int i = 0; i < RESTARTS; ++i)
+        found |= restart(i, count, model, quality);
+    return found;
+}
+
+bool Restarts::look(const Model& model)
+{
+    const Correspondences& p = context.points;
+    const float limit = (float)(p.threshold * p.threshold);
+    Arena::Scope scope(context.arena);
+    float* const errors = scope.take<float>(p.size);
+    int* const inliers = scope.take<int>(p.size);
+    parts.residual->squaredErrors(p, model, 0, p.size, errors);
+    count = outside = 0;
+    for (int i = 0; i < p.size; ++i)
+        if (errors[i] <= limit)
+            inliers[count++] = i;
+    if (count < m || (count > MOST && !(p.problem->randomInlierRatio(p) >= WIDE)))
+    {
+        count = 0;
+        return false;
+    }
+    Rng rng(context.params.seed, STREAM - 1);
+    const int size = std::min(count, (int)MOST);
+    randomPart(inliers, count, size, rng);
+    std::copy(inliers, inliers + size, members);
+    for (int i = 0; i < p.size && count < MOST; ++i)
+    {
+        if (!(errors[i] > limit && errors[i] <= FLT_MAX))
+            continue;
+        int place = std::min(outside, (int)NEXT);
+        for (; place > 0 && errors[i] < errors[next[place - 1]]; --place)
+            if (place < NEXT)
+                next[place] = next[place - 1];
+        if (place < NEXT)
+            next[place] = i;
+        outside = std::min(outside + 1, (int)NEXT);
+    }
+    all = count;
+    count = size;
+    loss = lossOf(model, count);
+    return true;
+}
+
+bool Restarts::restart(int index, int size, Model& model, Quality& quality)
+{
+    Rng rng(context.params.seed, STREAM + index);
+    int places[MAX_SAMPLE_SIZE], sample[MAX_SAMPLE_SIZE];
+    rng.distinct(count, m, places);
+    if (size > count)
+        places[0] = count;
+    for (int k = 0; k < m; ++k)
+        sample[k] = members[places[k]];
+    Model models[MAX_MODELS];
+    const int found = parts.minimalSolver->solve(search.points, sample, models);
+    int best[2] = {-1, -1};  // of those that the checks refuse, and of the others
+    double least[2] = {DBL_MAX, DBL_MAX};
+    for (int k = 0; k < found; ++k)
+    {
+        const bool valid = isValid(sample, models[k]);
+        const double own = lossOf(models[k], size);
+        if (own < least[valid])
+        {
+            least[valid] = own;
+            best[valid] = k;
+        }
+    }
+    const double refused = std::min(CLEAR, std::pow(UNLIKELY, 2. / std::max(freedom(size), 0)));
+    const double before = loss + size - count;
+    bool better = false;
+    for (int valid = 0; valid < 2; ++valid)
+        if (best[valid] >= 0 && (fit(size, models[best[valid]]) || size == m))
+            better |= accept(models[best[valid]], size, (valid ? CLEAR : refused) * before, model, quality);
+    return better;
+}
+
+bool Restarts::isValid(const int* sample, const Model& model) const
+{
+    for (size_t d = 0; d < parts.degeneracies.size(); ++d)
+        if (!parts.degeneracies[d]->validSample(search, sample) ||
+            !parts.degeneracies[d]->validModel(search, sample, model))
+            return false;
+    return true;
+}
+
+bool Restarts::extend(int other, Model& model, Quality& quality)
+{
+    members[count] = other;
+    const int degrees = context.points.problem->errorDimension();
+    const double grown = loss * (1 + GROWN * degrees / freedom(count));
+    Model fitted = model;
+    return degrees > 1 && fit(count + 1, fitted) &&
+           accept(fitted, count + 1, std::min(grown, loss + 1), model, quality);
+}
+
+int Restarts::freedom(int size) const
+{
+    const Problem& problem = *context.points.problem;
+    return problem.errorDimension() * size - problem.dimension();
+}
+
+double Restarts::lossOf(const Model& model, int size) const
+{
+    const double scale = 1 / (context.points.threshold * context.points.threshold);
+    double sum = 0;
+    for (int k = 0; k < size; ++k)
+    {
+        const double* column[MAX_COLUMNS];
+        for (int c = 0; c < context.points.columns(); ++c)
+            column[c] = context.points.exact[c] + members[k];
+        double error;
+        parts.residual->squaredErrors(model, column, 1, &error);
+        const double part = error * scale;
+        sum += part < 1 ? part : 1;  // also for NaN
+    }
+    return sum;
+}
+
+bool Restarts::fit(int size, Model& model) const
+{
+    return parts.nonMinimalSolver->fit(context.points, members, size, 0, model, STEPS);
+}
+
+bool Restarts::accept(const Model& fitted, int size, double limit, Model& model, Quality& quality)
+{
+    if (!(lossOf(fitted, size) < limit))
+        return false;
+    Model candidate = fitted;
+    parts.polisher->polish(context, candidate);
+    candidate = context.points.problem->closest(candidate);
+    if (!(lossOf(candidate, size) < limit))
+        return false;
+    const State before = state;
+    Quality rated = context.rate(candidate), own = quality;
+    Model checked = model;
+    check(checked, own);
+    if (!check(candidate, rated) || !(rated.cost <= own.cost) || !(lossOf(candidate, size) < limit))
+    {
+        state = before;
+        return false;
+    }
+    model = candidate;
+    quality = context.rate(candidate);
+    loss = lossOf(model, count);
+    return true;
+}
+
+bool Restarts::check(Model& model, Quality& quality)
+{
+    for (size_t d = 0; d < parts.degeneracies.size(); ++d)
+        if (!parts.degeneracies[d]->recover(search, state, 0, model, quality))
+            return false;
+    return true;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,107 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "polishing/restarts.hpp"
+#include "run_context.hpp"
+
+namespace opencv_test {
+namespace {
+
+//! Matches of a translation with `wrong` others behind them; the first is far from the next ones, which lie in a strip.
+void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point2d>& points1,
+                 std::vector<Point2d>& points2)
+{
+    points1.clear();
+    points2.clear();
+    for (int i = 0; i < right + wrong; ++i)
+    {
+        points1.push_back(i ? Point2d(rng.uniform(220., 225.), rng.uniform(260., 315.)) : Point2d(280, 240));
+        points2.push_back(i < right ? points1[i] - Point2d(96, 96) + Point2d(rng.gaussian(noise), rng.gaussian(noise))
+                                    : Point2d(rng.uniform(0., 370.), rng.uniform(0., 490.)));
+    }
+}
+
+//! What the restarts make of least squares over some rows of the caller.
+struct Restarted
+{
+    Restarted(const std::vector<Point2d>& points1, const std::vector<Point2d>& points2, double threshold, int first,
+              int end)
+    {
+        Params params;
+        params.threshold = threshold;
+        const Ptr<Usac> usac = Usac::create(HOMOGRAPHY, points1, points2, params);
+        const Correspondences& points = usac->points();
+        const RunContext run(points, usac->components(), params);
+        const Context& context = run;
+        std::vector<int> rows;
+        for (int i = 0; i < points.size; ++i)
+        {
+            if (points.inputIndex[i] >= first && points.inputIndex[i] < end)
+                rows.push_back(i);
+            if (points.inputIndex[i] == 0)
+                far = i;
+        }
+        const double shift[] = {1, 0, -96, 0, 1, -96, 0, 0, 1};
+        Model model;
+        EXPECT_TRUE(points.problem->fromOutput(std::vector<double>(shift, shift + 9), points, model));
+        EXPECT_TRUE(context.nonMinimalSolver().fit(points, rows.data(), (int)rows.size(), 0, model, 20));
+        before = after = context.rate(model);
+        std::vector<double> errors(points.size);
+        usac->components().residual->squaredErrors(model, points.exact, points.size, errors.data());
+        farBefore = std::sqrt(errors[far]) / points.threshold;
+        State state;
+        Restarts(context, context, state).improve(model, after);
+        EXPECT_EQ(context.rate(model).inliers, after.inliers);
+    }
+
+    Quality before, after;
+    int far;           //!< the match that is far from the others
+    double farBefore;  //!< its error, in thresholds
+};
+
+//! The model of nine points is wrong where the tenth is, by many thresholds, and one that has them all fits as well.
+TEST(Usac_Restarts, anInlierThatIsFarAwayIsFound)
+{
+    double most = 0;
+    for (int seed = 1; seed <= 20; ++seed)
+    {
+        RNG rng(seed);
+        std::vector<Point2d> points1, points2;
+        stripAndOne(10, 19, 2e-3, rng, points1, points2);
+        const Restarted result(points1, points2, 0.01, 1, 10);
+        EXPECT_EQ(10, result.after.inliers) << "seed " << seed;
+        most = std::max(most, result.farBefore);
+    }
+    EXPECT_GT(most, 10);
+}
+
+//! A wrong match is not taken in, though some H through it may have the others.
+TEST(Usac_Restarts, aWrongMatchIsNot)
+{
+    int taken = 0;
+    for (int seed = 1; seed <= 40; ++seed)
+    {
+        RNG rng(seed);
+        std::vector<Point2d> points1, points2;
+        stripAndOne(10, 19, 2e-3, rng, points1, points2);
+        points2[0] += Point2d(rng.uniform(20., 60.), rng.uniform(20., 60.));
+        taken += Restarted(points1, points2, 0.01, 1, 10).after.inliers > 9;
+    }
+    EXPECT_LE(taken, 1);
+}
+
+//! More inliers than it looks at, below a threshold that tells: nothing is changed, and nothing is done.
+TEST(Usac_Restarts, manyInliersStay)
+{
+    RNG rng(1);
+    std::vector<Point2d> points1, points2;
+    stripAndOne(60, 20, 0.3, rng, points1, points2);
+    const Restarted result(points1, points2, 1.5, 0, 30);
+    EXPECT_EQ(result.before.cost, result.after.cost);
+    EXPECT_GT(result.after.inliers, 40);
+}
+
+}
+}  // namespace

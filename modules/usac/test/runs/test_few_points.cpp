@@ -1,0 +1,235 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+// Few points, a threshold far above their noise, strong perspective: sums of squared errors have local minima, and the
+// first model of the search has all points within the threshold.
+
+namespace opencv_test {
+namespace {
+
+const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
+                               USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
+
+//! Points without wrong matches, in coordinates around 1, and the model that made them.
+struct FewPoints
+{
+    ProblemType problem;
+    Mat points1, points2;
+    std::vector<double> truth;
+    double threshold;  //!< the default of OpenCV's functions
+
+    Ptr<Usac> create(UsacV20Method flag) const
+    {
+        Params params = Params::fromMethod(flag);
+        params.threshold = threshold;
+        params.maxIterations = 1000;
+        const Mat K = problem == ESSENTIAL || problem == ABSOLUTE_POSE ? Mat(Matx33d::eye()) : Mat();
+        return Usac::create(problem, points1, points2, params, K);
+    }
+};
+
+Vec3d direction(RNG& rng)
+{
+    const Vec3d v(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1));
+    return v * (1 / cv::norm(v));
+}
+
+//! H of points in a circle of radius 100, whose horizon is as far from the center.
+FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
+{
+    const double towards = rng.uniform(0., 2 * CV_PI), angle = rng.uniform(0., 2 * CV_PI);
+    const Matx33d A(std::cos(angle), -std::sin(angle), rng.uniform(-50., 50.), std::sin(angle), std::cos(angle),
+                    rng.uniform(-50., 50.), 0, 0, 100);
+    const Matx33d H = A * Matx33d(1, 0, 0, 0, 1, 0, std::cos(towards) / horizon, std::sin(towards) / horizon, 1);
+    std::vector<Point2d> points1, points2;
+    while ((int)points1.size() < count)
+    {
+        const double radius = 100 * std::sqrt(rng.uniform(0., 1.)), at = rng.uniform(0., 2 * CV_PI);
+        const Point2d p(radius * std::cos(at), radius * std::sin(at));
+        const Vec3d q = H * Vec3d(p.x, p.y, 1);
+        if (std::abs(q[2]) < 5)  // 1/20 of that of the center: next to the horizon
+            continue;
+        points1.push_back(p);
+        points2.push_back(Point2d(q[0] / q[2] + rng.gaussian(noise), q[1] / q[2] + rng.gaussian(noise)));
+    }
+    const FewPoints points = {HOMOGRAPHY, Mat(points1, true), Mat(points2, true), std::vector<double>(H.val, H.val + 9),
+                              3};
+    return points;
+}
+
+//! F, E or pose of cameras of focal length 1 with the epipole between the points, which may be near the camera.
+FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
+{
+    Matx33d R;
+    Rodrigues(direction(rng) * rng.uniform(0.1, 0.5), R);
+    Vec3d t(rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3), 1);
+    t *= (problem == ABSOLUTE_POSE ? -0.3 : 1) / cv::norm(t);
+    std::vector<Point2d> points1, points2;
+    std::vector<Point3d> space;
+    while ((int)points2.size() < count)
+    {
+        const double depth = rng.uniform(0.5, 3.);
+        const Vec3d X(rng.uniform(-0.6, 0.6) * depth, rng.uniform(-0.6, 0.6) * depth, depth), Y = R * X + t;
+        if (Y[2] < 0.15)
+            continue;
+        space.push_back(Point3d(X[0], X[1], X[2]));
+        points1.push_back(Point2d(X[0] / X[2] + rng.gaussian(noise), X[1] / X[2] + rng.gaussian(noise)));
+        points2.push_back(Point2d(Y[0] / Y[2] + rng.gaussian(noise), Y[1] / Y[2] + rng.gaussian(noise)));
+    }
+    const Matx33d E = Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
+    const Matx34d P(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0), R(2, 1), R(2, 2), t[2]);
+    const bool pose = problem == ABSOLUTE_POSE;
+    const FewPoints points = {problem, pose ? Mat(space, true) : Mat(points1, true), Mat(points2, true),
+                              pose ? std::vector<double>(P.val, P.val + 12) : std::vector<double>(E.val, E.val + 9),
+                              pose                   ? 8.
+                              : problem == ESSENTIAL ? 1.
+                                                     : 3.};
+    return points;
+}
+
+//! Root mean square of the errors of all points, in the coordinates of the search.
+double errorOf(const Usac& usac_, const Model& model)
+{
+    Usac& usac = const_cast<Usac&>(usac_);
+    const Correspondences& points = usac.points();
+    std::vector<double> errors(points.size);
+    usac.components().residual->squaredErrors(model, points.exact, points.size, errors.data());
+    return std::sqrt(cv::sum(errors)[0] / points.size);
+}
+
+//! Least squares over all points from a model.
+Model leastSquares(Usac& usac, Model model)
+{
+    const Correspondences& points = usac.points();
+    std::vector<int> all(points.size);
+    for (int i = 0; i < points.size; ++i)
+        all[i] = i;
+    for (int i = 0; i < 5; ++i)
+        usac.components().nonMinimalSolver->fit(points, all.data(), points.size, 0, model, 20);
+    return model;
+}
+
+Model modelOf(const Usac& usac, const std::vector<double>& output)
+{
+    const Correspondences& points = const_cast<Usac&>(usac).points();
+    Model model;
+    EXPECT_TRUE(points.problem->fromOutput(output, points, model));
+    return model;
+}
+
+//! Of all flags, to that of least squares from the truth.
+void expectLeastSquares(const FewPoints& points, const String& name)
+{
+    for (size_t k = 0; k < sizeof(FLAGS) / sizeof(FLAGS[0]); ++k)
+    {
+        const Ptr<Usac> usac = points.create(FLAGS[k]);
+        Mat model = usac->run();
+        ASSERT_FALSE(model.empty()) << name << ", flag " << (int)FLAGS[k];
+        const std::vector<double> output(model.ptr<double>(), model.ptr<double>() + model.total());
+        const double best = errorOf(*usac, leastSquares(*usac, modelOf(*usac, points.truth)));
+        EXPECT_LE(errorOf(*usac, modelOf(*usac, output)), 1.1 * best + 1e-9) << name << ", flag " << (int)FLAGS[k];
+    }
+}
+
+/** A horizon that a camera sees between the points: no camera does, but a matrix does not know that. Most samples have
+points of both sides, and are refused; of six points, three on each side, all are. */
+TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
+{
+    const int counts[] = {6, 8, 10, 14, 20};
+    for (int k = 0; k < 5; ++k)
+        for (int seed = 1; seed <= 20; ++seed)
+        {
+            RNG rng(1000 * k + seed);
+            const double horizon = seed % 4 ? rng.uniform(20., 80.) : rng.uniform(105., 150.);
+            expectLeastSquares(planePoints(counts[k], horizon, 1e-3, rng),
+                               format("%d points, horizon at %.0f, seed %d", counts[k], horizon, seed));
+        }
+}
+
+TEST(Usac_FewPoints, epipoleBetweenThePoints)
+{
+    const ProblemType problems[] = {FUNDAMENTAL, ESSENTIAL, ABSOLUTE_POSE};
+    for (int k = 0; k < 3; ++k)
+        for (int count = k == 0 ? 8 : 6; count <= 20; count += 4)
+            for (int seed = 1; seed <= (count == 6 ? 40 : 10); ++seed)
+            {
+                RNG rng(100 * count + seed);
+                expectLeastSquares(spacePoints(problems[k], count, 1e-3, rng),
+                                   format("problem %d, %d points, seed %d", (int)problems[k], count, seed));
+            }
+}
+
+//! Ten points, all samples: no fit that begins at one of them is better than what is returned.
+TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
+{
+    int better = 0, equal = 0;
+    for (int seed = 1; seed <= 20; ++seed)
+    {
+        RNG rng(seed);
+        const FewPoints points = planePoints(10, 50, 1e-2, rng);
+        const Ptr<Usac> usac = points.create(USACV20_FAST);
+        const Mat model = usac->run();
+        ASSERT_FALSE(model.empty());
+        const std::vector<double> output(model.ptr<double>(), model.ptr<double>() + 9);
+        const double error = errorOf(*usac, modelOf(*usac, output));
+        for (int s = 0; s < 1 << 10; ++s)
+        {
+            int sample[10], count = 0;
+            for (int i = 0; i < 10; ++i)
+                if (s >> i & 1)
+                    sample[count++] = i;
+            Model models[MAX_MODELS];
+            if (count != 4 || !usac->components().minimalSolver->solve(usac->points(), sample, models))
+                continue;
+            const double other = errorOf(*usac, leastSquares(*usac, models[0]));
+            better += other < error / 1.1;
+            equal += other < error * 1.1;
+        }
+    }
+    EXPECT_EQ(0, better);
+    EXPECT_GT(equal, 20 * 100) << "of 20 times 210: most samples lead there";
+}
+
+//! Exact points on both sides of the second camera, which none of the checks of orientation expects.
+void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
+{
+    Matx33d R;
+    Rodrigues(direction(rng) * rng.uniform(1.5, 2.), R);
+    points1.clear();
+    points2.clear();
+    while ((int)points1.size() < count)
+    {
+        const Vec3d X(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(10., 20.));
+        const bool back = (int)points1.size() < behind;
+        const Vec3d Y = R * (X - Vec3d(5, 5, 15)) + Vec3d(2, 1, 1);
+        if ((Y[2] < 0) != back)
+            continue;
+        points1.push_back(Point2d(X[0] / X[2], X[1] / X[2]));
+        points2.push_back(Point2d(Y[0] / Y[2], Y[1] / Y[2]));
+    }
+}
+
+TEST(Usac_FewPoints, onBothSidesOfACamera)
+{
+    const int counts[] = {6, 16}, behind[] = {3, 4};
+    for (size_t k = 0; k < sizeof(FLAGS) / sizeof(FLAGS[0]); ++k)
+        for (int n = 0; n < 2; ++n)
+            for (int seed = 1; seed <= 20; ++seed)
+            {
+                RNG rng(seed);
+                std::vector<Point2d> points1, points2;
+                bothSides(counts[n], behind[n], rng, points1, points2);
+                Params params = Params::fromMethod(FLAGS[k]);
+                params.threshold = 1e-4;
+                params.maxIterations = 1000;
+                Mat mask;
+                Usac::create(ESSENTIAL, points1, points2, params, Matx33d::eye())->run(mask);
+                EXPECT_EQ(counts[n], countNonZero(mask)) << "flag " << (int)FLAGS[k] << ", seed " << seed;
+            }
+}
+
+}
+}  // namespace
