@@ -52,6 +52,16 @@ void Ransac::updateTermination()
                 parts.terminations[t]->countsAll(), parts.terminations[t]->reason());
 }
 
+bool Ransac::adaptTerminations()
+{
+    bool changed = false;
+    for (size_t t = 0; t < parts.terminations.size(); ++t)
+        changed = parts.terminations[t]->adapt(context, state) || changed;
+    if (changed)
+        updateTermination();
+    return changed;
+}
+
 void Ransac::require(double wanted, bool all, int reason)
 {
     int& least = all ? requiredOfAll : required;

@@ -190,10 +190,12 @@ struct OutlierStructure
     //! The i-th wrong match; false if there is none of this kind.
     bool match(int i, RNG& rng, Point2d& p1, Point2d& p2) const
     {
+        if (!noisy(i))
+            return false;
         const Geometry geometry(second, secondNormal, options);
         p1 = randomPixel(rng);
         p2 = randomPixel(rng);
-        switch (options.outlierModel)
+        switch (i < options.second ? OUTLIERS_SECOND_MODEL : options.outlierModel)
         {
         case OUTLIERS_TARGETS: p2 = target[i % 2]; break;
         case OUTLIERS_LINE:
@@ -214,8 +216,10 @@ struct OutlierStructure
         return true;
     }
 
-    //! Have the wrong matches the noise of the true ones?
-    bool noisy() const { return options.outlierModel >= OUTLIERS_TARGETS; }
+    //! Has the i-th wrong match the noise of the true ones?
+    bool noisy(int i) const { return options.outlierModel >= OUTLIERS_TARGETS || i < options.second; }
+    //! Is it one of the second motion?
+    bool ofSecond(int i) const { return options.outlierModel == OUTLIERS_SECOND_MODEL || i < options.second; }
 
     const SceneOptions& options;
     Scene second;
@@ -230,6 +234,7 @@ void repeatRow(Scene& scene, int from, int to)
         (*points[k])[to] = (*points[k])[from];
     scene.truth[to] = scene.truth[from];
     scene.onPlane[to] = scene.onPlane[from];
+    scene.onSecond[to] = scene.onSecond[from];
 }
 
 //! Each row so many times, in random order.
@@ -241,6 +246,7 @@ void copyRows(Scene& scene, int copies, RNG& rng)
         points[k]->resize(copied);
     scene.truth.resize(copied);
     scene.onPlane.resize(copied);
+    scene.onSecond.resize(copied);
     for (int i = size; i < copied; ++i)
         repeatRow(scene, i % size, i);
     for (int i = copied - 1; i > 0; --i)
@@ -250,7 +256,33 @@ void copyRows(Scene& scene, int copies, RNG& rng)
             std::swap((*points[k])[i], (*points[k])[other]);
         std::swap(scene.truth[i], scene.truth[other]);
         std::swap(scene.onPlane[i], scene.onPlane[other]);
+        std::swap(scene.onSecond[i], scene.onSecond[other]);
     }
+}
+
+//! Scores that do not tell what is right: between 0 and 1 those of the best matches, between 1 and 2 the others.
+std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& options)
+{
+    RNG rng(0x3c6ef372 + 7919 * options.seed);
+    const int size = scene.size();
+    int middle = rng.uniform(0, size);
+    while (!scene.truth[middle])
+        middle = (middle + 1) % size;
+    const Point2d place = scene.points1[middle];
+    std::vector<float> result;
+    for (int i = 0; i < size; ++i)
+    {
+        const Point2d offset = scene.points1[i] - place;
+        const bool near = std::max(std::abs(offset.x), std::abs(offset.y)) < PATCH / 2;
+        const double score = rng.uniform(0., 1.);
+        if (options.scoreModel == SCORES_NEAR)
+            result.push_back((float)(cv::norm(offset) / cv::norm(Point2d(WIDTH, HEIGHT))));
+        else if (options.scoreModel == SCORES_OF_SECOND)
+            result.push_back((float)(scene.onSecond[i] ? score : 1 + score));
+        else
+            result.push_back((float)(scene.truth[i] && near ? score : 1 + score));
+    }
+    return result;
 }
 
 }  // namespace
@@ -282,6 +314,7 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
     scene.points1.resize(size);
     scene.truth.assign(size, 0);
     scene.onPlane.assign(size, 0);
+    scene.onSecond.assign(size, 0);
     scene.points2 = scene.clean1 = scene.clean2 = scene.points1;
     for (int i = 0; i < size; ++i)
     {
@@ -303,18 +336,22 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
             p1 = randomPixel(rng);
             p2 = scene.points2[order[rng.uniform(0, shared)]];
         }
-        else if (!structure.noisy() || !structure.match(i - options.inliers, rng, p1, p2))
+        else if (!structure.match(i - options.inliers, rng, p1, p2))
         {
             p1 = randomPixel(rng);
             p2 = randomPixel(rng);
         }
-        const double noise = i < own || structure.noisy() ? options.noise : 0;
+        const double noise = i < own || structure.noisy(i - options.inliers) ? options.noise : 0;
+        scene.onSecond[row] = i >= own && structure.ofSecond(i - options.inliers);
         scene.points1[row] = p1 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
         scene.points2[row] = p2 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
     }
     if (options.copies > 1)
         copyRows(scene, options.copies, rng);
-    scene.scores = makeScores(scene.truth, options.scoreInformation, options.seed);
+    if (options.scoreModel == SCORES_OF_TRUTH)
+        scene.scores = makeScores(scene.truth, options.scoreInformation, options.seed);
+    else
+        scene.scores = makeMisleadingScores(scene, options);
     return scene;
 }
 

@@ -35,6 +35,14 @@ enum OutlierModel {
                            //!< pixels in image 1
 };
 
+//! What the scores of a scene tell.
+enum ScoreModel {
+    SCORES_OF_TRUTH,  //!< what is right, as far as SceneOptions::scoreInformation says
+    SCORES_OF_SECOND,  //!< the matches of the second motion are the best, the others have random scores
+    SCORES_OF_PLACE,   //!< the right matches in one square of 160 pixels of image 1 are the best, the others random
+    SCORES_NEAR        //!< the nearer to one point of image 1, the better, right or wrong
+};
+
 //! How the camera moves from image 1 to image 2.
 enum Motion {
     MOTION_GENERAL,    //!< mostly sideways, and a rotation; the camera turns to what it has seen
@@ -52,7 +60,7 @@ struct SceneOptions
     SceneOptions()
         : inliers(200), outliers(100), noise(0.5), seed(1), planeFraction(0), frontalPlane(false), nearest(4),
           farthest(9), duplicates(0), copies(1), motion(MOTION_GENERAL), angle(12), baseline(1),
-          outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5)
+          outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5), second(0), scoreModel(SCORES_OF_TRUTH)
     {}
 
     //! Sets `inliers` and `outliers`.
@@ -74,6 +82,8 @@ struct SceneOptions
     //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing, 1: all, near 0:
     //! upside down.
     double scoreInformation;
+    int second;  //!< OUTLIERS_UNIFORM: of the wrong matches, this many are as of OUTLIERS_SECOND_MODEL
+    ScoreModel scoreModel;
 };
 
 /** @brief Two images of 640 x 480 pixels of points in space, with the exact model.
@@ -89,6 +99,7 @@ struct Scene
     std::vector<float> scores;
     std::vector<uchar> truth;    //!< 1: a true match
     std::vector<uchar> onPlane;  //!< 1: a true match on the plane
+    std::vector<uchar> onSecond;  //!< 1: a wrong match of the second motion
     cv::Matx33d model;           //!< H, affinity, similarity with h33 = 1, F or E of unit Frobenius norm
     cv::Matx33d F;               //!< of unit Frobenius norm, for all problems
     cv::Matx33d K, R;            //!< both cameras have the same K; X2 = R X1 + t

@@ -153,7 +153,11 @@ enum TerminationFlags {
     TERMINATION_MAGSAC =
         16,  //!< the standard criterion marginalized over the scale of the noise @cite barath2019magsac
     TERMINATION_EXACT =
-        32  //!< modifies the others: samples without repetition, C(I, m) / C(N, m), in the place of (I / N)^m
+        32,  //!< modifies the others: samples without repetition, C(I, m) / C(N, m), in the place of (I / N)^m
+    /** where the order of the points is known (scores, #ORDERING_INPUT_ORDER) and Params::orderedEvery is not 1:
+    PROSAC's criterion for the samples that follow the order, if the best model's inliers come early in it, and no other
+    model with significantly more inliers among the points that it does not explain */
+    TERMINATION_ORDER = 64
 };
 
 //! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy"). All bits: all checks
@@ -296,6 +300,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in eight
     (`orderedEvery`), the others are uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
+    /** @brief As usacV20(), for who vouches for the order of the points: `scores`, or #ORDERING_INPUT_ORDER. All samples
+    are PROSAC's (`orderedEvery` 1), and its criterion may end the search @cite chum2005matching. The fastest where the
+    order is good; where it is not, a better model may be missed. */
+    CV_WRAP static Params trustedScores();
     /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares @cite fischler1981random. The number of
