@@ -32,21 +32,17 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! Samples that all follow an order that is known, before one in Params::orderedEvery does.
-constexpr int FIRST_ORDERED = 200;
 //! Of so many samples where those of unexplained points are wanted, one follows the order and one is uniform.
 constexpr int UNEXPLAINED_TURNS = 8;
 
-/** @brief As isOrdered() where the order is somebody's knowledge (orderIsKnown()), and proves right or wrong: the first
-samples all follow it, then those that State::wanted says. */
+//! As isOrdered() where the order is somebody's knowledge (orderIsKnown()): what State::wanted says.
 inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery, m = context.components.minimalSolver->sampleSize();
     const int turn = state.iteration % UNEXPLAINED_TURNS;
     const bool unexplained = state.wanted == SAMPLES_UNEXPLAINED && state.unexplainedCount >= m;
-    if (every == 1 || (unexplained ? turn == 0
-                                   : state.wanted == SAMPLES_ORDERED || state.iteration < FIRST_ORDERED ||
-                                         state.iteration % every == 0))
+    const int step = state.wanted == SAMPLES_ORDERED ? 1 : state.wanted == SAMPLES_HALF ? std::min(every, 2) : every;
+    if (every == 1 || (unexplained ? turn == 0 : state.iteration % step == 0))
     {
         state.counts = every == 1;
         ++state.orderedSamples;

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_CONFIRMED_ORDER_HPP
 #define OPENCV_USACV20_CONFIRMED_ORDER_HPP
 
+#include "core/joint_cells.hpp"
 #include "opencv2/usac/components.hpp"
 
 namespace cv {
@@ -19,6 +20,15 @@ The first m inliers do not count, as the model may have been made of them, nor d
 @param size number of points
 @param m size of a sample */
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m);
+
+/** @brief Would another motion be seen by its neighbors that stay neighbors? Where two motions are as smooth as each
+other, its matches are in the same cell of both arrays as often as those of the best model.
+@param own pairs of inliers of the best model
+@param rest pairs of the points that it does not explain
+@param other number of matches of the other motion among these
+@param left number of these
+@return true if there are fewer pairs in common cells than the other motion would have */
+bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -44,6 +44,7 @@ struct Context;
 //! Which samples the criteria want to be drawn, see State::wanted.
 enum WantedSamples {
     SAMPLES_MIXED,    //!< those that follow the order and uniform ones, see Params::orderedEvery
+    SAMPLES_HALF,     //!< the same, but every second one follows the order
     SAMPLES_ORDERED,  //!< those that follow the order
     //! most of points that the best model does not explain (State::unexplained)
     SAMPLES_UNEXPLAINED
