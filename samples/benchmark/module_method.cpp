@@ -43,6 +43,7 @@ const Preset PRESETS[] = {
     {"preset:mlesac", &Params::mlesac},     {"preset:prosac", &Params::prosac},
     {"preset:loRansac", &Params::loRansac}, {"preset:floRansac", &Params::floRansac},
     {"preset:gcRansac", &Params::gcRansac}, {"preset:usac2013", &Params::usac2013},
+    {"preset:trustedScores", &Params::trustedScores},
     {"preset:magsac", &Params::magsac},     {"preset:magsacPlusPlus", &Params::magsacPlusPlus},
 };
 
