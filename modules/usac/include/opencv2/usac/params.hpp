@@ -263,11 +263,14 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer,
     the others are uniform among all points. Only the uniform ones count for the criteria of termination but
     #TERMINATION_PROSAC: what is drawn from some points may never meet the best model, and `confidence` would not hold;
-    but where one model has more than half of the points beside its sample, all count. 1: all samples are as preferred,
+    but where one model has more than half of the points beside its sample, all count. Where the order is known
+    (`scores`, #ORDERING_INPUT_ORDER), #TERMINATION_ORDER changes that: every second one of the first samples follows
+    it, and all once it has proved to be good. 1: all samples are as preferred,
     and all count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0 runs all `maxIterations`.
-    //! Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
+    //! Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT |
+    //! #TERMINATION_ORDER.
     CV_PROP_RW int termination;
     //! What a "significantly" better model has more for #TERMINATION_P_NAPSAC, as a fraction of the k inliers of the
     //! best one beside those of its sample if these are many; of few it is k / (k + 30) times that; 0..1. Default 0.05.
