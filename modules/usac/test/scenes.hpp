@@ -37,7 +37,7 @@ enum OutlierModel {
 
 //! What the scores of a scene tell.
 enum ScoreModel {
-    SCORES_OF_TRUTH,  //!< what is right, as far as SceneOptions::scoreInformation says
+    SCORES_OF_TRUTH,   //!< what is right, as far as SceneOptions::scoreInformation says
     SCORES_OF_SECOND,  //!< the matches of the second motion are the best, the others have random scores
     SCORES_OF_PLACE,   //!< the right matches in one square of 160 pixels of image 1 are the best, the others random
     SCORES_NEAR        //!< the nearer to one point of image 1, the better, right or wrong
@@ -97,13 +97,13 @@ struct Scene
     cv::usacv20::ProblemType problem;
     std::vector<cv::Point2d> points1, points2, clean1, clean2;
     std::vector<float> scores;
-    std::vector<uchar> truth;    //!< 1: a true match
-    std::vector<uchar> onPlane;  //!< 1: a true match on the plane
+    std::vector<uchar> truth;     //!< 1: a true match
+    std::vector<uchar> onPlane;   //!< 1: a true match on the plane
     std::vector<uchar> onSecond;  //!< 1: a wrong match of the second motion
-    cv::Matx33d model;           //!< H, affinity, similarity with h33 = 1, F or E of unit Frobenius norm
-    cv::Matx33d F;               //!< of unit Frobenius norm, for all problems
-    cv::Matx33d K, R;            //!< both cameras have the same K; X2 = R X1 + t
-    cv::Vec3d t;                 //!< of unit length
+    cv::Matx33d model;            //!< H, affinity, similarity with h33 = 1, F or E of unit Frobenius norm
+    cv::Matx33d F;                //!< of unit Frobenius norm, for all problems
+    cv::Matx33d K, R;             //!< both cameras have the same K; X2 = R X1 + t
+    cv::Vec3d t;                  //!< of unit length
 
     int size() const { return (int)points1.size(); }
 };

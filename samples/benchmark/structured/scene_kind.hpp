@@ -22,8 +22,7 @@ struct Cell
     std::string kind;    //!< see setKind
     int size;            //!< matches; kind `copies`: different ones; kind `second`: of the right model
     double ratio;        //!< part of right matches
-    std::string
-        order;  //!< `none`: without scores; else see setOrder
+    std::string order;   //!< `none`: without scores; else see setOrder
 
     //! Points, but for noise and seed. @return false if there is no such scene, or it holds less than `spare` right
     //! matches more than a sample.

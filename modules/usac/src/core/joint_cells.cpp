@@ -44,7 +44,7 @@ CellPairs::CellPairs(const Correspondences& p, const uchar* mask, uchar value, A
     Arena::Scope scope(arena);
     ushort *const cells1 = scope.take<ushort>(p.size), *const cells2 = scope.take<ushort>(p.size);
     int *const in1 = scope.take<int>(CELLS), *const in2 = scope.take<int>(CELLS),
-              *const inBoth = scope.take<int>(CELLS * CELLS);
+               *const inBoth = scope.take<int>(CELLS * CELLS);
     assignCells(p, 0, cells1);
     assignCells(p, 1, cells2);
     std::fill(in1, in1 + CELLS, 0);

@@ -71,8 +71,8 @@ double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int 
 
 namespace {
 
-/** @brief PROSAC's criterion where scores may lie: it ends the search only if the data confirm the order, and if no other
-model can hide among the points that the best one does not explain.
+/** @brief PROSAC's criterion where scores may lie: it ends the search only if the data confirm the order, and if no
+other model can hide among the points that the best one does not explain.
 
 1. Of the first samples every second one follows the order (#FIRST_ORDERED), of the later ones one in
 Params::orderedEvery.
@@ -239,7 +239,8 @@ private:
     many these are the last ones tell. */
     double otherInliers(const Context& context, const State& state) const
     {
-        const double shared = (late + std::sqrt((double)late)) * state.unexplainedCount * LATE_PART / context.points.size;
+        const double shared = (late + std::sqrt((double)late)) * state.unexplainedCount * LATE_PART /
+                              context.points.size;
         return significantInliers(context, state) - std::min(shared, (double)state.bestQuality.inliers);
     }
 

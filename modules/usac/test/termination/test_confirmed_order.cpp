@@ -65,9 +65,9 @@ TEST(Usac_ConfirmedOrder, countsPairs)
             for (int j = i + 1; j < size; ++j)
                 first += !inliers[j];
         }
-        const double expected = own * wrong == 0 ? 0
-                                                 : (first - own * wrong / 2) /
-                                                       std::sqrt(own * wrong * (own + wrong + 1) / 12);
+        const double expected = own * wrong == 0
+                                    ? 0
+                                    : (first - own * wrong / 2) / std::sqrt(own * wrong * (own + wrong + 1) / 12);
         EXPECT_NEAR(expected, orderEvidence(inliers.data(), repeated.data(), size, m), 1e-12) << trial;
     }
 }
@@ -199,7 +199,8 @@ TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
     {
         with.orderedEvery = without.orderedEvery = every;
         Report a, b;
-        EXPECT_EQ(0, cvtest::norm(estimate(scene, with, noArray(), &a), estimate(scene, without, noArray(), &b), NORM_INF));
+        EXPECT_EQ(
+            0, cvtest::norm(estimate(scene, with, noArray(), &a), estimate(scene, without, noArray(), &b), NORM_INF));
         EXPECT_EQ(a.iterations, b.iterations);
     }
 }

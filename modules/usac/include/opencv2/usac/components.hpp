@@ -70,10 +70,10 @@ struct CV_EXPORTS State
     int iteration;  //!< samples drawn so far
     bool counts;    //!< the present sample is as good as a uniform one of all points; true unless the sampler says no
     double yield;   //!< part of the samples of inliers only that lead to the best model; 1, but for degenerate scenes
-    int countedSamples;               //!< samples so far that count: what the confidence rests on
-    int repeatedSamples;              //!< samples that do not count only because a match was in them twice
-    int orderedSamples;  //!< samples drawn so far that follow an order that is known (scores, the order of the input)
-    int wanted;          //!< @ref WantedSamples; only samplers that follow a known order look at it
+    int countedSamples;   //!< samples so far that count: what the confidence rests on
+    int repeatedSamples;  //!< samples that do not count only because a match was in them twice
+    int orderedSamples;   //!< samples drawn so far that follow an order that is known (scores, the order of the input)
+    int wanted;           //!< @ref WantedSamples; only samplers that follow a known order look at it
     const int* unexplained;           //!< points that are no inliers of the best model, if such samples are wanted
     int unexplainedCount;             //!< number of them
     const int* order;                 //!< what bestFirst() has returned; null before

@@ -303,9 +303,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in eight
     (`orderedEvery`), the others are uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
-    /** @brief As usacV20(), for who vouches for the order of the points: `scores`, or #ORDERING_INPUT_ORDER. All samples
-    are PROSAC's (`orderedEvery` 1), and its criterion may end the search @cite chum2005matching. The fastest where the
-    order is good; where it is not, a better model may be missed. */
+    /** @brief As usacV20(), for who vouches for the order of the points: `scores`, or #ORDERING_INPUT_ORDER. All
+    samples are PROSAC's (`orderedEvery` 1), and its criterion may end the search @cite chum2005matching. The fastest
+    where the order is good; where it is not, a better model may be missed. */
     CV_WRAP static Params trustedScores();
     /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
