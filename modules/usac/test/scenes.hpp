@@ -113,6 +113,8 @@ bool mapsPoints(cv::usacv20::ProblemType problem);
 
 Scene makeScene(cv::usacv20::ProblemType problem, const SceneOptions& options = SceneOptions());
 
+//! Scores of a scene as its options say.
+std::vector<float> makeScores(const Scene& scene, const SceneOptions& options);
 //! Scores of matches as of a Scene; `information` is the option `scoreInformation`.
 std::vector<float> makeScores(const std::vector<uchar>& truth, double information, uint64 seed);
 
