@@ -139,6 +139,7 @@ bool Degeneracy::validModel(const Context&, const int*, const Model&) const { re
 bool Degeneracy::recover(const Context&, State&, const int*, Model&, Quality&) { return true; }
 
 bool Termination::countsAll() const { return true; }
+bool Termination::adapt(const Context&, State&) { return false; }
 int Termination::reason() const { return STOP_CUSTOM; }
 
 }  // namespace usacv20

@@ -100,6 +100,8 @@ void createTerminations(int flags, std::vector<Ptr<Termination>>& terminations)
         terminations.push_back(createMagsacTermination());
     if (flags & TERMINATION_PROSAC)
         terminations.push_back(createProsacTermination());
+    if (flags & TERMINATION_ORDER)
+        terminations.push_back(createConfirmedOrderTermination());
 }
 
 Ptr<Polisher> createPolisher(int type)

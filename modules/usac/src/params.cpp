@@ -68,6 +68,9 @@ void checkCombinations(const Params& p)
             !(p.ordering == ORDERING_INPUT_ORDER || (p.ordering == ORDERING_AUTO && !p.scores.empty())),
         "termination: TERMINATION_PROSAC needs points in an order, by scores or by ORDERING_INPUT_ORDER; many wrong "
         "models fit the densest places");
+    checkCombination(criteria == TERMINATION_ORDER,
+                     "termination: TERMINATION_ORDER ends a search only where the order proves to be good, and is for "
+                     "use beside another criterion");
     checkCombination(p.termination == TERMINATION_EXACT,
                      "termination: TERMINATION_EXACT modifies another criterion and stands alone");
     checkCombination(p.sampler == SAMPLER_IMPORTANCE && (p.scores.empty() || p.scoreOrder != SCORES_HIGHER_IS_BETTER),

@@ -24,7 +24,7 @@ Params Params::fast()
 Params Params::accurate()
 {
     Params params;
-    params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
+    params.termination = TERMINATION_STANDARD | TERMINATION_EXACT | TERMINATION_ORDER;
     params.persistence = 3;
     params.localIterations = 10;
     params.localSamples = 10;
@@ -38,6 +38,15 @@ Params Params::sorted()
     Params params;
     params.sampler = SAMPLER_PROSAC;
     params.ordering = ORDERING_INPUT_ORDER;
+    return params;
+}
+
+Params Params::trustedScores()
+{
+    Params params;
+    params.sampler = SAMPLER_PROSAC;
+    params.orderedEvery = 1;
+    params.termination = TERMINATION_PROSAC | TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT;
     return params;
 }
 

@@ -58,6 +58,8 @@ bool Ransac::run(int pause)
         ended = state.iteration < pause;
         if (!ended)
             break;
+        if (adaptTerminations())
+            continue;
         drawBatch();  // 3
         const bool first = state.iteration == 0;
         const bool together = threads > 1 && size * context.points.problem->sampleCost().time >= PARALLEL_WORK;

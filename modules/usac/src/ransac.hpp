@@ -77,6 +77,8 @@ private:
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
+    //! Lets the criteria look at what has been found. @return true if the number of samples may have changed
+    bool adaptTerminations();
     int samplesThatCount() const;
     void require(double wanted, bool all, int reason);
 

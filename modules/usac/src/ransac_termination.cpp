@@ -52,6 +52,22 @@ void Ransac::updateTermination()
                 parts.terminations[t]->countsAll(), parts.terminations[t]->reason());
 }
 
+bool Ransac::adaptTerminations()
+{
+    const int wanted = state.wanted;
+    bool changed = false;
+    for (size_t t = 0; t < parts.terminations.size(); ++t)
+        changed = parts.terminations[t]->adapt(context, state) || changed;
+    if (state.wanted != wanted && state.iteration > 0)
+    {
+        improveRunnersUp();
+        runnersUp.clear();  // samples of other points need not give as good ones
+    }
+    if (changed)
+        updateTermination();
+    return changed;
+}
+
 void Ransac::require(double wanted, bool all, int reason)
 {
     int& least = all ? requiredOfAll : required;

@@ -25,8 +25,9 @@ String Report::describe() const
                                           "custom criterion",
                                           "PROSAC criterion",
                                           "MAGSAC criterion",
-                                          "no model: none that random points would not give"};
-    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NOT_SIGNIFICANT ? reasons[stop] : "unknown reason";
+                                          "no model: none that random points would not give",
+                                          "the order of the points"};
+    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_ORDER ? reasons[stop] : "unknown reason";
     return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s", inliers, cost,
                   iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "");
 }

@@ -218,12 +218,12 @@ struct OutlierStructure
     //! The i-th wrong match; false if there is none of this kind.
     bool match(int i, RNG& rng, Point2d& p1, Point2d& p2) const
     {
+        if (!has(i))
+            return false;
         const Geometry geometry(second, secondNormal, options);
         p1 = randomPixel(rng);
         p2 = randomPixel(rng);
-        if (options.outlierModel >= OUTLIERS_SHIFT && i >= options.structured)
-            return false;
-        switch (options.outlierModel)
+        switch (i < options.second ? OUTLIERS_SECOND_MODEL : options.outlierModel)
         {
         case OUTLIERS_SHIFT:
             while (!inside(p2 = p1 + shift))
@@ -267,13 +267,16 @@ struct OutlierStructure
         return true;
     }
 
-    //! Have the wrong matches the noise of the true ones?
-    bool noisy(int i) const
+    //! Is the i-th wrong match one of a structure?
+    bool has(int i) const
     {
-        return options.outlierModel >= OUTLIERS_SHIFT
-                   ? options.outlierModel <= OUTLIERS_PLANE && i < options.structured
-                   : options.outlierModel >= OUTLIERS_TARGETS;
+        return i < options.second || (options.outlierModel >= OUTLIERS_SHIFT ? i < options.structured
+                                                                             : options.outlierModel >= OUTLIERS_TARGETS);
     }
+    //! Has it the noise of the true ones?
+    bool noisy(int i) const { return has(i) && (i < options.second || options.outlierModel <= OUTLIERS_PLANE); }
+    //! Is it one of the second motion?
+    bool ofSecond(int i) const { return options.outlierModel == OUTLIERS_SECOND_MODEL || i < options.second; }
 
     enum { CLUSTERS = 5 };
 
@@ -290,6 +293,7 @@ void repeatRow(Scene& scene, int from, int to)
         (*points[k])[to] = (*points[k])[from];
     scene.truth[to] = scene.truth[from];
     scene.onPlane[to] = scene.onPlane[from];
+    scene.onSecond[to] = scene.onSecond[from];
 }
 
 //! Each row so many times, in random order.
@@ -301,6 +305,7 @@ void copyRows(Scene& scene, int copies, RNG& rng)
         points[k]->resize(copied);
     scene.truth.resize(copied);
     scene.onPlane.resize(copied);
+    scene.onSecond.resize(copied);
     for (int i = size; i < copied; ++i)
         repeatRow(scene, i % size, i);
     for (int i = copied - 1; i > 0; --i)
@@ -310,6 +315,7 @@ void copyRows(Scene& scene, int copies, RNG& rng)
             std::swap((*points[k])[i], (*points[k])[other]);
         std::swap(scene.truth[i], scene.truth[other]);
         std::swap(scene.onPlane[i], scene.onPlane[other]);
+        std::swap(scene.onSecond[i], scene.onSecond[other]);
     }
 }
 
@@ -342,6 +348,7 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
     scene.points1.resize(size);
     scene.truth.assign(size, 0);
     scene.onPlane.assign(size, 0);
+    scene.onSecond.assign(size, 0);
     scene.points2 = scene.clean1 = scene.clean2 = scene.points1;
     for (int i = 0; i < size; ++i)
     {
@@ -363,34 +370,20 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
             p1 = randomPixel(rng);
             p2 = scene.points2[order[rng.uniform(0, shared)]];
         }
-        else if (options.outlierModel < OUTLIERS_TARGETS || !structure.match(i - options.inliers, rng, p1, p2))
+        else if (!structure.match(i - options.inliers, rng, p1, p2))
         {
             p1 = randomPixel(rng);
             p2 = randomPixel(rng);
         }
         const double noise = i < own || structure.noisy(i - options.inliers) ? options.noise : 0;
+        scene.onSecond[row] = i >= own && structure.ofSecond(i - options.inliers);
         scene.points1[row] = p1 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
         scene.points2[row] = p2 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
     }
     if (options.copies > 1)
         copyRows(scene, options.copies, rng);
-    scene.scores = makeScores(scene.truth, options.scoreInformation, options.seed);
+    scene.scores = makeScores(scene, options);
     return scene;
-}
-
-//! With numbers of their own, so that the points do not depend on them.
-std::vector<float> makeScores(const std::vector<uchar>& truth, double information, uint64 seed)
-{
-    const double q = information;
-    CV_Assert(q > 0 && q <= 1);
-    RNG rng(0x9e3779b9 + 7919 * seed);
-    std::vector<float> result;
-    for (size_t i = 0; i < truth.size(); ++i)
-    {
-        const double u = rng.uniform(0., 1.);
-        result.push_back((float)(truth[i] ? 1 - std::pow(u, (1 - q) / q) : u));
-    }
-    return result;
 }
 
 double pixelError(const Scene& scene, const Matx33d& model, const Point2d& p1, const Point2d& p2)

@@ -44,6 +44,14 @@ enum OutlierModel {
     OUTLIERS_BORDER     //!< both points anywhere on the border of their image
 };
 
+//! What the scores of a scene tell.
+enum ScoreModel {
+    SCORES_OF_TRUTH,   //!< what is right, as far as SceneOptions::scoreInformation says
+    SCORES_OF_SECOND,  //!< the matches of the second motion are the best, the others have random scores
+    SCORES_OF_PLACE,   //!< the right matches in one square of 160 pixels of image 1 are the best, the others random
+    SCORES_NEAR        //!< the nearer to one point of image 1, the better, right or wrong
+};
+
 //! How the camera moves from image 1 to image 2.
 enum Motion {
     MOTION_GENERAL,    //!< mostly sideways, and a rotation; the camera turns to what it has seen
@@ -61,7 +69,7 @@ struct SceneOptions
     SceneOptions()
         : inliers(200), outliers(100), structured(INT_MAX), noise(0.5), seed(1), planeFraction(0), frontalPlane(false),
           nearest(4), farthest(9), duplicates(0), copies(1), motion(MOTION_GENERAL), angle(12), baseline(1),
-          outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5)
+          outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5), second(0), scoreModel(SCORES_OF_TRUTH)
     {}
 
     //! Sets `inliers` and `outliers`.
@@ -84,6 +92,8 @@ struct SceneOptions
     //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing, 1: all, near 0:
     //! upside down.
     double scoreInformation;
+    int second;  //!< OUTLIERS_UNIFORM: of the wrong matches, this many are as of OUTLIERS_SECOND_MODEL
+    ScoreModel scoreModel;
 };
 
 /** @brief Two images of 640 x 480 pixels of points in space, with the exact model.
@@ -97,12 +107,13 @@ struct Scene
     cv::usacv20::ProblemType problem;
     std::vector<cv::Point2d> points1, points2, clean1, clean2;
     std::vector<float> scores;
-    std::vector<uchar> truth;    //!< 1: a true match
-    std::vector<uchar> onPlane;  //!< 1: a true match on the plane
-    cv::Matx33d model;           //!< H, affinity, similarity with h33 = 1, F or E of unit Frobenius norm
-    cv::Matx33d F;               //!< of unit Frobenius norm, for all problems
-    cv::Matx33d K, R;            //!< both cameras have the same K; X2 = R X1 + t
-    cv::Vec3d t;                 //!< of unit length
+    std::vector<uchar> truth;     //!< 1: a true match
+    std::vector<uchar> onPlane;   //!< 1: a true match on the plane
+    std::vector<uchar> onSecond;  //!< 1: a wrong match of the second motion
+    cv::Matx33d model;            //!< H, affinity, similarity with h33 = 1, F or E of unit Frobenius norm
+    cv::Matx33d F;                //!< of unit Frobenius norm, for all problems
+    cv::Matx33d K, R;             //!< both cameras have the same K; X2 = R X1 + t
+    cv::Vec3d t;                  //!< of unit length
 
     int size() const { return (int)points1.size(); }
 };
@@ -112,6 +123,8 @@ bool mapsPoints(cv::usacv20::ProblemType problem);
 
 Scene makeScene(cv::usacv20::ProblemType problem, const SceneOptions& options = SceneOptions());
 
+//! Scores of a scene as its options say.
+std::vector<float> makeScores(const Scene& scene, const SceneOptions& options);
 //! Scores of matches as of a Scene; `information` is the option `scoreInformation`.
 std::vector<float> makeScores(const std::vector<uchar>& truth, double information, uint64 seed);
 

@@ -21,6 +21,9 @@ struct Expected
 TEST(Usac_Presets, change_what_they_say)
 {
     const Params v20, ransac = Params::ransac(), lo = Params::loRansac();
+    Params trusted = Params::trustedScores();
+    EXPECT_THROW(trusted.check(), cv::Exception);  // there is nothing to trust
+    trusted.scores.assign(10, 1.f);
     const Expected all[] = {
         {"usacV20", Params::usacV20(), v20, ""},
         {"fast", Params::fast(), v20,
@@ -28,6 +31,7 @@ TEST(Usac_Presets, change_what_they_say)
         {"accurate", Params::accurate(), v20,
          "localIterations localSamples runnersUp termination persistence polishingSteps "},
         {"sorted", Params::sorted(), v20, "sampler ordering "},
+        {"trustedScores", trusted, v20, "sampler scores orderedEvery termination "},
         {"parallel", Params::parallel(), v20, "threads "},
         {"ransac", ransac, v20,
          "sampler quality verification localOptimization runnersUp termination degeneracy polishing "},

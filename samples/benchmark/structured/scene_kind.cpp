@@ -15,6 +15,16 @@ namespace {
 const int COPIES = 5;
 //! Kind `second`: matches of the other model for one of the right one, as 270 for 300.
 const double SECOND = 0.9;
+//! Kind `partSecond`: the same, beside wrong matches anywhere.
+const double PART_SECOND = 0.7;
+
+struct NamedScores
+{
+    const char* name;
+    ScoreModel model;
+};
+
+const NamedScores MISLEADING[] = {{"second", SCORES_OF_SECOND}, {"place", SCORES_OF_PLACE}, {"near", SCORES_NEAR}};
 
 struct NamedMotion
 {
@@ -90,6 +100,11 @@ bool setMotion(const std::string& name, SceneOptions& options)
 bool setKind(const std::string& name, SceneOptions& options)
 {
     const double plane = planeOf(name);
+    if (name == "partSecond")
+    {
+        options.second = std::min(cvRound(options.inliers * PART_SECOND), options.outliers);
+        return true;
+    }
     if (plane > 0)
     {
         options.planeFraction = plane;
@@ -115,14 +130,30 @@ bool setKind(const std::string& name, SceneOptions& options)
     return false;
 }
 
+bool setOrder(const std::string& name, SceneOptions& options)
+{
+    for (const NamedScores& known : MISLEADING)
+        if (name == known.name)
+        {
+            options.scoreModel = known.model;
+            return true;
+        }
+    char* end = 0;
+    const double information = std::strtod(name.c_str(), &end);
+    options.scoreInformation = information;
+    return !name.empty() && *end == 0 && information > 0 && information <= 1;
+}
+
 bool Cell::options(int spare, SceneOptions& result) const
 {
     result = SceneOptions();
     result.setSize(size, fixedRatio() ? 1 : ratio);
     if (!setMotion(motion, result) || !setKind(kind, result))
         return false;
-    if (scored())
-        result.scoreInformation = std::atof(order.c_str());
+    if (scored() && !setOrder(order, result))
+        return false;
+    if (result.scoreModel == SCORES_OF_SECOND && kind != "second" && kind != "partSecond")
+        return false;  // there is no second motion
     if (problem == cv::usacv20::HOMOGRAPHY && planeOf(kind) > 0)
         return false;  // all of its right matches are on a plane
     if (result.structured != INT_MAX && result.structured > result.outliers)

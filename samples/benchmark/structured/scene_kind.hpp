@@ -22,8 +22,7 @@ struct Cell
     std::string kind;    //!< see setKind
     int size;            //!< matches; kind `copies`: different ones; kind `second`: of the right model
     double ratio;        //!< part of right matches
-    std::string
-        order;  //!< `none`: without scores; else the probability that a right match has a better score than a wrong one
+    std::string order;   //!< `none`: without scores; else see setOrder
 
     //! Points, but for noise and seed. @return false if there is no such scene, or it holds less than `spare` right
     //! matches more than a sample.
@@ -58,12 +57,22 @@ bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
     planeN       generic, N percent of the right ones on one plane (F, E)
     duplicates   half of the right ones repeat others       copies      all are there five times
     second       right ones of another model, 90 % as many as of the right one, from a square of 160 pixels
+    partSecond   the same, 70 % as many, and the others anywhere
     shiftN       N percent of all matches shifted by the same 30 to 100 pixels, the other wrong ones anywhere
     movingN      the same on a plane that another motion has seen
     placeN       the same in image 2 at one place, but for 0.4 pixels
 
 @return false for any other name. */
 bool setKind(const std::string& name, opencv_test::SceneOptions& options);
+
+/** Scores: the probability that a right match has a better one than a wrong one, above 0 up to 1, or
+
+    second  those of the second motion are the best, the others random
+    place   the right ones of a square of 160 pixels are the best, the others random
+    near    the nearer to one point of image 1, the better, right or wrong
+
+@return false for anything else. */
+bool setOrder(const std::string& name, opencv_test::SceneOptions& options);
 
 }  // namespace benchmark
 

@@ -23,13 +23,14 @@ const char KEYS[] =
     "general,forward,forward0,sideways,rectified,planar,"
     "car,narrow,aerial) }"
     "{kinds          |generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line| search: wrong "
-    "matches and repetitions; also local, plane1 to plane100 }"
+    "matches and repetitions; also local, partSecond, plane1 to plane100 }"
     "{sizes          | | numbers of matches (default: search: 15,20,30,50,100,300,1000,10000; accuracy: 300) }"
     "{ratios         | | parts of right matches (default: search: 0.3,0.5,0.6,0.7,0.9,0.95; accuracy: 0.7, aerial 0.9) "
     "}"
     "{orders         |none,0.95,0.8,0.5,0.05| search: none: without scores; else the probability that a right match "
     "has a better "
-    "score than a wrong one }"
+    "score than a wrong one; second: those of the second motion have the best scores; place: right ones of one place; "
+    "near: all that are near to a point }"
     "{by             |problem,kind,order| search: a row for each combination of some of: problem, motion, kind, size, "
     "ratio, "
     "order }"
@@ -74,7 +75,8 @@ Settings StructuredOptions::settings(const Cell& cell) const
     result.confidence = confidence;
     result.maxIterations = maxIterations;
     result.seed = seed;
-    if (cell.scored() && toNumber(cell.order, "orders") < 0.5)
+    opencv_test::SceneOptions scene;
+    if (cell.scored() && setOrder(cell.order, scene) && scene.scoreInformation < 0.5)
     {
         const double good = std::pow(cell.ratio, sampleSizeOf(cell.problem));
         const double needed = good < 1 ? std::log(1 - confidence) / std::log1p(-good) : 1;
@@ -116,8 +118,8 @@ void StructuredOptions::parseGrid(const cv::CommandLineParser& parser, const Arg
         require(std::find(AXES, AXES + 6, by[i]) != AXES + 6, "--by: " + by[i] + " is unknown");
     for (size_t i = 0; i < orders.size(); ++i)
     {
-        const double order = orders[i] == "none" ? 0.5 : toNumber(orders[i], "orders");
-        require(order > 0 && order <= 1, "--orders: expected none or numbers above 0 up to 1");
+        require(orders[i] == "none" || setOrder(orders[i], unused),
+                "--orders: expected none, second, place, near or numbers above 0 up to 1, not " + orders[i]);
     }
 }
 

@@ -73,11 +73,7 @@ int RunnersUp::take(const RunnerUp*& taken)
     return all;
 }
 
-void RunnersUp::clear()
-{
-    count = 0;
-    known = InlierBits();
-}
+void RunnersUp::clear() { count = 0; }
 
 }  // namespace usacv20
 }  // namespace cv

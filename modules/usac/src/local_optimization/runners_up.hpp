@@ -59,7 +59,7 @@ public:
     //! Gives those kept since the last call, most unexplained inliers first, for equal numbers the lowest cost; valid
     //! until the next call. @return their number
     int take(const RunnerUp*& taken);
-    //! Forgets all, also those that it has given, and the best model.
+    //! Forgets all, also those that it has given.
     void clear();
 
 private:

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/joint_cells.hpp"
 #include "ordering/ordering.hpp"
 #include "ordering/repeated_last.hpp"
 
@@ -11,9 +12,6 @@ namespace usacv20 {
 
 namespace {
 
-//! Cells of each image along its sides, and in all. 4 and 16: errors of H +1 and +2 %, of E +5 and +3 %; 16: time +2 to
-//! +3 %.
-constexpr int DIVISIONS = 8, CELLS = DIVISIONS * DIVISIONS;
 //! Ranks of the points, and points that every place is taken to have beside those that are there. Half (2 others),
 //! double: errors of H and F within 1 %, of E within 4 %, the noise of the search.
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
@@ -59,27 +57,6 @@ public:
         for (int i = 0; i < p.size; ++i)
             order[start[bucket[i]]++] = i;
         repeatedLast(context, order);
-    }
-
-private:
-    static int division(float value, float low, float scale)
-    {
-        const float cell = (value - low) * scale, inside = cell > 0 ? cell : 0;
-        return (int)(inside < DIVISIONS - 1.f ? inside : DIVISIONS - 1.f);
-    }
-
-    //! Of the first two coordinates of an array; where there are less, there is one row of cells.
-    static void assignCells(const Correspondences& p, int array, ushort* cells)
-    {
-        const int first = array ? p.coordinates[0] : 0, axes = std::min(p.coordinates[array], 2);
-        std::fill(cells, cells + p.size, (ushort)0);
-        for (int k = first; k < first + axes; ++k)
-        {
-            const float low = p.lower[k], range = p.upper[k] - low, scale = range > 0 ? DIVISIONS / range : 0;
-            const float* const values = p.column[k];
-            for (int i = 0; i < p.size; ++i)
-                cells[i] = (ushort)(cells[i] * DIVISIONS + division(values[i], low, scale));
-        }
     }
 };
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/known_order.hpp"
 #include "samplers/samplers.hpp"
 
 namespace cv {
@@ -24,11 +25,7 @@ constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
 constexpr int FIRST_MEMBERS = 2;
 
 //! True if the order of the points is nobody's knowledge.
-bool isGuess(const Context& context)
-{
-    const int ordering = context.params.ordering;
-    return ordering != ORDERING_INPUT_ORDER && (ordering != ORDERING_AUTO || !context.points.scores);
-}
+bool isGuess(const Context& context) { return !orderIsKnown(context); }
 
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
@@ -55,14 +52,17 @@ public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
+        const bool guess = isGuess(context);
+        if (!guess && !isOrderedByKnowledge(context, state, sample))
+            return;
         growth.next();
         const int n = growth.size();
-        const bool guess = isGuess(context);
-        if (!(guess ? isOrderedGuess(context, state, sample) : isOrdered(context, state, sample)))
+        if (guess && !isOrderedGuess(context, state, sample))
             return;
         const int center = state.bestFirst(context)[growth.newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = center;
-        const int turn = state.iteration / context.params.orderedEvery, every = localEvery(context);
+        const int turn = guess ? state.iteration / context.params.orderedEvery : state.orderedSamples - 1;
+        const int every = localEvery(context);
         if (turn % every != every - 1 || !local(context, state, m, sample))
             global(state, m, n, sample);
     }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/known_order.hpp"
 #include "samplers/samplers.hpp"
 
 namespace cv {
@@ -23,9 +24,12 @@ public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
+        const bool known = orderIsKnown(context);
+        if (known && !isOrderedByKnowledge(context, state, sample))
+            return;
         growth.next();
         const int n = growth.size();
-        if (!isOrdered(context, state, sample))
+        if (!known && !isOrdered(context, state, sample))
             return;
         if (growth.newest())
         {

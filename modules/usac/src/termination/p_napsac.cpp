@@ -16,6 +16,18 @@ lists half and double change next to nothing; USACV20_FAST: 60 takes 8 to 19 % m
 points, 15 6 to 12 % less. */
 constexpr int HALF = 30;
 
+}  // namespace
+
+double significantInliers(const Context& context, const State& state)
+{
+    const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
+    const double beside = state.bestQuality.inliers - m, different = beside / copiesOf(state, n, m);
+    const double more = state.yield < 1 ? 0 : context.params.relaxation * different / (different + HALF);
+    return std::min(m + beside * (1 + more), (double)n);
+}
+
+namespace {
+
 /** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one @cite
 barath2019progressive, that is with a part r more of them. There r is a constant. Here those of the sample do not count:
 any model has them, so that of a few points a wrong one has not many less than the right one. For the same reason r is
@@ -26,14 +38,9 @@ class PNapsacTermination : public Termination
 public:
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
-        const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
-        const int inliers = state.bestQuality.inliers;
-        if (inliers <= m)
+        if (state.bestQuality.inliers <= context.components.minimalSolver->sampleSize())
             return INT_MAX;
-        const double beside = inliers - m, different = beside / copiesOf(state, n, m);
-        const double more = state.yield < 1 ? 0 : context.params.relaxation * different / (different + HALF);
-        const double significant = std::min(m + beside * (1 + more), (double)n);
-        return samplesNeeded(goodModelProbability(context, state, significant),
+        return samplesNeeded(goodModelProbability(context, state, significantInliers(context, state)),
                              std::log(1 - context.params.confidence));
     }
 

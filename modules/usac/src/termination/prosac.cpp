@@ -85,7 +85,8 @@ public:
         uchar *const inliers = scope.take<uchar>(size), *const repeated = scope.take<uchar>(size);
         for (int i = 0; i < size; ++i)
             inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
-        const double kept = share * keptProbability(context, state.bestQuality.inliers);
+        const int every = countsOrdered(context, state) ? context.params.orderedEvery : 1;
+        const double kept = share * every * keptProbability(context, state.bestQuality.inliers);
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
         const double logFailure = std::log(1 - context.params.confidence);
         int length;
@@ -93,12 +94,28 @@ public:
         if (samples == INT_MAX)
             return INT_MAX;
         markRepeatedInliers(context, state.order, inliers, repeated);
-        return prosacSamples(inliers, repeated, size, m, kept, randomRatio, logFailure, exact, length);
+        return ofAll(prosacSamples(inliers, repeated, size, m, kept, randomRatio, logFailure, exact, length), every,
+                     state);
     }
 
     int reason() const CV_OVERRIDE { return STOP_PROSAC; }
 
 private:
+    //! True if the set grows with the samples that follow the order, not with all.
+    static bool countsOrdered(const Context& context, const State& state)
+    {
+        return context.params.orderedEvery > 1 && state.orderedSamples > 0;
+    }
+
+    //! Of `samples` that follow the order, those that lack are one in `every`, or more.
+    static int ofAll(int samples, int every, const State& state)
+    {
+        if (samples == INT_MAX || every == 1)
+            return samples;
+        const double all = state.iteration + std::max(samples - state.orderedSamples, 0) * (double)every;
+        return all < INT_MAX ? (int)all : INT_MAX;
+    }
+
     static void markRepeatedInliers(const Context& context, const int* order, const uchar* inliers, uchar* repeated)
     {
         const Correspondences& p = context.points;

@@ -21,6 +21,8 @@ Ptr<Termination> createPNapsacTermination();
 Ptr<Termination> createMagsacTermination();
 //! See ProsacTermination.
 Ptr<Termination> createProsacTermination();
+//! See ConfirmedOrderTermination.
+Ptr<Termination> createConfirmedOrderTermination();
 
 /** Probability that the model of a good sample is not dropped before it is rated, if it has `inliers` of all points:
 what the verifier says, see Verifier::keptProbability(). So T(d,d) needs epsilon^-d times as many samples @cite
@@ -36,6 +38,10 @@ double goodModelProbability(const Context& context, const State& state, double i
 /** As goodSampleProbability() with or without repetition as Params::termination says, among the different ones of the
  * matches. */
 double goodSampleProbability(const Context& context, const State& state, double inliers);
+
+/** Inliers of a model that has significantly more than the best one, which has more than a sample, see
+PNapsacTermination. */
+double significantInliers(const Context& context, const State& state);
 
 /** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never be fulfilled, where
 no model has more inliers than its own sample. */

@@ -41,10 +41,22 @@ struct SequentialTest
 
 struct Context;
 
+//! Which samples the criteria want to be drawn, see State::wanted.
+enum WantedSamples {
+    SAMPLES_MIXED,    //!< those that follow the order and uniform ones, see Params::orderedEvery
+    SAMPLES_HALF,     //!< the same, but every second one follows the order
+    SAMPLES_ORDERED,  //!< those that follow the order
+    //! most of points that the best model does not explain (State::unexplained)
+    SAMPLES_UNEXPLAINED
+};
+
 //! All that changes during a run.
 struct CV_EXPORTS State
 {
-    State() : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0), order(0) {}
+    State()
+        : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0), orderedSamples(0),
+          wanted(SAMPLES_MIXED), unexplained(0), unexplainedCount(0), order(0)
+    {}
 
     //! The points, best first, as the Ordering says; sorted at the first call.
     const int* bestFirst(const Context& context)
@@ -58,8 +70,12 @@ struct CV_EXPORTS State
     int iteration;  //!< samples drawn so far
     bool counts;    //!< the present sample is as good as a uniform one of all points; true unless the sampler says no
     double yield;   //!< part of the samples of inliers only that lead to the best model; 1, but for degenerate scenes
-    int countedSamples;               //!< samples so far that count: what the confidence rests on
-    int repeatedSamples;              //!< samples that do not count only because a match was in them twice
+    int countedSamples;   //!< samples so far that count: what the confidence rests on
+    int repeatedSamples;  //!< samples that do not count only because a match was in them twice
+    int orderedSamples;   //!< samples drawn so far that follow an order that is known (scores, the order of the input)
+    int wanted;           //!< @ref WantedSamples; only samplers that follow a known order look at it
+    const int* unexplained;           //!< points that are no inliers of the best model, if such samples are wanted
+    int unexplainedCount;             //!< number of them
     const int* order;                 //!< what bestFirst() has returned; null before
     Model best;                       //!< the best model so far
     Quality bestQuality;              //!< and what it is worth
@@ -304,6 +320,10 @@ public:
     //! True, the default: the number is one of all samples. False: of those for which State::counts is true, or of all
     //! where one model has more than half of the points beside its sample.
     virtual bool countsAll() const;
+    /** @brief Called between batches of samples: may set State::wanted, so that the sampler draws what the criterion
+    needs. Default: does nothing.
+    @return true if iterations() may have changed; all criteria are then asked again. */
+    virtual bool adapt(const Context& context, State& state);
     //! @ref StopReason. Default #STOP_CUSTOM.
     virtual int reason() const;
 };

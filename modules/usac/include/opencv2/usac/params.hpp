@@ -149,11 +149,11 @@ enum TerminationFlags {
     TERMINATION_STANDARD = 1,  //!< no better model with probability `confidence` @cite fischler1981random
     TERMINATION_SPRT = 2,      //!< the same, with the errors of SPRT accounted for @cite chum2008optimal
     TERMINATION_P_NAPSAC = 4,  //!< no significantly better model @cite barath2019progressive
-    TERMINATION_PROSAC = 8,  //!< maximality and non-randomness in the best subset of the points @cite chum2005matching
-    TERMINATION_MAGSAC =
-        16,  //!< the standard criterion marginalized over the scale of the noise @cite barath2019magsac
-    TERMINATION_EXACT =
-        32  //!< modifies the others: samples without repetition, C(I, m) / C(N, m), in the place of (I / N)^m
+    TERMINATION_PROSAC = 8,   //!< maximality and non-randomness in the best subset of the points @cite chum2005matching
+    TERMINATION_MAGSAC = 16,  //!< the standard criterion marginalized over the noise @cite barath2019magsac
+    TERMINATION_EXACT = 32,   //!< modifies the others: samples without repetition, C(I, m) / C(N, m), not (I / N)^m
+    //! where the best model confirms a known order: PROSAC's, and no better model in what that does not explain
+    TERMINATION_ORDER = 64
 };
 
 //! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy"). All bits: all checks
@@ -259,11 +259,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer,
     the others are uniform among all points. Only the uniform ones count for the criteria of termination but
     #TERMINATION_PROSAC: what is drawn from some points may never meet the best model, and `confidence` would not hold;
-    but where one model has more than half of the points beside its sample, all count. 1: all samples are as preferred,
-    and all count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
+    but where one model has more than half of the points beside its sample, all count. With #TERMINATION_ORDER every
+    second one of the first samples follows a known order, and all once it has proved to be good. 1: all samples are as
+    preferred, and all count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0 runs all `maxIterations`.
-    //! Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT.
+    //! Default #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT | #TERMINATION_ORDER.
     CV_PROP_RW int termination;
     //! What a "significantly" better model has more for #TERMINATION_P_NAPSAC, as a fraction of the k inliers of the
     //! best one beside those of its sample if these are many; of few it is k / (k + 30) times that; 0..1. Default 0.05.
@@ -296,6 +297,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in eight
     (`orderedEvery`), the others are uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
+    /** @brief As usacV20(), for who vouches for the order (`scores`, or #ORDERING_INPUT_ORDER): all samples are
+    PROSAC's, and its criterion may end the search @cite chum2005matching. Where the order is wrong, it may miss the
+    model. */
+    CV_WRAP static Params trustedScores();
     /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares @cite fischler1981random. The number of
@@ -350,8 +355,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     @param method value of one of #UsacV20Method; anything else raises cv::Exception. */
     CV_WRAP static Params fromMethod(int method);
 
-    //! The nearest configuration to one of OpenCV's own USAC; `threshold`, `confidence`, `maxIterations` are taken as
-    //! they are.
+    //! The nearest configuration to one of OpenCV's own USAC; `threshold`, `confidence`, `maxIterations` as they are.
     static Params fromUsacParams(const cv::UsacParams& params);
 
     /** @brief Sets `initialModel`, which saves time with a small `maxIterations`; see there.

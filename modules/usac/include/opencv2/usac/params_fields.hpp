@@ -100,7 +100,8 @@ void visitFields(Visitor& visit)
     visit("runnersUp", &Params::runnersUp, V::number(16, 0, 100));
     visit("orderedEvery", &Params::orderedEvery, V::number(8, 1, 1000));
     visit("termination", &Params::termination,
-          V::flags(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT, 2 * TERMINATION_EXACT - 1));
+          V::flags(TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT | TERMINATION_ORDER,
+                   2 * TERMINATION_ORDER - 1));
     visit("relaxation", &Params::relaxation, V::number(0.05, 0, 1));
     visit("persistence", &Params::persistence, V::number(1, 1, 100));
     visit("degeneracy", &Params::degeneracy, V::flags(2 * DEGENERACY_REPEATED - 1, 2 * DEGENERACY_REPEATED - 1));

@@ -26,7 +26,8 @@ enum StopReason {
     STOP_PROSAC = 8,          //!< #TERMINATION_PROSAC fired
     STOP_MAGSAC = 9,          //!< #TERMINATION_MAGSAC fired
     //! the best model has no more support than random points give, see Params::significance: no model
-    STOP_NOT_SIGNIFICANT = 10
+    STOP_NOT_SIGNIFICANT = 10,
+    STOP_ORDER = 11  //!< #TERMINATION_ORDER fired
 };
 
 /** @brief What one estimation learned on its way. Times are of the steady clock and decide nothing. */

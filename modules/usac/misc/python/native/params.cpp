@@ -49,6 +49,7 @@ void addParams(py::module_& module)
     type.def_static("fast", &Params::fast);
     type.def_static("accurate", &Params::accurate);
     type.def_static("sorted", &Params::sorted);
+    type.def_static("trustedScores", &Params::trustedScores);
     type.def_static("parallel", &Params::parallel);
     type.def_static("ransac", &Params::ransac);
     type.def_static("msac", &Params::msac);

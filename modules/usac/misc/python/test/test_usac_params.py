@@ -66,6 +66,11 @@ class ParamsTest(unittest.TestCase):
             self.assertIsInstance(params, usac.Params)
             params.check()
             self.assertEqual(values(getattr(usac.Params(), name)()), values(params))
+        trusted = usac.Params.trustedScores()
+        with self.assertRaises(usac.error):
+            trusted.check()  # there is nothing to trust
+        trusted.scores = [0.5, 0.25]
+        trusted.check(2)
         presets = {"USACV20": "usacV20", "USACV20_FAST": "fast", "USACV20_ACCURATE": "accurate", "USACV20_PROSAC": "sorted",
                    "USACV20_MAGSAC": "magsacPlusPlus", "USACV20_PARALLEL": "parallel"}
         for flag, preset in presets.items():

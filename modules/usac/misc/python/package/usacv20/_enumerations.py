@@ -112,6 +112,7 @@ class TerminationFlags(enum.IntFlag):
     TERMINATION_PROSAC = 8  # maximality and non-randomness in the best subset of the points
     TERMINATION_MAGSAC = 16  # the standard criterion marginalized over the noise
     TERMINATION_EXACT = 32  # modifies the others: samples without repetition
+    TERMINATION_ORDER = 64  # PROSAC's criterion, where the best model confirms the order of the points
 
 
 class DegeneracyFlags(enum.IntFlag):
@@ -145,6 +146,7 @@ class StopReason(enum.IntEnum):
     STOP_PROSAC = 8  # TERMINATION_PROSAC fired
     STOP_MAGSAC = 9  # TERMINATION_MAGSAC fired
     STOP_NOT_SIGNIFICANT = 10  # no more support than random points give, see Params.significance: no model
+    STOP_ORDER = 11  # TERMINATION_ORDER fired
 
 
 USACV20 = UsacV20Method.USACV20
@@ -199,6 +201,7 @@ TERMINATION_P_NAPSAC = TerminationFlags.TERMINATION_P_NAPSAC
 TERMINATION_PROSAC = TerminationFlags.TERMINATION_PROSAC
 TERMINATION_MAGSAC = TerminationFlags.TERMINATION_MAGSAC
 TERMINATION_EXACT = TerminationFlags.TERMINATION_EXACT
+TERMINATION_ORDER = TerminationFlags.TERMINATION_ORDER
 DEGENERACY_ORIENTATION = DegeneracyFlags.DEGENERACY_ORIENTATION
 DEGENERACY_DEGENSAC = DegeneracyFlags.DEGENERACY_DEGENSAC
 DEGENERACY_REPEATED = DegeneracyFlags.DEGENERACY_REPEATED
@@ -217,3 +220,4 @@ STOP_CUSTOM = StopReason.STOP_CUSTOM
 STOP_PROSAC = StopReason.STOP_PROSAC
 STOP_MAGSAC = StopReason.STOP_MAGSAC
 STOP_NOT_SIGNIFICANT = StopReason.STOP_NOT_SIGNIFICANT
+STOP_ORDER = StopReason.STOP_ORDER

@@ -86,10 +86,11 @@ class Params:
     runnersUp = Integer("""Models beside those that beat all samples before them that are optimized before the search
         ends, at most; 0..100. Default 16.""")
     orderedEvery = Integer("""Samplers that prefer some of the points draw one in so many samples as they prefer, the
-        others are uniform among all points, and only those count for the criteria of termination; 1: all are as
-        preferred, and all count, as in the papers; 1..1000. Default 8.""")
+        others are uniform among all points, and only those count for the criteria of termination. Where the order is
+        known (scores), more of the first samples follow it, and all do once it proves to be good, see
+        TERMINATION_ORDER. 1: all are as preferred, and all count, as in the papers; 1..1000. Default 8.""")
     termination = Set(e.TerminationFlags, """Set of TerminationFlags; 0 runs all maxIterations. Default TERMINATION_SPRT
-        | TERMINATION_P_NAPSAC | TERMINATION_EXACT.""")
+        | TERMINATION_P_NAPSAC | TERMINATION_EXACT | TERMINATION_ORDER.""")
     relaxation = Real("""What a "significantly" better model has more for TERMINATION_P_NAPSAC, as a fraction of the
         inliers of the best one; 0..1. Default 0.05.""")
     persistence = Integer("Times as many samples as the termination criteria ask for; 1..100. Default 1.")
@@ -210,6 +211,12 @@ class Params:
     def sorted(cls: Type[P]) -> P:
         """What USACV20_PROSAC uses: PROSAC sampling of points that the caller has sorted, best first."""
         return cls._of(native.Params.sorted())
+
+    @classmethod
+    def trustedScores(cls: Type[P]) -> P:
+        """As usacV20(), for who vouches for the order of the points (scores, or ORDERING_INPUT_ORDER): all samples are
+        PROSAC's, and its criterion may end the search. Where the order is wrong, a better model may be missed."""
+        return cls._of(native.Params.trustedScores())
 
     @classmethod
     def parallel(cls: Type[P]) -> P:

@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_KNOWN_ORDER_HPP
+#define OPENCV_USACV20_KNOWN_ORDER_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! True if the order of the points is somebody's knowledge: scores, or the caller's order; else it is a guess.
+inline bool orderIsKnown(const Context& context)
+{
+    const int ordering = context.params.ordering;
+    return ordering == ORDERING_INPUT_ORDER || (ordering == ORDERING_AUTO && context.points.scores);
+}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

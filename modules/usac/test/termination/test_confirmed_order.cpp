@@ -1,0 +1,214 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "termination/confirmed_order.hpp"
+
+namespace opencv_test {
+namespace {
+
+//! In random order.
+std::vector<uchar> shuffled(RNG& rng, int size, int inliers)
+{
+    std::vector<uchar> result(size, 0);
+    std::fill(result.begin(), result.begin() + inliers, 1);
+    for (int i = size - 1; i > 0; --i)
+        std::swap(result[i], result[rng.uniform(0, i + 1)]);
+    return result;
+}
+
+double evidence(const std::vector<uchar>& inliers, int m)
+{
+    const std::vector<uchar> none(inliers.size(), 0);
+    return orderEvidence(inliers.data(), none.data(), (int)inliers.size(), m);
+}
+
+//! The normalized rank sum of random orders has mean 0 and deviation 1, but for the inliers that do not count.
+TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
+{
+    RNG rng(1);
+    double sum = 0, squares = 0;
+    int beyond = 0;
+    const int RUNS = 20000;
+    for (int i = 0; i < RUNS; ++i)
+    {
+        const double z = evidence(shuffled(rng, 200, 60), 0);
+        sum += z;
+        squares += z * z;
+        beyond += evidence(shuffled(rng, 200, 60), 7) > 3.1;
+    }
+    EXPECT_NEAR(0, sum / RUNS, 0.04);
+    EXPECT_NEAR(1, squares / RUNS, 0.05);
+    EXPECT_LE(beyond, 40);  // 1 in 1000, less for the first seven
+}
+
+//! Against the definition: in how many pairs of an inlier and another point the inlier comes first.
+TEST(Usac_ConfirmedOrder, countsPairs)
+{
+    RNG rng(2);
+    for (int trial = 0; trial < 100; ++trial)
+    {
+        const int size = rng.uniform(10, 60), m = rng.uniform(0, 6);
+        const std::vector<uchar> inliers = shuffled(rng, size, rng.uniform(1, size));
+        std::vector<uchar> repeated(size, 0);
+        for (int i = 0; i < size; ++i)
+            repeated[i] = inliers[i] && rng.uniform(0, 4) == 0;
+        double first = 0, own = 0, wrong = 0;
+        int skipped = 0;
+        for (int i = 0; i < size; ++i)
+        {
+            wrong += !inliers[i];
+            if (!inliers[i] || repeated[i] || skipped++ < m)
+                continue;
+            ++own;
+            for (int j = i + 1; j < size; ++j)
+                first += !inliers[j];
+        }
+        const double expected = own * wrong == 0
+                                    ? 0
+                                    : (first - own * wrong / 2) / std::sqrt(own * wrong * (own + wrong + 1) / 12);
+        EXPECT_NEAR(expected, orderEvidence(inliers.data(), repeated.data(), size, m), 1e-12) << trial;
+    }
+}
+
+TEST(Usac_ConfirmedOrder, goodOrderIsEvidence)
+{
+    std::vector<uchar> inliers(100, 0);
+    std::fill(inliers.begin(), inliers.begin() + 30, 1);
+    EXPECT_GT(evidence(inliers, 7), 6);
+    std::reverse(inliers.begin(), inliers.end());
+    EXPECT_LT(evidence(inliers, 7), -6);
+    EXPECT_EQ(0, evidence(std::vector<uchar>(100, 1), 7));
+    EXPECT_EQ(0, evidence(std::vector<uchar>(100, 0), 7));
+}
+
+//! Pairs of a scene's rows in cells, for the matches of one motion and for wrong ones.
+CellPairs pairsOf(const Scene& scene, bool right, Arena& arena)
+{
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Correspondences& p = usac->points();
+    std::vector<uchar> mask(p.size);
+    for (int i = 0; i < p.size; ++i)
+        mask[i] = scene.truth[p.inputIndex[i]];
+    return CellPairs(p, mask.data(), right, arena);
+}
+
+//! Neighbors of a motion stay neighbors, those of wrong matches do so as often as by chance.
+TEST(Usac_ConfirmedOrder, motionsShowInCells)
+{
+    const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
+    for (int k = 0; k < 3; ++k)
+    {
+        double both = 0, expected = 0;
+        int seen = 0, missed = 0;
+        for (uint64 seed = 1; seed <= 40; ++seed)
+        {
+            Arena arena;
+            SceneOptions options;
+            options.seed = seed;
+            options.setSize(500, 0.3);
+            const Scene scene = makeScene(problems[k], options);
+            const CellPairs own = pairsOf(scene, true, arena), rest = pairsOf(scene, false, arena);
+            both += rest.both;
+            expected += rest.expected;
+            EXPECT_GT(own.both, 2 * own.expected) << seed;
+            seen += otherMotionWouldShow(own, rest, 150, 350);  // there is none
+            // of half of the right matches the other half are another motion, as coherent as they are
+            options.outliers = 200;
+            options.second = 150;
+            const Scene other = makeScene(problems[k], options);
+            missed += otherMotionWouldShow(own, pairsOf(other, false, arena), 150, 200);
+        }
+        EXPECT_NEAR(1, both / expected, 0.1);
+        EXPECT_GE(seen, 30) << problems[k];
+        EXPECT_EQ(0, missed) << problems[k];
+    }
+}
+
+//! Search failures of scenes with misleading scores, and samples with good ones.
+struct Outcome
+{
+    int failed, byOrder;
+    double iterations;
+};
+
+Outcome run(ProblemType problem, const SceneOptions& scenes, bool scored, int runs = 40,
+            const Params& preset = Params())
+{
+    Outcome result = {0, 0, 0};
+    SceneOptions options = scenes;
+    for (options.seed = 1; (int)options.seed <= runs; ++options.seed)
+    {
+        const Scene scene = makeScene(problem, options);
+        Params params = preset;
+        params.maxIterations = 100000;
+        params.seed = (int)options.seed;
+        if (scored)
+            params.scores = scene.scores;
+        Report report;
+        const Mat model = estimate(scene, params, noArray(), &report);
+        result.failed += !(modelError(scene, model) < 3 * params.threshold);
+        result.byOrder += report.stop == STOP_ORDER;
+        result.iterations += (double)report.iterations / runs;
+    }
+    return result;
+}
+
+TEST(Usac_ConfirmedOrder, goodScoresPay)
+{
+    SceneOptions options;
+    options.setSize(500, 0.3);
+    const double plain = run(FUNDAMENTAL, options, false, 10).iterations;
+    const double information[] = {1, 0.9, 0.8}, part[] = {0.05, 0.1, 0.2};
+    for (int k = 0; k < 3; ++k)
+    {
+        options.scoreInformation = information[k];
+        const Outcome found = run(FUNDAMENTAL, options, true, 20);
+        EXPECT_EQ(0, found.failed) << information[k];
+        EXPECT_GE(found.byOrder, 18) << information[k];
+        EXPECT_LE(found.iterations, part[k] * plain) << information[k];
+    }
+}
+
+//! The best scores on another motion that is smaller, on one place, random and upside down ones.
+TEST(Usac_ConfirmedOrder, badScoresAreSeen)
+{
+    const ProblemType problems[] = {HOMOGRAPHY, ESSENTIAL};
+    for (int k = 0; k < 2; ++k)
+        for (int kind = 0; kind < 5; ++kind)
+        {
+            SceneOptions options;
+            options.setSize(300, 0.3);
+            options.second = 60;
+            options.scoreModel = kind < 3 ? (ScoreModel)(SCORES_OF_SECOND + kind) : SCORES_OF_TRUTH;
+            options.scoreInformation = kind == 4 ? 0.05 : 0.5;
+            EXPECT_LE(run(problems[k], options, true).failed, 1) << problems[k] << " " << kind;
+            if (kind == 0)  // who vouches for these scores is misled
+            {
+                EXPECT_GE(run(problems[k], options, true, 40, Params::trustedScores()).failed, 10) << problems[k];
+            }
+        }
+}
+
+//! Nothing changes without scores, and where all samples follow the order.
+TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
+{
+    SceneOptions options;
+    options.setSize(200, 0.4);
+    const Scene scene = makeScene(FUNDAMENTAL, options);
+    Params with, without;
+    without.termination &= ~TERMINATION_ORDER;
+    EXPECT_NE(with.termination, without.termination);
+    for (int every = 1; every <= 8; every += 7)
+    {
+        with.orderedEvery = without.orderedEvery = every;
+        Report a, b;
+        EXPECT_EQ(
+            0, cvtest::norm(estimate(scene, with, noArray(), &a), estimate(scene, without, noArray(), &b), NORM_INF));
+        EXPECT_EQ(a.iterations, b.iterations);
+    }
+}
+
+}
+}  // namespace
