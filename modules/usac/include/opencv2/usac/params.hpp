@@ -344,7 +344,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     where the data show more noise (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests
     of degeneracy are those of usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
-    //! The preset behind a flag.
+    //! The preset behind a flag; a number that is none, made one by a cast, raises cv::Exception.
     static Params fromMethod(UsacV20Method method);
     /** @brief The preset behind the value of a flag.
     @param method value of one of #UsacV20Method; anything else raises cv::Exception. */
