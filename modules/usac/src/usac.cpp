@@ -136,7 +136,11 @@ private:
                 break;
         }
         for (double reach; (reach = reachOf(context, state, least)) < SHRINKS * params.reach;)
+        {
             setReach(reach, ransac);
+            if (!(state.bestQuality.cost <= DBL_MAX))  // a check has refused the model
+                ransac.run();
+        }
     }
 
     void setReach(double reach, Ransac& ransac)
