@@ -26,8 +26,8 @@ constexpr int FIRST_MEMBERS = 2;
 //! True if the order of the points is nobody's knowledge.
 bool isGuess(const Context& context)
 {
-    const int ordering = context.params.ordering;
-    return ordering != ORDERING_INPUT_ORDER && (ordering != ORDERING_AUTO || !context.points.scores);
+    const Ptr<Ordering>& ordering = context.components.ordering;
+    return !ordering || !ordering->informative(context);
 }
 
 /** @brief Progressive NAPSAC @cite barath2019progressive.
