@@ -101,10 +101,11 @@ enum ResidualType {
 
 //! Where the order of the points ("best first") comes from (paper, section "Other features").
 enum OrderingType {
-    ORDERING_AUTO = 0,         //!< Params::scores where given, else the local density
-    ORDERING_DENSITY = 1,      //!< local density of the points in the 4-D joint space, densest first
-    ORDERING_INPUT_ORDER = 2,  //!< the caller has sorted the points, best first
-    ORDERING_NONE = 3          //!< a fixed pseudo-random order
+    ORDERING_AUTO = 0,     //!< Params::scores where given, else the local density
+    ORDERING_DENSITY = 1,  //!< local density of the points in the 4-D joint space, densest first
+    //! the caller has sorted the points, best first; but Params::scores, where given, are the order
+    ORDERING_INPUT_ORDER = 2,
+    ORDERING_NONE = 3  //!< a fixed pseudo-random order
 };
 
 //! Which end of Params::scores is the good one.
@@ -208,7 +209,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int sampler;
     //! @ref OrderingType. Default #ORDERING_AUTO.
     CV_PROP_RW int ordering;
-    //! Score of each correspondence, N values or none; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
+    //! Score of each correspondence, N values or none: the order of the points with #ORDERING_AUTO and
+    //! #ORDERING_INPUT_ORDER; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** A model to begin with, that of the frame before, say: numbers row by row, as the estimator returns them, or no
     model; see setInitialModel(). It is rated and optimized before the first sample, as if it came from one; what is
@@ -293,8 +295,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     for, up to ten alternations of ten inner samples in the local optimization, 24 runners-up and 20 steps of polishing.
   */
     CV_WRAP static Params accurate();
-    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in eight
-    (`orderedEvery`), the others are uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
+    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first (`scores`, where
+    given, are the order, as in all presets of sorted points): one sample in eight (`orderedEvery`), the others are
+    uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
     /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
