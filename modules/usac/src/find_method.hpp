@@ -12,8 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! The options of a flag, with the arguments that calib3d's functions have beside it. A number that is no flag raises an
-//! exception; `name` is that of the argument.
+//! The options of a flag, with the arguments that calib3d's functions have beside it. A number that is no flag raises
+//! an exception; `name` is that of the argument.
 Params paramsOf(UsacV20Method method, double threshold, double confidence, int maxIterations,
                 const char* name = "method");
 

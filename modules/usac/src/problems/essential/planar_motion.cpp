@@ -17,7 +17,7 @@ constexpr double DOMINANT = 0.8;
 //! Then so many of the samples of inliers only are taken to lead to the right motion. Lists: half: time +3 %; double:
 //! the same. Scenes with planes: half: 59 % more samples; 1: 43 % less, and 6 of 432 searches fail for 1.
 constexpr double YIELD = 0.5;
-//! Stream of random numbers beside those of the samples, 0 .. 2^31, and of what ransac.cpp draws, from 2^40 and 2^41 on:
+//! Stream of random numbers beside those of the samples, 0 .. 2^31, and of ransac.cpp, from 2^40 and 2^41 on:
 //! the triples of points are not those of a sample.
 constexpr uint64 PLANE_STREAM = (uint64)1 << 42;
 

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "core/polynomial.hpp"
-#include "problems/absolute_pose/distortion.hpp"
+#include "problems/distortion.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -137,6 +137,18 @@ bool Distortion::undistort(const Vec2d& d, Vec2d& p) const
     if (!(d.dot(d) <= DBL_MAX))
         return false;
     return descend(d, p) || (startOf(d, p) && descend(d, p));
+}
+
+void Distortion::undistort(double* x, double* y, int count) const
+{
+    for (int i = 0; !identity && i < count; ++i)
+    {
+        Vec2d p;
+        if (!undistort(Vec2d(x[i], y[i]), p))
+            p = Vec2d(NAN, NAN);
+        x[i] = p[0];
+        y[i] = p[1];
+    }
 }
 
 //! Newton's method; a step that leads outside of the fold, or away, is halved.

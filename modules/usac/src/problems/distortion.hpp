@@ -31,6 +31,8 @@ public:
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
     //! The point that is seen at `d`, to double precision. False if there is none.
     bool undistort(const Vec2d& d, Vec2d& p) const;
+    //! Of many points, in place; NaN where there is none.
+    void undistort(double* x, double* y, int count) const;
 
 private:
     enum { COEFFICIENTS = 14 };
