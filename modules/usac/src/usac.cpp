@@ -254,6 +254,7 @@ private:
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);
         learned.threshold = data.threshold();
+        learned.wideThreshold = learned.stop != STOP_TOO_FEW_POINTS && data.wideThreshold();
         if (report && !result.empty())
             learned.independentInliers = data.independentInliers(inliers, arena);
         learned.polishMs = milliseconds(start);
