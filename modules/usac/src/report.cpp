@@ -38,7 +38,7 @@ String Report::describe() const
     const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT;
     return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s", inliers, cost,
                   iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "",
-                  wideThreshold ? "; the threshold is wider than the points are apart, is it in their unit?" : "",
+                  wideThreshold ? "; the threshold is as wide as all the points: is it in their unit?" : "",
                   model && chance > LIKELY ? "; no better than chance" : "");
 }
 

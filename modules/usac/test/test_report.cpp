@@ -20,7 +20,7 @@ bool says(const Report& report, const std::string& words)
     return std::string(report.describe()).find(words) != std::string::npos;
 }
 
-const char* const WIDE = "the threshold is wider than the points";
+const char* const WIDE = "the threshold is as wide as all the points";
 const char* const CHANCE = "no better than chance";
 
 typedef UsacProblem UsacReport;
