@@ -93,7 +93,7 @@ TEST(Usac_Lens, what_is_not_seen_is_not_a_number)
 TEST(Usac_Lens, mistakes_are_named)
 {
     const std::vector<Point2d> points(3, Point2d(1, 2));
-    expectException([&]() { removeDistortion(Mat(3, 5, CV_8UC4), K, lens(4)); }, "points");
+    expectException([&]() { removeDistortion(Mat::zeros(1, 4, CV_64F), K, lens(4)); }, "points");
     expectException([&]() { removeDistortion(points, Mat::zeros(3, 3, CV_64F), lens(4)); }, "cameraMatrix");
     expectException([&]() { removeDistortion(points, K, Vec3d(1, 2, 3)); }, "distCoeffs");
 }

@@ -42,7 +42,7 @@ private:
     bool startOf(const Vec2d& d, Vec2d& p) const;
     bool descend(const Vec2d& d, Vec2d& p) const;
 
-    bool identity;
+    bool identity, straight;  //!< nothing is moved; the sensor is not tilted
     double c[COEFFICIENTS];
     Matx33d tilt;
     double limit;  //!< squared radius of the first fold

@@ -55,7 +55,7 @@ class LensTest(unittest.TestCase):
         self.assertTrue(np.isnan(found[1:]).all())
 
     def test_mistakes(self):
-        for name, args in (("points", (np.zeros((3, 5, 7)), K, None)), ("points", (None, K, None)),
+        for name, args in (("points", (np.zeros((1, 4)), K, None)), ("points", (None, K, None)),
                            ("cameraMatrix", (corners(), np.zeros((3, 3)), None)), ("distCoeffs", (corners(), K, [1, 2, 3]))):
             with self.assertRaisesRegex(ERRORS, name):
                 usac.removeDistortion(*args)
