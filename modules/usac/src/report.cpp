@@ -9,8 +9,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Report::chance above which random matches give as good a model more often than not.
-constexpr double LIKELY = 0.5;
+//! Report::chance above which a model is no better than one of random matches: the limit of Params::significance 0.
+constexpr double SIGNIFICANT = 0.01;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ String Report::describe() const
     return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s", inliers, cost,
                   iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "",
                   wideThreshold ? "; the threshold is as wide as all the points: is it in their unit?" : "",
-                  model && chance > LIKELY ? "; no better than chance" : "");
+                  model && chance > SIGNIFICANT ? "; no better than chance" : "");
 }
 
 }  // namespace usacv20

@@ -29,8 +29,10 @@ const int STEPS = 2000;
 
 LensOracle::LensOracle(const Mat& distortion) : d()
 {
-    if (!distortion.empty())
-        distortion.reshape(1, 1).convertTo(Mat(1, (int)distortion.total(), CV_64F, d), CV_64F);
+    Mat doubles;
+    distortion.convertTo(doubles, CV_64F);
+    for (int i = 0; i < (int)doubles.total(); ++i)
+        d[i] = doubles.ptr<double>()[i];
 }
 
 //! The radius at which a radius is seen, by the radial terms. NaN beyond a pole.

@@ -36,8 +36,10 @@ Matx33d tiltOf(double x, double y)
 
 Distortion::Distortion(const Mat& coefficients) : identity(true), straight(true), c(), limit(INFINITY)
 {
-    if (!coefficients.empty())
-        coefficients.reshape(1, 1).convertTo(Mat(1, (int)coefficients.total(), CV_64F, c), CV_64F);
+    Mat doubles;  // continuous, which a column of a matrix is not
+    coefficients.convertTo(doubles, CV_64F);
+    for (int i = 0; i < (int)doubles.total(); ++i)
+        c[i] = doubles.ptr<double>()[i];
     for (int i = 0; i < COEFFICIENTS; ++i)
         identity = identity && c[i] == 0;
     straight = c[TAU_X] == 0 && c[TAU_Y] == 0;

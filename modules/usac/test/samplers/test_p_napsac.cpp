@@ -62,9 +62,10 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 void expectGrowth(int ordering, int period)
 {
     const int N = 300, first = ordering == ORDERING_DENSITY ? 8 : 0;
-    Draw draw(FUNDAMENTAL, N, createPNapsacSampler());
-    draw.params.ordering = ordering;
-    draw.params.orderedEvery = period;
+    Params params;
+    params.ordering = ordering;
+    params.orderedEvery = period;
+    Draw draw(FUNDAMENTAL, N, createPNapsacSampler(), 0, params);
     const std::vector<double> limit = publishedGrowth(N, draw.m);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0;
     for (int t = 1; t <= 20000; ++t)

@@ -82,8 +82,8 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Milliseconds: final polishing and the mask.
     CV_PROP_RW double polishMs;
 
-    /** @brief One sentence for a log. It ends with "no better than chance" where `chance` is above one half and there
-    is a model nevertheless (Params::significance). */
+    /** @brief One sentence for a log. It ends with "no better than chance" where `chance` is above 0.01 and
+    there is a model nevertheless: few points, or what Params::significance says. */
     CV_WRAP String describe() const;
 };
 

@@ -66,8 +66,8 @@ class Report:
         return result
 
     def describe(self) -> str:
-        """One sentence for a log. It ends with "no better than chance" where `chance` is above one half and there is a model
-        nevertheless (Params.significance)."""
+        """One sentence for a log. It ends with "no better than chance" where `chance` is above 0.01 and there is a model
+        nevertheless: few points, or what Params.significance says."""
         return str(self._native.describe())
 
     def _values(self) -> Dict[str, Any]:
