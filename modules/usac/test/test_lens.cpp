@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "lens_oracle.hpp"
 #include "test_contracts.hpp"
 
 // The removal of a lens's distortion from points of an image.
@@ -49,6 +50,35 @@ TEST(Usac_Lens, is_the_inverse_of_projectPoints)
         ASSERT_EQ(CV_64F, found.type());
         EXPECT_LT(cvtest::norm(found, Mat(ideal).reshape(1), NORM_INF), 1e-9) << coefficients;
     }
+}
+
+//! What the contracts of E are checked with has a bound that holds, and that five steps of cv::undistortPoints leave.
+TEST(Usac_Lens, oracle)
+{
+    const int counts[] = {4, 5, 8, 12, 14};
+    for (int coefficients : counts)
+    {
+        const Mat distortion = lens(coefficients);
+        const LensOracle oracle(distortion);
+        std::vector<Point2d> ideal, taken, five;
+        makePoints(distortion, ideal, taken);
+        int off = 0;
+        for (size_t i = 0; i < taken.size(); ++i)
+        {
+            const Vec3d seen = K.inv() * Vec3d(taken[i].x, taken[i].y, 1),
+                        right = K.inv() * Vec3d(ideal[i].x, ideal[i].y, 1);
+            Bounded x(seen[0], 1e-15), y(seen[1], 1e-15);
+            ASSERT_EQ(LensOracle::SEEN, oracle.invert(x, y)) << coefficients << " " << i;
+            EXPECT_LE(std::abs((double)x.value - right[0]), (double)x.error);
+            EXPECT_LE(std::abs((double)y.value - right[1]), (double)y.error);
+            EXPECT_LT((double)x.error, 1e-9);
+            undistortPoints(std::vector<Point2d>(1, Point2d(seen[0], seen[1])), five, Matx33d::eye(), distortion);
+            off += std::abs(five[0].x - right[0]) > (double)x.error;
+        }
+        EXPECT_GT(off, (int)taken.size() / 4);
+    }
+    Bounded x(0.8), y(0);
+    EXPECT_EQ(LensOracle::NOT_SEEN, LensOracle(Mat(Vec4d(-0.25, 0, 0, 0))).invert(x, y));
 }
 
 TEST(Usac_Lens, layouts)
