@@ -10,6 +10,7 @@ namespace usacv20 {
 // The destructors are here so that each class has one home for its virtual table, also in the libraries of users.
 Component::~Component() {}
 Ordering::~Ordering() {}
+bool Ordering::informative(const Context&) const { return true; }
 Neighborhood::~Neighborhood() {}
 Sampler::~Sampler() {}
 MinimalSolver::~MinimalSolver() {}

@@ -35,7 +35,7 @@ Ptr<Ordering> createOrdering(int type, bool haveScores)
     switch (type)
     {
     case ORDERING_NONE: return Ptr<Ordering>();
-    case ORDERING_INPUT_ORDER: return createInputOrderOrdering();
+    case ORDERING_INPUT_ORDER: return haveScores ? createScoreOrdering() : createInputOrderOrdering();
     case ORDERING_DENSITY: return createDensityOrdering();
     default: return haveScores ? createScoreOrdering() : createDensityOrdering();
     }

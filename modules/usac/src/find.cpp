@@ -99,8 +99,10 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
 
 namespace usacv20 {
 
-Params paramsOf(UsacV20Method method, double threshold, double confidence, int maxIterations)
+Params paramsOf(UsacV20Method method, double threshold, double confidence, int maxIterations, const char* name)
 {
+    if (!isUsacV20Method((int)method))
+        CV_Error_(Error::StsBadArg, ("%s: one of the flags USACV20* is expected, not %d", name, (int)method));
     Params params = Params::fromMethod(method);
     params.threshold = threshold;
     params.confidence = confidence;

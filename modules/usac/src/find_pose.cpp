@@ -67,7 +67,7 @@ bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray 
                     OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess, int iterationsCount,
                     float reprojectionError, double confidence, OutputArray inliers, UsacV20Method flags)
 {
-    Params params = usacv20::paramsOf(flags, reprojectionError, confidence, iterationsCount);
+    Params params = usacv20::paramsOf(flags, reprojectionError, confidence, iterationsCount, "flags");
     if (useExtrinsicGuess)
         setGuess(rvec, tvec, params);
     return solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, inliers, params);

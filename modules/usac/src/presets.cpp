@@ -172,15 +172,16 @@ Params Params::magsacPlusPlus()
 
 Params Params::fromMethod(UsacV20Method method)
 {
-    switch (method)
+    switch (methodFromInt((int)method))  // a cast makes a flag of any number
     {
+    case USACV20: break;
     case USACV20_FAST: return fast();
     case USACV20_ACCURATE: return accurate();
     case USACV20_PROSAC: return sorted();
     case USACV20_MAGSAC: return magsacPlusPlus();
     case USACV20_PARALLEL: return parallel();
-    default: return usacV20();
     }
+    return usacV20();
 }
 
 Params Params::fromMethod(int method) { return fromMethod(methodFromInt(method)); }

@@ -43,6 +43,10 @@ bool allFinite(const double* values, int count)
     return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // else NaN
 }
 
+//! Sides of the box of the points: so far from its center is everything, along its longest side. Half would tell a
+//! threshold of 160 px in an image of 640 to be wide; double, not 1.5 px beside normalized points of 90 degrees.
+constexpr double WIDE = 0.5;
+
 }  // namespace
 
 ProblemData::ProblemData()
@@ -268,6 +272,15 @@ void ProblemData::setThreshold(double threshold)
     view.threshold = std::max(threshold, 1e-6);
     inputThreshold = view.threshold / view.frame[1].scale;
     pixelThreshold = inputThreshold * pixels;
+}
+
+bool ProblemData::wideThreshold() const
+{
+    const int first = view.coordinates[1] ? view.coordinates[0] : 0;
+    double longest = 0;
+    for (int k = first; k < view.columns(); ++k)
+        longest = std::max(longest, (double)view.upper[k] - view.lower[k]);
+    return maskThreshold() >= WIDE * longest;
 }
 
 int ProblemData::independentInliers(const uchar* mask, Arena& arena) const

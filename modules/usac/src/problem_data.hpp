@@ -43,6 +43,8 @@ public:
     int mask(const Residual& residual, const Model& model, bool image, uchar* mask, Arena& arena) const;
     //! Of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
+    //! Report::wideThreshold of the mask.
+    bool wideThreshold() const;
     //! Those of a mask that are not the same as another one in either array, see Problem::commonUnit.
     int independentInliers(const uchar* mask, Arena& arena) const;
 

@@ -128,9 +128,11 @@ void Ransac::thresholdChanged()
     runnersUp.clear();
     state.sampleQuality = Quality();
     Quality quality = context.rate(state.best);
-    recover(0, state.best, quality);
-    state.bestQuality = quality;
-    if (parts.localOptimizer)
+    const bool valid = recover(0, state.best, quality);
+    state.bestQuality = valid ? quality : Quality();  // the search goes on as if it had found none
+    if (!valid)
+        state.yield = 1;
+    if (valid && parts.localOptimizer)
     {
         state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
         optimize(state.best, state.bestQuality);

@@ -43,7 +43,8 @@ public:
     /** Fills State::best; its quality stays infinite if no model was found. Searches until a criterion ends the search,
     or so many samples have been drawn. @return false in the second case; the search goes on when it is called again. */
     bool run(int pause = INT_MAX);
-    //! The threshold has changed: rates and optimizes the best model anew, and forgets what others were worth.
+    //! The threshold has changed: rates and optimizes the best model anew, and forgets what others were worth. If a
+    //! check refuses it now, there is no best model until run() finds one.
     void thresholdChanged();
 
 private:

@@ -7,10 +7,18 @@
 namespace cv {
 namespace usacv20 {
 
+namespace {
+
+//! Report::chance above which a model is no better than one of random matches: the limit of Params::significance 0.
+constexpr double SIGNIFICANT = 0.01;
+
+}  // namespace
+
 Report::Report()
     : stop(STOP_NOT_RUN), iterations(0), rejectedSamples(0), degenerateSamples(0), models(0), rejectedModels(0),
       refusedModels(0), droppedModels(0), localOptimizations(0), localImprovements(0), degenerate(false), inliers(0),
-      independentInliers(0), chance(1), threshold(0), cost(0), setupMs(0), searchMs(0), localMs(0), polishMs(0)
+      independentInliers(0), chance(1), threshold(0), wideThreshold(false), cost(0), setupMs(0), searchMs(0),
+      localMs(0), polishMs(0)
 {}
 
 String Report::describe() const
@@ -28,8 +36,11 @@ String Report::describe() const
                                           "no model: none that random points would not give",
                                           "the order of the points"};
     const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_ORDER ? reasons[stop] : "unknown reason";
-    return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s", inliers, cost,
-                  iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "");
+    const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT;
+    return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s", inliers, cost,
+                  iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "",
+                  wideThreshold ? "; the threshold is as wide as all the points: is it in their unit?" : "",
+                  model && chance > SIGNIFICANT ? "; no better than chance" : "");
 }
 
 }  // namespace usacv20

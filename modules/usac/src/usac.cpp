@@ -137,7 +137,11 @@ private:
                 break;
         }
         for (double reach; (reach = reachOf(context, state, least)) < SHRINKS * params.reach;)
+        {
             setReach(reach, ransac);
+            if (!(state.bestQuality.cost <= DBL_MAX))  // a check has refused the model
+                ransac.run();
+        }
     }
 
     void setReach(double reach, Ransac& ransac)
@@ -262,6 +266,7 @@ private:
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);
         learned.threshold = data.threshold();
+        learned.wideThreshold = learned.stop != STOP_TOO_FEW_POINTS && data.wideThreshold();
         if (report && !result.empty())
             learned.independentInliers = data.independentInliers(inliers, arena);
         learned.polishMs = milliseconds(start);

@@ -4,6 +4,7 @@
 
 #include "result_oracle.hpp"
 #include "bounded.hpp"
+#include "lens_oracle.hpp"
 #include "pose_oracle.hpp"
 #include "rigid_oracle.hpp"
 #include "scenes.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include "opencv2/calib3d.hpp"
 
 using namespace cv::usacv20;
 using cv::Mat;
@@ -26,7 +26,10 @@ namespace {
 struct BoundedPoint
 {
     Bounded x, y;
+    LensOracle::Answer seen;
 };
+
+bool finite(const Point2d& p) { return std::abs(p.x) <= DBL_MAX && std::abs(p.y) <= DBL_MAX; }
 
 //! The third coordinate of `point` is 1.
 void multiply(const Bounded* M, const BoundedPoint& point, Bounded* result)
@@ -39,7 +42,7 @@ BoundedPoint project(const Bounded* M, const BoundedPoint& point)
 {
     Bounded p[3];
     multiply(M, point, p);
-    const BoundedPoint result = {p[0] / p[2], p[1] / p[2]};
+    const BoundedPoint result = {p[0] / p[2], p[1] / p[2], LensOracle::SEEN};
     return result;
 }
 
@@ -80,8 +83,7 @@ Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoi
     return squareRoot(symmetric ? r * r * (one / n1 + one / n2) : r * r / (n1 + n2));
 }
 
-/** Points of one image as the errors of the problem see them. What cv::undistortPoints makes of a point has no bound:
-then it gets the same doubles as the module's. */
+//! Points of one image as the errors of the problem see them; none for one that the lens does not show.
 std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const Mat& camera, const Mat& distortion)
 {
     std::vector<BoundedPoint> result(points.size());
@@ -89,32 +91,22 @@ std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const 
     {
         result[i].x = Bounded(points[i].x);
         result[i].y = Bounded(points[i].y);
+        result[i].seen = LensOracle::SEEN;
     }
     if (camera.empty() || points.empty())
         return result;
-    if (!distortion.empty() && cv::countNonZero(distortion) > 0)
-    {
-        const Matx33d K(camera.ptr<double>()), rays = (K * (1 / K(2, 2))).inv();
-        std::vector<Point2d> flat(points.size());
-        for (size_t i = 0; i < points.size(); ++i)
-        {
-            const cv::Vec3d p = rays * cv::Vec3d(points[i].x, points[i].y, 1);
-            flat[i] = Point2d(p[0] / p[2], p[1] / p[2]);
-        }
-        cv::undistortPoints(flat, flat, Matx33d::eye(), distortion);
-        for (size_t i = 0; i < points.size(); ++i)
-        {
-            result[i].x = Bounded(flat[i].x);
-            result[i].y = Bounded(flat[i].y);
-        }
-        return result;
-    }
     Bounded K[9], inverse[9];
     for (int i = 0; i < 9; ++i)
         K[i] = Bounded(camera.at<double>(i / 3, i % 3));
     adjugate(K, inverse);
+    const LensOracle lens(distortion);
+    const bool distorted = !distortion.empty() && cv::countNonZero(distortion) > 0;
     for (size_t i = 0; i < points.size(); ++i)
+    {
         result[i] = project(inverse, result[i]);
+        if (distorted && finite(points[i]))
+            result[i].seen = lens.invert(result[i].x, result[i].y);
+    }
     return result;
 }
 
@@ -123,8 +115,6 @@ double halfFocal(const Mat& K)
 {
     return (std::abs(K.at<double>(0, 0) / K.at<double>(2, 2)) + std::abs(K.at<double>(1, 1) / K.at<double>(2, 2))) / 4;
 }
-
-bool finite(const Point2d& p) { return std::abs(p.x) <= DBL_MAX && std::abs(p.y) <= DBL_MAX; }
 
 std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33d& model, const Mat& mask)
 {
@@ -147,6 +137,14 @@ std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33
                 return format("row %d is not finite and an inlier", i);
             continue;
         }
+        if (points1[i].seen == LensOracle::NOT_SEEN || points2[i].seen == LensOracle::NOT_SEEN)
+        {
+            if (inlier)
+                return format("row %d is not seen by its lens and an inlier", i);
+            continue;
+        }
+        if (points1[i].seen == LensOracle::UNDECIDED || points2[i].seen == LensOracle::UNDECIDED)
+            continue;
         const Bounded error = modelError(call, M, points1[i], points2[i]);
         const bool decided = std::abs(error.value - limit.value) > error.error + limit.error;  // false for NaN
         if (decided && inlier != (error.value <= limit.value))

@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
 #include "problems/two_view/two_view.hpp"
+#include "problems/two_view/dominant_plane.hpp"
 #include "termination/termination.hpp"
 
 namespace opencv_test {
@@ -163,6 +164,40 @@ TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
         }
     EXPECT_EQ(10, planar);
     EXPECT_EQ(0, general);
+}
+
+//! The triples that look for the plane are not the points of the next sample, which has the stream of its number.
+TEST(Usac_CountedSamples, the_plane_of_E_has_its_own_random_numbers)
+{
+    SceneOptions options;
+    options.planeFraction = 0.8;  // about what makes a plane dominant, so that some triples do not show it
+    options.noise = 1;
+    const Scene scene = makeScene(ESSENTIAL, options);
+    const Params params;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    Arena arena;
+    const Context context(usac->points(), usac->components(), params, arena);
+    usac->components().start(context);
+    const Ptr<Degeneracy> planar = createPlanarMotion();
+    int differ = 0, found = 0;
+    const int CALLS = 300;
+    DominantPlane plane;
+    for (int i = 0; i < CALLS; ++i)
+    {
+        State state;
+        state.iteration = i;
+        Model model = scene.model;
+        Quality quality = context.rate(model);
+        EXPECT_TRUE(planar->recover(context, state, 0, model, quality));
+        Rng samples(params.seed, (uint64)i);
+        Matx33d H;
+        const bool bySample = plane.find(context, samples, model, 0.8, H);
+        differ += bySample != (state.yield < 1);
+        found += bySample;
+    }
+    ASSERT_GT(found, 0);
+    ASSERT_LT(found, CALLS);
+    EXPECT_GT(differ, 0);
 }
 
 }

@@ -4,6 +4,8 @@
 
 #include "test_contracts.hpp"
 
+#include <functional>
+
 // The flags, and every overload of findHomography, findFundamentalMat and findEssentialMat.
 
 namespace opencv_test {
@@ -104,6 +106,45 @@ TEST(Usac_Flags, other_ints_are_refused)
         expectException([&]() { methodFromInt(others[i]); }, cv::format("%d", others[i]));
         expectException([&]() { methodFromInt(others[i]); }, "method");
         expectException([&]() { Params::fromMethod(others[i]); }, "method");
+    }
+}
+
+//! A cast makes a flag of any number, of one of OpenCV's, say, which must not run as USACV20.
+TEST(Usac_Flags, casts_of_other_ints_are_refused)
+{
+    const int others[] = {77, RANSAC, 0, -1, 0x3fff, (int)USACV20_PARALLEL + 1};
+    const Scene s = makeScene(HOMOGRAPHY, SceneOptions());
+    const std::vector<Point3d> space(s.points1.size(), Point3d(1, 2, 3));
+    const Mat K = Mat::eye(3, 3, CV_64F);
+    for (int number : others)
+    {
+        const UsacV20Method flag = (UsacV20Method)number;
+        const std::string value = cv::format("%d", number);
+        Mat mask, rvec, tvec;
+        std::vector<std::function<void()>> calls;
+        calls.push_back([&]() { Params::fromMethod(flag); });
+        calls.push_back([&]() { findHomography(s.points1, s.points2, flag); });
+        calls.push_back([&]() { findHomography(s.points1, s.points2, mask, flag); });
+        calls.push_back([&]() { findFundamentalMat(s.points1, s.points2, flag, 3, 0.99, 100); });
+        calls.push_back([&]() { findFundamentalMat(s.points1, s.points2, flag, 3, 0.99, mask); });
+        calls.push_back([&]() { findFundamentalMat(s.points1, s.points2, mask, flag); });
+        calls.push_back([&]() { findEssentialMat(s.points1, s.points2, K, flag, 0.99, 1, 100); });
+        calls.push_back([&]() { findEssentialMat(s.points1, s.points2, K, flag, 0.99, 1, mask); });
+        calls.push_back([&]() { findEssentialMat(s.points1, s.points2, 1, Point2d(), flag, 0.99, 1, 100); });
+        calls.push_back([&]() { findEssentialMat(s.points1, s.points2, 1, Point2d(), flag, 0.99, 1, mask); });
+        calls.push_back([&]() { findEssentialMat(s.points1, s.points2, K, Mat(), K, Mat(), flag, 0.99, 1); });
+        calls.push_back([&]() { cv::estimateAffine2D(s.points1, s.points2, mask, flag); });
+        calls.push_back([&]() { cv::estimateAffinePartial2D(s.points1, s.points2, mask, flag); });
+        for (const std::function<void()>& call : calls)
+        {
+            expectException(call, "method:");
+            expectException(call, value);
+        }
+        const std::function<void()> pose = [&]() {
+            cv::solvePnPRansac(space, s.points2, K, Mat(), rvec, tvec, false, 100, 8, 0.99, mask, flag);
+        };
+        expectException(pose, "flags:");
+        expectException(pose, value);
     }
 }
 

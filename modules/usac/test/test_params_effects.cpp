@@ -299,6 +299,28 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
         EXPECT_NE(0, rows[i] % 3) << "a match whose score is NaN is the worst";
 }
 
+//! Scores that are given are the order, also where a preset says that the points are sorted.
+TEST_P(UsacEffects, scores_beside_the_input_order)
+{
+    const Scene scene = sceneOf(problem(), 60, 240);
+    const Params presets[] = {Params::sorted(), Params::prosac(), Params::usac2013(),
+                              Params::fromMethod(USACV20_PROSAC)};
+    for (const Params& preset : presets)
+    {
+        Params params = preset;
+        params.degeneracy = Params().degeneracy;  // usac2013()'s is not one of all problems
+        params.orderedEvery = 1;
+        EXPECT_EQ((int)ORDERING_INPUT_ORDER, params.ordering);
+        EXPECT_LT(goodPart(scene, samplesOf(scene, params, 50)), 0.7) << "the rows are not sorted";
+        for (int i = 0; i < scene.size(); ++i)
+            params.scores.push_back(scene.truth[i] ? 0.4f : 0.8f);
+        EXPECT_EQ(1, goodPart(scene, samplesOf(scene, params, 50)));
+        const std::vector<int> rows = samplesOf(scene, params);
+        params.ordering = ORDERING_AUTO;
+        EXPECT_EQ(samplesOf(scene, params), rows);
+    }
+}
+
 //! Points in the order of the caller, true matches first: one sample in so many is of the first of them, the others are
 //! uniform.
 TEST_P(UsacEffects, orderedEvery)

@@ -30,6 +30,7 @@ usacv20::Usac::run.
 #include "opencv2/usac/find_affine.hpp"
 #include "opencv2/usac/find_pose.hpp"
 #include "opencv2/usac/estimate.hpp"
+#include "opencv2/usac/lens.hpp"
 #include "opencv2/usac/batch.hpp"
 #include "opencv2/usac/components.hpp"
 #include "opencv2/usac/problem.hpp"

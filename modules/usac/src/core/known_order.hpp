@@ -13,8 +13,8 @@ namespace usacv20 {
 //! True if the order of the points is somebody's knowledge: scores, or the caller's order; else it is a guess.
 inline bool orderIsKnown(const Context& context)
 {
-    const int ordering = context.params.ordering;
-    return ordering == ORDERING_INPUT_ORDER || (ordering == ORDERING_AUTO && context.points.scores);
+    const Ptr<Ordering>& ordering = context.components.ordering;
+    return ordering && ordering->informative(context);
 }
 
 }  // namespace usacv20

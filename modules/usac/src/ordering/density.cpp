@@ -27,6 +27,8 @@ last. O(N). */
 class DensityOrdering : public Ordering
 {
 public:
+    bool informative(const Context&) const CV_OVERRIDE { return false; }
+
     void sort(const Context& context, int* order) CV_OVERRIDE
     {
         const Correspondences& p = context.points;

@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-/** The caller's order, best first. */
+/** The caller's order, best first. Where there are scores, ScoreOrdering takes its place. */
 class InputOrderOrdering : public Ordering
 {
 public:

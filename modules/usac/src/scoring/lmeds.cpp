@@ -44,7 +44,7 @@ public:
     {
         if (count == 0)
             return;
-        const float middle = median(squaredErrors, count);
+        const float middle = medianOf(squaredErrors, count);
         if (!(middle <= FLT_MAX))
         {
             sum.cost += count;
@@ -67,7 +67,7 @@ public:
         float* const errors = scope.take<float>(count);
         context.components.residual->squaredErrors(context.points, model, 0, count, errors);
         const int beside = count - context.components.minimalSolver->sampleSize();
-        return std::sqrt(squaredLimit(median(errors, count), beside));
+        return std::sqrt(squaredLimit(medianOf(errors, count), beside));
     }
 
 private:
@@ -85,7 +85,7 @@ private:
         return std::min(std::max(factor * factor * squaredMedian, rounding * rounding), (double)FLT_MAX);
     }
 
-    //! Of numbers that it reorders; NaN counts as infinite.
+    //! Of numbers that it reorders; NaN counts as infinite, as nth_element knows no order of it.
     static float medianOf(float* values, int count)
     {
         for (int i = 0; i < count; ++i)

@@ -93,6 +93,77 @@ TEST(Usac_Cameras, every_form_of_distortion)
     expectException([&]() { essentialOf(scene, scene.K, channels, other); }, "distCoeffs1");
 }
 
+//! The points of a scene as a lens of such coefficients takes them.
+std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K, const Mat& distortion)
+{
+    std::vector<Point3d> rays;
+    for (const Point2d& p : points)
+    {
+        const Vec3d ray = K.inv() * Vec3d(p.x, p.y, 1);
+        rays.push_back(Point3d(ray[0], ray[1], 1));
+    }
+    std::vector<Point2d> result;
+    projectPoints(rays, Vec3d(), Vec3d(), K, distortion, result);
+    return result;
+}
+
+//! Exact matches are inliers up to a hundredth of a pixel, in the corners of the image, too: an undistortion of five
+//! steps leaves several of these there.
+TEST(Usac_Cameras, distortion_is_removed_exactly)
+{
+    SceneOptions options;
+    options.noise = 0;
+    options.outliers = 0;
+    const double first[] = {-0.28, -0.35}, second[] = {0.08, 0.12};
+    for (int lens = 0; lens < 2; ++lens)
+    {
+        Scene scene = makeScene(ESSENTIAL, options);
+        const Mat distortion = (Mat_<double>(1, 5) << first[lens], second[lens], 1e-3, -2e-3, 0);
+        scene.points1 = taken(scene.points1, scene.K, distortion);
+        scene.points2 = taken(scene.points2, scene.K, distortion);
+        Params params;
+        params.threshold = 1e-4;
+        Mat mask;
+        Report report;
+        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion, distortion,
+                                        params, mask, report);
+        EXPECT_EQ(scene.size(), countNonZero(mask)) << lens;
+        EXPECT_LT(modelError(scene, E), 1e-5) << lens;
+    }
+}
+
+//! r (1 - 0.25 r^2) is at most 0.77: what is seen further out no point is mapped to, and it is never an inlier.
+TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
+{
+    Scene scene = makeScene(ESSENTIAL);
+    const Mat distortion = (Mat_<double>(1, 4) << -0.25, 0, 0, 0);
+    scene.points1 = taken(scene.points1, scene.K, distortion);
+    scene.points2 = taken(scene.points2, scene.K, distortion);
+    const double f = scene.K(0, 0);
+    RNG rng(4);
+    for (int i = 0; i < scene.size(); i += 3)
+    {
+        const double angle = rng.uniform(0., 2 * CV_PI), radius = f * rng.uniform(0.8, 4.);
+        std::vector<Point2d>& points = i % 2 ? scene.points1 : scene.points2;
+        points[i] = Point2d(scene.K(0, 2) + radius * std::cos(angle), scene.K(1, 2) + radius * std::sin(angle));
+    }
+    for (int wide = 0; wide < 2; ++wide)
+    {
+        Params params;
+        params.threshold = wide ? 100 : 1.5;
+        params.significance = 1;
+        Mat mask;
+        Report report;
+        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion, distortion,
+                                        params, mask, report);
+        ASSERT_FALSE(E.empty());
+        for (int i = 0; i < scene.size(); i += 3)
+            EXPECT_EQ(0, mask.at<uchar>(i)) << "row " << i;
+        if (!wide)
+            EXPECT_LT(modelError(scene, E), 0.8);
+    }
+}
+
 typedef UsacProblem UsacForms;
 INSTANTIATE_TEST_CASE_P(/**/, UsacForms, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
+#include "params_fields.hpp"
 #include "real_set.hpp"
 
 #include <set>
@@ -15,27 +16,47 @@ namespace {
 //! One field of Params and the values that it can have.
 struct Option
 {
-    const char* name;
+    std::string name;
     int Params::*field;
-    int values;  //!< 0 .. values - 1
-    bool bits;   //!< the values are 1 << k
+    std::vector<int> values;
 };
 
-const Option OPTIONS[] = {{"sampler", &Params::sampler, 5, false},
-                          {"ordering", &Params::ordering, 4, false},
-                          {"neighborhood", &Params::neighborhood, 3, false},
-                          {"residual", &Params::residual, 2, false},
-                          {"quality", &Params::quality, 6, false},
-                          {"verification", &Params::verification, 3, false},
-                          {"localOptimization", &Params::localOptimization, 6, false},
-                          {"termination", &Params::termination, 5, true},
-                          {"degeneracy", &Params::degeneracy, 8, false},
-                          {"polishing", &Params::polishing, 4, false}};
-const int OPTION_COUNT = sizeof(OPTIONS) / sizeof(OPTIONS[0]);
+/** All fields of Params that choose among variants, with all their values: of sets, all subsets of checks of degeneracy
+and each criterion of termination by itself. */
+std::vector<Option> allOptions()
+{
+    std::vector<Option> options;
+    const Fields fields;
+    for (size_t i = 0; i < fields.ints.size(); ++i)
+    {
+        const NamedField<int>& field = fields.ints[i];
+        if (field.values.kind != FIELD_OPTION && field.values.kind != FIELD_FLAGS)
+            continue;
+        Option option = {field.name, field.member, std::vector<int>()};
+        const bool criteria = field.member == &Params::termination;
+        for (int value = (int)field.values.low; value <= (int)field.values.high; ++value)
+            if (!criteria || ((value & (value - 1)) == 0 && value != 0 && value != TERMINATION_EXACT))
+                option.values.push_back(value);
+        options.push_back(option);
+    }
+    return options;
+}
+
+const std::vector<Option> OPTIONS = allOptions();
+const int OPTION_COUNT = (int)OPTIONS.size();
+
+int numberOf(int Params::*field)
+{
+    int i = 0;
+    while (OPTIONS[i].field != field)
+        ++i;
+    return i;
+}
 
 typedef std::vector<int> Choice;  //!< number of the value of each option
 
-int valueOf(int option, int k) { return OPTIONS[option].bits ? 1 << k : k; }
+int valueOf(int option, int k) { return OPTIONS[option].values[k]; }
+int countOf(int option) { return (int)OPTIONS[option].values.size(); }
 
 bool isPossible(const Params& params)
 {
@@ -54,9 +75,13 @@ std::string describe(const Choice& choice)
 {
     std::string text;
     for (int i = 0; i < OPTION_COUNT; ++i)
-        text += cv::format("%s=%d ", OPTIONS[i].name, valueOf(i, choice[i]));
+        text += cv::format("%s=%d ", OPTIONS[i].name.c_str(), valueOf(i, choice[i]));
     return text;
 }
+
+//! Nothing follows the minimal sample: of 1500 random choices the errors of two such ones, 3.1 of H and 1.4 of E, were
+//! the only ones above the limits of arenaOf().
+const double AS_SAMPLED = 1.5;
 
 //! A real scene and what counts as a right model of it.
 struct Arena
@@ -74,10 +99,9 @@ struct Arena
         params.threshold = threshold;
         params.maxIterations = set.problem == HOMOGRAPHY ? 5000 : 2000;
         params.confidence = 0.9999;
-        params.scores = probabilities;
-        params.scoreOrder = SCORES_HIGHER_IS_BETTER;
         for (int i = 0; i < OPTION_COUNT; ++i)
             params.*OPTIONS[i].field = valueOf(i, choice[i]);
+        params.scores = params.scoreOrder == SCORES_HIGHER_IS_BETTER ? probabilities : set.scores;
         return params;
     }
 
@@ -87,10 +111,9 @@ struct Arena
         Mat mask;
         Report report;
         const Mat model = set.estimateWith(params, mask, report);
-        // the points of one place, which NAPSAC draws, determine a model badly, and so does a sample that nothing
-        // follows
-        const double slack = (params.sampler == SAMPLER_NAPSAC ? 12 : 1) * (params.polishing == POLISHING_NONE ? 3 : 1);
-        EXPECT_LT(set.error(model), slack * error) << describe(choice) << report.describe();
+        const bool asSampled = params.localOptimization == LOCAL_OPTIMIZATION_NONE &&
+                               params.polishing == POLISHING_NONE;
+        EXPECT_LT(set.error(model), (asSampled ? AS_SAMPLED : 1) * error) << describe(choice) << report.describe();
         EXPECT_EQ(countNonZero(mask), report.inliers);
     }
 
@@ -101,9 +124,10 @@ struct Arena
 
 Arena arenaOf(int problem)
 {
+    // the largest errors of a choice that covers pairs: 2.1, 1.6, 0.6; the medians 0.9, 0.6, 0.15
     return problem == HOMOGRAPHY    ? Arena("graf", 2, 3)
-           : problem == FUNDAMENTAL ? Arena("office01_F", 1, 4)
-                                    : Arena("office01_E", 1, 3);
+           : problem == FUNDAMENTAL ? Arena("office01_F", 1, 2.4)
+                                    : Arena("office01_E", 1, 1.2);
 }
 
 typedef std::pair<std::pair<int, int>, std::pair<int, int>> Pair;  //!< option and value, twice
@@ -115,8 +139,8 @@ std::set<Pair> allPairs()
     std::set<Pair> pairs;
     for (int i = 0; i < OPTION_COUNT; ++i)
         for (int j = i + 1; j < OPTION_COUNT; ++j)
-            for (int a = 0; a < OPTIONS[i].values; ++a)
-                for (int b = 0; b < OPTIONS[j].values; ++b)
+            for (int a = 0; a < countOf(i); ++a)
+                for (int b = 0; b < countOf(j); ++b)
                     pairs.insert(pairOf(i, a, j, b));
     return pairs;
 }
@@ -139,7 +163,7 @@ Choice bestChoice(const Arena& arena, const Pair& pair, const std::set<Pair>& op
     {
         Choice choice(OPTION_COUNT);
         for (int i = 0; i < OPTION_COUNT; ++i)
-            choice[i] = rng.uniform(0, OPTIONS[i].values);
+            choice[i] = rng.uniform(0, countOf(i));
         choice[pair.first.first] = pair.first.second;
         choice[pair.second.first] = pair.second.second;
         const int count = uncovered(choice, open);
@@ -196,26 +220,31 @@ TEST_P(UsacCombinations, each_pair_of_options)
     for (size_t i = 0; i < choices.size(); ++i)
         arena.expectRight(choices[i]);
 
-    enum { SAMPLER, ORDERING, QUALITY = 4, VERIFICATION, LOCAL_OPTIMIZATION, TERMINATION, DEGENERACY };
+    // all values of the enumerations begin with 0, so that they are their numbers; those of the criteria are bits
+    const int sampler = numberOf(&Params::sampler), ordering = numberOf(&Params::ordering),
+              scoreOrder = numberOf(&Params::scoreOrder), quality = numberOf(&Params::quality),
+              verification = numberOf(&Params::verification), local = numberOf(&Params::localOptimization),
+              termination = numberOf(&Params::termination), degeneracy = numberOf(&Params::degeneracy);
     std::set<Pair> expected;
     for (int v = VERIFICATION_SPRT; v <= VERIFICATION_TDD; ++v)
-        expected.insert(pairOf(QUALITY, QUALITY_LMEDS, VERIFICATION, v));
-    for (int l = LOCAL_OPTIMIZATION_GRAPH_CUT; l < OPTIONS[LOCAL_OPTIMIZATION].values; ++l)
-        expected.insert(pairOf(QUALITY, QUALITY_LMEDS, LOCAL_OPTIMIZATION, l));
+        expected.insert(pairOf(quality, QUALITY_LMEDS, verification, v));
+    for (int l = LOCAL_OPTIMIZATION_GRAPH_CUT; l < countOf(local); ++l)
+        expected.insert(pairOf(quality, QUALITY_LMEDS, local, l));
     const int sprt = 1, prosac = 3, magsac = 4;  // numbers of the bits
-    expected.insert(pairOf(QUALITY, QUALITY_LMEDS, TERMINATION, sprt));
-    expected.insert(pairOf(QUALITY, QUALITY_LMEDS, TERMINATION, prosac));
-    expected.insert(pairOf(QUALITY, QUALITY_LMEDS, TERMINATION, magsac));
-    for (int d = 0; d < OPTIONS[DEGENERACY].values; ++d)
+    expected.insert(pairOf(quality, QUALITY_LMEDS, termination, sprt));
+    expected.insert(pairOf(quality, QUALITY_LMEDS, termination, prosac));
+    expected.insert(pairOf(quality, QUALITY_LMEDS, termination, magsac));
+    for (int d = 0; d < countOf(degeneracy); ++d)
         if (d & DEGENERACY_DEGENSAC)
-            expected.insert(pairOf(QUALITY, QUALITY_LMEDS, DEGENERACY, d));
-    expected.insert(pairOf(VERIFICATION, VERIFICATION_NONE, TERMINATION, sprt));
-    expected.insert(pairOf(VERIFICATION, VERIFICATION_TDD, TERMINATION, sprt));
-    expected.insert(pairOf(SAMPLER, SAMPLER_UNIFORM, TERMINATION, prosac));
-    expected.insert(pairOf(SAMPLER, SAMPLER_NAPSAC, TERMINATION, prosac));
-    expected.insert(pairOf(SAMPLER, SAMPLER_IMPORTANCE, TERMINATION, prosac));
-    expected.insert(pairOf(ORDERING, ORDERING_DENSITY, TERMINATION, prosac));
-    expected.insert(pairOf(ORDERING, ORDERING_NONE, TERMINATION, prosac));
+            expected.insert(pairOf(quality, QUALITY_LMEDS, degeneracy, d));
+    expected.insert(pairOf(verification, VERIFICATION_NONE, termination, sprt));
+    expected.insert(pairOf(verification, VERIFICATION_TDD, termination, sprt));
+    expected.insert(pairOf(sampler, SAMPLER_UNIFORM, termination, prosac));
+    expected.insert(pairOf(sampler, SAMPLER_NAPSAC, termination, prosac));
+    expected.insert(pairOf(sampler, SAMPLER_IMPORTANCE, termination, prosac));
+    expected.insert(pairOf(sampler, SAMPLER_IMPORTANCE, scoreOrder, SCORES_LOWER_IS_BETTER));
+    expected.insert(pairOf(ordering, ORDERING_DENSITY, termination, prosac));
+    expected.insert(pairOf(ordering, ORDERING_NONE, termination, prosac));
     EXPECT_TRUE(expected == impossible) << impossible.size() << " pairs are impossible, " << expected.size()
                                         << " documented";
 }
@@ -230,7 +259,7 @@ TEST_P(UsacCombinations, all_combinations)
     {
         if (isPossible(arena.paramsOf(choice)))
             arena.expectRight(choice);
-        for (option = 0; option < OPTION_COUNT && ++choice[option] == OPTIONS[option].values; ++option)
+        for (option = 0; option < OPTION_COUNT && ++choice[option] == countOf(option); ++option)
             choice[option] = 0;
     }
 }

@@ -111,5 +111,108 @@ TEST(Usac_WidestReach_Mask, mayBeEmpty)
     EXPECT_NE((int)STOP_NO_MODEL, report.stop);
 }
 
+//! Refuses models of the first group of points once the threshold has become wider than it was, or all once narrower.
+class RefusesGroup : public Degeneracy
+{
+public:
+    RefusesGroup(int points_, bool wider_) : points(points_), wider(wider_), last(0), active(false), refused(0) {}
+
+    void start(const Context& context) CV_OVERRIDE
+    {
+        last = context.points.threshold;
+        active = false;
+    }
+
+    bool recover(const Context& context, State&, const int*, Model& model, Quality&) CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        active |= wider ? p.threshold > last : p.threshold < last;
+        last = p.threshold;
+        std::vector<float> errors(p.size);
+        context.components.residual->squaredErrors(p, model, 0, p.size, errors.data());
+        int first = 0, others = 0;
+        for (int i = 0; i < p.size; ++i)
+            if (errors[i] <= p.threshold * p.threshold)
+                ++(p.inputIndex[i] < points ? first : others);
+        const bool refuses = active && (!wider || first > others);
+        refused += refuses;
+        return !refuses;
+    }
+
+    const int points;
+    const bool wider;
+    double last;
+    bool active;
+    int refused;
+};
+
+//! Two groups of points, each with a map of its own, and a check that refuses that of the first one.
+struct TwoGroups
+{
+    TwoGroups(int seed, double noise, int others, int outliers, bool wider)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.noise = noise;
+        options.inliers = 90;
+        options.outliers = outliers;
+        first = both = makeScene(HOMOGRAPHY, options);
+        options.inliers = others;
+        options.outliers = 0;
+        options.seed = 1000 + seed;
+        second = makeScene(HOMOGRAPHY, options);
+        both.points1.insert(both.points1.end(), second.points1.begin(), second.points1.end());
+        both.points2.insert(both.points2.end(), second.points2.begin(), second.points2.end());
+        check = makePtr<RefusesGroup>(90, wider);
+    }
+
+    Mat run(const Params& params)
+    {
+        const Ptr<Usac> usac = createUsac(both, params);
+        usac->components().degeneracies.push_back(check);
+        return usac->run();
+    }
+
+    Scene first, second, both;
+    Ptr<RefusesGroup> check;
+};
+
+//! A check that refuses the best model when the reach has grown is obeyed: the model of the other group is found.
+TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best)
+{
+    int found = 0;
+    for (int seed = 1; seed <= 5; ++seed)
+    {
+        TwoGroups groups(seed, 0.5, 60, 0, true);
+        Params params = Params::magsacPlusPlus();
+        params.threshold = 0.1;
+        params.maxIterations = 1000;
+        params.termination = 0;
+        const Mat model = groups.run(params);
+        EXPECT_GT(groups.check->refused, 0) << seed;
+        found += !model.empty();
+        EXPECT_TRUE(model.empty() || modelError(groups.second, model) < 3) << seed;
+    }
+    EXPECT_GE(found, 4);  // none if the reach grew with the last sample
+}
+
+//! The same when it shrinks again, after it has grown for a poor model, that of few samples, in some of the scenes.
+TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best_at_the_end)
+{
+    int refusals = 0;
+    for (int seed = 1; seed <= 200; ++seed)
+    {
+        TwoGroups groups(seed, 0.02, 20, 180, false);
+        Params params = Params::magsac();
+        params.threshold = 0.005;
+        params.maxIterations = 200;
+        params.significance = 1;
+        const Mat model = groups.run(params);
+        refusals += groups.check->refused > 0;
+        EXPECT_TRUE(groups.check->refused == 0 || model.empty()) << seed;
+    }
+    EXPECT_GE(refusals, 2);
+}
+
 }
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include "test_precomp.hpp"
 #include "draw.hpp"
+#include "ordering/ordering.hpp"
+#include "run_context.hpp"
 #include "samplers/samplers.hpp"
 
 namespace opencv_test {
@@ -60,9 +62,10 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 void expectGrowth(int ordering, int period)
 {
     const int N = 300, first = ordering == ORDERING_DENSITY ? 8 : 0;
-    Draw draw(FUNDAMENTAL, N, createPNapsacSampler());
-    draw.params.ordering = ordering;
-    draw.params.orderedEvery = period;
+    Params params;
+    params.ordering = ordering;
+    params.orderedEvery = period;
+    Draw draw(FUNDAMENTAL, N, createPNapsacSampler(), 0, params);
     const std::vector<double> limit = publishedGrowth(N, draw.m);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0;
     for (int t = 1; t <= 20000; ++t)
@@ -96,6 +99,69 @@ TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
     expectGrowth(ORDERING_INPUT_ORDER, 1);
     expectGrowth(ORDERING_INPUT_ORDER, 3);
     expectGrowth(ORDERING_DENSITY, 4);
+}
+
+//! The order of the rows, by a component of a program.
+class OwnOrdering : public Ordering
+{
+public:
+    explicit OwnOrdering(bool known_) : known(known_) {}
+    void sort(const Context& context, int* order) CV_OVERRIDE
+    {
+        const Ptr<Ordering> rows = createInputOrderOrdering();
+        rows->sort(context, order);
+    }
+    bool informative(const Context&) const CV_OVERRIDE { return known; }
+
+private:
+    const bool known;
+};
+
+//! The samples of a run that draws 40.
+class Recorder : public Sampler
+{
+public:
+    Recorder() : sampler(createPNapsacSampler()) {}
+    void start(const Context& context) CV_OVERRIDE { sampler->start(context); }
+    void sample(const Context& context, State& state, int* out) CV_OVERRIDE
+    {
+        sampler->sample(context, state, out);
+        drawn.insert(drawn.end(), out, out + context.components.minimalSolver->sampleSize());
+        drawn.push_back(state.counts);
+    }
+
+    const Ptr<Sampler> sampler;
+    std::vector<int> drawn;
+};
+
+std::vector<int> samplesBy(int ordering, const Ptr<Ordering>& own = Ptr<Ordering>())
+{
+    SceneOptions options;
+    const Scene scene = makeScene(FUNDAMENTAL, options);
+    Params params;
+    params.ordering = ordering;
+    params.maxIterations = 40;
+    params.termination = 0;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<Recorder> recorder = makePtr<Recorder>();
+    usac->components().sampler = recorder;
+    if (own)
+        usac->components().ordering = own;
+    usac->run();
+    return recorder->drawn;
+}
+
+//! An Ordering says itself what its order is worth, whatever Params::ordering was: with the rows' order in its place
+//! the samples are those of ORDERING_INPUT_ORDER if it is informative, others if it is a guess.
+TEST(Usac_Samplers, pNapsacAsksTheOrdering)
+{
+    const std::vector<int> rows = samplesBy(ORDERING_INPUT_ORDER);
+    EXPECT_EQ(rows, samplesBy(ORDERING_AUTO, makePtr<OwnOrdering>(true)));
+    EXPECT_EQ(rows, samplesBy(ORDERING_DENSITY, makePtr<OwnOrdering>(true)));
+    const std::vector<int> guess = samplesBy(ORDERING_AUTO, makePtr<OwnOrdering>(false));
+    EXPECT_NE(rows, guess);
+    EXPECT_EQ(guess, samplesBy(ORDERING_INPUT_ORDER, makePtr<OwnOrdering>(false)));
+    EXPECT_FALSE(createDensityOrdering()->informative(RunContext(Correspondences(), Components(), Params())));
 }
 
 }

@@ -34,9 +34,13 @@ TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
 class CountingOrdering : public Ordering
 {
 public:
-    CountingOrdering() : calls(0) {}
+    explicit CountingOrdering(bool known_) : calls(0), known(known_) {}
     void sort(const Context&, int*) CV_OVERRIDE { ++calls; }
+    bool informative(const Context&) const CV_OVERRIDE { return known; }
     int calls;
+
+private:
+    const bool known;
 };
 
 int sortings(ProblemType problem, int ordering, int outliers)
@@ -47,7 +51,7 @@ int sortings(ProblemType problem, int ordering, int outliers)
     Params params;
     params.ordering = ordering;
     const Ptr<Usac> usac = createUsac(scene, params);
-    const Ptr<CountingOrdering> counting = makePtr<CountingOrdering>();
+    const Ptr<CountingOrdering> counting = makePtr<CountingOrdering>(ordering != ORDERING_DENSITY);
     usac->components().ordering = counting;
     EXPECT_FALSE(usac->run().empty());
     return counting->calls;

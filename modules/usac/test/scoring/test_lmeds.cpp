@@ -117,6 +117,48 @@ TEST_P(Usac_Lmeds_Problem, undefinedErrors)
     EXPECT_EQ(0, empty.cost);
 }
 
+//! A point without an error is one of the far ones, wherever it stands: the median is that with infinity in its place.
+TEST_P(Usac_Lmeds_Problem, someUndefinedErrors)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const int COUNT = 101;
+    std::vector<Point2d> corners(COUNT, Point2d(0, 0));
+    corners.back() = Point2d(1, 1);
+    const OwnPoints points(problem, corners, corners);
+    const Ptr<Score> score = started(createLmedsScore(), points.view());
+    const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
+    Components parts;
+    parts.residual = residual;
+    parts.minimalSolver = problemObject(problem).createMinimalSolver();
+    const Params params;
+    Arena arena;
+    const Context context(points.view(), parts, params, arena);
+    RNG rng(12);
+    for (int trial = 0; trial < 500; ++trial)
+    {
+        std::vector<float> errors(COUNT), sorted;
+        for (int i = 0; i < COUNT; ++i)
+            errors[i] = (float)rng.uniform(0., 9.);
+        sorted = errors;
+        for (int k = 0; k < 1 + trial % 5; ++k)
+        {
+            const int undefined = rng.uniform(0, COUNT);
+            errors[undefined] = std::numeric_limits<float>::quiet_NaN();
+            sorted[undefined] = std::numeric_limits<float>::infinity();
+        }
+        residual->given = errors;
+        std::sort(sorted.begin(), sorted.end());
+        const double root = std::sqrt((double)sorted[COUNT / 2]);
+        Quality quality(0, 0);
+        score->accumulate(errors.data(), COUNT, 1, quality);
+        ASSERT_NEAR(COUNT * root / (root + 1), quality.cost, 1e-9 * COUNT) << trial;
+        ASSERT_EQ(COUNT / 2 + 1, quality.inliers) << trial;
+        const double constant = score->threshold(context, Matx33d::eye()) / root;
+        residual->given = sorted;  // no NaN
+        ASSERT_NEAR(score->threshold(context, Matx33d::eye()) / root, constant, 1e-9) << trial;
+    }
+}
+
 //! Any threshold, and all but half of the points wrong: the right model all the same.
 TEST_P(Usac_Lmeds_Problem, breakdown)
 {

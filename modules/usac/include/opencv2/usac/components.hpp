@@ -133,6 +133,9 @@ public:
     virtual ~Ordering();
     //! Writes a permutation of 0 .. size-1 to `order`, which has room for as many as there are points.
     virtual void sort(const Context& context, int* order) = 0;
+    //! Does the order come from knowledge of the matches, their scores, say? False: it is a guess from the points
+    //! themselves, on which samplers rely less. May be asked before sort(). Default: true.
+    virtual bool informative(const Context& context) const;
 };
 
 //! Sparse neighborhood graph of the points, O(N) memory, built at first use.

@@ -101,10 +101,11 @@ enum ResidualType {
 
 //! Where the order of the points ("best first") comes from (paper, section "Other features").
 enum OrderingType {
-    ORDERING_AUTO = 0,         //!< Params::scores where given, else the local density
-    ORDERING_DENSITY = 1,      //!< local density of the points in the 4-D joint space, densest first
-    ORDERING_INPUT_ORDER = 2,  //!< the caller has sorted the points, best first
-    ORDERING_NONE = 3          //!< a fixed pseudo-random order
+    ORDERING_AUTO = 0,     //!< Params::scores where given, else the local density
+    ORDERING_DENSITY = 1,  //!< local density of the points in the 4-D joint space, densest first
+    //! the caller has sorted the points, best first; but Params::scores, where given, are the order
+    ORDERING_INPUT_ORDER = 2,
+    ORDERING_NONE = 3  //!< a fixed pseudo-random order
 };
 
 //! Which end of Params::scores is the good one.
@@ -294,8 +295,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     for, up to ten alternations of ten inner samples in the local optimization, 24 runners-up and 20 steps of polishing.
   */
     CV_WRAP static Params accurate();
-    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first: one sample in eight
-    (`orderedEvery`), the others are uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
+    /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first (`scores`, where
+    given, are the order, as in all presets of sorted points): one sample in eight (`orderedEvery`), the others are
+    uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
     /** @brief As usacV20(), for who vouches for the order (`scores`, or #ORDERING_INPUT_ORDER): all samples are
     PROSAC's, and its criterion may end the search @cite chum2005matching. Where the order is wrong, it may miss the
@@ -349,7 +351,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     where the data show more noise (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests
     of degeneracy are those of usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
-    //! The preset behind a flag.
+    //! The preset behind a flag; a number that is none, made one by a cast, raises cv::Exception.
     static Params fromMethod(UsacV20Method method);
     /** @brief The preset behind the value of a flag.
     @param method value of one of #UsacV20Method; anything else raises cv::Exception. */

@@ -68,6 +68,10 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW double chance;
     //! Threshold of the mask in pixels, that of Params; #QUALITY_LMEDS: found from the data.
     CV_PROP_RW double threshold;
+    /** True if `threshold` is at least half of the longest side of the box in which nearly all points of the last array
+    lie: a model that maps everything to one place then has them all as inliers, and the number of inliers says nothing.
+    The threshold is probably in another unit: pixels, say, beside points of the normalized image plane. */
+    CV_PROP_RW bool wideThreshold;
     //! Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of min(error^2 / threshold^2, 1).
     CV_PROP_RW double cost;
     //! Milliseconds: reading, scaling and ordering the points.
@@ -79,7 +83,8 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Milliseconds: final polishing and the mask.
     CV_PROP_RW double polishMs;
 
-    /** @brief One sentence for a log. */
+    /** @brief One sentence for a log. It ends with "no better than chance" where `chance` is above 0.01 and
+    there is a model nevertheless: few points, or what Params::significance says. */
     CV_WRAP String describe() const;
 };
 

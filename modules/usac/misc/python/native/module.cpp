@@ -15,6 +15,7 @@ PYBIND11_MODULE(_native, module)
     addEstimate(module);
     addBatch(module);
     addFind(module);
+    addLens(module);
     addRng(module);
     addUsac(module);
 }

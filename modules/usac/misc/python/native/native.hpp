@@ -25,6 +25,7 @@ void addReport(py::module_& module);
 void addEstimate(py::module_& module);
 void addBatch(py::module_& module);
 void addFind(py::module_& module);
+void addLens(py::module_& module);
 void addRng(py::module_& module);
 void addUsac(py::module_& module);
 

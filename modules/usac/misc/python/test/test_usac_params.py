@@ -121,6 +121,7 @@ class EstimateTest(unittest.TestCase):
                          "setupMs", "searchMs", "localMs", "polishMs"):
                 self.assertGreaterEqual(getattr(report, name), 0, name)
             self.assertIsInstance(report.degenerate, bool)
+            self.assertIs(report.wideThreshold, False)
             self.assertIsInstance(report.describe(), str)
             self.assertGreater(len(report.describe()), 10)
             for name in fields(report):

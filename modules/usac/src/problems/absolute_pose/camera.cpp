@@ -13,6 +13,17 @@ namespace {
 
 double meanFocal(const Matx33d& K) { return (std::abs(K(0, 0)) + std::abs(K(1, 1))) / 2; }
 
+//! By the four numbers of a linear map of the plane, in place.
+void map(const Matx33d& M, double* u, double* v, int count)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        const Vec2d p(u[i], v[i]);
+        u[i] = M(0, 0) * p[0] + M(0, 1) * p[1];
+        v[i] = M(1, 0) * p[0] + M(1, 1) * p[1];
+    }
+}
+
 Matx33d withoutCenter(const Matx33d& K)
 {
     const double f = meanFocal(K);
@@ -38,15 +49,11 @@ void PoseCamera::toSearchUnits(double* u, double* v, int count) const
 void PoseCamera::toSearch(double* u, double* v, int count) const
 {
     toSearchUnits(u, v, count);
-    for (int i = 0; distorted && i < count; ++i)
-    {
-        const Vec2d seen(inverse(0, 0) * u[i] + inverse(0, 1) * v[i], inverse(1, 0) * u[i] + inverse(1, 1) * v[i]);
-        Vec2d point;
-        if (!distortion.undistort(seen, point))
-            point = Vec2d(NAN, NAN);
-        u[i] = matrix(0, 0) * point[0] + matrix(0, 1) * point[1];
-        v[i] = matrix(1, 0) * point[0] + matrix(1, 1) * point[1];
-    }
+    if (!distorted)
+        return;
+    map(inverse, u, v, count);
+    distortion.undistort(u, v, count);
+    map(matrix, u, v, count);
 }
 
 bool PoseCamera::see(const Vec2d& point, Vec2d& seen, Matx22d* derivative) const

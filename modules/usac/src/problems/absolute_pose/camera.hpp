@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_POSE_CAMERA_HPP
 #define OPENCV_USACV20_POSE_CAMERA_HPP
 
-#include "problems/absolute_pose/distortion.hpp"
+#include "problems/distortion.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -11,9 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** From pixels to the normalized image plane, in place. cv::undistortPoints knows no skew, so that the camera matrix is
-taken off before. */
-void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, int count)
+//! From pixels to the normalized image plane, in place.
+void normalize(const Matx33d& K, const Distortion& distortion, double* x, double* y, int count)
 {
     const Matx33d inverse = K.inv();
     for (int i = 0; i < count; ++i)
@@ -22,17 +21,7 @@ void undistort(const Matx33d& K, const Mat& distCoeffs, double* x, double* y, in
         x[i] = p[0] / p[2];
         y[i] = p[1] / p[2];
     }
-    if (count == 0 || distCoeffs.empty())
-        return;
-    std::vector<Point2d> points(count);
-    for (int i = 0; i < count; ++i)
-        points[i] = Point2d(x[i], y[i]);
-    undistortPoints(points, points, Matx33d::eye(), distCoeffs);
-    for (int i = 0; i < count; ++i)
-    {
-        x[i] = points[i].x;
-        y[i] = points[i].y;
-    }
+    distortion.undistort(x, y, count);
 }
 
 }  // namespace
@@ -45,8 +34,8 @@ Cameras::Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray 
 
 double Cameras::toImagePlane(double* const* columns, int count) const
 {
-    undistort(K1, distortion1, columns[X1], columns[Y1], count);
-    undistort(K2, distortion2, columns[X2], columns[Y2], count);
+    normalize(K1, distortion1, columns[X1], columns[Y1], count);
+    normalize(K2, distortion2, columns[X2], columns[Y2], count);
     return (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
 }
 

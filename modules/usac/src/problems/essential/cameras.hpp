@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_CAMERAS_HPP
 #define OPENCV_USACV20_CAMERAS_HPP
 
-#include "opencv2/core.hpp"
+#include "problems/distortion.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -19,12 +19,13 @@ public:
     Raises cv::Exception for what is no camera. */
     Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
 
-    //! From pixels to the normalized image plane, in place. @return mean focal length in pixels
+    //! From pixels to the normalized image plane, in place; NaN where the lens shows nothing. @return mean focal length
+    //! in pixels
     double toImagePlane(double* const* columns, int count) const;
 
 private:
     Matx33d K1, K2;
-    Mat distortion1, distortion2;  //!< empty: none
+    Distortion distortion1, distortion2;
 };
 
 }  // namespace usacv20

@@ -67,6 +67,7 @@ from ._essential import findEssentialMat
 from ._estimate import (estimateAbsolutePose, estimateAffinity2D, estimateEssential, estimateFundamental, estimateHomography,
                         estimateRigid3D, estimateSimilarity2D, estimateSimilarity3D)
 from ._find import estimateAffine2D, estimateAffinePartial2D, findFundamentalMat, findHomography
+from ._lens import removeDistortion
 from ._opencv import patch_cv2, unpatch_cv2
 from ._params import Params, UsacParams
 from ._pose import solvePnPRansac
@@ -93,7 +94,7 @@ __all__ = [
     "estimateAffinity2D", "estimateEssential", "estimateEssentials", "estimateFundamental", "estimateFundamentals",
     "estimateHomographies", "estimateHomography", "estimateRigid3D", "estimateRigids3D", "estimateSimilarities2D",
     "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D", "findEssentialMat", "findFundamentalMat",
-    "findHomography", "isUsacV20Method", "patch_cv2", "solvePnPRansac", "unpatch_cv2"]
+    "findHomography", "isUsacV20Method", "patch_cv2", "removeDistortion", "solvePnPRansac", "unpatch_cv2"]
 
 if TYPE_CHECKING:
     class error(Exception):

@@ -61,7 +61,7 @@ class OrderingType(enum.IntEnum):
 
     ORDERING_AUTO = 0  # Params.scores where given, else the local density
     ORDERING_DENSITY = 1  # densest places first
-    ORDERING_INPUT_ORDER = 2  # the caller has sorted the points, best first
+    ORDERING_INPUT_ORDER = 2  # the caller has sorted the points, best first; Params.scores, where given, are the order
     ORDERING_NONE = 3  # a fixed pseudo-random order
 
 

@@ -23,6 +23,7 @@ class Native:
         self.Params = native.Params
         self.Report = native.Report
         self.isUsacV20Method = native.isUsacV20Method
+        self.removeDistortion = native.removeDistortion
         names = ("Homography", "Fundamental", "Essential", "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D")
         self._estimate = [getattr(native, "estimate" + name, None) for name in names]
 

@@ -107,6 +107,7 @@ class Report(metaclass=_Class):
     independentInliers: int
     chance: float
     threshold: float
+    wideThreshold: bool
     cost: float
     setupMs: float
     searchMs: float
@@ -134,6 +135,7 @@ class Usac(metaclass=_Class):
 
 def enumerators() -> Dict[str, int]: ...
 def isUsacV20Method(method: int) -> bool: ...
+def removeDistortion(points: _Array, cameraMatrix: _Array, distCoeffs: _Optional) -> _Double: ...
 def estimate(problem: int, points1: _Array, points2: _Array, params: Params, cameraMatrix1: _Optional = ...,
              cameraMatrix2: _Optional = ..., distCoeffs1: _Optional = ...,
              distCoeffs2: _Optional = ...) -> Tuple[_Double, Optional[npt.NDArray[np.uint8]], Report]: ...

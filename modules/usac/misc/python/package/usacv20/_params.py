@@ -209,7 +209,8 @@ class Params:
 
     @classmethod
     def sorted(cls: Type[P]) -> P:
-        """What USACV20_PROSAC uses: PROSAC sampling of points that the caller has sorted, best first."""
+        """What USACV20_PROSAC uses: PROSAC sampling of points that the caller has sorted, best first, or in the order of `scores`
+        where these are given."""
         return cls._of(native.Params.sorted())
 
     @classmethod
@@ -245,7 +246,7 @@ class Params:
 
     @classmethod
     def prosac(cls: Type[P]) -> P:
-        """As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first."""
+        """As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first, or `scores` do."""
         return cls._of(native.Params.prosac())
 
     @classmethod

@@ -46,6 +46,9 @@ class Report:
     chance = Field[float]("""Probability, an upper bound, that the same search finds a model with as many independent
         inliers in random matches of the same points, 0..1. Kept if the model was refused; 1 if there was none.""")
     threshold = Field[float]("Threshold of the mask in pixels, that of Params; QUALITY_LMEDS: found from the data.")
+    wideThreshold = Field[bool]("""True if the threshold is at least half of the longest side of the box in which nearly all points
+        of the second array lie: then a model that maps everything to one place has them all as inliers. It is probably in another
+        unit: pixels, say, beside points of the normalized image plane.""")
     cost = Field[float]("""Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of
         min(error^2 / threshold^2, 1).""")
     setupMs = Field[float]("Milliseconds: reading, scaling and ordering the points.")
@@ -63,7 +66,8 @@ class Report:
         return result
 
     def describe(self) -> str:
-        """One sentence for a log."""
+        """One sentence for a log. It ends with "no better than chance" where `chance` is above 0.01 and there is a model
+        nevertheless: few points, or what Params.significance says."""
         return str(self._native.describe())
 
     def _values(self) -> Dict[str, Any]:

@@ -5,9 +5,9 @@
 """Cameras as a COLMAP database has them, and the removal of their distortion.
 
 The distortions are the two that OpenCV knows. Of a camera with a lens in perspective (u, v) = (x / z, y / z) moves by the
-polynomials in r^2 = u^2 + v^2 of cv2.undistortPoints; of a fisheye (u, v) is scaled so that the angle theta = atan(r) to the
-axis becomes theta (1 + k1 theta^2 + k2 theta^4 + ...), as of cv2.fisheye. COLMAP's models with fewer coefficients are these
-with the others 0; its models FOV, THIN_PRISM_FISHEYE and those of later versions have no counterpart and are refused by name."""
+polynomials in r^2 = u^2 + v^2 of cv2.projectPoints, which usacv20.removeDistortion inverts; of a fisheye (u, v) is scaled so
+that the angle theta = atan(r) to the axis becomes theta (1 + k1 theta^2 + k2 theta^4 + ...), as of cv2.fisheye. COLMAP's models
+with fewer coefficients are these with the others 0; its models FOV, THIN_PRISM_FISHEYE and those of later versions have no counterpart and are refused by name."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Dict, Tuple
 
 import numpy as np
 
+from .._lens import removeDistortion
 from ._pair import CollectionError
 
 if TYPE_CHECKING:
@@ -89,11 +90,12 @@ class Camera(typing.NamedTuple):
         points -- N x 2 pixels in the image as taken
 
         Returns N x 2; NaN for points that no direction in front of the camera is mapped to."""
+        taken = np.asarray(points, np.float64)
+        if not self.fisheye:
+            return removeDistortion(taken, self.matrix, np.array(self.distortion))
         focal, center = self.matrix[[0, 1], [0, 1]], self.matrix[:2, 2]
-        distorted = (np.asarray(points, np.float64) - center) / focal
         with np.errstate(all="ignore"):
-            undistorted = (_withoutFisheye if self.fisheye else _withoutLens)(distorted, self.distortion)
-        result: _Array = undistorted * focal + center
+            result: _Array = _withoutFisheye((taken - center) / focal, self.distortion) * focal + center
         return result
 
 
@@ -113,31 +115,4 @@ def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
     angle[~((np.abs(error) < _TOLERANCE) & (slope > 0) & (angle >= 0) & (angle < np.pi / 2))] = np.nan
     scale = np.where(target > 0, np.tan(angle) / np.where(target > 0, target, 1), 1)
     result: _Array = distorted * scale[:, None]
-    return result
-
-
-def _withoutLens(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
-    """The point whose image is given, by Newton's method in both coordinates."""
-    k1, k2, p1, p2, k3, k4, k5, k6 = distortion
-    u, v = distorted[:, 0].copy(), distorted[:, 1].copy()
-    for _ in range(_STEPS):
-        s = u * u + v * v
-        above, below = 1 + s * (k1 + s * (k2 + s * k3)), 1 + s * (k4 + s * (k5 + s * k6))
-        radial = above / below
-        slope = (k1 + s * (2 * k2 + s * 3 * k3) - radial * (k4 + s * (2 * k5 + s * 3 * k6))) / below  # by s
-        errorU = u * radial + 2 * p1 * u * v + p2 * (s + 2 * u * u) - distorted[:, 0]
-        errorV = v * radial + p1 * (s + 2 * v * v) + 2 * p2 * u * v - distorted[:, 1]
-        uu = radial + 2 * u * u * slope + 2 * p1 * v + 6 * p2 * u
-        vv = radial + 2 * v * v * slope + 6 * p1 * v + 2 * p2 * u
-        uv = 2 * u * v * slope + 2 * p1 * u + 2 * p2 * v  # the derivative of either coordinate by the other
-        determinant = uu * vv - uv * uv
-        u -= (vv * errorU - uv * errorV) / determinant
-        v -= (uu * errorV - uv * errorU) / determinant
-        found = np.maximum(np.abs(errorU), np.abs(errorV)) < _TOLERANCE
-        if np.all(found):
-            break
-    # As above: on the branch of the image's center both derivatives stay positive.
-    wrong = ~(found & (determinant > 0) & (uu > 0) & (below > 0))
-    result: _Array = np.stack([u, v], axis=1)
-    result[wrong] = np.nan
     return result

@@ -31,6 +31,8 @@ public:
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
     //! The point that is seen at `d`, to double precision. False if there is none.
     bool undistort(const Vec2d& d, Vec2d& p) const;
+    //! Of many points, in place; NaN where there is none.
+    void undistort(double* x, double* y, int count) const;
 
 private:
     enum { COEFFICIENTS = 14 };
@@ -40,7 +42,7 @@ private:
     bool startOf(const Vec2d& d, Vec2d& p) const;
     bool descend(const Vec2d& d, Vec2d& p) const;
 
-    bool identity;
+    bool identity, straight;  //!< nothing is moved; the sensor is not tilted
     double c[COEFFICIENTS];
     Matx33d tilt;
     double limit;  //!< squared radius of the first fold

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "core/polynomial.hpp"
-#include "problems/absolute_pose/distortion.hpp"
+#include "problems/distortion.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -34,12 +34,15 @@ Matx33d tiltOf(double x, double y)
 
 }  // namespace
 
-Distortion::Distortion(const Mat& coefficients) : identity(true), c(), limit(INFINITY)
+Distortion::Distortion(const Mat& coefficients) : identity(true), straight(true), c(), limit(INFINITY)
 {
-    if (!coefficients.empty())
-        coefficients.reshape(1, 1).convertTo(Mat(1, (int)coefficients.total(), CV_64F, c), CV_64F);
+    Mat doubles;  // continuous, which a column of a matrix is not
+    coefficients.convertTo(doubles, CV_64F);
+    for (int i = 0; i < (int)doubles.total(); ++i)
+        c[i] = doubles.ptr<double>()[i];
     for (int i = 0; i < COEFFICIENTS; ++i)
         identity = identity && c[i] == 0;
+    straight = c[TAU_X] == 0 && c[TAU_Y] == 0;
     tilt = tiltOf(c[TAU_X], c[TAU_Y]);
     limit = firstFold();
 }
@@ -89,7 +92,7 @@ bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
     const double factor = radial(q, &slope), mixed = 2 * x * y;
     const double a = x * factor + c[P1] * mixed + c[P2] * (q + 2 * x * x) + q * (c[S1] + q * c[S2]);
     const double b = y * factor + c[P1] * (q + 2 * y * y) + c[P2] * mixed + q * (c[S3] + q * c[S4]);
-    const Vec3d seen = tilt * Vec3d(a, b, 1);
+    const Vec3d seen = straight ? Vec3d(a, b, 1) : tilt * Vec3d(a, b, 1);
     const double inverse = 1 / seen[2];
     d = Vec2d(seen[0] * inverse, seen[1] * inverse);
     if (!(seen[2] > 0))
@@ -101,6 +104,9 @@ bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
                     mixed * slope + 2 * c[P1] * x + 2 * c[P2] * y + prismX * y,
                     mixed * slope + 2 * c[P1] * x + 2 * c[P2] * y + prismY * x,
                     factor + 2 * y * y * slope + 6 * c[P1] * y + 2 * c[P2] * x + prismY * y);
+    *derivative = J;
+    if (straight)
+        return true;
     const Matx22d projected((tilt(0, 0) - d[0] * tilt(2, 0)) * inverse, (tilt(0, 1) - d[0] * tilt(2, 1)) * inverse,
                             (tilt(1, 0) - d[1] * tilt(2, 0)) * inverse, (tilt(1, 1) - d[1] * tilt(2, 1)) * inverse);
     *derivative = projected * J;
@@ -137,6 +143,18 @@ bool Distortion::undistort(const Vec2d& d, Vec2d& p) const
     if (!(d.dot(d) <= DBL_MAX))
         return false;
     return descend(d, p) || (startOf(d, p) && descend(d, p));
+}
+
+void Distortion::undistort(double* x, double* y, int count) const
+{
+    for (int i = 0; !identity && i < count; ++i)
+    {
+        Vec2d p;
+        if (!undistort(Vec2d(x[i], y[i]), p))
+            p = Vec2d(NAN, NAN);
+        x[i] = p[0];
+        y[i] = p[1];
+    }
 }
 
 //! Newton's method; a step that leads outside of the fold, or away, is halved.

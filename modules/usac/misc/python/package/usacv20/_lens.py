@@ -1,0 +1,33 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Points without the distortion of their lens."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional
+
+import numpy as np
+
+from ._arguments import array, optionalArray
+from ._backend import native
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+
+def removeDistortion(points: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
+                     distCoeffs: Optional[npt.ArrayLike] = None) -> npt.NDArray[np.float64]:
+    """Where the same camera would see points if its lens had no distortion: the inverse of cv2.projectPoints to double precision.
+    cv2.undistortPoints takes five steps by default, and is up to a tenth of a pixel off in the corners of an ordinary lens.
+
+    points -- N points of the image as it was taken, pixels; any type and layout that estimateHomography takes
+    cameraMatrix -- 3x3
+    distCoeffs -- 4, 5, 8, 12 or 14 coefficients as for cv2.undistortPoints, or None
+
+    Returns an Nx2 array of float64, pixels; NaN where the lens shows nothing, beyond the radius at which the radial terms fold
+    the image back upon itself, and for points that are not finite."""
+    result = native.removeDistortion(array(points, "points"), array(cameraMatrix, "cameraMatrix"),
+                                     optionalArray(distCoeffs, "distCoeffs"))
+    return np.empty((0, 2)) if result is None else result

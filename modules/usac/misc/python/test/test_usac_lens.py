@@ -1,0 +1,80 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The removal of a lens's distortion from points of an image."""
+
+import unittest
+
+import numpy as np
+
+from usac_common import ERRORS, cv, needsCv2, usac
+
+K = np.array([[800, 0, 410], [0, 790, 305], [0, 0, 1.0]])
+COEFFICIENTS = np.array([-.3, .1, .002, -.001, -.01, .05, .02, -.01, .003, -.001, .002, .001, .02, -.03])
+
+
+def corners():
+    return np.stack(np.meshgrid(np.linspace(0, 800, 9), np.linspace(0, 600, 7)), axis=-1).reshape(-1, 2)
+
+
+def radial(points, k1):
+    """The points as a lens with k1 alone takes them, written out."""
+    rays = (points - K[:2, 2]) / K[[0, 1], [0, 1]]
+    return rays * (1 + k1 * (rays**2).sum(axis=1))[:, None] * K[[0, 1], [0, 1]] + K[:2, 2]
+
+
+class LensTest(unittest.TestCase):
+
+    @needsCv2
+    def test_is_the_inverse_of_projectPoints(self):
+        ideal = corners()
+        rays = np.c_[(ideal - K[:2, 2]) / K[[0, 1], [0, 1]], np.ones(len(ideal))]
+        for count in (4, 5, 8, 12, 14):
+            taken, _ = cv.projectPoints(rays, np.zeros(3), np.zeros(3), K, COEFFICIENTS[:count])
+            found = usac.removeDistortion(taken, K, COEFFICIENTS[:count])
+            self.assertEqual((found.shape, found.dtype), (ideal.shape, np.float64))
+            np.testing.assert_allclose(found, ideal, atol=1e-9, err_msg=str(count))
+
+    def test_layouts(self):
+        ideal = corners()
+        taken = radial(ideal, -.25)
+        for points in (taken, taken.T, taken[:, None], taken.tolist(), np.asfortranarray(taken)):
+            np.testing.assert_allclose(usac.removeDistortion(points, K.tolist(), (-.25, 0, 0, 0)), ideal, atol=1e-9)
+        np.testing.assert_allclose(usac.removeDistortion(taken.astype(np.float32), K, (-.25, 0, 0, 0)), ideal, atol=1e-3)
+        np.testing.assert_array_equal(usac.removeDistortion(points=taken, cameraMatrix=K, distCoeffs=None),
+                                      usac.removeDistortion(taken, K))
+        np.testing.assert_allclose(usac.removeDistortion(taken, K), taken, atol=1e-9)
+        self.assertEqual(usac.removeDistortion(np.empty((0, 2)), K).shape, (0, 2))
+
+    def test_what_is_not_seen_is_not_a_number(self):
+        # r (1 - 0.25 r^2) is 0.77 at most
+        found = usac.removeDistortion([[410 + 610, 305], [410 + 620, 305], [np.nan, 3], [3, np.inf]], K, (-.25, 0, 0, 0))
+        self.assertTrue(np.isfinite(found[0]).all())
+        self.assertTrue(np.isnan(found[1:]).all())
+
+    def test_mistakes(self):
+        for name, args in (("points", (np.zeros((1, 4)), K, None)), ("points", (None, K, None)),
+                           ("cameraMatrix", (corners(), np.zeros((3, 3)), None)), ("distCoeffs", (corners(), K, [1, 2, 3]))):
+            with self.assertRaisesRegex(ERRORS, name):
+                usac.removeDistortion(*args)
+
+
+class ReportTest(unittest.TestCase):
+
+    def test_threshold_in_another_unit(self):
+        """Points of the normalized image plane and a threshold in pixels: the report says that the result means nothing."""
+        rng = np.random.RandomState(2)
+        X = rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (300, 3))
+        points1, moved = X[:, :2] / X[:, 2:], X + [.5, .1, 0]
+        points2 = moved[:, :2] / moved[:, 2:]
+        for threshold in (1.5, 1.5 / 800):
+            _, _, report = usac.estimateEssential(points1, points2, np.eye(3), params=usac.Params(threshold=threshold))
+            self.assertIs(report.wideThreshold, threshold == 1.5)
+            self.assertEqual("the threshold is as wide as all the points" in report.describe(), threshold == 1.5)
+            self.assertEqual(report.describe().endswith("no better than chance"), threshold == 1.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
