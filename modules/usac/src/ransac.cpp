@@ -110,6 +110,7 @@ bool Ransac::run(int pause)
     return ended;
 }
 
+//! State::sampleQuality stays: that of a fitted model is one that no sample reaches, though it may be another motion's.
 void Ransac::begin(const Model& initial)
 {
     Model model = initial;
@@ -117,7 +118,6 @@ void Ransac::begin(const Model& initial)
     state.rng = Rng(context.params.seed, REFINEMENT_STREAM);
     if (!(quality.cost < context.points.size) || !recover(0, model, quality))
         return;
-    state.sampleQuality = quality;
     if (parts.localOptimizer)
         optimize(model, quality);
     setBest(model, quality);

@@ -36,10 +36,10 @@ constexpr uint64 UNEXPLAINED_STREAM = (uint64)3 << 40;
 //! samples at least: USACV20_FAST misses 5 % more.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
 //! With one, at most one in so many. 1: instructions of H +6 %, failures of USACV20_FAST 15 -> 7 %; 4: H -2 %, 15 -> 20 %.
-constexpr int MOST_PART = 2;
+constexpr int MOST_PART = 3;
 //! A rival has this part of the inliers of the best model for itself. On random wrong matches it is 0.06, of matches of
 //! a cluster 0.15 at most; 0.2: instructions of H -2 %, failures of USACV20_FAST 15 -> 36 %.
-constexpr double RIVAL = 0.1;
+constexpr double RIVAL = 0.15;
 //! The least part of the inliers of a rival that it does not share with the best model, as samples are counted.
 constexpr double FOR_ITSELF = 2. / 3;
 

@@ -160,11 +160,12 @@ private:
             return params.reach;
         const int size = std::min<int>(p.size, SignificantScale::MOST);
         Arena::Scope scope(context.arena);
-        float* const errors = scope.take<float>(size);
+        float *const errors = scope.take<float>(size), *const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);
         parts.residual->squaredErrors(p, state.best, 0, size, errors);
+        const int wrongCount = wrongErrors(*parts.residual, state.best, p, size, wrong, arena);
         const int m = parts.minimalSolver->sampleSize();
-        const double sigma = SignificantScale::estimate(errors, size, p.threshold, p.problem->randomInlierRatio(p),
-                                                        p.problem->errorDimension(), m);
+        const double sigma = SignificantScale::estimate(errors, size, wrong, wrongCount, p.threshold,
+                                                        p.problem->randomInlierRatio(p), p.problem->errorDimension(), m);
         return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 

@@ -38,6 +38,17 @@ double surprise(double k, double n, double p)
 }
 
 //! r^degrees.
+void countInBins(const float* squaredErrors, int count, float scale, int* members)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        const float square = squaredErrors[i] * scale;
+        const int bin = square >= 0 ? binOf(square) : BINS;  // NaN is far
+        if (bin < BINS)
+            ++members[bin];
+    }
+}
+
 double volumeOf(double square, int degrees)
 {
     return degrees == 2 ? square : degrees == 1 ? std::sqrt(square) : square * std::sqrt(square);
@@ -58,25 +69,21 @@ double medianOf(const int* members, int last, int within, int degrees)
 
 }  // namespace
 
-double SignificantScale::estimate(const float* squaredErrors, int count, double threshold, double chance, int degrees,
-                                  int sampleSize)
+double SignificantScale::estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount,
+                                  double threshold, double chance, int degrees, int sampleSize)
 {
     const int size = std::min<int>(count, MOST);
-    int members[BINS] = {0};
+    int members[BINS] = {0}, wrong[BINS] = {0};
     const float scale = (float)(1 / (threshold * threshold));
-    for (int i = 0; i < size; ++i)
-    {
-        const float square = squaredErrors[i] * scale;
-        const int bin = square >= 0 ? binOf(square) : BINS;  // NaN is far
-        if (bin < BINS)
-            ++members[bin];
-    }
+    countInBins(squaredErrors, size, scale, members);
+    countInBins(wrongErrors, wrongCount, scale, wrong);
     double best = sampleSize * std::log((double)size);
     int found = -1, foundWithin = 0;
-    for (int bin = 0, within = 0; bin < BINS; ++bin)
+    for (int bin = 0, within = 0, wrongWithin = 0; bin < BINS; ++bin)
     {
         within += members[bin];
-        const double p = chance * volumeOf(endOf(bin), degrees);
+        wrongWithin += wrong[bin];
+        const double p = std::max(chance * volumeOf(endOf(bin), degrees), (double)wrongWithin / std::max(wrongCount, 1));
         if (p >= 1)
             break;
         const double value = within > sampleSize ? surprise(within - sampleSize, size - sampleSize, p) : 0;

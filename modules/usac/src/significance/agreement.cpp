@@ -137,5 +137,35 @@ Agreement countAgreement(const Residual& residual, const Model& model, const Cor
     return count(pairing, p, size, threshold, pairs, arena);
 }
 
+int wrongErrors(const Residual& residual, const Model& model, const Correspondences& p, int count, float* errors,
+                Arena& arena)
+{
+    Arena::Scope scope(arena);
+    const bool custom = residual.kind() == Residual::CUSTOM;
+    const int columns = p.columns(), firstMoved = p.coordinates[1] ? p.coordinates[0] : columns - 1;
+    double* const exact = custom ? scope.take<double>(count) : 0;
+    int done = 0;
+    for (int partner = 1; partner <= WRONG_PARTNERS && partner < count; ++partner)
+    {
+        Correspondences view = p;
+        const double* moved[MAX_COLUMNS];
+        view.size = count - partner;
+        for (int k = 0; k < columns; ++k)
+        {
+            view.column[k] += k < firstMoved ? 0 : partner;
+            moved[k] = p.exact[k] + (k < firstMoved ? 0 : partner);
+        }
+        if (custom)
+        {
+            residual.squaredErrors(model, moved, view.size, exact);
+            std::copy(exact, exact + view.size, errors + done);
+        }
+        else
+            residual.squaredErrors(view, model, 0, view.size, errors + done);
+        done += view.size;
+    }
+    return done;
+}
+
 }  // namespace usacv20
 }  // namespace cv

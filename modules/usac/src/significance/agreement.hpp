@@ -30,6 +30,15 @@ others, or with as many more as make `pairs` wrong matches, if there are so many
 Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& points, int count,
                          double threshold, int pairs, Arena& arena);
 
+/** Squared errors of matches that are wrong: the point of each of the first `count` matches in array 1 with that of
+another one of these in array 2.
+@param errors output, #WRONG_PARTNERS numbers for each match at most
+@return how many */
+int wrongErrors(const Residual& residual, const Model& model, const Correspondences& points, int count, float* errors,
+                Arena& arena);
+//! 2, 8: the accepted models of random matches and the errors of the lists are the same.
+enum { WRONG_PARTNERS = 4 };
+
 }  // namespace usacv20
 }  // namespace cv
 

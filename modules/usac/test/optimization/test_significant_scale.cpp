@@ -32,7 +32,8 @@ double scaleOf(const std::vector<float>& errors, int degrees, double unit)
     const double part = unit / 400, chance = degrees == 3   ? 4 * CV_PI / 3 * part * part * part
                                              : degrees == 2 ? CV_PI * part * part
                                                             : 2 * part;
-    return SignificantScale::estimate(errors.data(), (int)errors.size(), unit, chance, degrees, sampleSizeOf(degrees));
+    return SignificantScale::estimate(errors.data(), (int)errors.size(), 0, 0, unit, chance, degrees,
+                                      sampleSizeOf(degrees));
 }
 
 //! Within 15 % of the noise, by whatever threshold, and the same within the width of a bin.
@@ -78,7 +79,19 @@ TEST(Usac_SignificantScale, noneOfRandomErrors)
         }
     const std::vector<float> undefined(100, std::numeric_limits<float>::quiet_NaN());
     EXPECT_EQ(0, scaleOf(undefined, 2, 0.1));
-    EXPECT_EQ(0, SignificantScale::estimate(0, 0, 1, 0.1, 2, 4));
+    EXPECT_EQ(0, SignificantScale::estimate(0, 0, 0, 0, 1, 0.1, 2, 4));
+}
+
+//! Points in clusters are near to most models: what points of other matches have, too, is no evidence.
+TEST(Usac_SignificantScale, noneOfWhatWrongMatchesHave)
+{
+    RNG rng(5);
+    const std::vector<float> errors = drawErrors(rng, 2, 500, 1000), same = drawErrors(rng, 2, 500, 1000),
+                             few = drawErrors(rng, 2, 50, 1000);
+    const double chance = CV_PI / (400. * 400);
+    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, 0, 0, 1, chance, 2, 4), 0.15);
+    EXPECT_EQ(0, SignificantScale::estimate(errors.data(), 1000, same.data(), 1000, 1, chance, 2, 4));
+    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, few.data(), 1000, 1, chance, 2, 4), 0.15);
 }
 
 }

@@ -1,0 +1,120 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+// Wrong matches that agree with each other: the right model is the best one, and is to be found. The rates of more scenes
+// are in doc/structured.md.
+
+namespace opencv_test {
+namespace {
+
+//! Mean cost of the matches, as QUALITY_MSAC has it.
+double costOf(const Scene& scene, const Mat& model, double threshold)
+{
+    if (model.empty())
+        return 1;
+    const Matx33d M = squareModel(model);
+    double sum = 0;
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const double error = pixelError(scene, M, scene.points1[i], scene.points2[i]) / threshold;
+        sum += error * error < 1 ? error * error : 1;
+    }
+    return sum / scene.size();
+}
+
+struct Agreement
+{
+    const char* name;
+    OutlierModel model;
+    double right, structured;
+};
+
+const Agreement AGREEMENTS[] = {{"a common shift", OUTLIERS_SHIFT, 0.45, 0.35},
+                                {"a plane that moves by itself", OUTLIERS_PLANE, 0.4, 0.35},
+                                {"another motion from one place", OUTLIERS_SECOND_MODEL, 0.53, 0.47}};
+
+//! How many of `runs` searches end with a model that costs more than the one that has made the scene, by half a match.
+int missed(ProblemType problem, const Agreement& agreement, const Params& preset, int runs)
+{
+    int result = 0;
+    for (int seed = 1; seed <= runs; ++seed)
+    {
+        SceneOptions options;
+        options.setSize(400, agreement.right);
+        options.outlierModel = agreement.model;
+        options.structured = cvRound(400 * agreement.structured);
+        options.seed = seed;
+        const Scene scene = makeScene(problem, options);
+        Params params = preset;
+        params.maxIterations = 1000000;
+        params.seed = seed;
+        const double truth = costOf(scene, Mat(scene.model), params.threshold);
+        result += costOf(scene, estimate(scene, params), params.threshold) > truth + 0.5 / scene.size();
+    }
+    return result;
+}
+
+//! Before runners-up were kept for what the best model does not explain, and that was searched, F was missed in 18 and 40 %.
+TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
+{
+    const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
+    for (ProblemType problem : problems)
+        for (const Agreement& agreement : AGREEMENTS)
+            EXPECT_LE(missed(problem, agreement, Params::usacV20(), 40), 3) << problem << ": " << agreement.name;
+}
+
+TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
+{
+    for (const Agreement& agreement : AGREEMENTS)
+        EXPECT_LE(missed(FUNDAMENTAL, agreement, Params::accurate(), 40), 2) << agreement.name;
+}
+
+//! The samples of what the best model leaves count as all others: no search takes more than it is allowed.
+TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
+{
+    for (int limit = 1; limit < 600; limit += 37)
+    {
+        SceneOptions options;
+        options.setSize(200, 0.45);
+        options.outlierModel = OUTLIERS_SHIFT;
+        options.structured = 70;
+        options.seed = limit;
+        Params params;
+        params.maxIterations = limit;
+        Report report;
+        estimate(makeScene(FUNDAMENTAL, options), params, noArray(), &report);
+        EXPECT_LE(report.iterations, limit);
+    }
+}
+
+//! Random matches whose points are in clusters, or about the center of the image, are random for the presets whose reach
+//! grows with the noise, too.
+TEST(Usac_Agreeing, clusters_of_points_are_no_noise)
+{
+    const OutlierModel models[] = {OUTLIERS_CLUSTERS, OUTLIERS_CENTER};
+    const Params presets[] = {Params::usacV20(), Params::magsacPlusPlus()};
+    for (int problem : TWO_VIEW_PROBLEMS)
+        for (OutlierModel model : models)
+            for (const Params& preset : presets)
+            {
+                int accepted = 0;
+                for (uint64 seed = 1; seed <= 30; ++seed)
+                {
+                    SceneOptions options;
+                    options.inliers = 0;
+                    options.outliers = 200;
+                    options.outlierModel = model;
+                    options.seed = seed;
+                    Params params = preset;
+                    params.maxIterations = 1000;
+                    accepted += !estimate(makeScene((ProblemType)problem, options), params).empty();
+                }
+                EXPECT_LE(accepted, 2) << problem << ", " << model;
+            }
+}
+
+}  // namespace
+}  // namespace opencv_test
