@@ -63,7 +63,7 @@ TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
     for (ProblemType problem : problems)
         for (const Agreement& agreement : AGREEMENTS)
-            EXPECT_LE(missed(problem, agreement, Params::usacV20(), 40), 3) << problem << ": " << agreement.name;
+            EXPECT_LE(missed(problem, agreement, Params::usacV20(), 40), 3) << (int)problem << ": " << agreement.name;
 }
 
 TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
@@ -112,7 +112,7 @@ TEST(Usac_Agreeing, clusters_of_points_are_no_noise)
                     params.maxIterations = 1000;
                     accepted += !estimate(makeScene((ProblemType)problem, options), params).empty();
                 }
-                EXPECT_LE(accepted, 2) << problem << ", " << model;
+                EXPECT_LE(accepted, 2) << problem << ", " << (int)model;
             }
 }
 
