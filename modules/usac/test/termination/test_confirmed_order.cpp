@@ -121,8 +121,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
             missed += otherMotionWouldShow(own, pairsOf(other, false, arena), 150, 200);
         }
         EXPECT_NEAR(1, both / expected, 0.1);
-        EXPECT_GE(seen, 30) << problems[k];
-        EXPECT_EQ(0, missed) << problems[k];
+        EXPECT_GE(seen, 30) << (int)problems[k];
+        EXPECT_EQ(0, missed) << (int)problems[k];
     }
 }
 
@@ -183,10 +183,10 @@ TEST(Usac_ConfirmedOrder, badScoresAreSeen)
             options.second = 60;
             options.scoreModel = kind < 3 ? (ScoreModel)(SCORES_OF_SECOND + kind) : SCORES_OF_TRUTH;
             options.scoreInformation = kind == 4 ? 0.05 : 0.5;
-            EXPECT_LE(run(problems[k], options, true).failed, 1) << problems[k] << " " << kind;
+            EXPECT_LE(run(problems[k], options, true).failed, 1) << (int)problems[k] << " " << kind;
             if (kind == 0)  // who vouches for these scores is misled
             {
-                EXPECT_GE(run(problems[k], options, true, 40, Params::trustedScores()).failed, 10) << problems[k];
+                EXPECT_GE(run(problems[k], options, true, 40, Params::trustedScores()).failed, 10) << (int)problems[k];
             }
         }
 }
