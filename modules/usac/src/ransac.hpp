@@ -70,7 +70,8 @@ private:
     void sampleUnexplained(const int* indices, int count, int most);
     //! So many inliers for itself has a rival of the best model, of those of InlierBits.
     double rivalInliers() const;
-    void addRival(const Sample& sample, const Model& model);
+    //! @return false if it is none
+    bool addRival(const Sample& sample, const Model& model);
     //! What the checks of degeneracy say.
     bool validSample(const int* sample) const;
     bool validModel(const int* sample, const Model& model) const;
@@ -94,6 +95,7 @@ private:
     int hypotheses;     //!< that there is room for
     RunnersUp runnersUp;
     Model explored;  //!< the best model when what it leaves was searched
+    int unexplainedSamples;  //!< of the points that a best model has left, so far
     int rivals;      //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
     int firstOfBatch;  //!< number of its first sample

@@ -17,10 +17,9 @@ models have most of their inliers for themselves, the points that one of them le
 samples of these are right far more often: with 45 % right matches and 35 % of another model, (45 / 65)^7 = 8 % of those of
 seven points, where (45 / 100)^7 = 0.4 % of all are.
 
-A few such samples are drawn in any case. If one of them, or a runner-up, has a tenth as many inliers for itself as the
-best model has (on random wrong matches it is less than 6 %), there may be a rival, and as many are drawn as find a model that
-has as many inliers as the best one, and most of them for itself, with the promised confidence; at most half as many as the
-search has drawn. They count as iterations, but not for the criteria. */
+A few such samples are drawn in any case. If one of them, or a runner-up, has a part #RIVAL of the inliers of the best
+model for itself, there may be a rival, and as many are drawn as find a model that has as many inliers as the best one,
+and most of them for itself, with the promised confidence; at most a third as many as the search has drawn. They count as iterations, but not for the criteria. */
 
 namespace cv {
 namespace usacv20 {
@@ -32,13 +31,13 @@ constexpr uint64 UNEXPLAINED_STREAM = (uint64)3 << 40;
 // What half and double of these do: doc/constants.md. Search failures are those of H and F beside a motion that is nearly
 // as large (doc/structured.md).
 
-//! Without a sign of a rival one in so many samples is drawn, but LEAST_SAMPLES. 32: instructions of H +1, of E +1 %, 2
-//! samples at least: USACV20_FAST misses 5 % more.
+//! Without a sign of a rival one in so many samples is drawn, but LEAST_SAMPLES. 32: instructions of H and E +1 %; 8
+//! samples at least: failures of USACV20_FAST a half.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
-//! With one, at most one in so many. 1: instructions of H +6 %, failures of USACV20_FAST 15 -> 7 %; 4: H -2 %, 15 -> 20 %.
+//! With one, at most one in so many. 1: instructions of H +6 %; 2: H +1 %, failures of USACV20_FAST 20 -> 15 %.
 constexpr int MOST_PART = 3;
 //! A rival has this part of the inliers of the best model for itself. On random wrong matches it is 0.06, of matches of
-//! a cluster 0.15 at most; 0.2: instructions of H -2 %, failures of USACV20_FAST 15 -> 36 %.
+//! a cluster 0.15 at most. 0.1: instructions of H +1 %, failures of USACV20_FAST 31 -> 20 %; 0.2: 36 %.
 constexpr double RIVAL = 0.15;
 //! The least part of the inliers of a rival that it does not share with the best model, as samples are counted.
 constexpr double FOR_ITSELF = 2. / 3;
@@ -80,12 +79,14 @@ bool Ransac::searchUnexplained()
         return false;
     const int needed = samplesNeeded(goodSampleProbability(wanted, count, m, true),
                                      std::log(1 - context.params.confidence));
-    const int few = std::max(drawn / FIRST_PART, LEAST_SAMPLES), many = std::max(drawn / MOST_PART, LEAST_SAMPLES);
+    const int few = std::max(drawn / FIRST_PART, LEAST_SAMPLES);
+    const int many = std::max((drawn - unexplainedSamples) / MOST_PART - unexplainedSamples, LEAST_SAMPLES);
     const double rival = rivalInliers();
     if (rivals < rival)
         sampleUnexplained(indices, count, std::min(needed, few));
     if (std::max(rivals, runnersUp.mostUnexplained()) >= rival)
         sampleUnexplained(indices, count, std::min(needed, many) - (state.iteration - drawn));
+    unexplainedSamples += state.iteration - drawn;
     return true;
 }
 
@@ -101,22 +102,31 @@ void Ransac::sampleUnexplained(const int* indices, int count, int most)
         for (int k = 0; k < m; ++k)
             sample[k] = indices[sample[k]];
         if (!validSample(sample.val))
+        {
+            ++state.report.rejectedSamples;
             continue;
+        }
         Model models[MAX_MODELS];
         const int computed = parts.minimalSolver->solve(context.points, sample.val, models);
         checkModels(models, computed);
+        state.report.models += computed;
+        state.report.degenerateSamples += computed == 0;
         for (int i = 0; i < computed; ++i)
-            if (validModel(sample.val, models[i]))
-                addRival(sample, models[i]);
+            if (!validModel(sample.val, models[i]))
+                ++state.report.rejectedModels;
+            else if (!addRival(sample, models[i]))
+                ++state.report.droppedModels;
     }
 }
 
-void Ransac::addRival(const Sample& sample, const Model& model)
+bool Ransac::addRival(const Sample& sample, const Model& model)
 {
     const InlierBits inliers(context, model);
     const int own = inliers.without(runnersUp.best());
-    if (own >= rivalInliers() && own > parts.minimalSolver->sampleSize())
-        runnersUp.add(Candidate(sample, model, context.rate(model)), inliers);
+    if (own < rivalInliers() || own <= parts.minimalSolver->sampleSize())
+        return false;
+    runnersUp.add(Candidate(sample, model, context.rate(model)), inliers);
+    return true;
 }
 
 }  // namespace usacv20

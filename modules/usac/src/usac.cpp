@@ -140,6 +140,8 @@ private:
                 if (params.reach == least)
                     rememberBest(state, before);
                 setReach(reach, ransac);
+                if (!(state.bestQuality.cost <= DBL_MAX))  // a check has refused the model
+                    before.bestQuality = Quality();
             }
             else if (ended)
                 break;

@@ -324,6 +324,7 @@ TEST_P(UsacComponents, persistence)
         params.sampler = SAMPLER_UNIFORM;
         params.maxIterations = 100000;
         params.persistence = several[i];
+        params.runnersUp = 0;  // no samples beside those of the criterion
         const Report report = reportOf(scene, params);
         EXPECT_EQ((int)STOP_STANDARD, report.stop);
         iterations[i] = report.iterations;

@@ -15,7 +15,7 @@ namespace usacv20 {
 class InlierBits
 {
 public:
-    //! Most points. 512: search failures and time the same within their noise.
+    //! Most points. 512: search failures the same within their noise.
     enum { MOST = 256 };
 
     //! None.

@@ -36,7 +36,7 @@ another one of these in array 2.
 @return how many */
 int wrongErrors(const Residual& residual, const Model& model, const Correspondences& points, int count, float* errors,
                 Arena& arena);
-//! 2, 8: the accepted models of random matches and the errors of the lists are the same.
+//! Wrong matches of each point.
 enum { WRONG_PARTNERS = 4 };
 
 }  // namespace usacv20

@@ -36,7 +36,8 @@ const Agreement AGREEMENTS[] = {{"a common shift", OUTLIERS_SHIFT, 0.45, 0.35},
                                 {"a plane that moves by itself", OUTLIERS_PLANE, 0.4, 0.35},
                                 {"another motion from one place", OUTLIERS_SECOND_MODEL, 0.53, 0.47}};
 
-//! How many of `runs` searches end with a model that costs more than the one that has made the scene, by half a match.
+//! How many of `runs` searches end with a model that costs more than the one that has made the scene, by two matches: what
+//! is not fitted as well costs less.
 int missed(ProblemType problem, const Agreement& agreement, const Params& preset, int runs)
 {
     int result = 0;
@@ -52,7 +53,7 @@ int missed(ProblemType problem, const Agreement& agreement, const Params& preset
         params.maxIterations = 1000000;
         params.seed = seed;
         const double truth = costOf(scene, Mat(scene.model), params.threshold);
-        result += costOf(scene, estimate(scene, params), params.threshold) > truth + 0.5 / scene.size();
+        result += costOf(scene, estimate(scene, params), params.threshold) > truth + 2. / scene.size();
     }
     return result;
 }

@@ -254,8 +254,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
-    //! Models beside those that beat all samples before them that are optimized before the search ends, at most;
-    //! 0..100. Without local optimization none. Default 16.
+    //! Models beside those that beat all samples before them that are optimized before the search ends, at most: those
+    //! with the most inliers that the best model does not explain. 0 also leaves out the samples of what it does not
+    //! explain; 0..100. Without local optimization none. Default 16.
     CV_PROP_RW int runnersUp;
     /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer,
     the others are uniform among all points. Only the uniform ones count for the criteria of termination but
