@@ -46,7 +46,8 @@ A map that shrinks everything to that place, or a camera far away, fits them all
 with real support any more. The map of a small object keeps its quality, as it does not shrink it to one place.
 
 The other way, from one place of array 1 to many of array 2, nothing fits. Places are looked for once, with the
-threshold that the search begins with. Qualities that are no sum over the points are left. */
+threshold that was given: a wide reach takes a small object for one place. Qualities that are no sum over the points are
+left. */
 class CrowdedPlaces : public Degeneracy
 {
 public:
@@ -60,7 +61,8 @@ public:
             return;
         int seen[LOOKED_AT];
         const int count = std::min<int>(p.size, LOOKED_AT);
-        look(p, (float)square(NEAR_THRESHOLDS * p.threshold), -1, count, seen);
+        const double threshold = p.threshold / context.params.reach;
+        look(p, (float)square(NEAR_THRESHOLDS * threshold), -1, count, seen);
         if (*std::max_element(seen, seen + count) < SEEN)
             return;
         float sizes[2] = {FLT_MIN, FLT_MIN};
@@ -69,7 +71,7 @@ public:
             float& size = sizes[k >= p.coordinates[0]];
             size = std::max(size, std::max(p.upper[k] - p.lower[k], extent(p.column[k], count)));
         }
-        const TargetLimits limits(p.threshold, sizes);
+        const TargetLimits limits(threshold, sizes);
         farApart = limits.far[0];
         look(p, limits.near[1], farApart, count, seen);
         for (int most; places < MOST_PLACES && seen[most = (int)(std::max_element(seen, seen + count) - seen)] >= SEEN;)
