@@ -22,9 +22,6 @@ constexpr int TRIMMED = 32;
 constexpr int TENTH = 10;
 //! Places with that many points there are no more.
 constexpr int MOST_PLACES = TENTH;
-//! A model rests on a place if one in so many of its inliers is there: on three places of a line, say. Those of a right
-//! model of a small object are spread over it.
-constexpr int QUARTER = 4;
 
 //! Squared distance of two points of an array.
 inline float squaredDistance(const Correspondences& p, int array, int i, int k)
@@ -42,8 +39,8 @@ noisy, are no independent evidence.
 A map that shrinks everything to that place, or a camera far away, fits them all, whatever their other ends are. So
 
 - samples are refused in which two matches of a place are far from each other in array 1, see TargetLimits;
-- of a new best model, the inliers of a place on which it rests count once. The model stays, but it does not beat those
-with real support any more. The map of a small object keeps its quality, as it does not shrink it to one place.
+- of a new best model, the inliers of each place count once. The model stays, but it does not beat those with real
+support any more. The map of a small object keeps most of its quality, as it does not shrink it to one place.
 
 The other way, from one place of array 1 to many of array 2, nothing fits. Places are looked for once, with the
 threshold that was given: a wide reach takes a small object for one place. Qualities that are no sum over the points are
@@ -106,13 +103,12 @@ public:
         const double* const errors = subset.squaredErrors(*context.components.residual, model);
         float* const floats = scope.take<float>(count);
         std::copy(errors, errors + count, floats);
-        const int least = std::max(quality.inliers / QUARTER, 2);
         for (int k = 0; k < places; ++k)
         {
             const int size = ends[k + 1] - ends[k];
             Quality sum(0, 0);
             score.accumulate(floats + ends[k], size, (float)(p.threshold * p.threshold), sum);
-            if (sum.inliers < least)
+            if (sum.inliers < 2)
                 continue;
             quality.cost += (size - sum.cost) * (sum.inliers - 1) / sum.inliers;
             quality.inliers = std::max(quality.inliers - sum.inliers + 1, 1);
