@@ -23,8 +23,8 @@ const double MIN_SHIFT = 5, MAX_SHIFT = 50;
 const int MATCHES_OF_ONE_POINT = 10;
 //! Sides of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL, pixels.
 const double CLUSTER = 80, PATCH = 160;
-//! Pixels: lengths of OUTLIERS_SHIFT; deviation of OUTLIERS_PLACE; sides of the squares of OUTLIERS_CLUSTERS; where half
-//! of OUTLIERS_CENTER are; OUTLIERS_WINDOW.
+//! Pixels: lengths of OUTLIERS_SHIFT; deviation of OUTLIERS_PLACE; sides of the squares of OUTLIERS_CLUSTERS; where
+//! half of OUTLIERS_CENTER are; OUTLIERS_WINDOW.
 const double LEAST_SHIFT = 30, LARGEST_SHIFT = 100, JITTER = 0.4, SMALL_CLUSTER = 20, HALF_WITHIN = 20, WINDOW = 60;
 
 Matx33d crossMatrix(const Vec3d& v) { return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0); }
@@ -230,7 +230,9 @@ struct OutlierStructure
                 p1 = randomPixel(rng);
             break;
         case OUTLIERS_PLANE: seenPoint(geometry, true, rng, p1, p2); break;
-        case OUTLIERS_PLACE: p2 = target[0] + Point2d(rng.gaussian(JITTER), rng.gaussian(JITTER)); break;
+        case OUTLIERS_PLACE:
+            p2 = target[i % options.places] + Point2d(rng.gaussian(JITTER), rng.gaussian(JITTER));
+            break;
         case OUTLIERS_CLUSTERS:
             p1 = randomInSquare(rng, small[rng.uniform(0, (int)CLUSTERS)], SMALL_CLUSTER);
             p2 = randomInSquare(rng, small[CLUSTERS + rng.uniform(0, (int)CLUSTERS)], SMALL_CLUSTER);
@@ -270,8 +272,9 @@ struct OutlierStructure
     //! Is the i-th wrong match one of a structure?
     bool has(int i) const
     {
-        return i < options.second || (options.outlierModel >= OUTLIERS_SHIFT ? i < options.structured
-                                                                             : options.outlierModel >= OUTLIERS_TARGETS);
+        return i < options.second ||
+               (options.outlierModel >= OUTLIERS_SHIFT ? i < options.structured
+                                                       : options.outlierModel >= OUTLIERS_TARGETS);
     }
     //! Has it the noise of the true ones?
     bool noisy(int i) const { return has(i) && (i < options.second || options.outlierModel <= OUTLIERS_PLANE); }

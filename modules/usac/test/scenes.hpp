@@ -28,10 +28,10 @@ enum OutlierModel {
     OUTLIERS_UNIFORM,  //!< anywhere in both images
     OUTLIERS_LOCAL,    //!< a true match (not F, E: on the plane), displaced in image 2 by 5 to 50 pixels, at least 5
                        //!< off the model
-    OUTLIERS_MANY_TO_ONE,  //!< in image 2 the point of a true match, about ten with the same; anywhere in image 1
-    OUTLIERS_TARGETS,      //!< in image 2 one of two points, but for noise; anywhere in image 1
-    OUTLIERS_LINE,         //!< every second one on one line of image 2, but for noise, the others anywhere
-    OUTLIERS_CLUSTERED,    //!< from one square of 80 pixels in image 1 to one in image 2
+    OUTLIERS_MANY_TO_ONE,   //!< in image 2 the point of a true match, about ten with the same; anywhere in image 1
+    OUTLIERS_TARGETS,       //!< in image 2 one of two points, but for noise; anywhere in image 1
+    OUTLIERS_LINE,          //!< every second one on one line of image 2, but for noise, the others anywhere
+    OUTLIERS_CLUSTERED,     //!< from one square of 80 pixels in image 1 to one in image 2
     OUTLIERS_SECOND_MODEL,  //!< true matches of another motion (not F, E: of another plane, too), from a square of 160
                             //!< pixels in image 1
     // `structured` of the wrong matches are as follows, the others anywhere
@@ -67,18 +67,19 @@ enum Motion {
 struct SceneOptions
 {
     SceneOptions()
-        : inliers(200), outliers(100), structured(INT_MAX), noise(0.5), seed(1), planeFraction(0), frontalPlane(false),
-          nearest(4), farthest(9), duplicates(0), copies(1), motion(MOTION_GENERAL), angle(12), baseline(1),
-          outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5), second(0), scoreModel(SCORES_OF_TRUTH)
+        : inliers(200), outliers(100), structured(INT_MAX), places(1), noise(0.5), seed(1), planeFraction(0),
+          frontalPlane(false), nearest(4), farthest(9), duplicates(0), copies(1), motion(MOTION_GENERAL), angle(12),
+          baseline(1), outlierModel(OUTLIERS_UNIFORM), scoreInformation(0.5), second(0), scoreModel(SCORES_OF_TRUTH)
     {}
 
     //! Sets `inliers` and `outliers`.
     void setSize(int size, double inlierRatio);
 
-    int inliers;   //!< true matches
-    int outliers;  //!< wrong matches
+    int inliers;     //!< true matches
+    int outliers;    //!< wrong matches
     int structured;  //!< so many of them, at most, are as OUTLIERS_SHIFT and those behind it say; the others anywhere
-    double noise;  //!< standard deviation in each of the four coordinates, pixels
+    int places;      //!< OUTLIERS_PLACE: at so many places in turn, 1 or 2
+    double noise;    //!< standard deviation in each of the four coordinates, pixels
     uint64 seed;
     double planeFraction;      //!< F, E: this part of the true matches lies on one plane; others: all do
     bool frontalPlane;         //!< the plane is parallel to image 1; else any plane in front of the camera

@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "significance/significance.hpp"
 #include "core/beta_binomial.hpp"
+#include "core/repetitions.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -59,10 +60,13 @@ double Significance::chance(int inliers, double clear)
 
 bool Significance::decisive(double inlierRatio, double limit) const
 {
-    // where inliers are there several times the other matches are, too
-    const double all = points.size - last.points + last.inliers, different = all > 0 ? last.inliers / all : 1;
+    // of all points: a model that takes everything to one place has few independent inliers, however many there are
+    Arena::Scope scope(arena);
+    uchar *const all = scope.take<uchar>(points.size), *const repeated = scope.take<uchar>(points.size);
+    std::fill(all, all + points.size, (uchar)1);
+    std::fill(repeated, repeated + points.size, (uchar)0);
     Agreement few = last;
-    few.points = (int)(different * points.size);
+    few.points = points.size - markRepeated(points, 0, all, points.size, threshold, repeated, arena);
     few.inliers = (int)(inlierRatio * few.points);
     return chanceOf(few) <= limit;
 }

@@ -53,7 +53,7 @@ public:
     double chance(int inliers, double clear);
 
     /** After chance(): are the points so many that a model with `inlierRatio` of them would have a chance of at most
-     * `limit`? */
+     * `limit`? Points that repeat another one count once. */
     bool decisive(double inlierRatio, double limit) const;
 
 private:

@@ -248,5 +248,52 @@ TEST(Usac_Significance, repeatedMatches)
     }
 }
 
+//! Wrong matches of which 80 of 200 are at one place: without the check of the search the map collapses to it. Its few
+//! independent inliers are no better than chance, and there are enough other points to tell.
+TEST(Usac_Significance, mapsToOnePlace)
+{
+    for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY})
+        for (UsacV20Method flag : {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_MAGSAC})
+        {
+            int models = 0, refused = 0;
+            for (uint64 seed = 1; seed <= 20; ++seed)
+            {
+                SceneOptions options;
+                options.setSize(200, 0.005);
+                options.outlierModel = OUTLIERS_PLACE;
+                options.structured = 80;
+                options.seed = seed;
+                Params params = Params::fromMethod(flag);
+                params.threshold = 1.5;
+                params.degeneracy = 0;
+                params.maxIterations = 1000;
+                Report report;
+                models += !estimate(makeScene(problem, options), params, noArray(), &report).empty();
+                refused += report.stop == STOP_NOT_SIGNIFICANT;
+            }
+            EXPECT_EQ(0, models) << problem << ", flag " << (int)flag;
+            EXPECT_EQ(20, refused) << problem << ", flag " << (int)flag;
+        }
+}
+
+//! What is refused for want of other points is not: where all are repeated, few tell nothing.
+TEST(Usac_Significance, repeatedRightMatchesStay)
+{
+    for (int problem : TWO_VIEW_PROBLEMS)
+        for (uint64 seed = 1; seed <= 20; ++seed)
+        {
+            SceneOptions options;
+            options.inliers =
+                SAMPLE_SIZES[std::find(TWO_VIEW_PROBLEMS, TWO_VIEW_PROBLEMS + 5, problem) - TWO_VIEW_PROBLEMS] + 1;
+            options.outliers = 2;
+            options.copies = 20;
+            options.noise = 0.1;
+            options.seed = seed;
+            Report report;
+            EXPECT_FALSE(estimate(makeScene((ProblemType)problem, options), Params(), noArray(), &report).empty())
+                << problem << ", seed " << seed << ", chance " << report.chance;
+        }
+}
+
 }
 }  // namespace

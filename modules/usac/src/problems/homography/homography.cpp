@@ -77,7 +77,10 @@ public:
         if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples
             degeneracies.push_back(createHomographyOrientation());
         if (flags & DEGENERACY_REPEATED)
+        {
             degeneracies.push_back(createRepeatedPoints());
+            degeneracies.push_back(createCrowdedPlaces());
+        }
     }
 };
 

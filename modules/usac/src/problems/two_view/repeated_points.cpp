@@ -113,7 +113,10 @@ void createChecksOfMaps(int flags, const String& problem, std::vector<Ptr<Degene
                                      "take DEGENERACY_REPEATED, 0, or the default %d, all checks that it has",
                                      flags, problem.c_str(), all));
     if (flags & DEGENERACY_REPEATED)
+    {
         degeneracies.push_back(createRepeatedPoints());
+        degeneracies.push_back(createCrowdedPlaces());
+    }
 }
 
 }  // namespace usacv20

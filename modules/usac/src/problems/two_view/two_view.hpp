@@ -15,7 +15,9 @@ namespace usacv20 {
 Ptr<Degeneracy> createOrientedEpipolar();
 //! Maps of points: matches of which many are the same, see RepeatedPoints.
 Ptr<Degeneracy> createRepeatedPoints();
-//! The checks of a set that maps of points have, that one. Raises cv::Exception if #DEGENERACY_DEGENSAC is asked for,
+//! Maps of points: matches of many points to one place, see CrowdedPlaces.
+Ptr<Degeneracy> createCrowdedPlaces();
+//! The checks of a set that maps of points have, these two. Raises cv::Exception if #DEGENERACY_DEGENSAC is asked for,
 //! unless all are.
 void createChecksOfMaps(int flags, const String& problem, std::vector<Ptr<Degeneracy>>& degeneracies);
 //! F, E: see SharedPoints.

@@ -22,6 +22,8 @@ const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6;
 //! Of POSE_NEAR_PLANE and POSE_NEAR_LINE.
 const double ROUGHNESS = 0.02;
 const double CLUSTER_RADIUS = 0.1, OUTLIER_RADIUS = 0.5, OUTLIER_SQUARE = 80, SHORTEST_LINE = 200;
+//! Of POSE_OUTLIERS_PLACE, pixels.
+const double JITTER = 0.4;
 
 Vec3d randomInBall(RNG& rng, double radius)
 {
@@ -140,6 +142,8 @@ public:
         corner = Point2d(rng.uniform(MARGIN, WIDTH - OUTLIER_SQUARE - MARGIN),
                          rng.uniform(MARGIN, HEIGHT - OUTLIER_SQUARE - MARGIN));
         ball = rayOf(randomPixel(rng)) * MIDDLE;
+        for (int i = 0; i < options.places && options.outliers == POSE_OUTLIERS_PLACE; ++i)
+            places.push_back(randomPixel(rng));
     }
 
     void build()
@@ -211,6 +215,8 @@ private:
         if (options.outliers == POSE_OUTLIERS_CLUSTERED)
             add(toObject(ball + randomInBall(rng, OUTLIER_RADIUS)),
                 corner + Point2d(rng.uniform(0., OUTLIER_SQUARE), rng.uniform(0., OUTLIER_SQUARE)), 0, 0);
+        else if (i < options.structured && !places.empty())
+            add(toObject(shape.point(i, rng)), places[i % places.size()], JITTER, 0);
         else
             add(toObject(shape.point(i, rng)), randomPixel(rng), 0, 0);
     }
@@ -239,8 +245,9 @@ private:
     PoseScene& scene;
     RNG rng;
     Shape shape;
-    Point2d corner;  //!< of the square of POSE_OUTLIERS_CLUSTERED
-    Vec3d ball;      //!< and the center of the ball
+    Point2d corner;               //!< of the square of POSE_OUTLIERS_CLUSTERED
+    Vec3d ball;                   //!< and the center of the ball
+    std::vector<Point2d> places;  //!< of POSE_OUTLIERS_PLACE
 };
 
 }  // namespace

@@ -26,9 +26,10 @@ enum PoseShape {
 
 //! What the wrong matches are like.
 enum PoseOutliers {
-    POSE_OUTLIERS_UNIFORM,     //!< object points as the true ones, image points anywhere
-    POSE_OUTLIERS_CLUSTERED,   //!< from one ball of radius 0.5 to one square of 80 pixels
-    POSE_OUTLIERS_SECOND_POSE  //!< true matches of another pose of the same object, with the same noise
+    POSE_OUTLIERS_UNIFORM,      //!< object points as the true ones, image points anywhere
+    POSE_OUTLIERS_CLUSTERED,    //!< from one ball of radius 0.5 to one square of 80 pixels
+    POSE_OUTLIERS_SECOND_POSE,  //!< true matches of another pose of the same object, with the same noise
+    POSE_OUTLIERS_PLACE  //!< `structured` of them at one place of the image, but for 0.4 pixels; the others uniform
 };
 
 //! What a synthetic scene of absolute pose looks like.
@@ -37,7 +38,7 @@ struct PoseSceneOptions
     PoseSceneOptions()
         : size(200), inlierRatio(0.7), noise(0.5), seed(1), shape(POSE_CLOUD), coefficients(0),
           outliers(POSE_OUTLIERS_UNIFORM), behind(0), atCenter(0), copies(1), scoreInformation(0.5), scale(1),
-          offset(0, 0, 0)
+          offset(0, 0, 0), structured(0), places(1)
     {}
 
     int size;            //!< different matches, >= 4
@@ -53,8 +54,9 @@ struct PoseSceneOptions
     //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing, 1: all, near 0:
     //! upside down.
     double scoreInformation;
-    double scale;      //!< all lengths of the object are multiplied by that,
-    cv::Vec3d offset;  //!< and then its points moved by this
+    double scale;            //!< all lengths of the object are multiplied by that,
+    cv::Vec3d offset;        //!< and then its points moved by this
+    int structured, places;  //!< POSE_OUTLIERS_PLACE: so many wrong matches, at so many places in turn
 };
 
 /** @brief Object points and their images, with the exact pose.

@@ -17,6 +17,8 @@ namespace {
 //! Of RIGID_NEAR_PLANE and RIGID_NEAR_LINE.
 const double ROUGHNESS = 0.02;
 const double CLUSTER_RADIUS = 0.1, OUTLIER_RADIUS = 0.3, OUTLIER_SIDE = 4, FARTHEST_MOVED = 3;
+//! Of RIGID_OUTLIERS_PLACE, thresholds.
+const double JITTER = 0.25;
 
 Vec3d randomInCube(RNG& rng, double half)
 {
@@ -61,6 +63,8 @@ public:
         scene.threshold = (options.noise > 0 ? 3.5 * options.noise : 0.035) * scene.unit;
         ball1 = randomInCube(rng, 0.7);
         ball2 = randomInCube(rng, 1) * s + moved(near, Point3d(0, 0, 0));
+        for (int i = 0; i < options.places && options.outliers == RIGID_OUTLIERS_PLACE; ++i)
+            places.push_back(randomInCube(rng, 1) * s + moved(near, Point3d(0, 0, 0)));
     }
 
     void build()
@@ -74,7 +78,7 @@ public:
             else if (options.outliers == RIGID_OUTLIERS_SECOND_MOTION)
                 addMoved(other, 0);
             else
-                addWrong();
+                addWrong(i - right);
         for (int copy = 1; copy < options.copies; ++copy)
             for (int i = 0; i < options.size; ++i)
                 repeatRow(i);
@@ -128,7 +132,7 @@ private:
         add(x, moved(motion, Point3d(x)), options.noise, truth);
     }
 
-    void addWrong()
+    void addWrong(int i)
     {
         const double s = options.modelScale;
         if (options.outliers == RIGID_OUTLIERS_CLUSTERED)
@@ -138,7 +142,10 @@ private:
             return;
         }
         const Vec3d from = shapePoint();
-        add(from, moved(near, Point3d(0, 0, 0)) + randomInCube(rng, 0.5 * OUTLIER_SIDE * s), 0, 0);
+        if (i < options.structured && !places.empty())
+            add(from, places[i % places.size()], JITTER * scene.threshold / scene.unit, 0);
+        else
+            add(from, moved(near, Point3d(0, 0, 0)) + randomInCube(rng, 0.5 * OUTLIER_SIDE * s), 0, 0);
     }
 
     void repeatRow(int i)
@@ -164,9 +171,10 @@ private:
     const RigidSceneOptions& options;
     RigidScene& scene;
     RNG rng;
-    const Matx33d axes;   //!< of the plane or the line
-    Matx34d near, other;  //!< motions before the coordinates are scaled and moved
-    Vec3d ball1, ball2;   //!< centers of RIGID_OUTLIERS_CLUSTERED
+    const Matx33d axes;         //!< of the plane or the line
+    Matx34d near, other;        //!< motions before the coordinates are scaled and moved
+    Vec3d ball1, ball2;         //!< centers of RIGID_OUTLIERS_CLUSTERED
+    std::vector<Vec3d> places;  //!< of RIGID_OUTLIERS_PLACE
 };
 
 }  // namespace

@@ -23,9 +23,11 @@ enum RigidShape {
 
 //! What the wrong matches are like.
 enum RigidOutliers {
-    RIGID_OUTLIERS_UNIFORM,       //!< in space 1 as the true ones, in space 2 anywhere in a cube of side 4 around them
-    RIGID_OUTLIERS_CLUSTERED,     //!< from one ball of radius 0.3 to another
-    RIGID_OUTLIERS_SECOND_MOTION  //!< true matches of another motion, with the same noise
+    RIGID_OUTLIERS_UNIFORM,        //!< in space 1 as the true ones, in space 2 anywhere in a cube of side 4 around them
+    RIGID_OUTLIERS_CLUSTERED,      //!< from one ball of radius 0.3 to another
+    RIGID_OUTLIERS_SECOND_MOTION,  //!< true matches of another motion, with the same noise
+    RIGID_OUTLIERS_PLACE  //!< `structured` of them in space 2 at one place, but for a quarter of the threshold; the
+                          //!< others uniform
 };
 
 //! What a synthetic scene of two spaces looks like. Lengths are in units of `unit`.
@@ -33,7 +35,8 @@ struct RigidSceneOptions
 {
     RigidSceneOptions()
         : size(200), inlierRatio(0.6), noise(0.01), seed(1), shape(RIGID_CLOUD), outliers(RIGID_OUTLIERS_UNIFORM),
-          copies(1), scoreInformation(0.5), modelScale(1), unit(1), offset1(0, 0, 0), offset2(0, 0, 0)
+          copies(1), scoreInformation(0.5), modelScale(1), unit(1), offset1(0, 0, 0), offset2(0, 0, 0), structured(0),
+          places(1)
     {}
 
     int size;            //!< different matches, >= 4
@@ -49,6 +52,7 @@ struct RigidSceneOptions
     double modelScale;           //!< of the motion; 1: a rigid one
     double unit;                 //!< all coordinates are multiplied by that,
     cv::Vec3d offset1, offset2;  //!< and then the points of each space moved by these
+    int structured, places;      //!< RIGID_OUTLIERS_PLACE: so many wrong matches, at so many places in turn
 };
 
 /** @brief Points of two spaces, with the exact motion between them.

@@ -1,0 +1,186 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "core/point_subset.hpp"
+#include "problems/share_a_point.hpp"
+#include "problems/two_view/two_view.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Half and double of these: doc/constants.md.
+
+//! Points that are looked at first, and how many of them, at least, are at a place beside the one it is seen from.
+constexpr int LOOKED_AT = 64, SEEN = 3;
+//! One in so many of the first points is left out at each end for the extent.
+constexpr int TRIMMED = 32;
+//! A place has at least one in so many of all points. An object as small as 16 pixels has fewer in any of its places.
+constexpr int TENTH = 10;
+//! Places with that many points there are no more.
+constexpr int MOST_PLACES = TENTH;
+
+//! Squared distance of two points of an array.
+inline float squaredDistance(const Correspondences& p, int array, int i, int k)
+{
+    const int first = array ? p.coordinates[0] : 0, last = first + p.coordinates[array];
+    float sum = 0;
+    for (int c = first; c < last; ++c)
+        sum += square(p.column[c][i] - p.column[c][k]);
+    return sum;
+}
+
+/** @brief Maps and poses: matches of many points to one place (a watermark, a blinking light, a dead pixel), however
+noisy, are no independent evidence.
+
+A map that shrinks everything to that place, or a camera far away, fits them all, whatever their other ends are. So
+
+- samples are refused in which two matches of a place are far from each other in array 1, see TargetLimits;
+- of a new best model, the inliers of each place count once. The model stays, but it does not beat those with real
+support any more. The map of a small object keeps most of its quality, as it does not shrink it to one place.
+
+The other way, from one place of array 1 to many of array 2, nothing fits. Places are looked for once, with the
+threshold that was given: a wide reach takes a small object for one place. Qualities that are no sum over the points are
+left. */
+class CrowdedPlaces : public Degeneracy
+{
+public:
+    CrowdedPlaces() : places(0), farApart(0), placeOf(0), members(0) { ends[0] = 0; }
+
+    void start(const Context& context) CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        places = 0;
+        if (p.size <= SEEN || p.coordinates[1] == 0)
+            return;
+        int seen[LOOKED_AT];
+        const int count = std::min<int>(p.size, LOOKED_AT);
+        const double threshold = p.threshold / context.params.reach;
+        look(p, (float)square(NEAR_THRESHOLDS * threshold), -1, count, seen);
+        if (*std::max_element(seen, seen + count) < SEEN)
+            return;
+        float sizes[2] = {FLT_MIN, FLT_MIN};
+        for (int k = 0; k < p.columns(); ++k)
+        {
+            float& size = sizes[k >= p.coordinates[0]];
+            size = std::max(size, std::max(p.upper[k] - p.lower[k], extent(p.column[k], count)));
+        }
+        const TargetLimits limits(threshold, sizes);
+        farApart = limits.far[0];
+        look(p, limits.near[1], farApart, count, seen);
+        for (int most; places < MOST_PLACES && seen[most = (int)(std::max_element(seen, seen + count) - seen)] >= SEEN;)
+        {
+            addPlace(context, most, limits.near[1]);
+            seen[most] = 0;
+            for (int i = 0; i < count && places > 0; ++i)
+                seen[i] = placeOf[i] ? 0 : seen[i];
+        }
+    }
+
+    bool validSample(const Context& context, const int* sample) const CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        const auto sharePlace = [&](int i, int k) {
+            return placeOf[i] && placeOf[i] == placeOf[k] && squaredDistance(p, 0, i, k) > farApart;
+        };
+        return places == 0 || !anyPair(sample, context.components.minimalSolver->sampleSize(), sharePlace);
+    }
+
+    bool recover(const Context& context, State&, const int*, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        const Score& score = *context.components.score;
+        if (places == 0 || score.wholeModel())
+            return true;
+        const Correspondences& p = context.points;
+        const int count = ends[places];
+        Arena::Scope scope(context.arena);
+        PointSubset subset(p, count, scope);
+        for (int i = 0; i < count; ++i)
+            subset.add(members[i]);
+        const double* const errors = subset.squaredErrors(*context.components.residual, model);
+        float* const floats = scope.take<float>(count);
+        std::copy(errors, errors + count, floats);
+        for (int k = 0; k < places; ++k)
+        {
+            const int size = ends[k + 1] - ends[k];
+            Quality sum(0, 0);
+            score.accumulate(floats + ends[k], size, (float)(p.threshold * p.threshold), sum);
+            if (sum.inliers < 2)
+                continue;
+            quality.cost += (size - sum.cost) * (sum.inliers - 1) / sum.inliers;
+            quality.inliers = std::max(quality.inliers - sum.inliers + 1, 1);
+        }
+        return true;
+    }
+
+private:
+    //! Of the first points, but for those that are far out. (Where nearly all points are at one place the frame has no
+    //! more than that.)
+    static float extent(const float* column, int count)
+    {
+        float values[LOOKED_AT];
+        std::copy(column, column + count, values);
+        std::sort(values, values + count);
+        return values[count - 1 - count / TRIMMED] - values[count / TRIMMED];
+    }
+
+    //! How many of the first points are near each of them in array 2, but not in array 1; squared distances.
+    static void look(const Correspondences& p, float near, float far, int count, int* seen)
+    {
+        std::fill(seen, seen + count, 0);
+        for (int i = 1; i < count; ++i)
+        {
+            float squares[LOOKED_AT] = {0};
+            for (int c = p.coordinates[0]; c < p.columns(); ++c)
+            {
+                const float* const column = p.column[c];
+                const float value = column[i];
+                for (int k = 0; k < i; ++k)
+                    squares[k] += square(column[k] - value);
+            }
+            for (int k = 0; k < i; ++k)
+                if (squares[k] <= near && squaredDistance(p, 0, i, k) > far)
+                {
+                    ++seen[i];
+                    ++seen[k];
+                }
+        }
+    }
+
+    //! The points near one, if they are that many. No point is of two places.
+    void addPlace(const Context& context, int center, float near)
+    {
+        const Correspondences& p = context.points;
+        if (places == 0)
+        {
+            placeOf = context.arena.take<uchar>(p.size);
+            members = context.arena.take<int>(p.size);
+            std::fill(placeOf, placeOf + p.size, (uchar)0);
+        }
+        int end = ends[places];
+        for (int i = 0; i < p.size; ++i)
+            if (!placeOf[i] && squaredDistance(p, 1, i, center) <= near)
+                members[end++] = i;
+        if ((end - ends[places]) * TENTH < p.size)
+            return;
+        for (int i = ends[places]; i < end; ++i)
+            placeOf[members[i]] = (uchar)(places + 1);
+        ends[++places] = end;
+    }
+
+    int places;
+    float farApart;             //!< squared distance in array 1
+    uchar* placeOf;             //!< of each point, from 1 on; 0: none
+    int* members;               //!< points of each place in turn
+    int ends[MOST_PLACES + 1];  //!< of their lists, from 0 on
+};
+
+}  // namespace
+
+Ptr<Degeneracy> createCrowdedPlaces() { return makePtr<CrowdedPlaces>(); }
+
+}  // namespace usacv20
+}  // namespace cv

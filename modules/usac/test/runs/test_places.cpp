@@ -1,0 +1,144 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "problems/absolute_pose/pose_scenes.hpp"
+#include "problems/rigid_motion/rigid_scenes.hpp"
+
+// Many of the second points are at one place, as a watermark or a dead pixel makes them: a model that takes everything
+// there is not the right one.
+
+namespace opencv_test {
+namespace {
+
+const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_MAGSAC};
+
+//! Parts of 200 matches.
+struct Parts
+{
+    double right, atPlaces;
+    int places;
+};
+
+const Parts PARTS[] = {{0.3, 0.4, 1}, {0.2, 0.3, 1}, {0.3, 0.4, 2}, {0.2, 0.8, 1}};
+const int SIZE = 200, RUNS = 20;
+
+template <class Options>
+void setParts(const Parts& parts, uint64 seed, Options& options)
+{
+    options.structured = cvRound(SIZE * parts.atPlaces);
+    options.places = parts.places;
+    options.seed = seed;
+}
+
+Params paramsOf(UsacV20Method flag, const std::vector<float>& scores)
+{
+    Params params = Params::fromMethod(flag);
+    params.threshold = 1.5;
+    if (flag == USACV20_PROSAC)
+        params.scores = scores;
+    return params;
+}
+
+bool rightMap(ProblemType problem, const Parts& parts, UsacV20Method flag, uint64 seed)
+{
+    SceneOptions options;
+    options.setSize(SIZE, parts.right);
+    options.outlierModel = OUTLIERS_PLACE;
+    setParts(parts, seed, options);
+    const Scene scene = makeScene(problem, options);
+    return modelError(scene, estimate(scene, paramsOf(flag, scene.scores))) < 1.5;
+}
+
+bool rightPose(const Parts& parts, UsacV20Method flag, uint64 seed)
+{
+    PoseSceneOptions options;
+    options.inlierRatio = parts.right;
+    options.outliers = POSE_OUTLIERS_PLACE;
+    setParts(parts, seed, options);
+    const PoseScene scene = makePoseScene(options);
+    Report report;
+    const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
+                                          paramsOf(flag, scene.scores), noArray(), report);
+    return !pose.empty() && rotationError(scene, Matx34d(pose)) < 1.5 && centerError(scene, Matx34d(pose)) < 0.05;
+}
+
+bool rightMotion(ProblemType problem, const Parts& parts, UsacV20Method flag, uint64 seed)
+{
+    RigidSceneOptions options;
+    options.inlierRatio = parts.right;
+    options.modelScale = problem == SIMILARITY_3D ? 2.5 : 1;
+    options.outliers = RIGID_OUTLIERS_PLACE;
+    setParts(parts, seed, options);
+    const RigidScene scene = makeRigidScene(options);
+    Params params = paramsOf(flag, scene.scores);
+    params.threshold = scene.threshold;
+    const Mat motion = Usac::create(problem, scene.points1, scene.points2, params)->run();
+    return !motion.empty() && motionError(scene, Matx34d(motion)) * scene.unit < scene.threshold;
+}
+
+bool isRight(ProblemType problem, const Parts& parts, UsacV20Method flag, uint64 seed)
+{
+    if (problem == ABSOLUTE_POSE)
+        return rightPose(parts, flag, seed);
+    if (problem == RIGID_3D || problem == SIMILARITY_3D)
+        return rightMotion(problem, parts, flag, seed);
+    return rightMap(problem, parts, flag, seed);
+}
+
+typedef testing::TestWithParam<int> Usac_Places;
+INSTANTIATE_TEST_CASE_P(/**/, Usac_Places,
+                        testing::Values((int)HOMOGRAPHY, (int)AFFINITY, (int)SIMILARITY, (int)ABSOLUTE_POSE,
+                                        (int)RIGID_3D, (int)SIMILARITY_3D));
+
+TEST_P(Usac_Places, no_flag_collapses)
+{
+    for (const Parts& parts : PARTS)
+        for (UsacV20Method flag : FLAGS)
+        {
+            int wrong = 0;
+            for (int seed = 1; seed <= RUNS; ++seed)
+                wrong += !isRight((ProblemType)GetParam(), parts, flag, seed);
+            EXPECT_LE(wrong, 1) << parts.right << " right, " << parts.atPlaces << " at " << parts.places
+                                << " places, flag " << (int)flag;
+        }
+}
+
+//! The map of an object of 16 pixels in image 2 is no collapse, however large the object is in image 1.
+TEST(Usac_Places_Objects, small_ones_are_found)
+{
+    for (int problem : {HOMOGRAPHY, AFFINITY, SIMILARITY})
+        for (double size : {16., 160., 320.})
+            for (UsacV20Method flag : FLAGS)
+            {
+                int found = 0;
+                for (int seed = 1; seed <= RUNS; ++seed)
+                {
+                    RNG rng(seed);
+                    std::vector<Point2d> points1, points2;
+                    std::vector<float> scores;
+                    const Point2d corner1(rng.uniform(0., 640 - size), rng.uniform(0., 480 - size)),
+                        corner2(rng.uniform(0., 624.), rng.uniform(0., 464.));
+                    for (int i = 0; i < SIZE; ++i)
+                    {
+                        const bool right = i < SIZE / 2;
+                        const Point2d u(rng.uniform(0., 1.), rng.uniform(0., 1.)),
+                            noise(rng.gaussian(0.5), rng.gaussian(0.5));
+                        points1.push_back(right ? corner1 + u * size
+                                                : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+                        points2.push_back(right ? corner2 + u * 16 + noise
+                                                : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+                        scores.push_back(rng.uniform(0.f, 1.f));
+                    }
+                    Mat mask;
+                    const Mat model =
+                        Usac::create((ProblemType)problem, points1, points2, paramsOf(flag, scores))->run(mask);
+                    found += !model.empty() && countNonZero(mask.rowRange(0, SIZE / 2)) > 0.9 * SIZE / 2;
+                }
+                EXPECT_GE(found, RUNS - 1) << problem << ", " << size << " pixels, flag " << (int)flag;
+            }
+}
+
+}
+}  // namespace
