@@ -31,7 +31,7 @@ TEST(Usac_Fuzz, random_bytes)
 {
     RNG rng(1);
     int models = 0, refused = 0;
-    for (int i = 0; i < 500; ++i)
+    for (int i = 0; i < 1500; ++i)
     {
         std::vector<uchar> bytes(rng.uniform(1, 700));
         for (size_t k = 0; k < bytes.size(); ++k)

@@ -166,7 +166,7 @@ enum DegeneracyFlags {
     //! F: samples dominated by a plane, plane and parallax @cite chum2005two. E: twice the samples where most
     //! inliers of the best model are on a plane
     DEGENERACY_DEGENSAC = 2,
-    //! samples of matches that share a point; F, E: also but for the noise, and models of such matches
+    //! samples of matches that share a point, also but for the noise where many do, and models of such matches
     DEGENERACY_REPEATED = 4
 };
 
