@@ -289,7 +289,7 @@ void Ransac::setBest(const Model& model, const Quality& quality)
     state.best = model;  // 25
     state.bestQuality = quality;
     if (!runnersUp.none())
-        runnersUp.setBest(InlierBits(context, model));
+        runnersUp.setBest(InlierBits(context, model, explainedWidth()));
     updateTermination();  // 26
 }
 

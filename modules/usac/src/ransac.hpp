@@ -68,6 +68,8 @@ private:
     bool searchUnexplained();
     int unexplainedPoints(int* indices) const;
     void sampleUnexplained(const int* indices, int count, int most);
+    //! Points within so many thresholds of the best model are explained by it.
+    double explainedWidth() const;
     //! So many inliers for itself has a rival of the best model, of those of InlierBits.
     double rivalInliers() const;
     //! @return false if it is none

@@ -38,7 +38,10 @@ constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
 constexpr int MOST_PART = 3;
 //! A rival has this part of the inliers of the best model for itself. On random wrong matches it is 0.06, of matches of
 //! a cluster 0.15 at most. 0.1: instructions of H +1 %, failures of USACV20_FAST 31 -> 20 %; 0.2: 36 %.
-constexpr double RIVAL = 0.15;
+constexpr double RIVAL = 0.1;
+//! In units of Params::threshold: where the noise is as wide as that, right matches are left beyond it, which are no
+//! rival's. 1: a third more samples in all such scenes, instructions of H +4 %.
+constexpr double WIDE = 1.5;
 //! The least part of the inliers of a rival that it does not share with the best model, as samples are counted.
 constexpr double FOR_ITSELF = 2. / 3;
 
@@ -50,7 +53,7 @@ int Ransac::unexplainedPoints(int* indices) const
     Arena::Scope scope(context.arena);
     float* const errors = scope.take<float>(p.size);
     parts.residual->squaredErrors(p, state.best, 0, p.size, errors);
-    const float limit = (float)(p.threshold * p.threshold);
+    const float limit = (float)(explainedWidth() * explainedWidth() * p.threshold * p.threshold);
     int count = 0;
     for (int i = 0; i < p.size; ++i)
     {
@@ -60,7 +63,13 @@ int Ransac::unexplainedPoints(int* indices) const
     return count;
 }
 
-double Ransac::rivalInliers() const { return RIVAL * runnersUp.best().count(); }
+double Ransac::explainedWidth() const { return std::max(WIDE / context.params.reach, 1.); }
+
+double Ransac::rivalInliers() const
+{
+    const double looked = std::min<int>(context.points.size, InlierBits::MOST);
+    return RIVAL * state.bestQuality.inliers * looked / context.points.size;
+}
 
 bool Ransac::searchUnexplained()
 {

@@ -22,12 +22,12 @@ int ones(uint64 word)
 
 InlierBits::InlierBits() { std::fill(words, words + WORDS, (uint64)0); }
 
-InlierBits::InlierBits(const Context& context, const Model& model)
+InlierBits::InlierBits(const Context& context, const Model& model, double width)
 {
     std::fill(words, words + WORDS, (uint64)0);
     const Correspondences& p = context.points;
     const int looked = std::min<int>(p.size, MOST);
-    const float limit = (float)(p.threshold * p.threshold);
+    const float limit = (float)(width * width * p.threshold * p.threshold);
     float errors[MOST];
     context.components.residual->squaredErrors(p, model, 0, looked, errors);
     for (int i = 0; i < looked; ++i)

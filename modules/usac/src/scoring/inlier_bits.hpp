@@ -20,7 +20,8 @@ public:
 
     //! None.
     InlierBits();
-    InlierBits(const Context& context, const Model& model);
+    //! @param width of the threshold, in thresholds
+    InlierBits(const Context& context, const Model& model, double width = 1);
 
     int count() const;
     //! Those that are not among `others`.
