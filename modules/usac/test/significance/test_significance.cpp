@@ -61,12 +61,12 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
         {
             const double expected = calls * levels[level];
             EXPECT_LE(below[level], expected + 3 * std::sqrt(expected))
-                << "problem " << problem << " level " << levels[level];
+                << "problem " << (int)problem << " level " << levels[level];
         }
         // random models of maps of points have the inliers of their sample and one or two more, all of them likely
         if (!mapsPoints((ProblemType)problem))
         {
-            EXPECT_GE(half, calls / 25) << "problem " << problem;
+            EXPECT_GE(half, calls / 25) << "problem " << (int)problem;
         }
     }
 }
@@ -196,9 +196,9 @@ TEST(Usac_Significance, randomMatchesGiveNoModel)
             params.significance = 1;
             EXPECT_FALSE(estimate(many, params).empty());
         }
-        EXPECT_LE(models[0], 1) << "problem " << problem;
-        EXPECT_LE(models[1], 1) << "problem " << problem;
-        EXPECT_EQ(20, few) << "problem " << problem << ": 15 points decide nothing";
+        EXPECT_LE(models[0], 1) << "problem " << (int)problem;
+        EXPECT_LE(models[1], 1) << "problem " << (int)problem;
+        EXPECT_EQ(20, few) << "problem " << (int)problem << ": 15 points decide nothing";
     }
 }
 
@@ -215,9 +215,9 @@ TEST(Usac_Significance, rightModelsAreReturned)
                     << sizes[s];
             Params params;
             params.threshold = 0.05;  // a tenth of the noise
-            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << problem;
+            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << (int)problem;
             params.threshold = 1000;
-            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << problem;
+            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << (int)problem;
         }
     SceneOptions options;
     options.inliers = 4;
@@ -244,7 +244,7 @@ TEST(Usac_Significance, repeatedMatches)
             params.significance = 0.01;
             models += !estimate(scene, params).empty();
         }
-        EXPECT_LE(models, 1) << "problem " << problem;
+        EXPECT_LE(models, 1) << "problem " << (int)problem;
     }
 }
 
@@ -271,8 +271,8 @@ TEST(Usac_Significance, mapsToOnePlace)
                 models += !estimate(makeScene(problem, options), params, noArray(), &report).empty();
                 refused += report.stop == STOP_NOT_SIGNIFICANT;
             }
-            EXPECT_EQ(0, models) << problem << ", flag " << (int)flag;
-            EXPECT_EQ(20, refused) << problem << ", flag " << (int)flag;
+            EXPECT_EQ(0, models) << (int)problem << ", flag " << (int)flag;
+            EXPECT_EQ(20, refused) << (int)problem << ", flag " << (int)flag;
         }
 }
 
@@ -291,7 +291,7 @@ TEST(Usac_Significance, repeatedRightMatchesStay)
             options.seed = seed;
             Report report;
             EXPECT_FALSE(estimate(makeScene((ProblemType)problem, options), Params(), noArray(), &report).empty())
-                << problem << ", seed " << seed << ", chance " << report.chance;
+                << (int)problem << ", seed " << seed << ", chance " << report.chance;
         }
 }
 
