@@ -195,14 +195,19 @@ private:
         const Correspondences& p = context.points;
         if (!(state.bestQuality.cost <= DBL_MAX))
             return params.reach;
-        const int size = std::min<int>(p.size, SignificantScale::MOST);
+        const int size = std::min<int>(p.size, SignificantScale::MOST), m = parts.minimalSolver->sampleSize();
         Arena::Scope scope(context.arena);
-        float *const errors = scope.take<float>(size), *const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);
+        float* const errors = scope.take<float>(size);
         parts.residual->squaredErrors(p, state.best, 0, size, errors);
-        const int wrongCount = wrongErrors(*parts.residual, state.best, p, size, wrong, arena);
-        const int m = parts.minimalSolver->sampleSize();
-        const double sigma = SignificantScale::estimate(errors, size, wrong, wrongCount, p.threshold,
-                                                        p.problem->randomInlierRatio(p), p.problem->errorDimension(), m);
+        const double chance = p.problem->randomInlierRatio(p);
+        const int degrees = p.problem->errorDimension();
+        double sigma = SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m);
+        if (sigma * REACH > GROWS * p.threshold)  // only then does it matter what points of other matches have
+        {
+            float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);
+            const int count = wrongErrors(*parts.residual, state.best, p, size, wrong, arena);
+            sigma = SignificantScale::estimate(errors, size, wrong, count, p.threshold, chance, degrees, m);
+        }
         return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 

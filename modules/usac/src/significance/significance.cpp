@@ -60,13 +60,16 @@ double Significance::chance(int inliers, double clear)
 
 bool Significance::decisive(double inlierRatio, double limit) const
 {
-    // of all points: a model that takes everything to one place has few independent inliers, however many there are
+    // where inliers are there several times the other matches are, too; but a model that takes everything to one place
+    // has few independent inliers, however many independent points there are
+    const double inliers = points.size - last.points + last.inliers, different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);
     uchar *const all = scope.take<uchar>(points.size), *const repeated = scope.take<uchar>(points.size);
     std::fill(all, all + points.size, (uchar)1);
     std::fill(repeated, repeated + points.size, (uchar)0);
     Agreement few = last;
-    few.points = points.size - markRepeated(points, 0, all, points.size, threshold, repeated, arena);
+    few.points = std::max(points.size - markRepeated(points, 0, all, points.size, threshold, repeated, arena),
+                          (int)(different * points.size));
     few.inliers = (int)(inlierRatio * few.points);
     return chanceOf(few) <= limit;
 }
