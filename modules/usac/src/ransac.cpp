@@ -29,8 +29,8 @@ constexpr uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)
 //! A model of a uniform sample may be a runner-up if what it gains over no model at all is at least so much of what the
 //! best one gained. Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4 %, failures of H and E +0.2 points.
 constexpr double WORTHWHILE = 0.6;
-//! It is worth the time if more of its inliers than this are not those of the best model. Half, double: time within 3 %,
-//! errors the same.
+//! It is worth the time if more of its inliers than this are not those of the best model. Half, double: time within 3
+//! %, errors the same.
 constexpr double DIFFERENT = 0.1;
 
 }  // namespace
@@ -38,7 +38,8 @@ constexpr double DIFFERENT = 0.1;
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
     : context(context_), parts(context_.components), state(state_), samples(context_.arena.take<Sample>(LARGEST_BATCH)),
       counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0), hypotheses(0),
-      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena), unexplainedSamples(0), rivals(0),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
+      unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)

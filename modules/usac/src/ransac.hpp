@@ -96,9 +96,9 @@ private:
     int size;           //!< of the batch
     int hypotheses;     //!< that there is room for
     RunnersUp runnersUp;
-    Model explored;  //!< the best model when what it leaves was searched
+    Model explored;          //!< the best model when what it leaves was searched
     int unexplainedSamples;  //!< of the points that a best model has left, so far
-    int rivals;      //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
+    int rivals;              //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
     int firstOfBatch;  //!< number of its first sample
     const int exhaustive;

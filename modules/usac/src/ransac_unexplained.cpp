@@ -14,12 +14,13 @@ Their model has as many inliers, beside chance, as the criteria of termination p
 the right matches has only been found if one of their samples was good enough, and of the samples of right matches many
 are not: with noise a half of those of H, and most of F and E, give models that the sequential test drops. But where two
 models have most of their inliers for themselves, the points that one of them leaves are mostly those of the other, and
-samples of these are right far more often: with 45 % right matches and 35 % of another model, (45 / 65)^7 = 8 % of those of
-seven points, where (45 / 100)^7 = 0.4 % of all are.
+samples of these are right far more often: with 45 % right matches and 35 % of another model, (45 / 65)^7 = 8 % of those
+of seven points, where (45 / 100)^7 = 0.4 % of all are.
 
-A few such samples are drawn in any case. If one of them, or a runner-up, has a part #RIVAL of the inliers of the best
+A few such samples are drawn in any case. If one of them, or a runner-up, has a part RIVAL of the inliers of the best
 model for itself, there may be a rival, and as many are drawn as find a model that has as many inliers as the best one,
-and most of them for itself, with the promised confidence; at most a third as many as the search has drawn. They count as iterations, but not for the criteria. */
+and most of them for itself, with the promised confidence; at most a third as many as the search has drawn. They count
+as iterations, but not for the criteria. */
 
 namespace cv {
 namespace usacv20 {
@@ -28,8 +29,8 @@ namespace {
 
 //! Stream of random numbers beside those of ransac.cpp.
 constexpr uint64 UNEXPLAINED_STREAM = (uint64)3 << 40;
-// What half and double of these do: doc/constants.md. Search failures are those of H and F beside a motion that is nearly
-// as large (doc/structured.md).
+// What half and double of these do: doc/constants.md. Search failures are those of H and F beside a motion that is
+// nearly as large (doc/structured.md).
 
 //! Without a sign of a rival one in so many samples is drawn, but LEAST_SAMPLES. 32: instructions of H and E +1 %; 8
 //! samples at least: failures of USACV20_FAST a half.
@@ -37,7 +38,7 @@ constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
 //! With one, at most one in so many. 1: instructions of H +6 %; 2: H +1 %, failures of USACV20_FAST 20 -> 15 %.
 constexpr int MOST_PART = 3;
 //! A rival has this part of the inliers of the best model for itself. On random wrong matches it is 0.06, of matches of
-//! a cluster 0.15 at most. 0.1: instructions of H +1 %, failures of USACV20_FAST 31 -> 20 %; 0.2: 36 %.
+//! a cluster 0.15 at most. 0.15: instructions of H -1 %, failures of USACV20_FAST 20 -> 31 %; 0.2: 36 %.
 constexpr double RIVAL = 0.1;
 //! In units of Params::threshold: where the noise is as wide as that, right matches are left beyond it, which are no
 //! rival's. 1: a third more samples in all such scenes, instructions of H +4 %.

@@ -53,8 +53,7 @@ const NamedOutliers OUTLIERS[] = {
 };
 
 //! Wrong matches that agree with each other: a name and percent of all matches.
-const NamedOutliers AGREEING[] = {
-    {"shift", OUTLIERS_SHIFT}, {"moving", OUTLIERS_PLANE}, {"place", OUTLIERS_PLACE}};
+const NamedOutliers AGREEING[] = {{"shift", OUTLIERS_SHIFT}, {"moving", OUTLIERS_PLANE}, {"place", OUTLIERS_PLACE}};
 
 //! The part of a name that is `word` and a number of percent; 0 if it is none.
 double partOf(const std::string& name, const std::string& word)

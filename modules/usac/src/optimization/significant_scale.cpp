@@ -83,7 +83,8 @@ double SignificantScale::estimate(const float* squaredErrors, int count, const f
     {
         within += members[bin];
         wrongWithin += wrong[bin];
-        const double p = std::max(chance * volumeOf(endOf(bin), degrees), (double)wrongWithin / std::max(wrongCount, 1));
+        const double p = std::max(chance * volumeOf(endOf(bin), degrees),
+                                  (double)wrongWithin / std::max(wrongCount, 1));
         if (p >= 1)
             break;
         const double value = within > sampleSize ? surprise(within - sampleSize, size - sampleSize, p) : 0;

@@ -13,8 +13,8 @@ namespace usacv20 {
 Inliers are the points within the r at which they are the least likely by chance: a point is within r of a wrong model
 with the probability p(r) = chance (r / threshold)^degrees, or as often as points of other matches are if that is more
 (where points are in clusters, p(r) is far from that of points anywhere), and by Chernoff's bound k of n points are so
-at most with the probability exp(-n D(k/n, p)), D being the divergence of Kullback and Leibler; r has the least bound, as in an
-a-contrario RANSAC
+at most with the probability exp(-n D(k/n, p)), D being the divergence of Kullback and Leibler; r has the least bound,
+as in an a-contrario RANSAC
 @cite moisan2004probabilistic. With Gaussian noise that is 2.4 to 2.9 sigma for two degrees of freedom (errors in the
 plane), 1.7 to 2.4 sigma for one and 2.9 to 3.2 sigma for three, with 10 to 100 % of inliers, so their median is 1.15,
 0.64 or 1.52 sigma, up to 3 %. It is the median that gives the scale: where half of the inliers are much closer than
@@ -35,8 +35,8 @@ public:
     @param degrees of freedom of the error, 1 to 3
     @param sampleSize m points of a minimal sample
     @return sigma, 0 where even the least bound would be met by one of the n^m samples */
-    static double estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount, double threshold, double chance, int degrees,
-                           int sampleSize);
+    static double estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount,
+                           double threshold, double chance, int degrees, int sampleSize);
 };
 
 }  // namespace usacv20

@@ -62,7 +62,8 @@ bool Significance::decisive(double inlierRatio, double limit) const
 {
     // where inliers are there several times the other matches are, too; but a model that takes everything to one place
     // has few independent inliers, however many independent points there are
-    const double inliers = points.size - last.points + last.inliers, different = inliers > 0 ? last.inliers / inliers : 1;
+    const double inliers = points.size - last.points + last.inliers,
+                 different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);
     uchar *const all = scope.take<uchar>(points.size), *const repeated = scope.take<uchar>(points.size);
     std::fill(all, all + points.size, (uchar)1);

@@ -17,7 +17,8 @@ Candidate candidateOf(double cost)
     return Candidate(sample, Matx33d::eye(), Quality(cost, 10));
 }
 
-//! Points in rows, each of which is shifted by 10 pixels more than the one above it: the inliers of one shift are a row.
+//! Points in rows, each of which is shifted by 10 pixels more than the one above it: the inliers of one shift are a
+//! row.
 struct Rows
 {
     Rows() : rows(20), each(10)

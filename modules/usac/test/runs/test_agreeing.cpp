@@ -4,8 +4,8 @@
 
 #include "test_precomp.hpp"
 
-// Wrong matches that agree with each other: the right model is the best one, and is to be found. The rates of more scenes
-// are in doc/structured.md.
+// Wrong matches that agree with each other: the right model is the best one, and is to be found. The rates of more
+// scenes are in doc/structured.md.
 
 namespace opencv_test {
 namespace {
@@ -36,8 +36,8 @@ const Agreement AGREEMENTS[] = {{"a common shift", OUTLIERS_SHIFT, 0.45, 0.35},
                                 {"a plane that moves by itself", OUTLIERS_PLANE, 0.4, 0.35},
                                 {"another motion from one place", OUTLIERS_SECOND_MODEL, 0.53, 0.47}};
 
-//! How many of `runs` searches end with a model that costs more than the one that has made the scene, by two matches: what
-//! is not fitted as well costs less.
+//! How many of `runs` searches end with a model that costs more than the one that has made the scene, by two matches:
+//! what is not fitted as well costs less.
 int missed(ProblemType problem, const Agreement& agreement, const Params& preset, int runs)
 {
     int result = 0;
@@ -58,7 +58,8 @@ int missed(ProblemType problem, const Agreement& agreement, const Params& preset
     return result;
 }
 
-//! Before runners-up were kept for what the best model does not explain, and that was searched, F was missed in 18 and 40 %.
+//! Before runners-up were kept for what the best model does not explain, and that was searched, F was missed in 18 and
+//! 40 %.
 TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -91,8 +92,8 @@ TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
     }
 }
 
-//! Random matches whose points are in clusters, or about the center of the image, are random for the presets whose reach
-//! grows with the noise, too.
+//! Random matches whose points are in clusters, or about the center of the image, are random for the presets whose
+//! reach grows with the noise, too.
 TEST(Usac_Agreeing, clusters_of_points_are_no_noise)
 {
     const OutlierModel models[] = {OUTLIERS_CLUSTERS, OUTLIERS_CENTER};

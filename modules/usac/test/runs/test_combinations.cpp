@@ -80,7 +80,8 @@ std::string describe(const Choice& choice)
 }
 
 //! Nothing is polished: of 1500 random choices the errors of two without polishing and local optimization, 3.1 of H and
-//! 1.4 of E, were the only ones above the limits of arenaOf(), with this set of criteria one with sigma-consensus, 3.07 of H.
+//! 1.4 of E, were the only ones above the limits of arenaOf(), with this set of criteria one with sigma-consensus, 3.07
+//! of H.
 const double UNPOLISHED = 1.5;
 
 //! A real scene and what counts as a right model of it.
@@ -113,7 +114,8 @@ struct Arena
         Mat mask;
         Report report;
         const Mat model = set.estimateWith(params, mask, report);
-        EXPECT_LT(set.error(model), (params.polishing == POLISHING_NONE ? UNPOLISHED : 1) * error) << describe(choice) << report.describe();
+        EXPECT_LT(set.error(model), (params.polishing == POLISHING_NONE ? UNPOLISHED : 1) * error)
+            << describe(choice) << report.describe();
         EXPECT_EQ(countNonZero(mask), report.inliers);
     }
 

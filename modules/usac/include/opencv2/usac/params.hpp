@@ -157,14 +157,12 @@ enum TerminationFlags {
     TERMINATION_ORDER = 64
 };
 
-//! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy"). All bits: all checks
-//! that the problem has. Affine maps, poses and motions of space have #DEGENERACY_REPEATED, and refuse sets with
-//! #DEGENERACY_DEGENSAC but that of all bits, so usac2013(), too.
+//! Degenerate configurations that are looked for, a set of bits (paper, section "Degeneracy"). All bits: all checks of
+//! the problem. Maps but H, poses and motions of space refuse #DEGENERACY_DEGENSAC but in that set, so usac2013(), too.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION =
         1,  //!< H: orientation of the sample; F, E: oriented epipolar constraint @cite chum2004epipolar
-    //! F: samples dominated by a plane, plane and parallax @cite chum2005two. E: twice the samples where most
-    //! inliers of the best model are on a plane
+    //! F: samples of a plane, plane and parallax @cite chum2005two. E: twice the samples where most inliers are on one
     DEGENERACY_DEGENSAC = 2,
     //! samples of matches that share a point, also but for the noise where many do, and models of such matches
     DEGENERACY_REPEATED = 4
@@ -255,8 +253,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
     //! Models beside those that beat all samples before them that are optimized before the search ends, at most: those
-    //! with the most inliers that the best model does not explain. 0 also leaves out the samples of what it does not
-    //! explain; 0..100. Without local optimization none. Default 16.
+    //! that explain most of what the best one does not, which is sampled, too (0: not). 0..100. Default 16.
     CV_PROP_RW int runnersUp;
     /** Samplers that prefer some of the points (all but #SAMPLER_UNIFORM) draw one in so many samples as they prefer,
     the others are uniform among all points. Only the uniform ones count for the criteria of termination but
