@@ -16,7 +16,7 @@ class CountingSolver : public cv::usacv20::MinimalSolver
 public:
     typedef cv::usacv20::Model Model;
 
-    explicit CountingSolver(const cv::Ptr<cv::usacv20::MinimalSolver>& solver_) : solver(solver_) {}
+    explicit CountingSolver(const cv::Ptr<cv::usacv20::MinimalSolver>& solver_) : solver(solver_), computed(0) {}
 
     int sampleSize() const CV_OVERRIDE { return solver->sampleSize(); }
 
@@ -24,6 +24,7 @@ public:
     {
         samples.insert(samples.end(), sample, sample + sampleSize());
         const int count = solver->solve(points, sample, models);
+        computed += count;
         for (int k = 0; k < count && found.size() < MOST_MODELS; ++k)
             found.push_back(models[k]);
         return count;
@@ -32,6 +33,8 @@ public:
     //! Samples solved so far.
     int solved() const { return (int)samples.size() / sampleSize(); }
     const int* sample(int i) const { return &samples[(size_t)i * sampleSize()]; }
+    //! All models, also those of samples that the polishing starts from.
+    int modelsOfAll() const { return computed; }
     //! The first models.
     const std::vector<Model>& models() const { return found; }
 
@@ -39,6 +42,7 @@ private:
     enum { MOST_MODELS = 500 };
 
     const cv::Ptr<cv::usacv20::MinimalSolver> solver;
+    mutable int computed;
     mutable std::vector<int> samples;
     mutable std::vector<Model> found;
 };

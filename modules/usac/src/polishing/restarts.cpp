@@ -15,7 +15,7 @@ namespace {
 // those whose error is more than 1.1 times that of least squares, worst of the flags.
 
 //! Samples of the inliers, and of the inliers and each of the points outside, that it starts from. Half of both: 2
-//! failures for 0; double: 0, twice the time.
+//! failures for 0; double: not measured.
 constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
 //! Probability that a point is an inlier of a wrong model from which on the threshold is wide. Half: the same; double:
 //! 7 of 200 H of 25 to 300 points fail for 3, without it 45.

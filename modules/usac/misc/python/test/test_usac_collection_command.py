@@ -76,7 +76,7 @@ class CommandTest(unittest.TestCase):
         return code, out.getvalue(), err.getvalue()
 
     def verify(self, *more):
-        return self.run_main("verify", self.path, "--threshold", "2", "--max-iterations", "20", "--threads", "1", *more)
+        return self.run_main("verify", self.path, "--threshold", "2", "--max-iterations", "40", "--threads", "1", *more)
 
     def configurations(self, path=None):
         with contextlib.closing(sqlite3.connect(path or self.path)) as connection:

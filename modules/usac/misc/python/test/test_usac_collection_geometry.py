@@ -161,7 +161,7 @@ class GeometryTest(unittest.TestCase):
         for turn in ((0.02, -0.2, 0.05), (0, 0.1, 0), (0, 0, 1.5)):
             scene = Scene(4, turn=turn, move=(0., 0, 0))
             result = verified(scene)
-            self.check(scene, result, Configuration.PANORAMIC)
+            self.check(scene, result, Configuration.PANORAMIC, wrong=0.08)  # as of planes: E is weakly determined
             np.testing.assert_array_equal(result.translation, [0, 0, 0])
             angle = (np.trace(matrixOf(result.quaternion).T @ scene.R) - 1) / 2
             self.assertLess(np.degrees(np.arccos(min(1, angle))), 0.1)
@@ -206,14 +206,14 @@ class GeometryTest(unittest.TestCase):
 
     def test_scores(self):
         scene = Scene(7, wrong=0.96, count=2500)
-        self.assertEqual(verified(scene, maxIterations=20).configuration, Configuration.DEGENERATE)
+        self.assertEqual(verified(scene, maxIterations=40).configuration, Configuration.DEGENERATE)
         for higher in (True, False):
             scores = np.where(scene.right == higher, 0.9, 0.1) + np.random.RandomState(1).uniform(-.05, .05, 2500)
             pair = scene.pair._replace(scores=scores, higherIsBetter=higher)
-            ranked = verifyPairs([pair], Settings(threshold=2, maxIterations=20))[0]
+            ranked = verifyPairs([pair], Settings(threshold=2, maxIterations=40))[0]
             self.assertEqual(ranked.configuration, Configuration.CALIBRATED)
             self.assertGreater(scene.marked(ranked)[scene.right].mean(), 0.95)
-            turned = verifyPairs([pair._replace(higherIsBetter=not higher)], Settings(threshold=2, maxIterations=20))[0]
+            turned = verifyPairs([pair._replace(higherIsBetter=not higher)], Settings(threshold=2, maxIterations=40))[0]
             self.assertEqual(turned.configuration, Configuration.DEGENERATE)
 
     def test_points_that_are_no_numbers(self):

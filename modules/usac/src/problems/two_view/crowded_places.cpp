@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include <Eigen/Cholesky>
 #include "core/point_subset.hpp"
 #include "problems/share_a_point.hpp"
 #include "problems/two_view/two_view.hpp"
@@ -22,6 +23,9 @@ constexpr int TRIMMED = 32;
 constexpr int TENTH = 10;
 //! Places with that many points there are no more.
 constexpr int MOST_PLACES = TENTH;
+//! Of the scatter of a place in array 2 an affine map of array 1 explains this part at least if the place is a distant
+//! object. Of a jitter it explains some 2 / n with n points.
+constexpr double EXPLAINED = 0.9;
 
 //! Squared distance of two points of an array.
 inline float squaredDistance(const Correspondences& p, int array, int i, int k)
@@ -31,6 +35,38 @@ inline float squaredDistance(const Correspondences& p, int array, int i, int k)
     for (int c = first; c < last; ++c)
         sum += square(p.column[c][i] - p.column[c][k]);
     return sum;
+}
+
+/** Is what seems to be one place a distant object, whose points are where an affine map of array 1 has them? By the
+squared multiple correlation. */
+bool isObject(const Correspondences& p, const int* members, int count)
+{
+    if (count < 2 * (p.coordinates[0] + 1))
+        return false;
+    Eigen::Vector3d mean1 = Eigen::Vector3d::Zero(), mean2 = mean1;
+    const auto pointOf = [&p](int array, int i) {
+        Eigen::Vector3d point = Eigen::Vector3d::Zero();
+        for (int c = 0; c < p.coordinates[array]; ++c)
+            point[c] = p.exact[array * p.coordinates[0] + c][i];
+        return point;
+    };
+    for (int i = 0; i < count; ++i)
+    {
+        mean1 += pointOf(0, members[i]) / count;
+        mean2 += pointOf(1, members[i]) / count;
+    }
+    Eigen::Matrix3d within = Eigen::Matrix3d::Zero(), across = within;
+    double scatter = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        const Eigen::Vector3d first = pointOf(0, members[i]) - mean1, second = pointOf(1, members[i]) - mean2;
+        within += first * first.transpose();
+        across += first * second.transpose();
+        scatter += second.squaredNorm();
+    }
+    within.diagonal().array() += 1e-12 * within.trace();  // points of a plane
+    const double explained = (across.transpose() * within.ldlt().solve(across)).trace();
+    return explained >= EXPLAINED * scatter;
 }
 
 /** @brief Maps and poses: matches of many points to one place (a watermark, a blinking light, a dead pixel), however
@@ -164,7 +200,8 @@ private:
         for (int i = 0; i < p.size; ++i)
             if (!placeOf[i] && squaredDistance(p, 1, i, center) <= near)
                 members[end++] = i;
-        if ((end - ends[places]) * TENTH < p.size)
+        const int count = end - ends[places];
+        if (count * TENTH < p.size || isObject(p, members + ends[places], count))
             return;
         for (int i = ends[places]; i < end; ++i)
             placeOf[members[i]] = (uchar)(places + 1);
