@@ -29,8 +29,8 @@ constexpr uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)
 //! A model of a uniform sample may be a runner-up if what it gains over no model at all is at least so much of what the
 //! best one gained. Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4 %, failures of H and E +0.2 points.
 constexpr double WORTHWHILE = 0.6;
-//! It is worth the time if more of its inliers than this are not those of the best model. Half, double: time within 3
-//! %, errors the same.
+//! It is worth the time if the best model does not explain more than this part of its inliers. Half, double: not
+//! measured.
 constexpr double DIFFERENT = 0.1;
 
 }  // namespace

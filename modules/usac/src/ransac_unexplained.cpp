@@ -33,7 +33,7 @@ constexpr uint64 UNEXPLAINED_STREAM = (uint64)3 << 40;
 // nearly as large (doc/structured.md).
 
 //! Without a sign of a rival one in so many samples is drawn, but LEAST_SAMPLES. 32: instructions of H and E +1 %; 8
-//! samples at least: failures of USACV20_FAST a half.
+//! samples at least, with all of MOST_PART 1: USACV20_FAST misses half as many.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
 //! With one, at most one in so many. 1: instructions of H +6 %; 2: H +1 %, failures of USACV20_FAST 20 -> 15 %.
 constexpr int MOST_PART = 3;
