@@ -28,9 +28,6 @@ threshold shows more noise and grows again. */
 constexpr double REACH = 5;
 //! Growing by 1.25 or 2, shrinking by 0.85 or 0.4 change errors by 2 % at most.
 constexpr double GROWS = 1.5, SHRINKS = 0.7;
-//! Parts of the inliers with the grown reach that the model of before had with the given one, and of what that gained
-//! which the present one still has to gain there, see UsacImpl::undoGrowth.
-constexpr double TIGHT = 0.5, STILL = 0.7;
 
 //! The noise is looked at first when one in so many of Params::maxIterations samples have been drawn. 4 and 1 change
 //! errors by 2 % at most.
@@ -130,19 +127,12 @@ private:
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         const double least = params.reach;
-        State before;
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
         {
             const bool ended = ransac.run(pause);
             const double reach = reachOf(context, state, least);
             if (reach > GROWS * params.reach)
-            {
-                if (params.reach == least)
-                    rememberBest(state, before);
                 setReach(reach, ransac);
-                if (!(state.bestQuality.cost <= DBL_MAX))  // a check has refused the model
-                    before.bestQuality = Quality();
-            }
             else if (ended)
                 break;
         }
@@ -152,33 +142,6 @@ private:
             if (!(state.bestQuality.cost <= DBL_MAX))  // a check has refused the model
                 ransac.run();
         }
-        undoGrowth(context, state, before, least);
-    }
-
-    static void rememberBest(const State& state, State& before)
-    {
-        before.best = state.best;
-        before.bestQuality = state.bestQuality;
-    }
-
-    /** Two motions of which each is noise of the other may make the reach grow to where one model between them has the
-    most inliers. If the model of before had half as many within the given reach, which noise that is wider than that
-    does not leave, and has lost much there, it was right. */
-    void undoGrowth(const Context& context, State& state, const State& before, double least)
-    {
-        const double grown = params.reach;
-        if (!(grown > least) || before.bestQuality.inliers < TIGHT * state.bestQuality.inliers)
-            return;
-        data.scaleReach(least / grown);
-        const Quality after = context.rate(state.best);
-        const double size = context.points.size;
-        if (size - after.cost < STILL * (size - before.bestQuality.cost))
-        {
-            params.reach = least;
-            rememberBest(before, state);
-        }
-        else
-            data.scaleReach(grown / least);
     }
 
     void setReach(double reach, Ransac& ransac)
