@@ -89,6 +89,9 @@ private:
     const Context& context;
     const Components& parts;
     State& state;
+    const int m;                //!< points of a sample
+    Degeneracy* const* checks;  //!< Components::degeneracies
+    const int checkCount;       //!< of these
     Sample* samples;    //!< of the batch
     uchar* counts;      //!< State::counts of each
     Hypotheses* batch;  //!< theirs, or those of the present sample

@@ -41,10 +41,30 @@ inline bool anyPair(const int* sample, int m, const Share& share)
     return false;
 }
 
+/** False if no two matches of a sample of m have the same first number in array 1 or, if `either`, in array 2: then none
+share a point. Without branches, as most samples are so. */
+inline bool mayShareAPoint(const Correspondences& p, const int* sample, int m, bool either)
+{
+    const float* const column[2] = {p.column[0], p.column[p.coordinates[1] > 0 ? p.coordinates[0] : 0]};
+    bool equal = false;
+    for (int array = 0; array <= (int)either; ++array)
+    {
+        float values[MAX_SAMPLE_SIZE];
+        for (int i = 0; i < m; ++i)
+        {
+            values[i] = column[array][sample[i]];
+            for (int k = 0; k < i; ++k)
+                equal |= values[i] == values[k];
+        }
+    }
+    return equal;
+}
+
 //! True if a match is twice in a sample of m, and no two different ones share a point: of these one would be wrong.
 inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 {
-    return anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
+    return mayShareAPoint(p, sample, m, false) &&
+           anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
            !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
 }
 

@@ -34,7 +34,8 @@ public:
     {
         const Correspondences& p = context.points;
         const int m = context.components.minimalSolver->sampleSize();
-        return !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
+        return !mayShareAPoint(p, sample, m, true) ||
+               !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
     }
 
     bool mayBeGood(const Context& context, const int* sample) const CV_OVERRIDE
