@@ -45,8 +45,9 @@ Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena&
 
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
     : context(context_), parts(context_.components), state(state_), m(parts.minimalSolver->sampleSize()),
-      checks(pointersTo(parts.degeneracies, context_.arena)), checkCount((int)parts.degeneracies.size()), samples(context_.arena.take<Sample>(LARGEST_BATCH)),
-      counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0), hypotheses(0),
+      checks(pointersTo(parts.degeneracies, context_.arena)), checkCount((int)parts.degeneracies.size()),
+      samples(context_.arena.take<Sample>(LARGEST_BATCH)), counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0),
+      errorRows(0), size(0), hypotheses(0),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
       unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),

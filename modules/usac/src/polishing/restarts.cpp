@@ -18,7 +18,8 @@ namespace {
 //! failures for 0; double: not measured.
 constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
 /** Threshold, as a part of the extent of the points, below which errors of inliers are nearly linear in the model, and
-the samples of the inliers that are then enough. */
+the samples of the inliers that are then enough. Half: one pair of the lists, of H, has all samples again; double: none
+less. 16 samples: instructions of H +1 %; half, double: not measured. */
 constexpr double NARROW = 0.03;
 constexpr int RESTARTS_NARROW = 4;
 //! Probability that a point is an inlier of a wrong model from which on the threshold is wide. Half: the same; double:

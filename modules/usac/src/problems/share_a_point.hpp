@@ -81,8 +81,7 @@ inline bool anyShareAPoint(const Correspondences& p, const int* sample, int m)
 //! True if a match is twice in a sample of m, and no two different ones share a point: of these one would be wrong.
 inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 {
-    return mayShareAPoint(p, 0, sample, m) &&
-           anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
+    return mayShareAPoint(p, 0, sample, m) && anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
            !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
 }
 
