@@ -17,11 +17,6 @@ namespace {
 //! Samples of the inliers, and of the inliers and each of the points outside, that it starts from. Half of both: 2
 //! failures for 0; double: not measured.
 constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
-/** Threshold, as a part of the extent of the points, below which errors of inliers are nearly linear in the model, and
-the samples of the inliers that are then enough. Half: one pair of the lists, of H, has all samples again; double: none
-less. 16 samples: instructions of H +1 %; half, double: not measured. */
-constexpr double NARROW = 0.03;
-constexpr int RESTARTS_NARROW = 4;
 //! Probability that a point is an inlier of a wrong model from which on the threshold is wide. Half: the same; double:
 //! 7 of 200 H of 25 to 300 points fail for 3, without it 45.
 constexpr double WIDE = 0.2;
@@ -63,15 +58,8 @@ void Restarts::restartInliers(Model& model, Quality& quality)
     Model here = model;
     if (fit(count, here))
         accept(here, count, CLEAR * loss, model, quality);
-    const int restarts = narrow() ? RESTARTS_NARROW : RESTARTS;
-    for (int i = 0; i < (count > m ? restarts : 1); ++i)
+    for (int i = 0; i < (count > m ? RESTARTS : 1); ++i)
         restart(i, count, model, quality);
-}
-
-bool Restarts::narrow() const
-{
-    const Problem& problem = *context.points.problem;
-    return problem.randomInlierRatio(context.points) < std::pow(NARROW, problem.errorDimension());
 }
 
 void Restarts::restartOutside(Model& model, Quality& quality)

@@ -53,8 +53,6 @@ private:
     bool look(const Model& model);
     //! From samples of the inliers, and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! Is the threshold a small part of the extent of the points?
-    bool narrow() const;
     //! From samples with one of few points outside.
     void restartOutside(Model& model, Quality& quality);
     //! With one of the points outside, from the model.

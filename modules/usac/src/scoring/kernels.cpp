@@ -37,7 +37,7 @@ void toFloat(const Model& model, float* m, bool homogeneous)
     if (homogeneous)
     {
         double largest = 0;
-        for (int i = 0; i < MAX_MODEL_SIZE; ++i)  // beyond size() they are 0: loops of a constant length become vectors
+        for (int i = 0; i < model.size(); ++i)
             largest = std::max(largest, std::abs(model.val[i]));
         factor = largest > 0 ? 1 / largest : 0;
         limit = 1;
