@@ -38,10 +38,11 @@ constexpr double DIFFERENT = 0.1;
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
     : context(context_), parts(context_.components), state(state_), samples(context_.arena.take<Sample>(LARGEST_BATCH)),
       counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0), hypotheses(0),
-      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena), sampled(false),
       unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
-      firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+      sampleWork(context_.points.problem->sampleCost().time + context_.points.size), firstOfBatch(0),
+      exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)
 {}
 
@@ -121,7 +122,7 @@ void Ransac::begin(const Model& initial)
         return;
     if (parts.localOptimizer)
         optimize(model, quality);
-    setBest(model, quality);
+    setBest(model, quality, 0);
 }
 
 void Ransac::thresholdChanged()
@@ -138,7 +139,8 @@ void Ransac::thresholdChanged()
         state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
         optimize(state.best, state.bestQuality);
     }
-    setBest(state.best, state.bestQuality);
+    const Sample sample = sampleOfBest;
+    setBest(state.best, state.bestQuality, sampled ? &sample : 0);
 }
 
 //! Batches grow, so that easy problems waste little and hard ones keep the threads busy.
@@ -160,6 +162,8 @@ void Ransac::drawBatch()
         if (checkSamples)
             checkSample(samples[i].val, parts.minimalSolver->sampleSize(), context.points.size);
         counts[i] = state.counts;
+        if (stop(1) && i + 1 < size)
+            size = i + 1;
     }
     state.iteration = firstOfBatch;
 }
@@ -174,22 +178,6 @@ void Ransac::reserve(int wanted, int rows)
         new (batch + i) Hypotheses;
     if (parts.score->wholeModel())
         errorRows = context.arena.take<float>((size_t)rows * context.points.size);
-}
-
-//! A part of the batch for each thread, as each has memory of its own.
-void Ransac::hypothesizeBatch()
-{
-    parallel_for_(
-        Range(0, threads),
-        [this](const Range& range) {
-            for (int t = range.start; t < range.end; ++t)
-            {
-                float* const row = errorRows ? errorRows + (size_t)t * context.points.size : 0;
-                for (int i = (int)((int64)size * t / threads); i < (int)((int64)size * (t + 1) / threads); ++i)
-                    hypothesize(i, batch[i], row);
-            }
-        },
-        threads);
 }
 
 //! Called by several threads at once: writes to its own hypotheses only.
@@ -275,18 +263,21 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
         state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
     if (!valid)
         return;  // 15, 16
-    if (parts.localOptimizer)
+    if (parts.localOptimizer && !stopped())
         optimize(model, quality);                // 19 - 24
     if (!quality.betterThan(state.bestQuality))  // 18
     {
         state.yield = yield;  // that of the best model
         return;
     }
-    setBest(model, quality);
+    setBest(model, quality, &candidate.sample);
 }
 
-void Ransac::setBest(const Model& model, const Quality& quality)
+void Ransac::setBest(const Model& model, const Quality& quality, const Sample* sample)
 {
+    sampled = sample != 0;
+    if (sampled)
+        sampleOfBest = *sample;
     state.best = model;  // 25
     state.bestQuality = quality;
     if (!runnersUp.none())
@@ -308,6 +299,8 @@ void Ransac::addRunnerUp(const Candidate& candidate)
 
 bool Ransac::lookBeside()
 {
+    if (stopped())
+        return false;
     improveRunnersUp();
     if (terminate() && searchUnexplained())
         improveRunnersUp();
@@ -319,7 +312,7 @@ void Ransac::improveRunnersUp()
     rivals = runnersUp.mostUnexplained();
     const RunnerUp* taken;
     const int count = runnersUp.take(taken);
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count && !stop(sampleWork); ++i)
         if (worthOptimizing(taken[i]))
             improve(taken[i].candidate, state.sampleQuality);
 }

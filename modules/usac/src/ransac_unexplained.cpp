@@ -104,7 +104,7 @@ void Ransac::sampleUnexplained(const int* indices, int count, int most)
 {
     const int m = parts.minimalSolver->sampleSize(),
               end = state.iteration + std::min(most, context.params.maxIterations - state.iteration);
-    for (; state.iteration < end; ++state.iteration)
+    for (; state.iteration < end && !stop(sampleWork); ++state.iteration)
     {
         Rng rng(context.params.seed, UNEXPLAINED_STREAM + state.iteration);
         Sample sample;

@@ -17,8 +17,8 @@ constexpr double SIGNIFICANT = 0.01;
 Report::Report()
     : stop(STOP_NOT_RUN), iterations(0), rejectedSamples(0), degenerateSamples(0), models(0), rejectedModels(0),
       refusedModels(0), droppedModels(0), localOptimizations(0), localImprovements(0), degenerate(false), inliers(0),
-      independentInliers(0), chance(1), threshold(0), wideThreshold(false), cost(0), setupMs(0), searchMs(0),
-      localMs(0), polishMs(0)
+      inlierRatio(0), independentInliers(0), chance(1), threshold(0), wideThreshold(false), cost(0), setupMs(0),
+      searchMs(0), localMs(0), polishMs(0)
 {}
 
 String Report::describe() const
@@ -34,9 +34,13 @@ String Report::describe() const
                                           "PROSAC criterion",
                                           "MAGSAC criterion",
                                           "no model: none that random points would not give",
-                                          "the order of the points"};
-    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_ORDER ? reasons[stop] : "unknown reason";
-    const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT;
+                                          "the order of the points",
+                                          "Params::maxTime",
+                                          "cancelled",
+                                          "no search"};
+    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NO_SEARCH ? reasons[stop] : "unknown reason";
+    const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT && stop != STOP_NO_SEARCH &&
+                       (inliers > 0 || cost > 0);
     return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s", inliers, cost,
                   iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "",
                   wideThreshold ? "; the threshold is as wide as all the points: is it in their unit?" : "",
