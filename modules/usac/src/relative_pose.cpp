@@ -64,13 +64,13 @@ public:
         Motion motions[2];
         if (onPlane <= DOMINANT * found.inliers || !motionsOfPlane(H, point, motions))
             return 0;
-        const int same = difference(motions[0], found.motion) < difference(motions[1], found.motion) ? 0 : 1;
-        other.essential = usac->refine(Mat(motions[1 - same].essential()), noArray(), other.mask, &other.report);
+        const Matx33d E = found.essential, each[] = {motions[0].essential(), motions[1].essential()};
+        const int same = difference(each[0], E) < difference(each[1], E) ? 0 : 1;
+        other.essential = usac->refine(Mat(each[1 - same]), noArray(), other.mask, &other.report);
         if (other.essential.empty())
             return onPlane;
         read(other);
-        const double apart = difference(other.motion, found.motion);
-        if (apart < difference(motions[0], motions[1]) / 2)  // refined, it has come to the first one
+        if (difference(other.essential, E) < difference(each[0], each[1]) / 2)  // refined, it has come to the first one
             other.essential.release();
         return onPlane;
     }
@@ -131,7 +131,7 @@ private:
         std::vector<Point2d> first, second;
         std::vector<int> rows;
         for (int i = 0; i < found.mask.rows; ++i)
-            if (found.mask.at<uchar>(i) && inFront(found.motion, x1[i], x2[i], threshold))
+            if (found.mask.at<uchar>(i))
             {
                 first.push_back(Point2d(x1[i][0], x1[i][1]) * pixels);
                 second.push_back(Point2d(x2[i][0], x2[i][1]) * pixels);
@@ -153,10 +153,8 @@ private:
         return countNonZero(mask);
     }
 
-    static double difference(const Motion& a, const Motion& b)
-    {
-        return norm(a.R - b.R, NORM_L2) + norm(a.t - b.t, NORM_L2);
-    }
+    //! Of their essential matrices, which have no sign.
+    static double difference(const Matx33d& a, const Matx33d& b) { return std::min(norm(a - b), norm(a + b)); }
 
     const Params params;
     const Ptr<Usac> usac;

@@ -183,7 +183,8 @@ TEST_P(UsacGiven, fit_is_least_squares)
 //! A weight of 0 takes a point out, as `chosen` does; a weight of 2 is the point twice.
 TEST_P(UsacGiven, weights_and_chosen_points)
 {
-    const Matches matches(problem(), 1, 0.7);
+    Matches matches(problem(), 1, 0.7);
+    matches.params.threshold *= 4;
     const int size = (int)matches.truth.size();
     Report report;
     std::vector<float> weights(size);
@@ -207,7 +208,7 @@ TEST_P(UsacGiven, weights_and_chosen_points)
             twice.truth.push_back(1);
         }
     const Mat a = matches.fit(report, doubled), b = twice.fit(report, noArray(), twice.truth);
-    EXPECT_LT(cv::norm(a, b, NORM_INF), 1e-5 * cv::norm(a, NORM_INF));
+    EXPECT_LT(std::min(cv::norm(a, b, NORM_INF), cv::norm(a, -b, NORM_INF)), 1e-5 * cv::norm(a, NORM_INF));
     EXPECT_GT(cv::norm(a, chosen, NORM_INF), 0);
 }
 
