@@ -57,12 +57,12 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
         other is in pose.otherR and otherT"""
     options = optionsOf(params)
     _arguments.checkOutput(mask, "mask")
-    R, t, inliers, report, *rest = native.estimateRelativePose(
+    R, t, inliers, report, essential, behind, onPlane, otherR, otherT, otherInliers = native.estimateRelativePose(
         array(points1, "points1"), array(points2, "points2"), array(cameraMatrix1, "cameraMatrix1"),
         optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
         optionalArray(distCoeffs2, "distCoeffs2"), options)
     return (R, t, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers),
-            RelativePose(Report._of(report), *rest))
+            RelativePose(Report._of(report), essential, behind, onPlane, otherR, otherT, otherInliers))
 
 
 RelativePose.__module__ = __name__.rpartition(".")[0]
