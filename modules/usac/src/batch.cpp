@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include <atomic>
 #include "opencv2/usac/batch.hpp"
+#include "batch_progress.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -104,15 +105,21 @@ std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads)
     const int workers = std::min(std::min(threads > 0 ? threads : all, all), count);
     std::vector<Estimate> results(tasks.size());
     std::atomic<int> next(0);
+    BatchProgress progress;
     const auto work = [&](const Range& range) {
+        const BatchProgress::Worker member(progress);
         for (int worker = range.start; worker < range.end; ++worker)
             for (int i = next++; i < count; i = next++)
-                results[i] = estimate(tasks[i]);
+                if (progress.goesOn())
+                    results[i] = estimate(tasks[i]);
+                else
+                    results[i].report.stop = STOP_CANCELLED;
     };
     if (workers > 1)
         parallel_for_(Range(0, workers), work, workers);
     else
         work(Range(0, 1));
+    progress.finish();
     return results;
 }
 

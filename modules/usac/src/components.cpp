@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "watch.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -69,6 +70,12 @@ void Components::start(const Context& context) const
     startPart(localOptimizer, context);
     startParts(terminations, context);
     startPart(polisher, context);
+}
+
+bool Context::mustStop() const
+{
+    constexpr double FIT = 2000;  // tests of a point, as Watch counts them: about that of a fit to a part of the points
+    return watch->stop(points.size + FIT);
 }
 
 Neighborhood& Context::neighborhood() const

@@ -62,6 +62,7 @@ Mat Problem::toOutput(const Model& model) const
 }
 
 bool Problem::fromOutput(const std::vector<double>&, const Correspondences&, Model&) const { return false; }
+Model Problem::ofOutput(const Mat&) const { return Model(); }
 Model Problem::closest(const Model& model) const { return model; }
 void Problem::createDegeneracies(int, std::vector<Ptr<Degeneracy>>&) const {}
 

@@ -293,16 +293,23 @@ int ProblemData::mask(const Residual& residual, const Model& model, bool image, 
 {
     const int count = view.inputSize;
     Arena::Scope scope(arena);
-    double* const errors = scope.take<double>(count);
+    double* const distances = scope.take<double>(count);
+    errors(residual, model, image, distances);
+    int inliers = 0;
+    for (int i = 0; i < count; ++i)
+        inliers += mask[i] = distances[i] <= pixelThreshold;  // false for NaN
+    return inliers;
+}
+
+void ProblemData::errors(const Residual& residual, const Model& model, bool image, double* errors) const
+{
     const double* columns[MAX_COLUMNS];
     std::copy(input, input + view.columns(), columns);
     if (image)
         std::copy(seen, seen + view.coordinates[1], columns + view.coordinates[0]);
-    residual.squaredErrors(model, columns, count, errors);
-    int inliers = 0;
-    for (int i = 0; i < count; ++i)
-        inliers += mask[i] = std::sqrt(errors[i]) <= inputThreshold;  // false for NaN
-    return inliers;
+    residual.squaredErrors(model, columns, view.inputSize, errors);
+    for (int i = 0; i < view.inputSize; ++i)
+        errors[i] = std::sqrt(errors[i]) * pixels;
 }
 
 }  // namespace usacv20

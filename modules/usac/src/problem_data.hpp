@@ -41,6 +41,8 @@ public:
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. `image`: as they were seen.
     //! @return number of ones.
     int mask(const Residual& residual, const Model& model, bool image, uchar* mask, Arena& arena) const;
+    //! The errors of all rows, in the unit of threshold(): what the mask compares with it.
+    void errors(const Residual& residual, const Model& model, bool image, double* errors) const;
     //! Of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
     //! Report::wideThreshold of the mask.

@@ -48,10 +48,11 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       checks(pointersTo(parts.degeneracies, context_.arena)), checkCount((int)parts.degeneracies.size()),
       samples(context_.arena.take<Sample>(LARGEST_BATCH)), counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0),
       errorRows(0), size(0), hypotheses(0),
-      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena), sampled(false),
       unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
-      firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+      sampleWork(context_.points.problem->sampleCost().time + context_.points.size), firstOfBatch(0),
+      exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)
 {}
 
@@ -131,7 +132,7 @@ void Ransac::begin(const Model& initial)
         return;
     if (parts.localOptimizer)
         optimize(model, quality);
-    setBest(model, quality);
+    setBest(model, quality, 0);
 }
 
 void Ransac::thresholdChanged()
@@ -148,7 +149,8 @@ void Ransac::thresholdChanged()
         state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
         optimize(state.best, state.bestQuality);
     }
-    setBest(state.best, state.bestQuality);
+    const Sample sample = sampleOfBest;
+    setBest(state.best, state.bestQuality, sampled ? &sample : 0);
 }
 
 //! Batches grow, so that easy problems waste little and hard ones keep the threads busy.
@@ -170,6 +172,8 @@ void Ransac::drawBatch()
         if (checkSamples)
             checkSample(samples[i].val, m, context.points.size);
         counts[i] = state.counts;
+        if (stop(1) && i + 1 < size)
+            size = i + 1;
     }
     state.iteration = firstOfBatch;
 }
@@ -184,22 +188,6 @@ void Ransac::reserve(int wanted, int rows)
         new (batch + i) Hypotheses;
     if (parts.score->wholeModel())
         errorRows = context.arena.take<float>((size_t)rows * context.points.size);
-}
-
-//! A part of the batch for each thread, as each has memory of its own.
-void Ransac::hypothesizeBatch()
-{
-    parallel_for_(
-        Range(0, threads),
-        [this](const Range& range) {
-            for (int t = range.start; t < range.end; ++t)
-            {
-                float* const row = errorRows ? errorRows + (size_t)t * context.points.size : 0;
-                for (int i = (int)((int64)size * t / threads); i < (int)((int64)size * (t + 1) / threads); ++i)
-                    hypothesize(i, batch[i], row);
-            }
-        },
-        threads);
 }
 
 //! Called by several threads at once: writes to its own hypotheses only.
@@ -285,18 +273,21 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
         state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
     if (!valid)
         return;  // 15, 16
-    if (parts.localOptimizer)
+    if (parts.localOptimizer && !stopped())
         optimize(model, quality);                // 19 - 24
     if (!quality.betterThan(state.bestQuality))  // 18
     {
         state.yield = yield;  // that of the best model
         return;
     }
-    setBest(model, quality);
+    setBest(model, quality, &candidate.sample);
 }
 
-void Ransac::setBest(const Model& model, const Quality& quality)
+void Ransac::setBest(const Model& model, const Quality& quality, const Sample* sample)
 {
+    sampled = sample != 0;
+    if (sampled)
+        sampleOfBest = *sample;
     state.best = model;  // 25
     state.bestQuality = quality;
     if (!runnersUp.none())
@@ -318,6 +309,8 @@ void Ransac::addRunnerUp(const Candidate& candidate)
 
 bool Ransac::lookBeside()
 {
+    if (stopped())
+        return false;
     improveRunnersUp();
     if (terminate() && searchUnexplained())
         improveRunnersUp();
@@ -329,7 +322,7 @@ void Ransac::improveRunnersUp()
     rivals = runnersUp.mostUnexplained();
     const RunnerUp* taken;
     const int count = runnersUp.take(taken);
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count && !stop(sampleWork); ++i)
         if (worthOptimizing(taken[i]))
             improve(taken[i].candidate, state.sampleQuality);
 }

@@ -6,6 +6,7 @@
 #define OPENCV_USACV20_RANSAC_HPP
 
 #include "local_optimization/runners_up.hpp"
+#include "watch.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -46,19 +47,26 @@ public:
     //! The threshold has changed: rates and optimizes the best model anew, and forgets what others were worth. If a
     //! check refuses it now, there is no best model until run() finds one.
     void thresholdChanged();
+    //! The sample that led to State::best; null: it came from none.
+    const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
 
 private:
     bool terminate();
+    //! Has the run to end at once? @param work since the question before, see Watch
+    bool stop(double work) const { return context.watch && context.watch->stop(work); }
+    bool stopped() const { return context.watch && context.watch->stopped(); }
     void drawBatch();
     //! @param index of the sample in the batch @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
     void hypothesizeBatch();
+    void hypothesizePart(int first, int count);
     //! Memory for the hypotheses of so many samples, and so many rows of errors.
     void reserve(int wanted, int rows);
     //! Cost from which on the model of a sample is of no use.
     double uselessCost() const;
     void improve(const Candidate& candidate, const Quality& before);
-    void setBest(const Model& model, const Quality& quality);
+    //! `sample`: where the model comes from; null: from none
+    void setBest(const Model& model, const Quality& quality, const Sample* sample);
     void addRunnerUp(const Candidate& candidate);
     //! The search is about to end. @return false if it ends nevertheless
     bool lookBeside();
@@ -99,11 +107,14 @@ private:
     int size;                   //!< of the batch
     int hypotheses;             //!< that there is room for
     RunnersUp runnersUp;
+    Sample sampleOfBest;
+    bool sampled;
     Model explored;          //!< the best model when what it leaves was searched
     int unexplainedSamples;  //!< of the points that a best model has left, so far
     int rivals;              //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
-    int firstOfBatch;  //!< number of its first sample
+    const double sampleWork;  //!< of a sample and its models, at most, in tests of a point
+    int firstOfBatch;         //!< number of its first sample
     const int exhaustive;
     //! Samples that count, and samples in all, after which the run can stop, and the criterion that says so.
     int required, requiredReason, requiredOfAll, reasonOfAll;

@@ -19,7 +19,9 @@ constexpr int HOPELESS = 1000000;
 
 bool Ransac::terminate()
 {
-    if (state.iteration >= context.params.maxIterations)
+    if (stopped())
+        state.report.stop = context.watch->stopReason();
+    else if (state.iteration >= context.params.maxIterations)
         state.report.stop = STOP_MAX_ITERATIONS;
     else if (samplesThatCount() >= required)
         state.report.stop = requiredReason;
@@ -27,6 +29,8 @@ bool Ransac::terminate()
         state.report.stop = reasonOfAll;
     else if (state.iteration >= HOPELESS && state.report.models == 0 && !parts.terminations.empty())
         state.report.stop = STOP_NO_MODEL;
+    else if (stop(sampleWork))
+        state.report.stop = context.watch->stopReason();
     else
         return false;
     return true;

@@ -103,7 +103,7 @@ bool Ransac::searchUnexplained()
 void Ransac::sampleUnexplained(const int* indices, int count, int most)
 {
     const int end = state.iteration + std::min(most, context.params.maxIterations - state.iteration);
-    for (; state.iteration < end; ++state.iteration)
+    for (; state.iteration < end && !stop(sampleWork); ++state.iteration)
     {
         Rng rng(context.params.seed, UNEXPLAINED_STREAM + state.iteration);
         Sample sample;

@@ -19,8 +19,8 @@ constexpr int FEW = 4;
 Report::Report()
     : stop(STOP_NOT_RUN), iterations(0), rejectedSamples(0), degenerateSamples(0), models(0), rejectedModels(0),
       refusedModels(0), droppedModels(0), localOptimizations(0), localImprovements(0), degenerate(false), inliers(0),
-      independentInliers(0), chance(1), threshold(0), wideThreshold(false), cost(0), setupMs(0), searchMs(0),
-      localMs(0), polishMs(0)
+      inlierRatio(0), independentInliers(0), chance(1), threshold(0), wideThreshold(false), cost(0), setupMs(0),
+      searchMs(0), localMs(0), polishMs(0)
 {}
 
 String Report::describe() const
@@ -36,9 +36,13 @@ String Report::describe() const
                                           "PROSAC criterion",
                                           "MAGSAC criterion",
                                           "no model: none that random points would not give",
-                                          "the order of the points"};
-    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_ORDER ? reasons[stop] : "unknown reason";
-    const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT;
+                                          "the order of the points",
+                                          "Params::maxTime",
+                                          "cancelled",
+                                          "no search"};
+    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NO_SEARCH ? reasons[stop] : "unknown reason";
+    const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT && stop != STOP_NO_SEARCH &&
+                       (inliers > 0 || cost > 0);
     const String few = model && FEW * independentInliers < inliers && independentInliers > 0
                            ? format("; only %d inliers are independent", independentInliers)
                            : String();

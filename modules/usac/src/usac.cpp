@@ -5,9 +5,11 @@
 #include "precomp.hpp"
 #include "check_components.hpp"
 #include "factory.hpp"
+#include "given_models.hpp"
 #include "problems/problems.hpp"
 #include "problem_data.hpp"
 #include "ransac.hpp"
+#include "watch.hpp"
 #include "significance/significance.hpp"
 #include "core/chi_square.hpp"
 #include "optimization/significant_scale.hpp"
@@ -47,7 +49,7 @@ class UsacImpl : public Usac
 {
 public:
     UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2, const Params& params_)
-        : params(params_), problem(problem_), keepsImage(true), givenReach(params_.reach)
+        : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false), givenReach(params_.reach)
     {
         checkProblem(*problem, params.residual);  // before its numbers are used
         seeImage(problem->createResidual(params.residual));
@@ -66,12 +68,66 @@ public:
         created = getTickCount();
         params.reach = givenReach;
         data.read(*problem, points1, points2, params, arena, keepsImage);
+        readTicks = getTickCount() - created;
     }
 
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
     {
+        const int64 begun = getTickCount();
         if (created == 0)  // the same points again
-            created = getTickCount();
+            readTicks = 0;
+        created = begun - readTicks;  // what the caller did in between does not count
+        Watch watch(params.maxTime, readTicks);
+        prepare();
+        const Context context(data.points(), parts, params, arena, watch.isActive() ? &watch : 0);
+        parts.start(context);
+        if (parts.score != made.score)
+            checkScore(*parts.score);
+        State state;
+        sampled = false;
+        watch.begin(state, data.points().size);
+        if (data.points().size >= parts.minimalSolver->sampleSize())
+            search(context, state);
+        else
+            state.report.stop = STOP_TOO_FEW_POINTS;
+        created = 0;
+        return finish(context, state, mask, report);
+    }
+
+    Mat fit(InputArray weights, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE
+    {
+        prepare();
+        const Context context(data.points(), parts, params, arena);
+        parts.start(context);
+        return GivenModels(context, data, imageResidual, imageFit).fit(weights, chosen, mask, report);
+    }
+
+    Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE
+    {
+        prepare();
+        const Context context(data.points(), parts, params, arena);
+        parts.start(context);
+        GivenModels given(context, data, imageResidual, imageFit);
+        if (!chosen.empty())
+            return given.refine(model, chosen, mask, report);
+        State state;
+        given.read(model, &state.best);
+        state.report.stop = STOP_NO_SEARCH;
+        polishAsSeen(context, state);
+        return given.give(state, mask, report);
+    }
+
+    Mat errors(InputArray model) CV_OVERRIDE
+    {
+        prepare();
+        const Context context(data.points(), parts, params, arena);
+        return GivenModels(context, data, imageResidual, imageFit).errors(model);
+    }
+
+private:
+    //! Of a run: as if there had been none before.
+    void prepare()
+    {
         params.reach = givenReach;
         data.restoreThreshold();
         checkComponents(parts);
@@ -83,20 +139,8 @@ public:
         if (parts.residual != rated)
             seeImage(parts.residual);
         arena.clear();
-        const Context context(data.points(), parts, params, arena);
-        parts.start(context);
-        if (parts.score != made.score)
-            checkScore(*parts.score);
-        State state;
-        if (data.points().size >= parts.minimalSolver->sampleSize())
-            search(context, state);
-        else
-            state.report.stop = STOP_TOO_FEW_POINTS;
-        created = 0;
-        return finish(context, state, mask, report);
     }
 
-private:
     void search(const Context& context, State& state)
     {
         state.report.setupMs = milliseconds(created);
@@ -108,6 +152,9 @@ private:
         else
             ransac.run();
         state.report.iterations = state.iteration;
+        sampled = ransac.bestSample() != 0;
+        if (sampled)
+            std::copy(ransac.bestSample(), ransac.bestSample() + parts.minimalSolver->sampleSize(), sample);
     }
 
     void begin(const Context& context, Ransac& ransac)
@@ -131,6 +178,8 @@ private:
         {
             const bool ended = ransac.run(pause);
             const double reach = reachOf(context, state, least);
+            if (context.watch && context.watch->stopped())
+                return;
             if (reach > GROWS * params.reach)
                 setReach(reach, ransac);
             else if (ended)
@@ -232,7 +281,7 @@ private:
         imageParts.residual = imageResidual;
         imageParts.nonMinimalSolver = imageFit;
         imageFit->start(context);
-        return polish(context, Context(seen, imageParts, params, arena), state, state.best);
+        return polish(context, Context(seen, imageParts, params, arena, context.watch), state, state.best);
     }
 
     //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
@@ -241,12 +290,14 @@ private:
         const int64 start = getTickCount();
         Report& learned = state.report;
         const int rows = context.points.inputSize;
+        if (context.watch)
+            context.watch->finish();
         uchar* const inliers = arena.take<uchar>(rows);
         std::fill(inliers, inliers + rows, (uchar)0);
         Mat result;
         if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) &&
             context.points.size > parts.minimalSolver->sampleSize())
-            Restarts(context, context, state).begin(state.best, state.bestQuality);
+            sampled = !Restarts(context, context, state).begin(state.best, state.bestQuality) && sampled;
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
             data.setThreshold(parts.score->threshold(context, state.best));
@@ -254,36 +305,48 @@ private:
             Model model;
             if (problem->toInput(state.best, context.points, model))
             {
+                result = problem->toOutput(model);
                 const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
-                learned.inliers = data.mask(*residual, model, !imageResidual.empty(), inliers, arena);
-                if (learned.inliers > 0 || params.reach > givenReach)
-                    result = problem->toOutput(model);
+                const Model exact = problem->ofOutput(result);
+                learned.inliers = data.mask(*residual, exact.size() > 0 ? exact : model, !imageResidual.empty(),
+                                            inliers, arena);
+                if (learned.inliers == 0 && params.reach <= givenReach)
+                    result.release();
             }
         }
-        if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS)
+        if (context.watch && context.watch->stopped() &&
+            learned.stop != STOP_CANCELLED)  // while polishing, at the latest
+            learned.stop = context.watch->stopReason();
+        if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS && learned.stop < STOP_TIME)
             learned.stop = STOP_NO_MODEL;
         if (!result.empty() && (report || params.significance < 1) && !significant(state.best, learned))
         {
-            learned.stop = STOP_NOT_SIGNIFICANT;
+            learned.stop = learned.stop < STOP_TIME ? (int)STOP_NOT_SIGNIFICANT : learned.stop;
             learned.inliers = 0;
             std::fill(inliers, inliers + rows, (uchar)0);
             result.release();
         }
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);
+        learned.inlierRatio = rows > 0 ? (double)learned.inliers / rows : 0;
         learned.threshold = data.threshold();
         learned.wideThreshold = learned.stop != STOP_TOO_FEW_POINTS && data.wideThreshold();
         if (report && !result.empty())
+        {
             learned.independentInliers = data.independentInliers(inliers, arena);
+            for (int i = 0; sampled && i < parts.minimalSolver->sampleSize(); ++i)
+                learned.sample.push_back(context.points.inputIndex[sample[i]]);
+        }
         learned.polishMs = milliseconds(start);
         if (report)
             *report = learned;
         return result;
     }
 
-    Arena arena;    //!< memory of the runs
-    int64 created;  //!< when the points came; 0: they have been used
-    Params params;  //!< `reach` is the present one
+    Arena arena;      //!< memory of the runs
+    int64 created;    //!< when the points came; 0: they have been used
+    int64 readTicks;  //!< that reading them took
+    Params params;    //!< `reach` is the present one
     const Ptr<Problem> problem;
     ProblemData data;
     Components parts;
@@ -294,6 +357,8 @@ private:
     Ptr<NonMinimalSolver> imageFit;  //!< its least squares
     Components imageParts;           //!< while polishing
     bool keepsImage;                 //!< the points are there as they were seen, too
+    int sample[MAX_SAMPLE_SIZE];     //!< that led to the best model of the run
+    bool sampled;                    //!< is there one?
     const double givenReach;
 };
 

@@ -26,6 +26,7 @@ usacv20::Usac::run.
 
 #include "opencv2/usac/params.hpp"
 #include "opencv2/usac/report.hpp"
+#include "opencv2/usac/progress.hpp"
 #include "opencv2/usac/find.hpp"
 #include "opencv2/usac/find_affine.hpp"
 #include "opencv2/usac/find_pose.hpp"
@@ -35,5 +36,7 @@ usacv20::Usac::run.
 #include "opencv2/usac/components.hpp"
 #include "opencv2/usac/problem.hpp"
 #include "opencv2/usac/estimator.hpp"
+#include "opencv2/usac/given.hpp"
+#include "opencv2/usac/relative_pose.hpp"
 
 #endif

@@ -35,14 +35,14 @@ public:
         Arena::Scope scope(context.arena);
         inliers.allocate(scope, context.points.size);
         bool improved = false, better = true;
-        for (int i = 0; i < params.localIterations && better; ++i)
+        for (int i = 0; i < params.localIterations && better && !context.stop(); ++i)
         {
             inliers.count = labeling.cut(context, model, inliers.members);
             if (inliers.size() <= m)
                 break;
             better = false;
             const int size = m * params.localSampleMultiple, samples = inliers.size() > size ? params.localSamples : 1;
-            for (int k = 0; k < samples; ++k)
+            for (int k = 0; k < samples && !context.stop(); ++k)
                 better |= inliers.improve(context, inliers.select(state.rng, size), model, quality, FIT_STEPS);
             improved |= better;
         }

@@ -54,7 +54,8 @@ public:
         inliers.allocate(scope, context.points.size);
         bool improved = shrink(context, state, m, model, quality);
         double before = state.bestQuality.cost;
-        for (int i = 0; i < context.params.localIterations && quality.cost < WORTHWHILE * before; ++i)
+        for (int i = 0; i < context.params.localIterations && quality.cost < WORTHWHILE * before && !context.stop();
+             ++i)
         {
             before = quality.cost;
             if (i > 0)
@@ -75,7 +76,7 @@ private:
     {
         Model fitted = model;
         bool improved = false;
-        for (int multiple = WIDE; multiple >= 1; --multiple)
+        for (int multiple = WIDE; multiple >= 1 && !context.stop(); --multiple)
         {
             inliers.within(context, fitted, multiple);
             if (inliers.size() <= m ||
@@ -91,7 +92,7 @@ private:
         const int count = inliers.size();
         const int small = std::max(m + 1, std::min(m * context.params.localSampleMultiple, count / PART));
         bool improved = inliers.improve(context, inliers.select(state.rng, MAX_FIT), model, quality, FIT_STEPS);
-        for (int i = 0; i < context.params.localSamples && small < count; ++i)
+        for (int i = 0; i < context.params.localSamples && small < count && !context.stop(); ++i)
             improved |= inliers.improve(context, inliers.select(state.rng, small), model, quality, FIT_STEPS);
         return improved;
     }

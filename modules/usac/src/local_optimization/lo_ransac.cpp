@@ -53,7 +53,7 @@ public:
         const int small = std::min(m * context.params.localSampleMultiple, base.size() / PART);
         if (small <= m)
             return improved;
-        for (int i = 0; i < context.params.localSamples; ++i)
+        for (int i = 0; i < context.params.localSamples && !context.stop(); ++i)
         {
             Model inner = start;
             if (!base.fit(context, base.select(state.rng, small), inner))
@@ -70,7 +70,7 @@ private:
     {
         bool improved = false;
         const int steps = context.params.localIterations;
-        for (int step = 0; step < steps; ++step)
+        for (int step = 0; step < steps && !context.stop(); ++step)
         {
             const double multiple = steps > 1 ? WIDE - (WIDE - 1.) * step / (steps - 1) : 1;
             inliers.within(context, fitted, multiple);

@@ -97,7 +97,7 @@ public:
     bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
     {
         bool improved = false;
-        for (int i = 0; i < context.params.localIterations; ++i)
+        for (int i = 0; i < context.params.localIterations && !context.stop(); ++i)
         {
             Model fitted = model;
             if (!consensus.fit(context, state.rng, fitted))

@@ -33,7 +33,7 @@ public:
         bool improved = false;
         Model fitted = model;
         int failures = 0;
-        for (int i = 0; i < context.params.localIterations && failures < FAILURES; ++i)
+        for (int i = 0; i < context.params.localIterations && failures < FAILURES && !context.stop(); ++i)
         {
             reweighted.weigh(context, context.points.threshold, fitted);
             reweighted.reduce(MAX_FIT, state.rng);

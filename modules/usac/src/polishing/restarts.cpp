@@ -44,7 +44,7 @@ void Restarts::improve(Model& model, Quality& quality)
 {
     if (!parts.nonMinimalSolver || !look(model))
         return;
-    for (int before = 0; before < count; look(model))
+    for (int before = 0; before < count && !context.stop(); look(model))
     {
         before = count;
         restartInliers(model, quality);
@@ -58,7 +58,7 @@ void Restarts::restartInliers(Model& model, Quality& quality)
     Model here = model;
     if (fit(count, here))
         accept(here, count, CLEAR * loss, model, quality);
-    for (int i = 0; i < (count > m ? RESTARTS : 1); ++i)
+    for (int i = 0; i < (count > m ? RESTARTS : 1) && !context.stop(); ++i)
         restart(i, count, model, quality);
 }
 
@@ -66,7 +66,7 @@ void Restarts::restartOutside(Model& model, Quality& quality)
 {
     if (context.points.size - all > NEXT)
         return;
-    for (int i = 0; i < outside * RESTARTS_OUTSIDE; ++i)
+    for (int i = 0; i < outside * RESTARTS_OUTSIDE && !context.stop(); ++i)
     {
         members[count] = next[i / RESTARTS_OUTSIDE];
         if (restart(RESTARTS + i, count + 1, model, quality))
@@ -76,7 +76,7 @@ void Restarts::restartOutside(Model& model, Quality& quality)
 
 void Restarts::extendInliers(Model& model, Quality& quality)
 {
-    for (int i = 0; i < outside && freedom(count) > 0; ++i)
+    for (int i = 0; i < outside && freedom(count) > 0 && !context.stop(); ++i)
     {
         const int before = all;
         if (!extend(next[i], model, quality))
@@ -99,7 +99,7 @@ bool Restarts::begin(Model& model, Quality& quality)
     const double part = std::pow(std::pow(CHANCE, 1. / (count - m)) / random, 2. / p.problem->errorDimension());
     loss = count * std::min(part, 1.);
     bool found = false;
-    for (int i = 0; i < RESTARTS; ++i)
+    for (int i = 0; i < RESTARTS && !context.stop(); ++i)
         found |= restart(i, count, model, quality);
     return found;
 }

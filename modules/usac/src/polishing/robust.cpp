@@ -50,7 +50,7 @@ public:
         errors = scope.take<float>(p.size);
         near = scope.take<int>(p.size);
         weights = scope.take<double>(p.size);
-        for (int i = 0; i < steps; ++i)
+        for (int i = 0; i < steps && !(i > 0 && context.stop()); ++i)
         {
             int looked = look(context, model, i + 2 < steps ? wanted : p.size);
             double loss = i > 0 ? weigh(p, sigma, looked) : 0;

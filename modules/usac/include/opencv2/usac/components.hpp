@@ -90,12 +90,14 @@ private:
 struct Components;
 class Neighborhood;
 class NonMinimalSolver;
+class Watch;
 
 //! What does not change during a run; handed to the components that need more than their own data.
 struct CV_EXPORTS Context
 {
-    Context(const Correspondences& points_, const Components& components_, const Params& params_, Arena& arena_)
-        : points(points_), components(components_), params(params_), arena(arena_)
+    Context(const Correspondences& points_, const Components& components_, const Params& params_, Arena& arena_,
+            Watch* watch_ = 0)
+        : points(points_), components(components_), params(params_), arena(arena_), watch(watch_)
     {}
 
     /** @brief Quality of a model over all points.
@@ -107,10 +109,18 @@ struct CV_EXPORTS Context
     Neighborhood& neighborhood() const;
     const NonMinimalSolver& nonMinimalSolver() const;
 
+    //! Has the run to end at once (Params::maxTime, ProgressScope)? For loops of components that take all points in
+    //! each turn: they leave with the best that they have. For the thread that began the run.
+    bool stop() const { return watch && mustStop(); }
+
     const Correspondences& points;
     const Components& components;
     const Params& params;
-    Arena& arena;  //!< memory of the run
+    Arena& arena;        //!< memory of the run
+    Watch* const watch;  //!< null: nothing ends the run before its criteria do
+
+private:
+    bool mustStop() const;
 };
 
 //! What all components have in common.

@@ -68,6 +68,31 @@ public:
     @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it, or the matrix of
     Problem::toInput, CV_64F; empty if there is none. */
     virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
+
+    /** @brief Least squares of the error over all points, or some: no search, what OpenCV calls method 0.
+    @param weights N numbers of at least 0, any depth, of the squared errors; empty: all 1
+    @param chosen N numbers, those of the points that take part are not 0 (a mask); empty: all
+    @param mask output, N x 1, CV_8U, of all points, as of #run
+    @param report output, may be null; `stop` is #STOP_NO_SEARCH, or says why there is no model
+    @return the model as #run returns it; empty if the points determine none.
+    It starts from the best models of minimal samples of the points and takes Gauss and Newton's method to its end.
+    Wrong points pull at it as far as they are off. */
+    virtual Mat fit(InputArray weights = noArray(), InputArray chosen = noArray(), OutputArray mask = noArray(),
+                    Report* report = 0) = 0;
+    /** @brief Makes a known model better.
+    @param model as #run returns it, any depth
+    @param chosen a mask of the inliers, N numbers: least squares over these, from the model; empty: the last step of
+    #run, Params::polishing, from the model, with the inliers that it finds
+    @param mask, report as of #fit
+    @return the model; empty where the points determine none. */
+    virtual Mat refine(InputArray model, InputArray chosen = noArray(), OutputArray mask = noArray(),
+                       Report* report = 0) = 0;
+    /** @brief The error of each point under a model, as the mask sees it: it is 1 exactly where this is at most
+    Report::threshold.
+    @param model as #run returns it, any depth
+    @return N x 1, CV_64F, in the unit of Params::threshold, not squared. Not finite or NaN where there is none: points
+    that are not finite, what is behind a camera or what its lens does not show. */
+    virtual Mat errors(InputArray model) = 0;
 };
 
 //! @}

@@ -29,6 +29,12 @@ CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, Output
                               double ransacReprojThreshold = 3);
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
                               const usacv20::Params& params);
+//! The same, in the order of Python.
+inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, const usacv20::Params& params,
+                          OutputArray mask = noArray())
+{
+    return findHomography(srcPoints, dstPoints, mask, params);
+}
 
 CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method,
                                   double ransacReprojThreshold, double confidence, int maxIters,
@@ -40,6 +46,12 @@ CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, Output
                                   double ransacReprojThreshold = 3., double confidence = 0.99);
 CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
                                   const usacv20::Params& params);
+//! The same, in the order of Python.
+inline Mat findFundamentalMat(InputArray points1, InputArray points2, const usacv20::Params& params,
+                              OutputArray mask = noArray())
+{
+    return findFundamentalMat(points1, points2, mask, params);
+}
 
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method,
                                 double prob = 0.999, double threshold = 1.0, int maxIters = 1000,
@@ -58,6 +70,13 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArr
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1,
                                 InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
                                 OutputArray mask, const usacv20::Params& params);
+//! The same, in the order of Python.
+inline Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray cameraMatrix2,
+                            InputArray distCoeffs1, InputArray distCoeffs2, const usacv20::Params& params,
+                            OutputArray mask = noArray())
+{
+    return findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, mask, params);
+}
 //! @}
 
 namespace usacv20 {

@@ -29,12 +29,24 @@ CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inli
                                 double ransacReprojThreshold = 3, size_t maxIters = 2000, double confidence = 0.99,
                                 size_t refineIters = 10);
 CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, const usacv20::Params& params);
+//! The same, in the order of Python.
+inline Mat estimateAffine2D(InputArray from, InputArray to, const usacv20::Params& params,
+                            OutputArray inliers = noArray())
+{
+    return estimateAffine2D(from, to, inliers, params);
+}
 
 CV_EXPORTS Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
                                        double ransacReprojThreshold = 3, size_t maxIters = 2000,
                                        double confidence = 0.99, size_t refineIters = 10);
 CV_EXPORTS Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers,
                                        const usacv20::Params& params);
+//! The same, in the order of Python.
+inline Mat estimateAffinePartial2D(InputArray from, InputArray to, const usacv20::Params& params,
+                                   OutputArray inliers = noArray())
+{
+    return estimateAffinePartial2D(from, to, inliers, params);
+}
 //! @}
 
 namespace usacv20 {

@@ -28,8 +28,6 @@ usacv20::findEssentialMat, which take the `int`s of both:
 @code{.cpp}
     int method = (int)cv::USACV20;           // without the cast this does not compile
     cv::read(fs["method"], method, method);  // of a cv::FileStorage with 16385, say: USACV20_FAST; or 8: cv::RANSAC
-    if (quick)
-        method = (int)cv::USACV20_FAST;
     cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2, method, 1.0, 0.99, mask);
 @endcode
 usacv20::methodFromInt makes a flag of a number, usacv20::isUsacV20Method tells whether it is one.
@@ -197,10 +195,13 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Upper bound of the number of minimal samples; >= 1. Default 5000. With any criterion of `termination` a run also
     ends when no sample is left to be drawn, or when none of the first million gave a model. */
     CV_PROP_RW int maxIterations;
+    /** Milliseconds of the clock after which a run ends with what it has found, polished in two more; 0..1e9, 0: no
+    limit. A run of few points ends some milliseconds late at most, one of a million tens of them. The only option by
+    which the result depends on the machine; Report::stop is then #STOP_TIME. See also ProgressScope. Default 0. */
+    CV_PROP_RW double maxTime;
     //! Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.
     CV_PROP_RW int seed;
-    //! Number of threads that test hypotheses, 0 for cv::getNumThreads(); 0..1024. The result does not depend on it.
-    //! Default 1.
+    //! Threads that test hypotheses, 0: cv::getNumThreads(); 0..1024. The result does not depend on it. Default 1.
     CV_PROP_RW int threads;
 
     //! @ref SamplerType. Default #SAMPLER_P_NAPSAC.
@@ -222,8 +223,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Neighbors of a point for #NEIGHBORHOOD_KNN in the finest of four layers, each of twice as many; 1..1000.
     //! Default 10.
     CV_PROP_RW int neighbors;
-    //! Radius for #NEIGHBORHOOD_RADIUS in the finest of four layers, each twice as wide, pixels in the joint space; >
-    //! 0. Default 40.
+    //! Radius for #NEIGHBORHOOD_RADIUS in the finest of four layers, each twice as wide, pixels; > 0. Default 40.
     CV_PROP_RW double neighborRadius;
     //! @ref ResidualType. Default #RESIDUAL_STANDARD.
     CV_PROP_RW int residual;

@@ -74,6 +74,7 @@ void visitFields(Visitor& visit)
     visit("threshold", &Params::threshold, V::pixels(1.5));
     visit("confidence", &Params::confidence, V::probability(0.99));
     visit("maxIterations", &Params::maxIterations, V::number(5000, 1, INT_MAX));
+    visit("maxTime", &Params::maxTime, V::number(0, 0, 1e9));
     visit("seed", &Params::seed, V::number(0, INT_MIN, INT_MAX));
     visit("threads", &Params::threads, V::number(1, 0, 1024));
     visit("sampler", &Params::sampler, V::option(SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE));

@@ -86,6 +86,11 @@ public:
     @param model output
     @return false if it is none. Default: false, so that Params::initialModel is refused. */
     virtual bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const;
+    /** @brief A model of the caller's in the coordinates of toModelCoordinates(), with the numbers as they are: what
+    the mask and Usac::errors compare the points with.
+    @param output a matrix of the shape of toOutput(), CV_64F
+    Default: an empty one, it is not known; then fromOutput() and toInput() make it, the same but for rounding. */
+    virtual Model ofOutput(const Mat& output) const;
     //! The closest model that fulfills all constraints; what solvers and polishers find may miss them by a bit.
     //! Default: the model itself.
     virtual Model closest(const Model& model) const;

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_REPORT_HPP
 #define OPENCV_USACV20_REPORT_HPP
 
+#include <vector>
 #include "opencv2/core.hpp"
 
 namespace cv {
@@ -27,7 +28,10 @@ enum StopReason {
     STOP_MAGSAC = 9,          //!< #TERMINATION_MAGSAC fired
     //! the best model has no more support than random points give, see Params::significance: no model
     STOP_NOT_SIGNIFICANT = 10,
-    STOP_ORDER = 11  //!< #TERMINATION_ORDER fired
+    STOP_ORDER = 11,      //!< #TERMINATION_ORDER fired
+    STOP_TIME = 12,       //!< Params::maxTime is over: the model is the best one by then, or there is none yet
+    STOP_CANCELLED = 13,  //!< a ProgressScope said no; the same
+    STOP_NO_SEARCH = 14   //!< of Usac::fit and Usac::refine: nothing was searched
 };
 
 /** @brief What one estimation learned on its way. Times are of the steady clock and decide nothing. */
@@ -59,6 +63,11 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW bool degenerate;
     //! Rows of the mask that are 1.
     CV_PROP_RW int inliers;
+    //! The sample that led to the model: rows of the points, as many as a minimal solver takes. Empty: there is no
+    //! model, or it came from Params::initialModel or from a fit of all points.
+    CV_PROP_RW std::vector<int> sample;
+    //! `inliers` as a part of all rows of the mask, 0..1.
+    CV_PROP_RW double inlierRatio;
     //! Inliers that are more than a threshold apart from each other in both images: repeated matches count once.
     CV_PROP_RW int independentInliers;
     /** Probability that the same search finds a model with as many independent inliers (at the threshold, or at 4 or 16

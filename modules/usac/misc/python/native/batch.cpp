@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "arrays.hpp"
+#include "unlocked.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -39,7 +40,7 @@ static py::list estimateBatch(int problem, const py::list& points1, const py::li
     }
     std::vector<Estimate> found;
     {
-        py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         found = usacv20::estimateBatch(tasks, threads);
     }
     py::list results;

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "arrays.hpp"
+#include "unlocked.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -22,7 +23,7 @@ static py::tuple estimate(int problem, const py::object& points1, const py::obje
     Mat model, mask;
     Report report;
     {
-        py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         model = Usac::create((ProblemType)problem, first, second, options, K1, K2, d1, d2)->run(mask, &report);
     }
     return py::make_tuple(arrayOf(model), arrayOf(mask), report);

@@ -6,6 +6,7 @@
 // interpreter's lock.
 
 #include "arrays.hpp"
+#include "unlocked.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -21,7 +22,7 @@ py::tuple unlocked(const Function& find)
 {
     Mat model, mask;
     {
-        py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         model = find(mask);
     }
     return py::make_tuple(arrayOf(model), arrayOf(mask));
@@ -102,7 +103,7 @@ py::tuple solve(const py::object& objectPoints, const py::object& imagePoints, c
     Mat rvec = own(rotation, "rvec"), tvec = own(translation, "tvec"), inliers;
     bool found;
     {
-        py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         found = usacv20::solvePnPRansac(X, x, K, d, rvec, tvec, useExtrinsicGuess, iterationsCount, reprojectionError,
                                         confidence, inliers, flags);
     }
@@ -117,7 +118,7 @@ py::tuple solveOfParams(const py::object& objectPoints, const py::object& imageP
     Mat rvec, tvec, inliers;
     bool found;
     {
-        py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         found = cv::solvePnPRansac(X, x, K, d, rvec, tvec, inliers, params);
     }
     return pose(found, rvec, tvec, inliers);

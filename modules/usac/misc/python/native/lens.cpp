@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "arrays.hpp"
+#include "unlocked.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -17,7 +18,7 @@ py::object withoutDistortion(const py::object& array, const py::object& cameraMa
     const Mat distortion = ArrayMat(distCoeffs, "distCoeffs").own();
     Mat result;
     {
-        py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         result = removeDistortion(points, K, distortion);
     }
     return arrayOf(result);

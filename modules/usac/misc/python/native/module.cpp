@@ -16,6 +16,8 @@ PYBIND11_MODULE(_native, module)
     addBatch(module);
     addFind(module);
     addLens(module);
+    addGiven(module);
+    addProgress(module);
     addRng(module);
     addUsac(module);
 }

@@ -4,6 +4,7 @@
 
 #include "python_usac.hpp"
 #include "arrays.hpp"
+#include "unlocked.hpp"
 #include "correspondences.hpp"
 #include "python_sampler.hpp"
 #include "python_score.hpp"
@@ -84,7 +85,7 @@ py::tuple PythonUsac::run()
     Mat model, mask;
     Report report;
     {
-        py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         model = usac->run(mask, &report);
     }
     const std::vector<py::ssize_t> none = {0, 1};

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include <pybind11/stl.h>
 #include "native.hpp"
 
 namespace cv {
@@ -24,6 +25,10 @@ void addReport(py::module_& module)
         .def_readwrite("localImprovements", &Report::localImprovements)
         .def_readwrite("degenerate", &Report::degenerate)
         .def_readwrite("inliers", &Report::inliers)
+        .def_property(
+            "sample", [](const Report& report) { return py::tuple(py::cast(report.sample)); },
+            [](Report& report, const std::vector<int>& sample) { report.sample = sample; })
+        .def_readwrite("inlierRatio", &Report::inlierRatio)
         .def_readwrite("independentInliers", &Report::independentInliers)
         .def_readwrite("chance", &Report::chance)
         .def_readwrite("threshold", &Report::threshold)

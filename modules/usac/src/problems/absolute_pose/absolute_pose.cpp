@@ -65,6 +65,12 @@ public:
             true);
     }
 
+    Model ofOutput(const Mat& output) const CV_OVERRIDE
+    {
+        const Matx34d pose(output.ptr<double>());
+        return camera.matrix * pose;
+    }
+
     bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
     {
         if (output.size() != 12)

@@ -47,6 +47,8 @@ public:
         return true;
     }
 
+    Model ofOutput(const Mat& output) const CV_OVERRIDE { return Matx33d(output.ptr<double>()); }
+
     bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
     {
         if (output.size() != 9)

@@ -57,6 +57,8 @@ public:
         return regular && checkRange(Mat(3, 4, CV_64F, result.val));
     }
 
+    Model ofOutput(const Mat& output) const CV_OVERRIDE { return Matx34d(output.ptr<double>()); }
+
     bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
     {
         if (output.size() != 12)

@@ -51,6 +51,13 @@ bool PlaneMapProblem::fromOutput(const std::vector<double>& output, const Corres
 
 Mat PlaneMapProblem::toOutput(const Model& model) const { return Mat(2, 3, CV_64F, (void*)model.val).clone(); }
 
+Model PlaneMapProblem::ofOutput(const Mat& output) const
+{
+    Matx33d map = Matx33d::eye();
+    output.copyTo(Mat(2, 3, CV_64F, map.val));
+    return map;
+}
+
 Ptr<Residual> PlaneMapProblem::createResidual(int type) const
 {
     return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual() : createTransferResidual();

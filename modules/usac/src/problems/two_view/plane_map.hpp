@@ -22,6 +22,7 @@ public:
     bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE;
     bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE;
     Mat toOutput(const Model& model) const CV_OVERRIDE;
+    Model ofOutput(const Mat& output) const CV_OVERRIDE;
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE;
     void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE;
 };

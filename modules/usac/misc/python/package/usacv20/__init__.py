@@ -30,6 +30,10 @@ The same package is the module cv2.usacv20 of an OpenCV that was built with the 
 Many pairs at once, on all cores, are estimateHomographies and its kin; all pairs of a collection of images, from a COLMAP database
 or files of matches, python3 -m usacv20.collection.
 
+What is known already needs no search: fitModel (OpenCV's method 0), refineModel and modelErrors. The motion of a camera between two
+views, points in front, is estimateRelativePose. A run ends after Params.maxTime milliseconds, by the function of usacv20.progress,
+or by Ctrl-C.
+
 Where there is no model (too few or degenerate points, or random ones, see Params.significance) the model is None, the mask zero,
 and report.stop says why; report.chance bounds the probability that random matches give as good a model. A flag does not tell
 whether maxIters ended the search; with Params.fromMethod(USACV20) report.stop == STOP_MAX_ITERATIONS does.
@@ -57,7 +61,7 @@ from ._enumerations import (
     ProblemType, QUALITY_INLIERS, QUALITY_LMEDS, QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS, QUALITY_MLESAC, QUALITY_MSAC,
     QualityType, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC, RIGID_3D, ResidualType, SAMPLER_IMPORTANCE, SAMPLER_NAPSAC,
     SAMPLER_PROSAC, SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SCORES_HIGHER_IS_BETTER, SCORES_LOWER_IS_BETTER, SIMILARITY,
-    SIMILARITY_3D, STOP_CUSTOM, STOP_MAGSAC, STOP_MAX_ITERATIONS, STOP_NOT_RUN, STOP_NOT_SIGNIFICANT, STOP_NO_MODEL,
+    SIMILARITY_3D, STOP_CUSTOM, STOP_MAGSAC, STOP_MAX_ITERATIONS, STOP_NOT_RUN, STOP_NOT_SIGNIFICANT, STOP_NO_MODEL, STOP_CANCELLED, STOP_NO_SEARCH, STOP_TIME,
     STOP_ORDER, STOP_PROSAC, STOP_P_NAPSAC, STOP_SPRT, STOP_STANDARD, STOP_TOO_FEW_POINTS, SamplerType, ScoreOrder, StopReason,
     TERMINATION_EXACT, TERMINATION_MAGSAC, TERMINATION_ORDER, TERMINATION_PROSAC, TERMINATION_P_NAPSAC,
     TERMINATION_SPRT, TERMINATION_STANDARD, TerminationFlags, USACV20, USACV20_ACCURATE, USACV20_FAST, USACV20_MAGSAC, USACV20_PARALLEL, USACV20_PROSAC,
@@ -67,10 +71,12 @@ from ._essential import findEssentialMat
 from ._estimate import (estimateAbsolutePose, estimateAffinity2D, estimateEssential, estimateFundamental, estimateHomography,
                         estimateRigid3D, estimateSimilarity2D, estimateSimilarity3D)
 from ._find import estimateAffine2D, estimateAffinePartial2D, findFundamentalMat, findHomography
+from ._given import fitModel, modelErrors, refineModel
 from ._lens import removeDistortion
 from ._opencv import patch_cv2, unpatch_cv2
 from ._params import Params, UsacParams
 from ._pose import solvePnPRansac
+from ._relative_pose import RelativePose, estimateRelativePose
 from ._report import Report
 
 __all__ = [
@@ -85,14 +91,16 @@ __all__ = [
     "RESIDUAL_STANDARD", "RESIDUAL_SYMMETRIC", "RIGID_3D", "Report", "ResidualType", "SAMPLER_IMPORTANCE", "SAMPLER_NAPSAC",
     "SAMPLER_PROSAC", "SAMPLER_P_NAPSAC", "SAMPLER_UNIFORM", "SCORES_HIGHER_IS_BETTER", "SCORES_LOWER_IS_BETTER",
     "SIMILARITY", "SIMILARITY_3D", "STOP_CUSTOM", "STOP_MAGSAC", "STOP_MAX_ITERATIONS", "STOP_NOT_RUN",
-    "STOP_NOT_SIGNIFICANT", "STOP_NO_MODEL", "STOP_ORDER", "STOP_PROSAC", "STOP_P_NAPSAC", "STOP_SPRT", "STOP_STANDARD",
+    "STOP_NOT_SIGNIFICANT", "STOP_CANCELLED", "STOP_NO_MODEL", "STOP_NO_SEARCH", "STOP_TIME",
+    "STOP_ORDER", "STOP_PROSAC", "STOP_P_NAPSAC", "STOP_SPRT", "STOP_STANDARD",
     "STOP_TOO_FEW_POINTS", "SamplerType", "ScoreOrder", "StopReason", "TERMINATION_EXACT", "TERMINATION_MAGSAC",
     "TERMINATION_ORDER", "TERMINATION_PROSAC", "TERMINATION_P_NAPSAC", "TERMINATION_SPRT", "TERMINATION_STANDARD", "TerminationFlags", "USACV20",
     "USACV20_ACCURATE", "USACV20_FAST", "USACV20_MAGSAC", "USACV20_PARALLEL", "USACV20_PROSAC", "UsacParams",
     "UsacV20Method", "VERIFICATION_NONE", "VERIFICATION_SPRT", "VERIFICATION_TDD", "VerificationType", "error",
     "estimateAbsolutePose", "estimateAbsolutePoses", "estimateAffine2D", "estimateAffinePartial2D", "estimateAffinities2D",
     "estimateAffinity2D", "estimateEssential", "estimateEssentials", "estimateFundamental", "estimateFundamentals",
-    "estimateHomographies", "estimateHomography", "estimateRigid3D", "estimateRigids3D", "estimateSimilarities2D",
+    "estimateHomographies", "estimateHomography", "estimateRelativePose", "RelativePose",
+    "fitModel", "refineModel", "modelErrors", "estimateRigid3D", "estimateRigids3D", "estimateSimilarities2D",
     "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D", "findEssentialMat", "findFundamentalMat",
     "findHomography", "isUsacV20Method", "patch_cv2", "removeDistortion", "solvePnPRansac", "unpatch_cv2"]
 
@@ -132,4 +140,7 @@ if not TYPE_CHECKING and _IN_TREE:
 else:
     from ._components import Components, Correspondences, Rng, Sampler, Score, Usac
 
+    from ._progress import progress
+
+    __all__ += ["progress"]
     __all__ += ["Components", "Correspondences", "Rng", "Sampler", "Score", "Usac"]

@@ -147,6 +147,9 @@ class StopReason(enum.IntEnum):
     STOP_MAGSAC = 9  # TERMINATION_MAGSAC fired
     STOP_NOT_SIGNIFICANT = 10  # no more support than random points give, see Params.significance: no model
     STOP_ORDER = 11  # TERMINATION_ORDER fired
+    STOP_TIME = 12  # Params.maxTime is over: the model is the best one by then, or there is none yet
+    STOP_CANCELLED = 13  # the function of usacv20.progress returned False; the same
+    STOP_NO_SEARCH = 14  # of fitModel and refineModel: nothing was searched
 
 
 USACV20 = UsacV20Method.USACV20
@@ -221,3 +224,6 @@ STOP_PROSAC = StopReason.STOP_PROSAC
 STOP_MAGSAC = StopReason.STOP_MAGSAC
 STOP_NOT_SIGNIFICANT = StopReason.STOP_NOT_SIGNIFICANT
 STOP_ORDER = StopReason.STOP_ORDER
+STOP_TIME = StopReason.STOP_TIME
+STOP_CANCELLED = StopReason.STOP_CANCELLED
+STOP_NO_SEARCH = StopReason.STOP_NO_SEARCH

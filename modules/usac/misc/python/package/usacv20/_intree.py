@@ -59,6 +59,25 @@ class Native:
         with ThreadPoolExecutor(workers) as pool:
             return list(pool.map(one, range(len(points1))))
 
+    def fitModel(self, problem: int, points1: Any, points2: Any, params: Any, weights: Any, chosen: Any, cameraMatrix1: Any,
+                 cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any) -> Any:
+        return self._functions.fitModel(problem, points1, points2, params, weights=weights, chosen=chosen,
+                                        cameraMatrix1=cameraMatrix1, cameraMatrix2=cameraMatrix2, distCoeffs1=distCoeffs1,
+                                        distCoeffs2=distCoeffs2)
+
+    def refineModel(self, problem: int, model: Any, points1: Any, points2: Any, params: Any, chosen: Any, cameraMatrix1: Any,
+                    cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any) -> Any:
+        return self._functions.refineModel(problem, model, points1, points2, params, chosen=chosen, cameraMatrix1=cameraMatrix1,
+                                           cameraMatrix2=cameraMatrix2, distCoeffs1=distCoeffs1, distCoeffs2=distCoeffs2)
+
+    def modelErrors(self, problem: int, model: Any, points1: Any, points2: Any, params: Any, *cameras: Any) -> Any:
+        return self._functions.modelErrors(problem, model, points1, points2, params, *cameras)
+
+    def estimateRelativePose(self, *arguments: Any) -> Any:
+        found, R, t, mask, pose = self._functions.estimateRelativePose(*arguments)
+        return (R, t, mask, pose.report, pose.essential, pose.behind, pose.onPlane, pose.otherR, pose.otherT,
+                pose.otherInliers) if found else (None, None, mask, pose.report, None, 0, 0, None, None, 0)
+
     def findHomography(self, srcPoints: Any, dstPoints: Any, method: int, threshold: float, maxIters: int,
                        confidence: float) -> Any:
         return self._functions.findHomography(srcPoints, dstPoints, method, threshold, None, maxIters, confidence)

@@ -4,7 +4,7 @@
 
 # The compiled part, in misc/python/native. Arrays have numbers of a type that cv::Mat has; lists are arrays of one dimension.
 
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +22,7 @@ class Params(metaclass=_Class):
     threshold: float
     confidence: float
     maxIterations: int
+    maxTime: float
     seed: int
     threads: int
     sampler: int
@@ -104,6 +105,8 @@ class Report(metaclass=_Class):
     localImprovements: int
     degenerate: bool
     inliers: int
+    sample: Tuple[int, ...]
+    inlierRatio: float
     independentInliers: int
     chance: float
     threshold: float
@@ -133,9 +136,26 @@ class Usac(metaclass=_Class):
     def points(self) -> _Points: ...
     def run(self) -> Tuple[_Double, npt.NDArray[np.uint8], Report]: ...
 
+class Progress(metaclass=_Class):
+    def __init__(self, function: Callable[[Report], bool]) -> None: ...
+    def enter(self) -> None: ...
+    def leave(self) -> None: ...
+
 def enumerators() -> Dict[str, int]: ...
 def isUsacV20Method(method: int) -> bool: ...
 def removeDistortion(points: _Array, cameraMatrix: _Array, distCoeffs: _Optional) -> _Double: ...
+def fitModel(problem: int, points1: _Array, points2: _Array, params: Params, weights: _Optional, chosen: _Optional,
+             cameraMatrix1: _Optional, cameraMatrix2: _Optional, distCoeffs1: _Optional,
+             distCoeffs2: _Optional) -> Tuple[_Double, Optional[npt.NDArray[np.uint8]], Report]: ...
+def refineModel(problem: int, model: _Array, points1: _Array, points2: _Array, params: Params, chosen: _Optional,
+                cameraMatrix1: _Optional, cameraMatrix2: _Optional, distCoeffs1: _Optional,
+                distCoeffs2: _Optional) -> Tuple[_Double, Optional[npt.NDArray[np.uint8]], Report]: ...
+def modelErrors(problem: int, model: _Array, points1: _Array, points2: _Array, params: Params, cameraMatrix1: _Optional,
+                cameraMatrix2: _Optional, distCoeffs1: _Optional, distCoeffs2: _Optional) -> _Double: ...
+def estimateRelativePose(points1: _Array, points2: _Array, cameraMatrix1: _Array, distCoeffs1: _Optional,
+                         cameraMatrix2: _Optional, distCoeffs2: _Optional, params: Params) -> Tuple[
+                             _Double, _Double, Optional[npt.NDArray[np.uint8]], Report, _Double, int, int, _Double, _Double,
+                             int]: ...
 def estimate(problem: int, points1: _Array, points2: _Array, params: Params, cameraMatrix1: _Optional = ...,
              cameraMatrix2: _Optional = ..., distCoeffs1: _Optional = ...,
              distCoeffs2: _Optional = ...) -> Tuple[_Double, Optional[npt.NDArray[np.uint8]], Report]: ...

@@ -48,6 +48,8 @@ class Params:
     confidence = Real("""Probability that the search does not miss a better model (TERMINATION_P_NAPSAC: one that is
         significantly better, see relaxation), unless maxIterations ends it; in (0, 1). Default 0.99.""")
     maxIterations = Integer("Upper bound of the number of minimal samples; >= 1. Default 5000.")
+    maxTime = Real("""Milliseconds of the clock after which a run ends with what it has found, polished in two more; 0..1e9, 0: no
+        limit. The only option by which the result depends on the machine; report.stop is then STOP_TIME. Default 0.""")
     seed = Integer("Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.")
     threads = Integer("""Number of threads that test hypotheses, 0 for OpenCV's number (cv2.getNumThreads()); 0..1024.
         The result does not depend on it. Default 1.""")
@@ -104,7 +106,8 @@ class Params:
 
     def __init__(self, *,
                  threshold: Optional[float] = None, confidence: Optional[float] = None,
-                 maxIterations: Optional[int] = None, seed: Optional[int] = None, threads: Optional[int] = None,
+                 maxIterations: Optional[int] = None, maxTime: Optional[float] = None, seed: Optional[int] = None,
+                 threads: Optional[int] = None,
                  sampler: Optional[int] = None, ordering: Optional[int] = None, scores: Optional[npt.ArrayLike] = None,
                  initialModel: Optional[npt.ArrayLike] = None, scoreOrder: Optional[int] = None,
                  neighborhood: Optional[int] = None, neighbors: Optional[int] = None,

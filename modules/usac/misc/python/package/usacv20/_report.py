@@ -20,6 +20,13 @@ def _restored(values: Dict[str, Any]) -> Report:
     return report
 
 
+class Sample(Field[Tuple[int, ...]]):
+    """Rows of the points."""
+
+    def read(self, instance: Any) -> Any:
+        return tuple(int(row) for row in getattr(instance._native, self.name))
+
+
 class Report:
     """What one estimation learned on its way. Times are of the steady clock and decide nothing. Report() is that of no
     run."""
@@ -41,6 +48,9 @@ class Report:
     localImprovements = Field[int]("Those that improved their model.")
     degenerate = Field[bool]("True if a so-far-the-best F came from a sample dominated by a plane.")
     inliers = Field[int]("Rows of the mask that are 1.")
+    sample = Sample("""The sample that led to the model: rows of the points, as many as a minimal solver takes. Empty: there is no
+        model, or it came from Params.initialModel or from a fit of all points.""")
+    inlierRatio = Field[float]("inliers as a part of all rows of the mask, 0..1.")
     independentInliers = Field[int]("""Inliers that are more than a threshold apart from each other in both images:
         repeated matches count once.""")
     chance = Field[float]("""Probability, an upper bound, that the same search finds a model with as many independent
@@ -71,7 +81,7 @@ class Report:
         return str(self._native.describe())
 
     def _values(self) -> Dict[str, Any]:
-        return {name: getattr(self._native, name) for name in _FIELDS}
+        return dict({name: getattr(self._native, name) for name in _FIELDS}, sample=self.sample)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Report):

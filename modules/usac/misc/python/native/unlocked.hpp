@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PYTHON_UNLOCKED_HPP
+#define OPENCV_USACV20_PYTHON_UNLOCKED_HPP
+
+#include <memory>
+#include "native.hpp"
+
+namespace cv {
+namespace usacv20 {
+namespace python {
+
+/** @brief While it lives, the interpreter's lock is released, and what the thread estimates can be interrupted.
+
+In the main thread, where Python handles signals, it looks for them now and then: what a handler raises, as
+KeyboardInterrupt, goes through the estimation as py::error_already_set. */
+class Unlocked
+{
+public:
+    Unlocked();
+
+private:
+    const std::unique_ptr<ProgressScope> scope;
+    const py::gil_scoped_release released;
+
+    Unlocked(const Unlocked&);
+    Unlocked& operator=(const Unlocked&);
+};
+
+}  // namespace python
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

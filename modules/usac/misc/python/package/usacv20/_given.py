@@ -1,0 +1,90 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What needs no search: least squares over given points, errors under a given model."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, Tuple
+
+import numpy as np
+
+from ._arguments import array, integer, optionalArray
+from ._backend import native
+from ._enumerations import ProblemType
+from ._estimate import NO_POINTS
+from ._params import Params, optionsOf
+from ._report import Report
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    _Estimate = Tuple[Optional[npt.NDArray[np.float64]], npt.NDArray[np.uint8], Report]
+    _Optional = Optional[npt.ArrayLike]
+
+
+def _problem(problem: int) -> int:
+    return integer(problem, "problem", None, 0, len(ProblemType) - 1)
+
+
+def _cameras(cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any) -> Tuple[Any, Any, Any, Any]:
+    return (optionalArray(cameraMatrix1, "cameraMatrix1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
+            optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2"))
+
+
+def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
+    model, mask, report = found
+    return model, NO_POINTS.copy() if mask is None else mask, Report._of(report)
+
+
+def fitModel(problem: int, points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,
+             params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
+             distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
+    """Least squares over all points, or some, without a search: what OpenCV calls method 0.
+
+    problem -- ProblemType: HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, ABSOLUTE_POSE (points1: of space, points2: of
+        the image), RIGID_3D, SIMILARITY_3D
+    points1, points2 -- N points each, as the function estimate* of the problem has them
+    weights -- N numbers of at least 0, of the squared errors; None: all 1
+    chosen -- N numbers or truth values, which points take part (the mask of an estimation, say); None: all
+    params -- Params; threshold is that of the mask, residual the error that is minimized
+    cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- for ESSENTIAL and, the first of each, ABSOLUTE_POSE
+
+    Returns (model, mask, report) as the function estimate* of the problem; report.stop is STOP_NO_SEARCH, or says why there is no
+    model. Wrong points pull at it as far as they are off."""
+    return _result(native.fitModel(_problem(problem), array(points1, "points1"), array(points2, "points2"), optionsOf(params),
+                                   optionalArray(weights, "weights"), optionalArray(chosen, "chosen"),
+                                   *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
+
+
+def refineModel(problem: int, model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike, chosen: _Optional = None,
+                params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
+                distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
+    """Makes a known model better.
+
+    model -- as the function estimate* of the problem returns it
+    chosen -- the inliers, N numbers or truth values: least squares over these, from the model; None: the last step of an
+        estimation, params.polishing, from the model, with the inliers that it finds
+
+    The other arguments and the results are those of fitModel."""
+    return _result(native.refineModel(_problem(problem), array(model, "model"), array(points1, "points1"),
+                                      array(points2, "points2"), optionsOf(params), optionalArray(chosen, "chosen"),
+                                      *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
+
+
+def modelErrors(problem: int, model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike,
+                params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
+                distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> npt.NDArray[np.float64]:
+    """The error of each point under a model, as the mask of an estimation sees it: that is 1 exactly where this is at most
+    report.threshold.
+
+    model -- as the function estimate* of the problem returns it
+    params -- Params; residual counts
+
+    The other arguments are those of fitModel. Returns an Nx1 array of float64, not squared, in the unit of params.threshold
+    (pixels; motions of space: the unit of points2); not finite where there is no error: points that are not finite, behind a camera,
+    or where its lens shows nothing."""
+    found = native.modelErrors(_problem(problem), array(model, "model"), array(points1, "points1"), array(points2, "points2"),
+                               optionsOf(params), *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
+    return np.empty((0, 1)) if found is None else found

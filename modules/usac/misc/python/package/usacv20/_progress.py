@@ -1,0 +1,60 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""How far an estimation is, and how to stop it."""
+
+from __future__ import annotations
+
+import typing
+from typing import Any, Optional
+
+import numpy as np
+
+from ._arguments import shown
+from ._backend import native
+from ._errors import fail
+from ._report import Report
+
+
+class progress:
+    """Asks a function every 5 milliseconds whether the estimations of this thread shall go on.
+
+        with usacv20.progress(lambda report: report.iterations < 10**6 and not cancelled.is_set()):
+            H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
+
+    function -- takes a Report of what has been found so far (stop is STOP_NOT_RUN; inliers and cost are those of the best model
+        before it is polished, 0 and 1 if there is none; searchMs is the time since the run began) and returns True to go on;
+        False ends the run with what has been found, and report.stop is STOP_CANCELLED
+
+    It holds for all functions of the package that estimate, many at once, too, and for Usac.run, in the thread that enters it.
+    An exception in the function ends the run and comes out of the call. A run that is shorter than 5 milliseconds does not ask. A
+    function that returns True changes no bit of the result. Another thread cancels by what the function reads, a
+    threading.Event, say. Ctrl-C raises a KeyboardInterrupt with or without it. Not in cv2.usacv20."""
+
+    def __init__(self, function: typing.Callable[[Report], bool]) -> None:
+        if not callable(function):
+            raise fail("function: something that can be called is expected, not {}".format(shown(function)))
+        self._function = function
+        self._native: Optional[native.Progress] = None
+
+    def _ask(self, report: Any) -> bool:
+        answer = self._function(Report._of(report))
+        if not isinstance(answer, (bool, np.bool_)):
+            raise fail("function: it has to return True, to go on, or False, not {}".format(shown(answer)))
+        return bool(answer)
+
+    def __enter__(self) -> progress:
+        if self._native is not None:
+            raise fail("progress: it is in use")
+        entered = native.Progress(self._ask)
+        entered.enter()
+        self._native = entered
+        return self
+
+    def __exit__(self, *failure: object) -> None:
+        if self._native is not None:
+            self._native.leave()
+            self._native = None
+
+progress.__module__ = __name__.rpartition(".")[0]

@@ -1,0 +1,68 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The motion of a camera between two views."""
+
+from __future__ import annotations
+
+import typing
+from typing import TYPE_CHECKING, Optional, Tuple
+
+import numpy as np
+
+from . import _arguments
+from ._arguments import array, optionalArray
+from ._backend import native
+from ._estimate import NO_POINTS
+from ._params import Params, optionsOf
+from ._report import Report
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    _Double = Optional[npt.NDArray[np.float64]]
+    _Optional = Optional[npt.ArrayLike]
+
+
+class RelativePose(typing.NamedTuple):
+    """What estimateRelativePose learned beside the motion."""
+
+    report: Report  # of the search for the essential matrix; inliers counts those of the mask
+    essential: _Double  # [t]x R, 3x3, singular values (1, 1, 0)/sqrt(2); None: no model
+    behind: int  # inliers of the essential matrix that are behind a camera, and not in the mask
+    onPlane: int  # inliers on one plane, if these are more than 80 % of them; else 0
+    otherR: _Double  # of a plane: the other motion that has it in front of both cameras; None: there is none
+    otherT: _Double
+    otherInliers: int  # points in front of both cameras that this other motion has within the threshold
+
+
+def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatrix1: npt.ArrayLike,
+                         distCoeffs1: _Optional = None, cameraMatrix2: _Optional = None, distCoeffs2: _Optional = None,
+                         params: Optional[Params] = None, mask: Optional[npt.NDArray[np.uint8]] = None
+                         ) -> Tuple[_Double, _Double, npt.NDArray[np.uint8], RelativePose]:
+    """Estimates the motion of a calibrated camera between two views, X2 = R X1 + t up to the length of t.
+
+    points1, points2 -- N points of each image in pixels, as it was taken; as for estimateHomography
+    cameraMatrix1, cameraMatrix2 -- 3x3; without the second the first holds for both images
+    distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 numbers as for cv2.undistortPoints; None: none
+    params -- Params; threshold is the Sampson distance in pixels
+    mask -- Nx1 array of uint8 that receives the mask, or None
+
+    Returns (R, t, mask, pose):
+    R, t -- a rotation, 3x3, and a vector of unit length, 3x1; None if there is no model, and pose.report.stop says why
+    mask -- Nx1 array of uint8, 1 where the distance is at most the threshold and the point is in front of both cameras; one at
+        infinity is
+    pose -- RelativePose: the report, the essential matrix; a plane has two motions, of which the points off it choose one, and the
+        other is in pose.otherR and otherT"""
+    options = optionsOf(params)
+    _arguments.checkOutput(mask, "mask")
+    R, t, inliers, report, essential, behind, onPlane, otherR, otherT, otherInliers = native.estimateRelativePose(
+        array(points1, "points1"), array(points2, "points2"), array(cameraMatrix1, "cameraMatrix1"),
+        optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
+        optionalArray(distCoeffs2, "distCoeffs2"), options)
+    return (R, t, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers),
+            RelativePose(Report._of(report), essential, behind, onPlane, otherR, otherT, otherInliers))
+
+
+RelativePose.__module__ = __name__.rpartition(".")[0]

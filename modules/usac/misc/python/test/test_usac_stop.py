@@ -1,0 +1,193 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""A run that is stopped: Params.maxTime, usacv20.progress, Ctrl-C."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+import numpy as np
+
+from usac_common import package, usac
+
+SLACK = 0.5  # seconds that a machine with other work may take the processor away for
+ENDLESS = dict(maxIterations=2**31 - 1, termination=0)
+
+
+def hard(count=2000):
+    """Matches of which 5 % are right."""
+    rng = np.random.RandomState(3)
+    points1, points2 = rng.uniform(0, 640, (count, 2)), rng.uniform(0, 640, (count, 2))
+    points2[:count // 20] = points1[:count // 20] * [0.9, 1.1] + [20, -10]
+    return points1, points2
+
+
+class StopTest(unittest.TestCase):
+    def test_maxTime(self):
+        for estimate in (usac.estimateHomography, usac.estimateFundamental):
+            for threads in (1, 2):
+                start = time.monotonic()
+                _, mask, report = estimate(*hard(), usac.Params(maxTime=50, threads=threads, **ENDLESS))
+                self.assertLess(time.monotonic() - start, 0.05 + SLACK)
+                self.assertEqual(report.stop, usac.STOP_TIME)
+                self.assertEqual(report.inliers, np.count_nonzero(mask))
+                self.assertIn("maxTime", report.describe())
+        with self.assertRaisesRegex(usac.error, "maxTime"):
+            usac.estimateHomography(*hard(), usac.Params(maxTime=-1))
+        self.assertIn("maxTime=50", repr(usac.Params(maxTime=50)))
+
+    @package
+    def test_function_sees_the_search_go_on(self):
+        seen = []
+
+        def ask(report):
+            seen.append(report)
+            return len(seen) < 5
+
+        with usac.progress(ask):
+            _, _, report = usac.estimateHomography(*hard(), usac.Params(**ENDLESS))
+        self.assertEqual(report.stop, usac.STOP_CANCELLED)
+        self.assertEqual(len(seen), 5)
+        self.assertTrue(all(isinstance(one, usac.Report) and one.stop == usac.STOP_NOT_RUN for one in seen))
+        self.assertTrue(all(np.isfinite([one.cost, one.inlierRatio, one.searchMs]).all() for one in seen))
+        iterations = [one.iterations for one in seen]
+        self.assertEqual(iterations, sorted(iterations))
+        self.assertGreater(iterations[-1], iterations[0])
+        _, _, report = usac.estimateHomography(*hard(), usac.Params(maxIterations=100))
+        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the block it is asked no more
+        self.assertEqual(len(seen), 5)
+
+    @package
+    def test_flags_batches_and_objects(self):
+        params = usac.Params(**ENDLESS)
+        with usac.progress(lambda report: False):
+            start = time.monotonic()
+            H, mask = usac.findHomography(*hard(), params)
+            found = usac.estimateHomographies([hard()[0]] * 4, [hard()[1]] * 4, params)
+            _, _, report = usac.Usac.create(usac.HOMOGRAPHY, *hard(), params).run()
+            self.assertLess(time.monotonic() - start, 1 + SLACK)
+        self.assertEqual([one[2].stop for one in found] + [report.stop], [usac.STOP_CANCELLED] * 5)
+
+    @package
+    def test_exceptions_come_out(self):
+        class Enough(Exception):
+            pass
+
+        def ask(report):
+            raise Enough
+
+        estimator = usac.Usac.create(usac.HOMOGRAPHY, *hard(), usac.Params(**ENDLESS))
+        for run in (lambda: usac.estimateHomography(*hard(), usac.Params(**ENDLESS)), estimator.run, estimator.run,
+                    lambda: usac.estimateHomographies([hard()[0]] * 4, [hard()[1]] * 4, usac.Params(**ENDLESS))):
+            with usac.progress(ask), self.assertRaises(Enough):
+                run()
+        with usac.progress(lambda report: False):
+            self.assertEqual(estimator.run()[2].stop, usac.STOP_CANCELLED)
+
+    @package
+    def test_mistakes(self):
+        with self.assertRaisesRegex(usac.error, "function"):
+            usac.progress(1)
+        with usac.progress(lambda report: None), self.assertRaisesRegex(usac.error, "function"):
+            usac.estimateHomography(*hard(), usac.Params(**ENDLESS))
+        scope = usac.progress(lambda report: True)
+        with scope, self.assertRaisesRegex(usac.error, "progress"), scope:
+            pass
+        with scope:  # it can be used again
+            pass
+
+    @package
+    def test_same_bits(self):
+        points1, points2 = hard()
+        points2[:1000] = points1[:1000] * [0.9, 1.1] + [20, -10]
+        expected = usac.estimateFundamental(points1, points2, usac.Params(confidence=0.9999))
+        with usac.progress(lambda report: True):
+            found = usac.estimateFundamental(points1, points2, usac.Params(confidence=0.9999, maxTime=1e9))
+        np.testing.assert_array_equal(expected[0], found[0])
+        np.testing.assert_array_equal(expected[1], found[1])
+        self.assertEqual(expected[2].iterations, found[2].iterations)
+
+    @package
+    def test_another_thread_cancels(self):
+        cancelled = threading.Event()
+        timer = threading.Timer(0.05, cancelled.set)
+        timer.start()
+        start = time.monotonic()
+        with usac.progress(lambda report: not cancelled.is_set()):
+            _, _, report = usac.estimateHomography(*hard(), usac.Params(**ENDLESS))
+        self.assertLess(time.monotonic() - start, 0.05 + SLACK)
+        self.assertEqual(report.stop, usac.STOP_CANCELLED)
+        timer.join()
+
+    @package
+    def test_in_another_thread(self):
+        reports = []
+
+        def run():
+            with usac.progress(lambda report: False):
+                reports.append(usac.estimateHomography(*hard(), usac.Params(**ENDLESS))[2])
+
+        thread = threading.Thread(target=run)
+        thread.start()
+        thread.join(5)
+        self.assertFalse(thread.is_alive())
+        self.assertEqual(reports[0].stop, usac.STOP_CANCELLED)
+
+
+CHILD = """
+import time, sys
+import numpy as np
+import usacv20
+rng = np.random.RandomState(3)
+a, b = rng.uniform(0, 640, (2000, 2)), rng.uniform(0, 640, (2000, 2))
+params = usacv20.Params(maxIterations=2**31 - 1, termination=0)
+threads = usacv20.Params(maxIterations=2**31 - 1, termination=0, threads=0)
+print("ready", flush=True)
+try:
+    {}
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+    F, mask, report = usacv20.estimateHomography(a, a + 1)
+    print("usable", report.inliers)
+"""
+
+
+@package
+class InterruptTest(unittest.TestCase):
+    def check(self, call):
+        child = subprocess.Popen([sys.executable, "-c", CHILD.format(call)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                 universal_newlines=True, env=dict(os.environ))
+        try:
+            self.assertEqual(child.stdout.readline(), "ready\n")
+            time.sleep(0.3)
+            start = time.monotonic()
+            child.send_signal(signal.SIGINT)
+            self.assertEqual(child.stdout.readline(), "interrupted\n")
+            self.assertLess(time.monotonic() - start, 1)
+            self.assertEqual(child.stdout.readline(), "usable 2000\n")
+            self.assertEqual(child.wait(), 0)
+        finally:
+            child.kill()
+            child.wait()
+            child.stdout.close()
+
+    def test_single(self):
+        self.check("usacv20.estimateFundamental(a, b, params)")
+        self.check("usacv20.estimateFundamental(a, b, threads)")
+        self.check("usacv20.findHomography(a, b, params)")
+        self.check("usacv20.Usac.create(usacv20.HOMOGRAPHY, a, b, params).run()")
+
+    def test_batch(self):
+        self.check("usacv20.estimateHomographies([a] * 100, [b] * 100, params)")
+        self.check("usacv20.estimateHomographies([a] * 2, [b] * 2, params)")
+
+
+if __name__ == "__main__":
+    unittest.main()

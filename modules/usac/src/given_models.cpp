@@ -1,0 +1,234 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "given_models.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Half and double of these: doc/constants.md.
+
+//! Samples whose models are compared by their errors, and best ones of them from which least squares start.
+constexpr int SAMPLES = 64, STARTS = 4;
+//! Points that the starts are compared and fitted with, and steps of a fit: at its end long before.
+constexpr int PART = 500, STEPS = 100;
+//! Stream of random numbers beside those of a search.
+constexpr uint64 STREAM = (uint64)1 << 43;
+
+//! A list of numbers, one for each point, as CV_64F; empty: none is given.
+Mat readNumbers(InputArray given, int size, const char* name)
+{
+    const Mat list = given.getMat();
+    if (list.empty())
+        return Mat();
+    if ((int)(list.total() * list.channels()) != size)
+        CV_Error_(Error::StsUnmatchedSizes, ("%s: one number for each of the %d points is expected, not %d", name, size,
+                                             (int)(list.total() * list.channels())));
+    Mat numbers;
+    (list.isContinuous() ? list : list.clone()).reshape(1, size).convertTo(numbers, CV_64F);
+    return numbers;
+}
+
+const NonMinimalSolver& started(const Context& context, const Ptr<NonMinimalSolver>& imageFit)
+{
+    if (!imageFit)
+        return context.nonMinimalSolver();
+    imageFit->start(context);
+    return *imageFit;
+}
+
+}  // namespace
+
+GivenModels::GivenModels(const Context& context_, ProblemData& data_, const Ptr<Residual>& imageResidual,
+                         const Ptr<NonMinimalSolver>& imageFit)
+    : context(context_), data(data_), residual(imageResidual ? imageResidual : context_.components.residual),
+      asSeen(!imageResidual.empty()), points(asSeen ? data_.imagePoints() : context_.points),
+      solver(started(context_, imageFit)), problem(*context_.points.problem), start(getTickCount()), indices(0),
+      weights(0), count(0)
+{}
+
+Mat GivenModels::fit(InputArray weightOfEach, InputArray chosen, OutputArray mask, Report* report)
+{
+    choose(weightOfEach, chosen);
+    State state;
+    Model best;
+    if (count < context.components.minimalSolver->sampleSize())
+        state.report.stop = STOP_TOO_FEW_POINTS;
+    else
+        state.report.stop = begin(best) && leastSquares(count, best) ? STOP_NO_SEARCH : STOP_NO_MODEL;
+    state.best = best;
+    return give(state, mask, report);
+}
+
+Mat GivenModels::refine(InputArray model, InputArray chosen, OutputArray mask, Report* report)
+{
+    choose(noArray(), chosen);
+    State state;
+    read(model, &state.best);
+    if (count < context.components.minimalSolver->sampleSize())
+        state.report.stop = STOP_TOO_FEW_POINTS;
+    else
+        state.report.stop = leastSquares(count, state.best) ? STOP_NO_SEARCH : STOP_NO_MODEL;
+    return give(state, mask, report);
+}
+
+Mat GivenModels::errors(InputArray model) const
+{
+    Mat result(points.inputSize, 1, CV_64F);
+    data.errors(*residual, read(model, 0), asSeen, result.ptr<double>());
+    return result;
+}
+
+Model GivenModels::read(InputArray given, Model* forSearch) const
+{
+    const Mat matrix = given.getMat();
+    Mat numbers;
+    if (matrix.dims <= 2 && matrix.channels() == 1)
+        matrix.convertTo(numbers, CV_64F);
+    Model searched, model;
+    const bool usable = !numbers.empty() && checkRange(numbers) &&
+                        problem.fromOutput(std::vector<double>(numbers.begin<double>(), numbers.end<double>()),
+                                           context.points, searched);
+    if (!usable || !problem.toInput(searched, context.points, model) ||
+        problem.toOutput(model).size() != numbers.size())
+        CV_Error_(Error::StsBadArg, ("model: %d x %d numbers, which are no model of the problem %s", matrix.rows,
+                                     matrix.cols, problem.name().c_str()));
+    if (forSearch)
+        *forSearch = searched;
+    const Model exact = problem.ofOutput(numbers);
+    return exact.size() > 0 ? exact : model;
+}
+
+void GivenModels::choose(InputArray weightOfEach, InputArray chosen)
+{
+    const int rows = points.inputSize, size = points.size;
+    const Mat given = readNumbers(weightOfEach, rows, "weights"), part = readNumbers(chosen, rows, "chosen");
+    for (int i = 0; i < given.rows; ++i)
+        if (!(given.at<double>(i) >= 0 && given.at<double>(i) <= DBL_MAX))
+            CV_Error_(Error::StsOutOfRange,
+                      ("weights: finite numbers of at least 0 are expected, not %g", given.at<double>(i)));
+    indices = context.arena.take<int>(size);
+    weights = given.empty() ? 0 : context.arena.take<double>(size);
+    for (int i = 0; i < size; ++i)
+    {
+        const int row = points.inputIndex[i];
+        const double weight = given.empty() ? 1 : given.at<double>(row);
+        if (!(weight > 0) || (!part.empty() && part.at<double>(row) == 0))
+            continue;
+        indices[count] = i;
+        if (weights)
+            weights[count] = weight;
+        ++count;
+    }
+}
+
+double GivenModels::lossOf(const Model& model, int size) const
+{
+    double sum = 0;
+    for (int k = 0; k < size; ++k)
+    {
+        const double* column[MAX_COLUMNS];
+        for (int c = 0; c < points.columns(); ++c)
+            column[c] = points.exact[c] + indices[k];
+        double error;
+        residual->squaredErrors(model, column, 1, &error);
+        sum += weights ? weights[k] * error : error;
+    }
+    return sum <= DBL_MAX ? sum : DBL_MAX;  // also for NaN
+}
+
+bool GivenModels::leastSquares(int size, Model& model) const
+{
+    const int m = context.components.minimalSolver->sampleSize();
+    return solver.fit(points, indices, size, weights, model, STEPS) || size == m;  // a sample determines it
+}
+
+bool GivenModels::begin(Model& model) const
+{
+    const MinimalSolver& minimal = *context.components.minimalSolver;
+    const int m = minimal.sampleSize(), size = std::min(count, PART);
+    Model starts[STARTS];
+    double losses[STARTS];
+    std::fill(losses, losses + STARTS, DBL_MAX);
+    for (int i = 0; i < (count > m ? SAMPLES : 1); ++i)
+    {
+        Rng rng(context.params.seed, STREAM + i);
+        int sample[MAX_SAMPLE_SIZE];
+        rng.distinct(count, m, sample);
+        for (int k = 0; k < m; ++k)
+            sample[k] = indices[sample[k]];
+        Model models[MAX_MODELS];
+        const int found = minimal.solve(context.points, sample, models);
+        for (int k = 0; k < found; ++k)
+        {
+            const double loss = lossOf(models[k], size);
+            int place = STARTS;
+            for (; place > 0 && loss < losses[place - 1]; --place)
+                if (place < STARTS)
+                {
+                    losses[place] = losses[place - 1];
+                    starts[place] = starts[place - 1];
+                }
+            if (place < STARTS)
+            {
+                losses[place] = loss;
+                starts[place] = models[k];
+            }
+        }
+    }
+    double least = DBL_MAX;
+    for (int i = 0; i < STARTS && losses[i] < DBL_MAX; ++i)
+    {
+        if (!leastSquares(size, starts[i]))
+            continue;
+        const double loss = lossOf(starts[i], size);
+        if (!(loss < least))
+            continue;
+        least = loss;
+        model = starts[i];
+    }
+    return least < DBL_MAX;
+}
+
+Mat GivenModels::give(State& state, OutputArray mask, Report* report)
+{
+    Report& learned = state.report;
+    const int rows = points.inputSize;
+    uchar* const inliers = context.arena.take<uchar>(rows);
+    std::fill(inliers, inliers + rows, (uchar)0);
+    Mat result;
+    Model model;
+    const bool found = learned.stop == STOP_NO_SEARCH;
+    if (found)
+    {
+        state.best = problem.closest(state.best);
+        data.setThreshold(context.components.score->threshold(context, state.best));
+    }
+    if (found && problem.toInput(state.best, context.points, model))
+    {
+        result = problem.toOutput(model);
+        const Model exact = problem.ofOutput(result);
+        learned.inliers = data.mask(*residual, exact.size() > 0 ? exact : model, asSeen, inliers, context.arena);
+        learned.cost = context.rate(state.best).cost / std::max(points.size, 1);
+    }
+    else if (found)
+        learned.stop = STOP_NO_MODEL;
+    if (mask.needed())
+        Mat(rows, 1, CV_8U, inliers).copyTo(mask);
+    learned.inlierRatio = rows > 0 ? (double)learned.inliers / rows : 0;
+    learned.threshold = data.threshold();
+    learned.wideThreshold = learned.stop != STOP_TOO_FEW_POINTS && data.wideThreshold();
+    if (report && !result.empty())
+        learned.independentInliers = data.independentInliers(inliers, context.arena);
+    learned.polishMs = (getTickCount() - start) / getTickFrequency() * 1e3;
+    if (report)
+        *report = learned;
+    return result;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,212 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "problems/essential/motions.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Part of the inliers on a plane from which on its second motion has nearly as many, as in PlanarMotion. Half: the
+//! homography of a smaller plane is looked for in vain, double: none is ever found.
+constexpr double DOMINANT = 0.8;
+//! Thresholds: so far from its place under the homography is a point of the plane. Half: a plane with noise of half a
+//! threshold is not seen in 1 of 20 scenes; double: the same.
+constexpr double ON_PLANE = 2;
+
+//! The essential matrix of two views, and which way it is to be read.
+class TwoViews
+{
+public:
+    TwoViews(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray distCoeffs1,
+             InputArray cameraMatrix2, InputArray distCoeffs2, const Params& params_)
+        : params(params_), usac(Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                                             distCoeffs1, distCoeffs2)),
+          threshold(usac->points().threshold / params.reach)
+    {
+        const Correspondences& p = usac->points();
+        x1.assign(p.inputSize, Vec3d(NAN, NAN, NAN));
+        x2 = x1;
+        for (int i = 0; i < p.size; ++i)
+        {
+            x1[p.inputIndex[i]] = Vec3d(p.exact[X1][i], p.exact[Y1][i], 1);
+            x2[p.inputIndex[i]] = Vec3d(p.exact[X2][i], p.exact[Y2][i], 1);
+        }
+    }
+
+    //! A model, its mask, and what the search learned.
+    struct Solution
+    {
+        Mat essential, mask;
+        Report report;
+        Motion motion;
+        int inliers;  //!< of the essential matrix, also those behind a camera
+        double cost;  //!< of those in front
+    };
+
+    bool search(Solution& found)
+    {
+        found.essential = usac->run(found.mask, &found.report);
+        if (!found.essential.empty())
+            read(found);
+        return !found.essential.empty();
+    }
+
+    //! The other motion of the plane that most inliers are on. @return points on it, 0: there is none
+    int otherOfPlane(const Solution& found, Solution& other)
+    {
+        Matx33d H;
+        Vec3d point;
+        const int onPlane = plane(found, H, point);
+        Motion motions[2];
+        if (onPlane <= DOMINANT * found.inliers || !motionsOfPlane(H, point, motions))
+            return 0;
+        const Matx33d E = found.essential, each[] = {motions[0].essential(), motions[1].essential()};
+        const int same = difference(each[0], E) < difference(each[1], E) ? 0 : 1;
+        other.essential = usac->refine(Mat(each[1 - same]), noArray(), other.mask, &other.report);
+        if (other.essential.empty())
+            return onPlane;
+        read(other);
+        if (difference(other.essential, E) < difference(each[0], each[1]) / 2)  // refined, it has come to the first one
+            other.essential.release();
+        return onPlane;
+    }
+
+    //! Takes the points behind a camera from the mask. @return how many these are
+    int hideBehind(Solution& solution) const
+    {
+        int behind = 0;
+        for (int i = 0; i < solution.mask.rows; ++i)
+        {
+            uchar& inlier = solution.mask.at<uchar>(i);
+            const bool hidden = inlier && !inFront(solution.motion, x1[i], x2[i], threshold);
+            behind += hidden;
+            inlier = inlier && !hidden;
+        }
+        return behind;
+    }
+
+private:
+    //! Of the four motions of the essential matrix the one with most inliers in front.
+    void read(Solution& solution)
+    {
+        const Mat errors = usac->errors(solution.essential);
+        Motion motions[4];
+        motionsOf(solution.essential, motions);
+        int most = -1;
+        for (int k = 0; k < 4; ++k)
+        {
+            const int count = countInFront(motions[k], solution.mask);
+            if (count <= most)
+                continue;
+            most = count;
+            solution.motion = motions[k];
+        }
+        solution.inliers = countNonZero(solution.mask);
+        solution.cost = 0;
+        const double pixels = solution.report.threshold;
+        for (int i = 0; i < errors.rows; ++i)
+        {
+            const double part = errors.at<double>(i) / pixels;
+            const bool counts = part <= 1 && inFront(solution.motion, x1[i], x2[i], threshold);
+            solution.cost += counts ? part * part : 1;
+        }
+    }
+
+    int countInFront(const Motion& motion, const Mat& mask) const
+    {
+        int count = 0;
+        for (int i = 0; i < mask.rows; ++i)
+            count += mask.at<uchar>(i) && inFront(motion, x1[i], x2[i], threshold);
+        return count;
+    }
+
+    //! The homography of the plane of most inliers, and one of its points. @return inliers on it
+    int plane(const Solution& found, Matx33d& H, Vec3d& point) const
+    {
+        const double pixels = found.report.threshold / threshold;
+        std::vector<Point2d> first, second;
+        std::vector<int> rows;
+        for (int i = 0; i < found.mask.rows; ++i)
+            if (found.mask.at<uchar>(i))
+            {
+                first.push_back(Point2d(x1[i][0], x1[i][1]) * pixels);
+                second.push_back(Point2d(x2[i][0], x2[i][1]) * pixels);
+                rows.push_back(i);
+            }
+        Params options;
+        options.threshold = ON_PLANE * found.report.threshold;
+        options.seed = params.seed;
+        options.significance = 1;
+        Mat mask;
+        const Mat map = estimateHomography(first, second, options, mask);
+        if (map.empty())
+            return 0;
+        const Matx33d scale(pixels, 0, 0, 0, pixels, 0, 0, 0, 1), inverse(1 / pixels, 0, 0, 0, 1 / pixels, 0, 0, 0, 1);
+        H = inverse * Matx33d(map.ptr<double>()) * scale;
+        for (size_t i = rows.size(); i-- > 0;)
+            if (mask.at<uchar>((int)i))
+                point = x1[rows[i]];
+        return countNonZero(mask);
+    }
+
+    //! Of their essential matrices, which have no sign.
+    static double difference(const Matx33d& a, const Matx33d& b) { return std::min(norm(a - b), norm(a + b)); }
+
+    const Params params;
+    const Ptr<Usac> usac;
+    const double threshold;     //!< on the image planes
+    std::vector<Vec3d> x1, x2;  //!< on the image planes, without distortion; NaN: not seen
+};
+
+}  // namespace
+
+RelativePose::RelativePose() : behind(0), onPlane(0), otherInliers(0) {}
+
+bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray distCoeffs1,
+                          InputArray cameraMatrix2, InputArray distCoeffs2, const Params& params, OutputArray R,
+                          OutputArray t, OutputArray mask, RelativePose& pose)
+{
+    pose = RelativePose();
+    TwoViews views(points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2, params);
+    TwoViews::Solution best, other;
+    const bool found = views.search(best);
+    if (found)
+    {
+        pose.onPlane = views.otherOfPlane(best, other);
+        if (!other.essential.empty() && other.cost < best.cost)
+        {
+            std::swap(best, other);
+            std::swap(best.report, other.report);  // that of the search
+            best.report.cost = other.report.cost;
+        }
+        pose.behind = views.hideBehind(best);
+        best.report.inliers = countNonZero(best.mask);
+        best.report.inlierRatio = (double)best.report.inliers / std::max(best.mask.rows, 1);
+        pose.essential = best.essential;
+        Mat(best.motion.R).copyTo(R);
+        Mat(best.motion.t).copyTo(t);
+    }
+    else
+    {
+        R.release();
+        t.release();
+    }
+    if (!other.essential.empty())
+    {
+        views.hideBehind(other);
+        pose.otherR = Mat(other.motion.R).clone();
+        pose.otherT = Mat(other.motion.t).clone();
+        pose.otherInliers = countNonZero(other.mask);
+    }
+    pose.report = best.report;
+    if (mask.needed())
+        best.mask.copyTo(mask);
+    return found;
+}
+
+}  // namespace usacv20
+}  // namespace cv

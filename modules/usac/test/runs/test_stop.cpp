@@ -1,0 +1,335 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include "test_precomp.hpp"
+#include "opencv2/usac/batch.hpp"
+
+// A run that is stopped: Params::maxTime, ProgressScope.
+
+namespace opencv_test {
+namespace {
+
+typedef std::chrono::steady_clock Clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+//! Milliseconds that a machine with other work may take the processor away for.
+const double SLACK = 400;
+
+//! 5 % inliers and as many samples as there are numbers: F takes minutes.
+Scene hardScene(ProblemType problem, int size = 2000)
+{
+    SceneOptions options;
+    options.setSize(size, 0.05);
+    return makeScene(problem, options);
+}
+
+Params endless(ProblemType problem)
+{
+    Params params;
+    params.maxIterations = INT_MAX;
+    params.confidence = 1 - 1e-15;
+    params.persistence = 100;
+    if (problem != FUNDAMENTAL && problem != ESSENTIAL)
+        params.termination = 0;  // all samples
+    return params;
+}
+
+bool sameResult(const Mat& a, const Mat& b)
+{
+    return a.size() == b.size() && (a.empty() || cv::norm(a, b, NORM_INF) == 0);
+}
+
+class UsacStop : public testing::TestWithParam<int>
+{
+public:
+    ProblemType problem() const { return (ProblemType)GetParam(); }
+};
+INSTANTIATE_TEST_CASE_P(/**/, UsacStop, testing::ValuesIn(TWO_VIEW_PROBLEMS));
+
+TEST_P(UsacStop, time_limit_holds)
+{
+    for (int threads : {1, 3})
+    {
+        const Scene scene = hardScene(problem());
+        Params params = endless(problem());
+        params.threads = threads;
+        params.maxTime = 50;
+        Mat mask;
+        Report report;
+        const Clock::time_point start = Clock::now();
+        const Mat model = estimate(scene, params, mask, &report);
+        const double time = millisecondsSince(start);
+        EXPECT_EQ((int)STOP_TIME, report.stop) << report.describe();
+        EXPECT_GE(time, 50);
+        EXPECT_LE(time, 50 + SLACK);
+        EXPECT_GT(report.iterations, 0);
+        EXPECT_EQ(report.inliers, countNonZero(mask));
+        EXPECT_EQ(model.empty(), report.inliers == 0);
+    }
+}
+
+TEST_P(UsacStop, what_is_found_by_then_is_returned)
+{
+    SceneOptions options;
+    options.setSize(1000, 0.7);
+    const Scene scene = makeScene(problem(), options);
+    Params params = endless(problem());
+    params.maxTime = 100;
+    Report report;
+    const Mat model = estimate(scene, params, noArray(), &report);
+    EXPECT_EQ((int)STOP_TIME, report.stop) << report.describe();
+    ASSERT_FALSE(model.empty());
+    EXPECT_LT(modelError(scene, model), 0.5);
+}
+
+TEST_P(UsacStop, callback_sees_the_search_go_on)
+{
+    const Scene scene = hardScene(problem());
+    std::vector<Report> seen;
+    Report report;
+    {
+        const ProgressScope scope([&](const Report& now) {
+            seen.push_back(now);
+            return seen.size() < 10;
+        });
+        estimate(scene, endless(problem()), noArray(), &report);
+    }
+    EXPECT_EQ((int)STOP_CANCELLED, report.stop) << report.describe();
+    ASSERT_EQ(10u, seen.size());
+    for (size_t i = 0; i < seen.size(); ++i)
+    {
+        EXPECT_EQ((int)STOP_NOT_RUN, seen[i].stop);
+        EXPECT_TRUE(seen[i].cost >= 0 && seen[i].cost <= 1) << seen[i].cost;
+        EXPECT_TRUE(seen[i].inlierRatio >= 0 && seen[i].inlierRatio <= 1) << seen[i].inlierRatio;
+        EXPECT_TRUE(seen[i].searchMs >= 5) << seen[i].searchMs;
+        EXPECT_TRUE(seen[i].localMs >= 0) << seen[i].localMs;
+        EXPECT_FALSE(i > 0 && seen[i].iterations < seen[i - 1].iterations);
+    }
+    EXPECT_GT(seen.back().iterations, seen.front().iterations);
+}
+
+TEST_P(UsacStop, exception_of_the_callback_comes_out)
+{
+    const Scene scene = hardScene(problem());
+    Params params = endless(problem());
+    const Ptr<Usac> usac = createUsac(scene, params);
+    for (int i = 0; i < 2; ++i)
+    {
+        const ProgressScope scope([](const Report&) -> bool { throw std::runtime_error("enough"); });
+        EXPECT_THROW(usac->run(), std::runtime_error);
+    }
+    params.maxIterations = 200;
+    params.persistence = 1;
+    const Ptr<Usac> other = createUsac(scene, params);
+    Mat mask, expectedMask;
+    const Mat expected = other->run(expectedMask);
+    EXPECT_THROW(
+        {
+            const ProgressScope scope([](const Report&) -> bool { throw 1; });
+            usac->run();
+        },
+        int);
+    EXPECT_TRUE(sameResult(expected, other->run(mask)));
+    EXPECT_TRUE(sameResult(expectedMask, mask));
+    Report report;
+    const ProgressScope scope([](const Report&) { return false; });
+    EXPECT_NO_THROW(usac->run(mask, &report));  // the object that threw
+    EXPECT_EQ((int)STOP_CANCELLED, report.stop);
+}
+
+//! A limit that is not reached, and a function that says yes, are not seen in the result.
+TEST_P(UsacStop, same_bits_when_it_goes_on)
+{
+    for (int threads : {1, 3})
+        for (int size : {100, 3000})
+        {
+            SceneOptions options;
+            options.setSize(size, 0.3);
+            const Scene scene = makeScene(problem(), options);
+            Params params;
+            params.threads = threads;
+            Mat mask, watchedMask;
+            Report report, watched;
+            const Mat model = estimate(scene, params, mask, &report);
+            params.maxTime = 1e9;
+            int asked = 0;
+            const ProgressScope scope([&](const Report&) { return ++asked > 0; });
+            const Mat same = estimate(scene, params, watchedMask, &watched);
+            EXPECT_TRUE(sameResult(model, same));
+            EXPECT_TRUE(sameResult(mask, watchedMask));
+            EXPECT_EQ(report.iterations, watched.iterations);
+            EXPECT_EQ(report.stop, watched.stop);
+            EXPECT_EQ(report.chance, watched.chance);
+        }
+}
+
+TEST(Usac_Stop, another_thread_cancels)
+{
+    for (int threads : {1, 2})
+    {
+        const Scene scene = hardScene(FUNDAMENTAL);
+        Params params = endless(FUNDAMENTAL);
+        params.threads = threads;
+        std::atomic<bool> cancelled(false);
+        std::thread other([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+            cancelled = true;
+        });
+        const Clock::time_point start = Clock::now();
+        Report report;
+        {
+            const ProgressScope scope([&](const Report&) { return !cancelled; });
+            estimate(scene, params, noArray(), &report);
+        }
+        other.join();
+        EXPECT_EQ((int)STOP_CANCELLED, report.stop);
+        EXPECT_LE(millisecondsSince(start), 30 + SLACK);
+    }
+}
+
+TEST(Usac_Stop, scopes_are_asked_the_innermost_first)
+{
+    const Scene scene = hardScene(HOMOGRAPHY);
+    std::vector<int> asked;
+    {
+        const ProgressScope outer([&](const Report&) {
+            asked.push_back(0);
+            return asked.size() < 4;
+        });
+        const ProgressScope inner([&](const Report&) {
+            asked.push_back(1);
+            return true;
+        });
+        estimate(scene, endless(HOMOGRAPHY));
+    }
+    const int expected[] = {1, 0, 1, 0};
+    EXPECT_EQ(std::vector<int>(expected, expected + 4), asked);
+    Params params = endless(HOMOGRAPHY);
+    params.maxIterations = 100;
+    estimate(scene, params);  // none is left
+    EXPECT_EQ(4u, asked.size());
+    const Progress none;
+    EXPECT_THROW(const ProgressScope empty(none), cv::Exception);
+}
+
+//! Steps that take all points are not begun when the time is over.
+TEST(Usac_Stop, many_points)
+{
+    for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
+        for (int preset = 0; preset < 4; ++preset)
+        {
+            SceneOptions options;
+            options.setSize(100000, 0.5);
+            const Scene scene = makeScene((ProblemType)problem, options);
+            Params params = preset == 0   ? Params()
+                            : preset == 1 ? Params::gcRansac()
+                            : preset == 2 ? Params::magsac()
+                                          : Params::ransac();
+            params.maxIterations = INT_MAX;
+            params.termination = 0;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            bool begun = false;
+            Clock::time_point said;
+            const ProgressScope scope([&](const Report& now) {
+                begun = now.localOptimizations > 0 || now.iterations > 50;
+                said = Clock::now();
+                return !begun;
+            });
+            Report report;
+            usac->run(noArray(), &report);
+            EXPECT_EQ((int)STOP_CANCELLED, report.stop);
+            EXPECT_LE(millisecondsSince(said), 1000 + SLACK) << problem << " " << preset;
+        }
+}
+
+TEST(Usac_Stop, batches)
+{
+    const Scene hard = hardScene(FUNDAMENTAL, 500);
+    for (int threads : {1, 2, 0})
+    {
+        std::vector<Task> tasks;
+        for (int i = 0; i < 6; ++i)
+            tasks.push_back(Task(FUNDAMENTAL, Mat(hard.points1), Mat(hard.points2), endless(FUNDAMENTAL)));
+        const Clock::time_point start = Clock::now();
+        std::vector<Estimate> found;
+        const std::thread::id caller = std::this_thread::get_id();
+        bool elsewhere = false;
+        {
+            const ProgressScope scope([&](const Report&) {
+                elsewhere = elsewhere || std::this_thread::get_id() != caller;
+                return millisecondsSince(start) < 30;
+            });
+            found = estimateBatch(tasks, threads);
+        }
+        EXPECT_LE(millisecondsSince(start), 30 + SLACK);
+        EXPECT_FALSE(elsewhere);
+        ASSERT_EQ(tasks.size(), found.size());
+        for (const Estimate& one : found)
+            EXPECT_EQ((int)STOP_CANCELLED, one.report.stop) << one.error;
+        const ProgressScope scope([](const Report&) -> bool { throw std::runtime_error("enough"); });
+        EXPECT_THROW(estimateBatch(tasks, threads), std::runtime_error);
+    }
+}
+
+//! Each is shorter than the time between two questions.
+TEST(Usac_Stop, batches_of_short_tasks)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    std::vector<Task> tasks(20000, Task(HOMOGRAPHY, Mat(scene.points1), Mat(scene.points2), Params()));
+    int asked = 0;
+    const ProgressScope scope([&](const Report&) { return ++asked < 3; });
+    const std::vector<Estimate> found = estimateBatch(tasks, 1);
+    EXPECT_EQ(3, asked);
+    EXPECT_FALSE(found.front().model.empty());
+    EXPECT_TRUE(found.back().model.empty());
+    EXPECT_EQ((int)STOP_CANCELLED, found.back().report.stop);
+}
+
+TEST(Usac_Stop, what_the_caller_does_before_does_not_count)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    Params params;
+    params.maxTime = 1000;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    Report report;
+    EXPECT_FALSE(usac->run(noArray(), &report).empty());
+    EXPECT_NE((int)STOP_TIME, report.stop);
+    EXPECT_LT(report.setupMs, 1000);
+}
+
+TEST(Usac_Stop, time_over_before_the_first_sample)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    Params params;
+    params.maxTime = 1e-6;
+    Mat mask;
+    Report report;
+    EXPECT_NO_THROW(estimate(scene, params, mask, &report));
+    EXPECT_EQ(report.inliers, countNonZero(mask));
+    EXPECT_EQ(scene.size(), mask.rows);
+    for (double wrong : {-1., 2e9, (double)NAN})
+    {
+        params.maxTime = wrong;
+        try
+        {
+            params.check();
+            ADD_FAILURE() << wrong;
+        }
+        catch (const cv::Exception& mistake)
+        {
+            EXPECT_NE(std::string::npos, mistake.err.find("maxTime")) << mistake.err;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace opencv_test
