@@ -94,7 +94,7 @@ def estimate(name: str, flag: int, places: Array, pixels: Array, camera: Tuple[A
             places, pixels, camera[0], camera[1], iterationsCount=args.iterations, reprojectionError=args.threshold,
             confidence=args.confidence, flags=flag)
         mask = np.zeros((len(pixels), 1), np.uint8)
-        if found:
+        if inliers is not None:
             mask[inliers.ravel()] = 1
         return (pose_of(rvec, tvec) if found else None), mask
     return tools.measure(name, args.runs, call)

@@ -18,7 +18,7 @@ import numpy.typing as npt
 try:
     import usacv20 as usacv20  # the package, beside any cv2
 except ImportError:
-    from cv2 import usacv20 as usacv20  # of an OpenCV that was built with the module: the same
+    from cv2 import usacv20 as usacv20  # type: ignore[no-redef]  # the same, of an OpenCV that was built with the module
 
 Array = npt.NDArray[Any]
 Image = npt.NDArray[Any]  # height x width x 3 uint8
@@ -31,7 +31,7 @@ class Result:
 
     def __init__(self, method: str, model: Optional[Array], mask: Array, milliseconds: float) -> None:
         self.method, self.model, self.mask, self.milliseconds = method, model, mask, milliseconds
-        self.iterations = "-"
+        self.iterations: Any = "-"
         self.error: Optional[float] = None
         self.errorText = "unknown"
 
