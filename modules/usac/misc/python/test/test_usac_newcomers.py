@@ -214,7 +214,7 @@ class WordTest(NewcomerCase):
             parameters = inspect.signature(getattr(usac, name)).parameters.values()
             self.assertFalse([p for p in parameters if p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD)], name)
             self.assertIn("params", [p.name for p in parameters], name)
-            self.assertIn("def" if False else name, pydoc.render_doc(getattr(usac, name)))
+            self.assertNotIn("*args", pydoc.plain(pydoc.render_doc(getattr(usac, name))))
         m = MOVED
         for name, args in (("findHomography", (m.points1, m.points2)), ("estimateAffine2D", (m.points1, m.points2)),
                            ("findEssentialMat", (m.points1, m.points2, PLANE.K1)), ("solvePnPRansac", (POSE.X, POSE.x, POSE.K, None))):
