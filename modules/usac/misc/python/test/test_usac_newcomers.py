@@ -10,11 +10,14 @@ import inspect
 import json
 import pickle
 import pydoc
+import subprocess
+import sys
 import unittest
 
 import numpy as np
 
-from usac_common import ERRORS, FINDER, FUNCTIONS, GENERAL, MOVED, PLANE, RANSAC, THRESHOLD, bits, estimate, inTree, needsCv2, package, usac
+from usac_common import (ERRORS, FINDER, FUNCTIONS, GENERAL, IN_TREE, MOVED, PLANE, RANSAC, THRESHOLD, bits, cv, estimate, inTree, needsCv2,
+                         once, package, usac)
 from usac_pose import POSE
 
 PRESETS = ("usacV20", "fast", "accurate", "sorted", "trustedScores", "parallel", "ransac", "msac", "lmeds", "mlesac", "prosac", "loRansac",
@@ -235,6 +238,66 @@ class WordTest(NewcomerCase):
     @inTree
     def test_wrappers_of_cv2(self):
         self.refused(ERRORS, ("ransacReprojThreshold",), FINDER.findHomography, PLANE.points1, PLANE.points2, usac.USACV20, -1.0)
+
+
+class PictureTest(NewcomerCase):
+
+    def setUp(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            if cv is None:
+                self.skipTest("there is nothing to draw with")
+
+    def scene(self):
+        image1, image2 = np.full((480, 640), 100, np.uint8), np.full((500, 600, 3), 50, np.uint8)
+        a, b = np.array([[100., 200], [300, 60], [20, 400]]), np.array([[50., 100], [250, 300], [590, 490]])
+        return image1, image2, a, b, np.array([[1], [0], [1]], np.uint8)
+
+    def check(self, picture, a, b, good):
+        """Dots are green or magenta, and the lines of inliers are green halfway."""
+        self.assertEqual((picture.shape, picture.dtype), ((500, 1240, 3), np.uint8))
+        for p, q, inlier in zip(a, b + [640, 0], good):
+            places = [p, q] + ([0.3 * p + 0.7 * q] if inlier else [])
+            for x, y in places:
+                near = picture[int(y) - 1:int(y) + 2, int(x) - 1:int(x) + 2].reshape(-1, 3).astype(int)
+                green = near[:, 1] - near[:, [0, 2]].max(axis=1)
+                self.assertGreater((green if inlier else -green).max(), 40, (x, y, near))
+        between = picture[int(0.3 * a[1, 1] + 0.7 * b[1, 1]), int(0.3 * a[1, 0] + 0.7 * (b[1, 0] + 640))]
+        self.assertEqual(len(set(between.tolist())), 1)  # gray: an outlier has no line
+
+    def test_matches(self):
+        image1, image2, a, b, mask = self.scene()
+        draw = usac.draw_matches
+        picture = draw(image1, image2, a, b, mask)
+        self.check(picture, a, b, mask.ravel())
+        self.assertEqual(picture[450, 320, 0], 76 + 70)  # of image 1, pale
+        for args in ((image1, image2, a[:, None], b.T, mask.ravel() != 0), (image1 / 255.0, image2, a.tolist(), np.float32(b), mask)):
+            np.testing.assert_allclose(draw(*args).astype(int), picture, atol=1)
+        everything = draw(image1, image2, a, b)
+        self.assertGreater(int((everything != draw(image1, image2, a, b, lines=0)).any(axis=2).sum()), 1000)
+        far = np.array([[np.nan, 3], [1e30, 3], [-1e6, 2]])
+        np.testing.assert_array_equal(draw(image1, image2, far, b), draw(image1, image2, np.zeros((0, 2)), np.zeros((0, 2))))
+        self.assertEqual(draw(image1, image2, [], []).shape, picture.shape)
+
+    def test_mistakes(self):
+        image1, image2, a, b, mask = self.scene()
+        for word, args in (("image1", (None, image2, a, b)), ("image2", (image1, np.zeros((4, 4, 2)), a, b)), ("image1", ("a.png", image2, a, b)),
+                           ("points1 and points2", (image1, image2, a, b[1:])), ("mask", (image1, image2, a, b, mask[1:])),
+                           ("points2", (image1, image2, a, np.zeros((3, 5)))), ("lines", (image1, image2, a, b, mask, -1))):
+            self.refused(ERRORS, (word,), usac.draw_matches, *args)
+
+    @once
+    def test_without_cv2_and_without_both(self):
+        """In another process, where imports of them fail; cv2.usacv20 is never without cv2."""
+        code = "import sys; sys.modules.update({}); import numpy as np, usacv20; print(usacv20.draw_matches({}).shape)"
+        image = "np.zeros((20, 30)), np.zeros((20, 30)), [[1, 2]], [[3, 4]]"
+        if IN_TREE:
+            self.skipTest("of the package only")
+        for missing, words in (("cv2=None", "(20, 60, 3)"), ("cv2=None, matplotlib=None", "ImportError: draw_matches: cv2 or matplotlib")):
+            run = subprocess.run([sys.executable, "-c", code.replace("{}", "dict({})", 1).format(missing, image)],
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+            self.assertIn(words, run.stdout)
 
 
 @package

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import enum
 import inspect
 import operator
 import typing
@@ -77,6 +78,11 @@ def isReal(value: Any) -> bool:
 def isInteger(value: Any) -> bool:
     """The same for integers."""
     return isReal(value) and not isinstance(value, (float, np.floating)) and getattr(value, "dtype", np.dtype(int)).kind in "iu"
+
+
+def isOfAnother(value: Any, enumeration: type) -> bool:
+    """True for an enumerator of another enumeration, which as an integer could mean anything."""
+    return isinstance(value, enum.Enum) and not isinstance(value, enumeration)
 
 
 def real(value: Any, name: str, default: Optional[float] = None) -> float:

@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 import abc
-import enum
 import typing
 from typing import TYPE_CHECKING, Any, Optional, Tuple
 
@@ -208,7 +207,7 @@ class Usac:
         points1, points2 -- N points each, as the function estimate* of the problem has them
         params -- Params, None for the default
         cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- for ESSENTIAL and ABSOLUTE_POSE, as for estimateEssential"""
-        if isinstance(problem, enum.Enum) and not isinstance(problem, ProblemType):
+        if _arguments.isOfAnother(problem, ProblemType):
             raise fail("problem: a ProblemType is expected, not {!r}".format(problem))
         number = integer(problem, "problem", None, 0, len(ProblemType) - 1)
         options = optionsOf(params)

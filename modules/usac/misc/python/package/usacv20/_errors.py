@@ -10,7 +10,8 @@ import importlib
 import importlib.util
 import re
 import sys
-from typing import Any, Callable, List, Mapping, Type
+import typing
+from typing import Any, Callable, List, Type
 
 _PACKAGE = __name__.rpartition(".")[0]
 _made: List[Type[Exception]] = []
@@ -52,7 +53,7 @@ def fail(message: str) -> Exception:
 _ATTRIBUTES = ("code", "err", "file", "func", "line", "msg")
 
 
-def calling(names: Mapping[str, str], function: Callable[..., Any], *args: Any) -> Any:
+def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args: Any) -> Any:
     """Calls a function of the compiled part. Its errors begin with the argument, in words of C++: `names` has the caller's."""
     try:
         return function(*args)
@@ -67,7 +68,7 @@ def calling(names: Mapping[str, str], function: Callable[..., Any], *args: Any) 
     raise renamed
 
 
-def inWordsOf(names: Mapping[str, str], message: str) -> str:
+def inWordsOf(names: typing.Mapping[str, str], message: str) -> str:
     """A message "argument: what is wrong with it" with other names of arguments."""
     head, colon, rest = message.partition(":")
     return re.sub(r"\w+", lambda word: names.get(word.group()) or word.group(), head) + colon + rest if colon else message

@@ -113,7 +113,7 @@ class Named(Integer):
                     raise self.refused(value)
                 number |= self.named[_short(name)]
             value = number
-        elif not _arguments.isInteger(value) or (isinstance(value, enum.Enum) and not isinstance(value, self.enumeration)):
+        elif not _arguments.isInteger(value) or _arguments.isOfAnother(value, self.enumeration):
             raise self.refused(value)
         super().__set__(instance, value)
 

@@ -6,14 +6,13 @@
 
 from __future__ import annotations
 
-import enum
 import typing
 from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, overload
 
 import numpy as np
 
 from . import _arguments
-from ._arguments import bind, checkMask, integer, isInteger, output, points, real, shown, signed
+from ._arguments import bind, checkMask, integer, isInteger, isOfAnother, output, points, real, shown, signed
 from ._backend import native
 from ._enumerations import USACV20, ProblemType, UsacV20Method
 from ._errors import calling, fail
@@ -56,7 +55,7 @@ def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str
 
 def flag(value: Any, name: str = "method") -> int:
     """An integer, the default for None."""
-    other = isinstance(value, enum.Enum) and type(value).__module__ == UsacV20Method.__module__ and not isinstance(value, UsacV20Method)
+    other = isOfAnother(value, UsacV20Method) and type(value).__module__ == UsacV20Method.__module__
     if value is not None and (other or not isInteger(value)):
         raise fail("{}: one of the flags USACV20*, a flag of OpenCV or a Params is expected, not {}".format(name, shown(value)))
     return integer(value, name, int(USACV20))
