@@ -5,7 +5,7 @@
 
 # Builds the module against the OpenCV of the system and runs its samples on OpenCV's own image pairs: error against the
 # known truth, inliers, iterations and milliseconds beside cv::RANSAC and cv::USAC_DEFAULT, and pictures; then the Python package in
-# a virtual environment, and its sample. Does all its own set-up on Debian (as root or with sudo).
+# a virtual environment, and its samples. Does all its own set-up on Debian (as root or with sudo).
 #
 #   USAC_BUILD_DIR            everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac_quickstart
 #   OPENCV_SAMPLES_DATA_PATH  folder of OpenCV's sample images; default: the one of Debian's package opencv-doc
@@ -88,6 +88,16 @@ sample() # name, arguments
     OPENCV_SAMPLES_DATA_PATH=$images "$program" "$@"
 }
 
+python_sample() # name, arguments
+{
+    echo
+    echo "== $1.py"
+    program=$project/samples/python/$1.py
+    picture=$pictures/$1_py.png
+    shift
+    OPENCV_SAMPLES_DATA_PATH=$images "$work/venv/bin/python3" "$program" "$@" --output="$picture"
+}
+
 # The package takes the library that is built already: else `pip install modules/usac` compiles one of its own.
 python_package()
 {
@@ -96,8 +106,12 @@ python_package()
     rm -rf "$work/venv"
     /usr/bin/python3 -m venv --system-site-packages "$work/venv"
     CMAKE_ARGS="-Dopencv_usac_DIR=$build" "$work/venv/bin/pip" install --quiet --no-build-isolation --no-index "$project/modules/usac"
-    OPENCV_SAMPLES_DATA_PATH=$images "$work/venv/bin/python3" "$project/samples/python/walkthrough.py" \
-        --output="$pictures/walkthrough.png"
+    python_sample homography
+    python_sample fundamental
+    python_sample essential
+    python_sample absolute_pose box.png
+    python_sample stabilize
+    python_sample walkthrough
 }
 
 if command -v dpkg-query > /dev/null; then install_packages; fi

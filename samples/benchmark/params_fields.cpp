@@ -4,6 +4,8 @@
 
 #include "params_fields.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -16,6 +18,62 @@ using cv::usacv20::FieldValues;
 using cv::usacv20::Params;
 
 namespace {
+
+struct Enumerators
+{
+    const char* field;
+    std::vector<std::string> names;
+    bool flags;  //!< the first is 1, the next 2, 4, 8, ...; else they count from 0
+};
+
+//! Of the options and sets of Params, without the prefix that all of an enumeration have, in their order.
+const std::vector<Enumerators>& enumerators()
+{
+    static const std::vector<Enumerators> all = {
+        {"sampler", {"UNIFORM", "PROSAC", "P_NAPSAC", "NAPSAC", "IMPORTANCE"}, false},
+        {"ordering", {"AUTO", "DENSITY", "INPUT_ORDER", "NONE"}, false},
+        {"scoreOrder", {"LOWER_IS_BETTER", "HIGHER_IS_BETTER"}, false},
+        {"neighborhood", {"GRID", "KNN", "RADIUS"}, false},
+        {"residual", {"STANDARD", "SYMMETRIC"}, false},
+        {"quality", {"INLIERS", "MSAC", "MLESAC", "LMEDS", "MAGSAC", "MAGSAC_PLUS_PLUS"}, false},
+        {"verification", {"NONE", "SPRT", "TDD"}, false},
+        {"localOptimization",
+         {"NONE", "GRAPH_CUT", "LO_RANSAC", "FLO_RANSAC", "SIGMA_CONSENSUS", "SIGMA_CONSENSUS_PLUS_PLUS", "GC_RANSAC"},
+         false},
+        {"termination", {"STANDARD", "SPRT", "P_NAPSAC", "PROSAC", "MAGSAC", "EXACT", "ORDER"}, true},
+        {"degeneracy", {"ORIENTATION", "DEGENSAC", "REPEATED"}, true},
+        {"polishing", {"NONE", "LEAST_SQUARES", "REWEIGHTED", "ROBUST"}, false}};
+    return all;
+}
+
+//! How names are compared: capitals, "p-napsac" is P_NAPSAC.
+std::string normalized(std::string name)
+{
+    for (char& c : name)
+        c = c == '-' ? '_' : (char)std::toupper((unsigned char)c);
+    return name;
+}
+
+//! The value of "prosac", or of "sprt|standard" for a set. @return false for a name that is none, with all names
+bool valueOf(const Enumerators& of, const std::string& text, double& value, std::string& all)
+{
+    std::istringstream in(text);
+    std::string name;
+    int bits = 0, found = 0;
+    for (const std::string& known : of.names)
+        all += (all.empty() ? "" : ", ") + known;
+    while (std::getline(in, name, '|'))
+    {
+        const auto known = std::find(of.names.begin(), of.names.end(), normalized(name));
+        if (known == of.names.end() || (found > 0 && !of.flags))
+            return false;
+        const int place = (int)(known - of.names.begin());
+        bits |= of.flags ? 1 << place : place;
+        ++found;
+    }
+    value = bits;
+    return found > 0;
+}
 
 //! Gives the field of that name, if it is a numeric one, its value.
 struct Assignment
@@ -65,8 +123,17 @@ Field::Field(const std::string& assignment_) : assignment(assignment_), value(0)
     const std::string text = assignment.substr(equals + 1);
     char* end = 0;
     value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end)
-        fail("expected a number");
+    if (!text.empty() && !*end)
+        return;
+    for (const Enumerators& of : enumerators())
+        if (name == of.field)
+        {
+            std::string all;
+            if (!valueOf(of, text, value, all))
+                fail("expected a number or one of " + all + (of.flags ? ", some of them joined by |" : ""));
+            return;
+        }
+    fail("expected a number");
 }
 
 int Field::integer() const

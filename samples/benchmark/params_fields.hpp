@@ -14,7 +14,8 @@ namespace benchmark {
 //! One "field=value".
 struct Field
 {
-    //! Anything else, or a value that is no number, raises std::runtime_error.
+    //! An option of Params may have a name for its value, "sampler=prosac", "termination=sprt|standard". Anything
+    //! else, or a value that is no number, raises std::runtime_error.
     explicit Field(const std::string& assignment);
 
     //! The value, which must be an integer, or std::runtime_error is raised.
@@ -29,7 +30,7 @@ struct Field
 //! The parts of "sampler=1,localIterations=3".
 std::vector<Field> parseFields(const std::string& assignments);
 
-/** Sets numeric fields by name: "sampler=1,localIterations=3".
+/** Sets numeric fields by name: "sampler=prosac,localIterations=3".
 An unknown name or a value that is no number raises std::runtime_error. */
 void setFields(cv::usacv20::Params& params, const std::string& assignments);
 

@@ -21,6 +21,8 @@ from test_benchmark import C1, C2, K, R1, R2, SIZE, FolderTest, project, text
 
 PROGRAMS = os.path.dirname(os.environ.get("USAC_BENCHMARK", ""))
 TEST_DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "test_data")
+PARAMS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "modules", "usac", "include", "opencv2", "usac",
+                      "params.hpp")
 REPEATS = 5
 #: What a run comes to, but for its time.
 FIGURES = ("pair", "repeat", "error", "failed", "pose_error", "iterations", "inliers", "cost")
@@ -157,6 +159,30 @@ class CustomTest(FolderTest):
         self.check_mistake("usac_test_methods", "custom:echo{seed=1.5}", "'seed=1.5': expected an integer")
         self.check_mistake("usac_test_methods", "custom:echo{confidence=1}", "custom:echo{confidence=1}: confidence: expected")
         self.check_mistake("usac_custom_benchmark", "custom:ransac+scores", "custom:ransac+scores: takes no scores")
+
+    def test_options_by_their_names(self):
+        """The program's names are the enumerators of params.hpp, in their order, and mean the same as their numbers."""
+        with open(PARAMS) as lines:
+            header = re.sub(r"//.*", "", lines.read())
+        for field, enumeration in (("sampler", "SamplerType"), ("ordering", "OrderingType"), ("scoreOrder", "ScoreOrder"),
+                                   ("neighborhood", "NeighborhoodType"), ("residual", "ResidualType"), ("quality", "QualityType"),
+                                   ("verification", "VerificationType"), ("localOptimization", "LocalOptimizationType"),
+                                   ("termination", "TerminationFlags"), ("degeneracy", "DegeneracyFlags"), ("polishing", "PolishingType")):
+            body = re.search(r"enum %s \{(.*?)\}" % enumeration, header, re.DOTALL).group(1)
+            found = re.findall(r"(\w+)\s*=\s*(\d+)", body)
+            prefix = os.path.commonprefix([name for name, _ in found]).rpartition("_")[0] + "_"
+            flags = enumeration.endswith("Flags")
+            self.assertEqual([int(value) for _, value in found], [1 << i if flags else i for i in range(len(found))], field)
+            names = ", ".join(name[len(prefix):] for name, _ in found)
+            self.check_mistake("usac_benchmark", "USACV20{%s=nothing}" % field, "expected a number or one of " + names)
+        pairs_of_methods = [("USACV20{sampler=prosac}", "USACV20{sampler=1}"), ("USACV20{quality=msac}", "USACV20{quality=1}"),
+                            ("USACV20{termination=sprt|Standard}", "USACV20{termination=3}"),
+                            ("USACV20{localOptimization=lo-ransac}", "USACV20{localOptimization=2}")]
+        rows, _ = self.runs("usac_benchmark", [method for pair in pairs_of_methods for method in pair])
+        for named, numbered in pairs_of_methods:
+            for problem in "HF":
+                self.assertEqual([figures(row) for row in rows[problem][named]], [figures(row) for row in rows[problem][numbered]], named)
+        self.check_mistake("usac_benchmark", "USACV20{sampler=prosac|uniform}", "expected a number or one of UNIFORM")
 
     def test_unknown_names(self):
         self.check_mistake("usac_custom_benchmark", "custom:nope{seed=1}",

@@ -5,7 +5,7 @@
 
 """From images of a flat object to the pose of the camera.
 
-The object's own image gives points of space (Z = 0), their matches in the scene are their images, cv2.solvePnPRansac finds the
+The object's own image gives points of space (Z = 0), their matches in the scene are their images, usacv20.solvePnPRansac finds the
 pose, and its axes are drawn into the scene. The pose of the first scene is the initial model of the second. Without images a
 board is made and photographed here, and the true poses are known.
 """
@@ -18,7 +18,7 @@ import cv2
 import numpy as np
 
 import tools
-from tools import Array, Image
+from tools import Array, Image, usacv20
 
 
 def places_in_space(pixels: Array, shape: Tuple[int, ...]) -> Array:
@@ -90,11 +90,11 @@ def estimate(name: str, flag: int, places: Array, pixels: Array, camera: Tuple[A
              args: argparse.Namespace) -> tools.Result:
     """The call a user writes; `flag` is OpenCV's or this module's."""
     def call() -> Tuple[Optional[Array], Array]:
-        found, rvec, tvec, inliers = cv2.solvePnPRansac(
+        found, rvec, tvec, inliers = usacv20.solvePnPRansac(
             places, pixels, camera[0], camera[1], iterationsCount=args.iterations, reprojectionError=args.threshold,
             confidence=args.confidence, flags=flag)
         mask = np.zeros((len(pixels), 1), np.uint8)
-        if found:
+        if inliers is not None:
             mask[inliers.ravel()] = 1
         return (pose_of(rvec, tvec) if found else None), mask
     return tools.measure(name, args.runs, call)
@@ -107,9 +107,9 @@ def estimate_with(name: str, places: Array, pixels: Array, ratios: Array, camera
     params.scores = ratios
     if before is not None:
         params.setInitialModel(before)
-    result = tools.measure(name, args.runs, lambda: cv2.usacv20.estimateAbsolutePose(
+    result = tools.measure(name, args.runs, lambda: usacv20.estimateAbsolutePose(
         places, pixels, camera[0], camera[1], params)[:2])
-    report = cv2.usacv20.estimateAbsolutePose(places, pixels, camera[0], camera[1], params)[2]
+    report = usacv20.estimateAbsolutePose(places, pixels, camera[0], camera[1], params)[2]
     result.iterations = report.iterations
     print("%s: %s" % (name, report.describe()))
     return result
@@ -137,7 +137,7 @@ def find_pose(board: Image, image: Image, truth: Any, before: Optional[Array],
     places, camera = places_in_space(points, board.shape), read_camera(args, image.shape)
     results = [estimate(name, flag, places, pixels, camera, args)
                for name, flag in (("ITERATIVE", cv2.SOLVEPNP_ITERATIVE), ("USAC_DEFAULT", cv2.USAC_DEFAULT),
-                                  ("USACV20", cv2.USACV20))]
+                                  ("USACV20", usacv20.USACV20))]
     results.append(estimate_with("with scores", places, pixels, ratios, camera, None, args))
     if before is not None:
         results.append(estimate_with("with the last", places, pixels, ratios, camera, before, args))

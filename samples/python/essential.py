@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 
 import tools
-from tools import Array, Image
+from tools import Array, Image, usacv20
 
 
 class Stereo:
@@ -82,16 +82,16 @@ def main() -> int:
 
     results = []
     for name in ("RANSAC", "USAC_DEFAULT", "USACV20"):
-        result = tools.measure(name, args.runs, lambda: cv2.findEssentialMat(
-            points1, points2, stereo.K1, stereo.dist1, stereo.K2, stereo.dist2, getattr(cv2, name), args.confidence,
+        result = tools.measure(name, args.runs, lambda: usacv20.findEssentialMat(
+            points1, points2, stereo.K1, stereo.dist1, stereo.K2, stereo.dist2, tools.flag_of(name), args.confidence,
             args.threshold))
         if result.model is not None:
             rate(result, points1, points2, stereo)
         results.append(result)
 
-    # The same estimation once more, for what a flag does not tell; 1000 is cv2.findEssentialMat's number of samples.
+    # The same estimation once more, for what a flag does not tell; 1000 is findEssentialMat's number of samples.
     ours = results[-1]
-    _, _, report = cv2.usacv20.estimateEssential(points1, points2, stereo.K1, stereo.K2, stereo.dist1, stereo.dist2,
+    _, _, report = usacv20.estimateEssential(points1, points2, stereo.K1, stereo.K2, stereo.dist1, stereo.dist2,
                                                  tools.usacv20_params(args, 1000))
     ours.iterations = report.iterations
     tools.print_table(len(points1), results, args.runs)

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 
 import tools
-from tools import Array, Image
+from tools import Array, Image, usacv20
 
 
 def mean_distance(H: Array, truth: Any, shape: Tuple[int, ...]) -> float:
@@ -45,8 +45,8 @@ def main() -> int:
 
     results = []
     for name in ("RANSAC", "USAC_DEFAULT", "USACV20"):
-        result = tools.measure(name, args.runs, lambda: cv2.findHomography(
-            points1, points2, getattr(cv2, name), args.threshold, maxIters=args.iterations, confidence=args.confidence))
+        result = tools.measure(name, args.runs, lambda: usacv20.findHomography(
+            points1, points2, tools.flag_of(name), args.threshold, maxIters=args.iterations, confidence=args.confidence))
         if truth is not None and result.model is not None:
             error = result.error = mean_distance(result.model, truth, image1.shape)
             result.errorText = "%.2f px" % error
@@ -54,7 +54,7 @@ def main() -> int:
 
     # The same estimation once more, for what a flag does not tell.
     ours = results[-1]
-    _, _, report = cv2.usacv20.estimateHomography(points1, points2, tools.usacv20_params(args, args.iterations))
+    _, _, report = usacv20.estimateHomography(points1, points2, tools.usacv20_params(args, args.iterations))
     ours.iterations = report.iterations
     tools.print_table(len(points1), results, args.runs)
     print("USACV20: " + report.describe())

@@ -19,7 +19,7 @@ import cv2
 import numpy as np
 
 import tools
-from tools import Array, Image
+from tools import Array, Image, usacv20
 
 
 def square(motion: Array) -> Array:
@@ -67,8 +67,8 @@ def estimate(name: str, matches: List[Tuple[Array, Array]], truth: Any, shape: T
     """The motions, the mean error and whether all have been found; prints the line of the table."""
     motions, errors, inliers, lost, start = [], [], 0, 0, time.perf_counter()
     for points1, points2 in matches:
-        motion, mask = cv2.estimateAffinePartial2D(points1, points2, None, getattr(cv2, name), args.threshold,
-                                                   confidence=args.confidence)
+        motion, mask = usacv20.estimateAffinePartial2D(points1, points2, None, tools.flag_of(name), args.threshold,
+                                                       confidence=args.confidence)
         lost += motion is None
         motions.append(np.eye(2, 3) if motion is None else motion)
         inliers += 0 if mask is None else np.count_nonzero(mask)

@@ -15,6 +15,11 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+try:
+    import usacv20 as usacv20  # the package, beside any cv2
+except ImportError:
+    from cv2 import usacv20 as usacv20  # type: ignore[no-redef]  # the same, of an OpenCV that was built with the module
+
 Array = npt.NDArray[Any]
 Image = npt.NDArray[Any]  # height x width x 3 uint8
 
@@ -26,7 +31,7 @@ class Result:
 
     def __init__(self, method: str, model: Optional[Array], mask: Array, milliseconds: float) -> None:
         self.method, self.model, self.mask, self.milliseconds = method, model, mask, milliseconds
-        self.iterations = "-"
+        self.iterations: Any = "-"
         self.error: Optional[float] = None
         self.errorText = "unknown"
 
@@ -85,6 +90,11 @@ def match(image1: Image, image2: Image, args: argparse.Namespace) -> Tuple[Array
     return match_with_ratios(image1, image2, args)[:2]
 
 
+def flag_of(name: str) -> int:
+    """The flag of this name, this module's or OpenCV's: the functions of usacv20 take both."""
+    return int(getattr(usacv20 if name.startswith("USACV20") else cv2, name))
+
+
 def measure(method: str, runs: int, estimate: Callable[[], Any]) -> Result:
     """Runs estimate(), which returns model and mask, `runs` times."""
     times = []
@@ -95,13 +105,9 @@ def measure(method: str, runs: int, estimate: Callable[[], Any]) -> Result:
     return Result(method, model, mask, 1e3 * sorted(times)[len(times) // 2])
 
 
-def usacv20_params(args: argparse.Namespace, iterations: int) -> Any:
-    """What the flag cv2.USACV20 makes of the same settings."""
-    params = cv2.usacv20.Params()
-    params.threshold = args.threshold
-    params.confidence = args.confidence
-    params.maxIterations = iterations
-    return params
+def usacv20_params(args: argparse.Namespace, iterations: int) -> usacv20.Params:
+    """What the flag USACV20 makes of the same settings."""
+    return usacv20.Params(threshold=args.threshold, confidence=args.confidence, maxIterations=iterations)
 
 
 def print_table(count: int, results: List[Result], runs: int) -> None:

@@ -3,10 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""From two images to verified matches, step by step, with the package usacv20 beside any cv2.
+"""From two images to verified matches, step by step, with the package usacv20 beside any cv2, or with cv2.usacv20.
 
 A script in cells: run it as it is, or cell by cell in an editor that knows `# %%`. It needs the package (pip install
-modules/usac), cv2 and matplotlib (Debian: python3-opencv, python3-matplotlib); all pictures are written to one file."""
+modules/usac) or an OpenCV that was built with the module, cv2 and matplotlib (Debian: python3-opencv, python3-matplotlib); all pictures are written to one file."""
 
 # %% The images, two of OpenCV's own, and the matches of their features.
 import cv2
@@ -14,7 +14,7 @@ import matplotlib
 import numpy as np
 
 import tools
-import usacv20
+from tools import usacv20
 
 parser = tools.arguments(__doc__, "aloeL.jpg", "aloeR.jpg", "walkthrough.png", 1.0)
 args = parser.parse_args()

@@ -33,7 +33,7 @@ python_tests()
 {
     cd "$module/misc/python/test" &&
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" \
-        /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
+        OPENCV_SAMPLES_DATA_PATH="$source/samples/data" /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
 }
 
 # The package as a user gets it: a source distribution, from it a wheel, which is installed in a virtual environment. All
@@ -58,7 +58,7 @@ python_package_tests() # with | none
 {
     cd "$module/misc/python/test" &&
     PYTHONDONTWRITEBYTECODE=1 USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
-        "$folder/venv/bin/python3" -c "$run_unittests" "test_usac*.py"
+        OPENCV_SAMPLES_DATA_PATH="$source/samples/data" "$folder/venv/bin/python3" -c "$run_unittests" "test_usac*.py"
 }
 
 # The readers of the data sets and the plots of the benchmark; without matplotlib and scipy some tests are skipped.

@@ -8,7 +8,7 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-py::tuple fieldsOf(const Correspondences& points, int sampleSize)
+py::tuple fieldsOf(const Correspondences& points, int sampleSize, const std::vector<float>& given)
 {
     const int size = points.size, columns = points.columns();
     py::array_t<double> data({size, columns});
@@ -17,7 +17,12 @@ py::tuple fieldsOf(const Correspondences& points, int sampleSize)
             *data.mutable_data(i, k) = points.exact[k][i];
     py::object scores = py::none();
     if (points.scores)
-        scores = py::array_t<float>(size, points.scores);
+    {
+        py::array_t<float> own(size);
+        for (int i = 0; i < size; ++i)
+            *own.mutable_data(i) = given.at(points.inputIndex[i]);
+        scores = std::move(own);
+    }
     return py::make_tuple(data, py::array_t<int>(size, points.inputIndex), scores, points.threshold, sampleSize);
 }
 

@@ -22,7 +22,7 @@ void PythonSampler::start(const Context& context)
 {
     sampleSize = context.components.minimalSolver->sampleSize();
     py::gil_scoped_acquire locked;
-    sampler.attr("_begin")(*fieldsOf(context.points, sampleSize));
+    sampler.attr("_begin")(*fieldsOf(context.points, sampleSize, context.params.scores));
 }
 
 void PythonSampler::sample(const Context&, State& state, int* sample)

@@ -20,7 +20,8 @@ PythonScore::~PythonScore()
 void PythonScore::start(const Context& context)
 {
     py::gil_scoped_acquire locked;
-    score.attr("_begin")(*fieldsOf(context.points, context.components.minimalSolver->sampleSize()));
+    const int sampleSize = context.components.minimalSolver->sampleSize();
+    score.attr("_begin")(*fieldsOf(context.points, sampleSize, context.params.scores));
 }
 
 void PythonScore::accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const

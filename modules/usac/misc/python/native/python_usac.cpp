@@ -15,15 +15,12 @@ namespace python {
 
 namespace {
 
-Ptr<Usac> create(int problem, const py::object& points1, const py::object& points2, const Params& params,
-                 const py::object& cameraMatrix1, const py::object& cameraMatrix2, const py::object& distCoeffs1,
-                 const py::object& distCoeffs2)
+Mat own(const py::object& array, const char* name) { return ArrayMat(array, name).own(); }
+
+ProblemType problemOf(int number)
 {
-    CV_Assert(problem >= HOMOGRAPHY && problem <= SIMILARITY_3D);
-    return Usac::create((ProblemType)problem, ArrayMat(points1, "points1").mat(), ArrayMat(points2, "points2").mat(),
-                        params, ArrayMat(cameraMatrix1, "cameraMatrix1").mat(),
-                        ArrayMat(cameraMatrix2, "cameraMatrix2").mat(), ArrayMat(distCoeffs1, "distCoeffs1").mat(),
-                        ArrayMat(distCoeffs2, "distCoeffs2").mat());
+    CV_Assert(number >= HOMOGRAPHY && number <= SIMILARITY_3D);
+    return (ProblemType)number;
 }
 
 //! Sets a flag while it lives. It is destroyed with the interpreter's lock held.
@@ -41,12 +38,32 @@ private:
 
 }  // namespace
 
-PythonUsac::PythonUsac(int problem, const py::object& points1, const py::object& points2, const Params& params,
+PythonUsac::PythonUsac(int problem_, const py::object& points1, const py::object& points2, const Params& params_,
                        const py::object& cameraMatrix1, const py::object& cameraMatrix2, const py::object& distCoeffs1,
                        const py::object& distCoeffs2)
-    : usac(create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)),
-      ownSampler(usac->components().sampler), ownScore(usac->components().score), running(false)
-{}
+    : problem(problemOf(problem_)), K1(own(cameraMatrix1, "cameraMatrix1")), K2(own(cameraMatrix2, "cameraMatrix2")),
+      d1(own(distCoeffs1, "distCoeffs1")), d2(own(distCoeffs2, "distCoeffs2")), running(false)
+{
+    build(own(points1, "points1"), own(points2, "points2"), params_);
+}
+
+void PythonUsac::build(const Mat& points1, const Mat& points2, const Params& options)
+{
+    const Ptr<Usac> made = Usac::create(problem, points1, points2, options, K1, K2, d1, d2);
+    Components& parts = made->components();
+    const Ptr<Sampler> sampler = parts.sampler;
+    const Ptr<Score> score = parts.score;
+    if (usac && usac->components().sampler != ownSampler)
+        parts.sampler = usac->components().sampler;
+    if (usac && usac->components().score != ownScore)
+        parts.score = usac->components().score;
+    usac = made;
+    ownSampler = sampler;
+    ownScore = score;
+    params = options;
+    first = points1;
+    second = points2;
+}
 
 //! The object is for one thread at a time, and a component must not change what it is part of.
 void PythonUsac::checkIdle(const char* what) const
@@ -70,12 +87,21 @@ void PythonUsac::setScore(const py::object& score)
 void PythonUsac::setPoints(const py::object& points1, const py::object& points2)
 {
     checkIdle("setPoints");
-    usac->setPoints(ArrayMat(points1, "points1").mat(), ArrayMat(points2, "points2").mat());
+    first = own(points1, "points1");
+    second = own(points2, "points2");
+    usac->setPoints(first, second);
+}
+
+void PythonUsac::renew(const py::object& points1, const py::object& points2, const Params& options)
+{
+    checkIdle("params");
+    build(points1.is_none() ? first : own(points1, "points1"), points2.is_none() ? second : own(points2, "points2"),
+          options);
 }
 
 py::tuple PythonUsac::points() const
 {
-    return fieldsOf(usac->points(), usac->components().minimalSolver->sampleSize());
+    return fieldsOf(usac->points(), usac->components().minimalSolver->sampleSize(), params.scores);
 }
 
 py::tuple PythonUsac::run()
@@ -100,6 +126,7 @@ void addUsac(py::module_& module)
         .def("setSampler", &PythonUsac::setSampler, py::arg("sampler"))
         .def("setScore", &PythonUsac::setScore, py::arg("score"))
         .def("setPoints", &PythonUsac::setPoints, py::arg("points1"), py::arg("points2"))
+        .def("renew", &PythonUsac::renew, py::arg("points1"), py::arg("points2"), py::arg("params"))
         .def("points", &PythonUsac::points)
         .def("run", &PythonUsac::run);
 }

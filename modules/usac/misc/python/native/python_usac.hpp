@@ -23,16 +23,24 @@ public:
     void setSampler(const py::object& sampler);
     void setScore(const py::object& score);
     void setPoints(const py::object& points1, const py::object& points2);
+    //! Other options, and other points where these are not None; components in Python stay. If something is wrong,
+    //! nothing changes.
+    void renew(const py::object& points1, const py::object& points2, const Params& params);
     py::tuple points() const;
     //! @return model, mask, report; without the interpreter's lock, which components in Python take.
     py::tuple run();
 
 private:
     void checkIdle(const char* what) const;
+    void build(const Mat& points1, const Mat& points2, const Params& options);
 
+    const ProblemType problem;
+    const Mat K1, K2, d1, d2;
+    Mat first, second;  //!< points, for other options
+    Params params;
     Ptr<Usac> usac;
-    const Ptr<Sampler> ownSampler;
-    const Ptr<Score> ownScore;
+    Ptr<Sampler> ownSampler;  //!< those of the options
+    Ptr<Score> ownScore;
     bool running;  //!< guarded by the interpreter's lock
 };
 

@@ -87,7 +87,7 @@ class FlagTest(unittest.TestCase):
             for wrong in (dict(refineIters=2**40), dict(maxIters=2**40), dict(maxIters=0)):
                 with self.assertRaises(usac.error) as context:
                     function(a, b, None, usac.USACV20, **wrong)
-                self.assertIn("polishingSteps" if "refineIters" in wrong else "maxIterations", str(context.exception))
+                self.assertIn(list(wrong)[0], str(context.exception))
 
     def test_too_few_points_for_a_map(self):
         for function in (FINDER.estimateAffine2D, FINDER.estimateAffinePartial2D):
@@ -127,7 +127,7 @@ class FlagTest(unittest.TestCase):
         for p, q in ((np.float32(a), np.float32(b)), (np.int32(a), np.int32(b)), (a[:, None], b[:, None]),
                      (a[None], b[None]), (np.asfortranarray(a), wide[:, 1:3]), (np.float32(a), b[None]),
                      (a[::-1][::-1], np.repeat(b, 2, axis=0)[::2]), (a.T, b.T), (np.ascontiguousarray(a.T), b[None]),
-                     (np.hstack([a, ones]), np.hstack([b, ones]).T), (a.reshape(2, -1, 2), b)):
+                     (np.hstack([a, ones]), np.hstack([b, ones]).T)):
             self.assertEqual(bits(FINDER.findHomography(p, q, usac.USACV20, 3.0)), expected)
 
     @needsCv2

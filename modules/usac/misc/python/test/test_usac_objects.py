@@ -60,7 +60,7 @@ class ParamsTest(unittest.TestCase):
         self.assertEqual((params.threshold, params.quality, params.seed, params.confidence), (2.0, usac.QUALITY_LMEDS, 7, 0.5))
         self.assertIsInstance(params.threshold, float)
         np.testing.assert_array_equal(params.scores, np.float32([3, 1, 2]))
-        for wrong in (dict(threshold="2"), dict(seed=1.5), dict(seed=True), dict(quality="QUALITY_MSAC"),
+        for wrong in (dict(threshold="2"), dict(seed=1.5), dict(seed=True), dict(quality="QUALITY_BEST"),
                       dict(threshold=[1, 2]), dict(scores="abc"), dict(scores=np.zeros((3, 2))), dict(scores=[1j]),
                       dict(scores=5), dict(initialModel="abc"), dict(scores=[[1], [2, 3]])):
             with self.assertRaisesRegex(TypeError, list(wrong)[0]):
@@ -196,9 +196,9 @@ class TextTest(unittest.TestCase):
     def test_errors(self):
         with self.assertRaises(usac.error) as context:
             usac.findHomography(PLANE.points1, PLANE.points2, usac.USACV20, -1.0)
-        self.assertIn("threshold", str(context.exception))
+        self.assertIn("ransacReprojThreshold", str(context.exception))
         self.assertEqual(context.exception.code, -211)
-        self.assertIn("threshold", context.exception.err)
+        self.assertIn("ransacReprojThreshold", context.exception.err)
         self.assertGreater(context.exception.line, 0)
         if cv is not None:
             self.assertTrue(issubclass(usac.error, cv.error))

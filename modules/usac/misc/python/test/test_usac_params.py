@@ -195,7 +195,7 @@ class EstimateTest(unittest.TestCase):
                 ("points", usac.estimateHomography, (a, b[1:], params)),
                 ("points", usac.estimateFundamental, (a, b[1:], params)),
                 ("points", usac.estimateEssential, (a, b[1:], K, None, None, None, params)),
-                ("points", FINDER.findHomography, (a, b[1:], usac.USACV20)),
+                ("Points", FINDER.findHomography, (a, b[1:], usac.USACV20)),
                 ("points", usac.estimateHomography, (np.ones((9, 1)), np.ones((9, 1)), params)),
                 ("cameraMatrix", usac.estimateEssential, (a, b, np.eye(2), None, None, None, params)),
                 ("cameraMatrix", usac.estimateEssential, (a, b, np.zeros((3, 3)), None, None, None, params)),

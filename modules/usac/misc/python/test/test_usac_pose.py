@@ -283,8 +283,8 @@ class PoseInputTest(unittest.TestCase):
                 ("objectPoints", (X[:, :2], x, K, d), {}), ("imagePoints", (X, x[:, :1], K, d), {}),
                 ("Points", (X, x[:50], K, d), {}), ("cameraMatrix", (X, x, np.eye(2), d), {}),
                 ("cameraMatrix", (X, x, K.T, d), {}), ("distCoeffs", (X, x, K, np.zeros(3)), {}),
-                ("hreshold", (X, x, K, d), dict(reprojectionError=-1.)), ("onfidence", (X, x, K, d), dict(confidence=1.5)),
-                ("max", (X, x, K, d), dict(iterationsCount=0)), ("residual", (X, x, K, d), dict(params=symmetric)),
+                ("reprojectionError", (X, x, K, d), dict(reprojectionError=-1.)), ("onfidence", (X, x, K, d), dict(confidence=1.5)),
+                ("iterationsCount", (X, x, K, d), dict(iterationsCount=0)), ("residual", (X, x, K, d), dict(params=symmetric)),
                 ("degeneracy", (X, x, K, d), dict(params=degensac))):
             kwargs = kwargs if "params" in kwargs else dict(kwargs, flags=usac.USACV20)
             with self.assertRaises(usac.error, msg=word) as context:

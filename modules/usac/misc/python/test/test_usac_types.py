@@ -19,7 +19,7 @@ from typing import Any, List, Optional, Tuple, Union
 import numpy as np
 import numpy.typing as npt
 
-from usac_common import once, package, usac as module
+from usac_common import FUNCTIONS, once, package, usac as module
 
 if not module.__name__.startswith("cv2."):  # the types are those of the package
     import usacv20
@@ -132,7 +132,10 @@ class ToolTest(unittest.TestCase):
         self.run_tool("mypy", "--strict", "-p", "usacv20", MYPYPATH=self.path)
 
     def test_stubs(self) -> None:
-        self.run_tool("mypy.stubtest", "usacv20", MYPYPATH=self.path)
+        # One signature for inspect cannot be that of several overloads; test_usac_newcomers.py calls with what it says.
+        with open(os.path.join(self.cache, "allowed.txt"), "w") as file:
+            file.write(r"usacv20(\._\w+)?\.({})".format("|".join(FUNCTIONS)))
+        self.run_tool("mypy.stubtest", "usacv20", "--allowlist", "allowed.txt", MYPYPATH=self.path)
 
     def test_this_file(self) -> None:
         self.run_tool("mypy", "--strict", "--follow-imports=silent", "--allow-untyped-calls", os.path.abspath(__file__),

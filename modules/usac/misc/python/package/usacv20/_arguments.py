@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+import enum
+import inspect
 import operator
 import typing
 from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
@@ -17,6 +19,7 @@ from ._errors import fail
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+Function = typing.TypeVar("Function", bound=typing.Callable[..., Any])
 INT_MIN, INT_MAX = -2**31, 2**31 - 1
 # What cv::Mat can hold, in the order of bytes of this machine.
 _TAKEN = frozenset(np.dtype(kind) for kind in ("u1", "i1", "u2", "i2", "i4", "f4", "f8"))
@@ -41,6 +44,20 @@ def bind(function: str, names: typing.Sequence[str], required: int, defaults: ty
     return values
 
 
+def signed(names: typing.Sequence[str], required: int, defaults: typing.Mapping[str, Any]) -> typing.Callable[[Function], Function]:
+    """Gives a function of (*args, **kwargs) the signature that help(), completion and notebooks show, with `params` by its name."""
+    kinds = inspect.Parameter
+    parameters = [kinds(name, kinds.POSITIONAL_OR_KEYWORD, default=kinds.empty if i < required else defaults.get(name))
+                  for i, name in enumerate(names)]
+    parameters.append(kinds("params", kinds.KEYWORD_ONLY, default=None))
+
+    def mark(function: Function) -> Function:
+        setattr(function, "__signature__", inspect.Signature(parameters))
+        return function
+
+    return mark
+
+
 def shown(value: Any) -> str:
     """A value for a message, not too long."""
     if isinstance(value, np.ndarray):
@@ -61,6 +78,11 @@ def isReal(value: Any) -> bool:
 def isInteger(value: Any) -> bool:
     """The same for integers."""
     return isReal(value) and not isinstance(value, (float, np.floating)) and getattr(value, "dtype", np.dtype(int)).kind in "iu"
+
+
+def isOfAnother(value: Any, enumeration: type) -> bool:
+    """True for an enumerator of another enumeration, which as an integer could mean anything."""
+    return isinstance(value, enum.Enum) and not isinstance(value, enumeration)
 
 
 def real(value: Any, name: str, default: Optional[float] = None) -> float:
@@ -84,9 +106,17 @@ def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT
     return number
 
 
+def refuseMasked(value: Any, name: str) -> None:
+    """An array of numpy.ma would lose its mask."""
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
+        raise fail("{}: a masked array is not taken, as its mask would be lost: give the rows that it leaves, of all arrays the "
+                   "same, or filled(numpy.nan), whose rows are never inliers".format(name))
+
+
 def _converted(value: Any, name: str) -> npt.NDArray[Any]:
     if type(value).__name__ == "UMat":
         value = value.get()
+    refuseMasked(value, name)
     try:
         given = np.asarray(value)
     except Exception as failure:  # rows of different lengths, or what __array__ raises
@@ -120,6 +150,37 @@ def optionalArray(value: Any, name: str) -> Optional[npt.NDArray[Any]]:
     return None if value is None else array(value, name)
 
 
+def _third(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
+    """The third coordinate of the points of a plane where there are three, as C++ reads the array."""
+    if given.ndim == 3:
+        return given[..., 2] if given.shape[2] == 3 else None
+    if given.ndim == 1:
+        return given[2:] if len(given) == 3 else None
+    if given.ndim != 2:
+        return None
+    rows, cols = given.shape
+    if cols == 1 or 1 < rows < cols:
+        return given[2] if rows == 3 else None
+    return given[:, 2] if cols == 3 else None
+
+
+def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
+    """As array(), for one list of points, of a plane or of space. What looks like something else is refused: several lists, and
+    a third column that is a confidence (0..1, not all 1) where C++ would divide by it, as by a homogeneous coordinate."""
+    given = array(value, name)
+    if given.ndim == 3 and min(given.shape[0], given.shape[1]) > 1 and given.shape[2] > 1:
+        raise fail("{}: one list of points is expected, Nx{k} or Nx1x{k}, not the shape {}; many lists are for the functions of many "
+                   "pairs, estimateHomographies and so on".format(name, given.shape, k=2 if plane else 3))
+    third = _third(given) if plane and given.size else None
+    if third is not None and np.isfinite(third).any():
+        known = third[np.isfinite(third)]
+        if known.min() >= 0 and known.max() <= 1 and known.min() < 1:
+            raise fail("{}: the third coordinate is homogeneous, a divisor, but from {:g} to {:g} it looks like a confidence: give x and "
+                       "y alone, points[:, :2], and the confidences as Params.scores; what is homogeneous divided by it".format(
+                           name, known.min(), known.max()))
+    return given
+
+
 def checkOutput(given: Any, name: str) -> None:
     """Refuses what is no array that a result can be written to."""
     if given is None or type(given).__name__ == "UMat":
@@ -130,9 +191,16 @@ def checkOutput(given: Any, name: str) -> None:
         raise fail("{}: it receives the result and is read-only".format(name))
 
 
+def checkMask(given: Any, name: str) -> None:
+    """The same for a mask: an array of another type would be left as it was."""
+    checkOutput(given, name)
+    if isinstance(given, np.ndarray) and given.dtype not in (np.uint8, np.bool_):
+        raise fail("{}: an array of uint8 or bool receives the mask, not of {}".format(name, given.dtype))
+
+
 def output(given: Any, result: Any) -> Any:
-    """The array of the caller's with the result in it if type and size fit, as cv2 has it; else the result."""
-    if result is None or not isinstance(given, np.ndarray) or given.dtype != result.dtype:
+    """The array of the caller's with the result in it if type and size fit, as cv2 has it; else the result. A mask may be of bool."""
+    if result is None or not isinstance(given, np.ndarray) or given.dtype not in (result.dtype, np.bool_):
         return result
     if given.shape != result.shape and given.shape != result.shape[:1]:
         return result

@@ -14,8 +14,8 @@ import numpy as np
 from . import _arguments
 from ._backend import native
 from ._enumerations import ProblemType
-from ._errors import fail
-from ._estimate import NO_POINTS
+from ._errors import fail, inWordsOf
+from ._estimate import NAMES, NO_POINTS, inPlane
 from ._params import Params, optionsOf
 from ._report import Report
 
@@ -64,18 +64,42 @@ def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
     return entries
 
 
-def _arrays(given: List[Any], name: str, optional: bool, mistakes: _Mistakes) -> List[Any]:
-    take = _arguments.optionalArray if optional else _arguments.array
-    if optional and len(given) == 1:  # of all tasks: a mistake in it is none of a single one
+def _arrays(given: List[Any], name: str, mistakes: _Mistakes) -> List[Any]:
+    take = _arguments.optionalArray
+    if len(given) == 1:  # of all tasks: a mistake in it is none of a single one
         return [take(given[0], name)]
     return [mistakes.guard(i, lambda: take(entry, "{}[{}]".format(name, i)), NO_POINTS)  # noqa: B023, called at once
+            for i, entry in enumerate(given)]
+
+
+def _lists(given: Any, name: str) -> List[Any]:
+    """The entries, each one list of points; the points of one pair have other dimensions than those of many."""
+    if isinstance(given, np.ndarray) and given.dtype != object:
+        _arguments.refuseMasked(given, name)
+        onePair = given.ndim != 3 or (given.shape[1] == 1 and given.shape[0] > 1)
+    else:
+        given = list(given)
+        onePair = any(np.ndim(point) == 0 and np.size(point) == 1 for entry in given[:1] for point in _some(entry))
+    if onePair:
+        raise fail("{}: a list with the points of each pair is expected; one pair, as here, is for the function of one, "
+                   "estimateHomography and so on".format(name))
+    return list(given)
+
+
+def _some(entry: Any) -> List[Any]:
+    """The first rows of an entry."""
+    return list(entry[:1]) if isinstance(entry, (list, tuple, np.ndarray)) and np.ndim(entry[:1]) else []
+
+
+def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> List[Any]:
+    return [mistakes.guard(i, lambda: _arguments.points(entry, "{}[{}]".format(name, i), plane), NO_POINTS)  # noqa: B023
             for i, entry in enumerate(given)]
 
 
 def _estimate(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
               cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
               distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
-    first, second = list(points1), list(points2)
+    first, second = _lists(points1, names[0]), _lists(points2, names[1])
     count = len(first)
     if len(second) != count:
         raise fail("{} and {}: lists of the same length are expected, not of {} and {}".format(names[0], names[1], count,
@@ -86,13 +110,15 @@ def _estimate(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfE
     prepared = [optionsOf(given, "params" if len(options) == 1 else "params[{}]".format(i)) for i, given in enumerate(options)]
     mistakes = _Mistakes(returnExceptions)
     camera1, camera2, lens1, lens2 = (
-        _arrays(_oneOrEach(given, name, count), name, True, mistakes)
+        _arrays(_oneOrEach(given, name, count), name, mistakes)
         for given, name in zip((cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2), names[2:]))
-    found = native.estimateBatch(problem, _arrays(first, names[0], False, mistakes), _arrays(second, names[1], False, mistakes),
+    plane1, plane2 = inPlane(problem)
+    found = native.estimateBatch(problem, _pointsOf(first, names[0], plane1, mistakes), _pointsOf(second, names[1], plane2, mistakes),
                                  prepared, camera1, camera2, lens1, lens2, _arguments.integer(threads, "threads", low=0))
+    words = dict(zip(NAMES, names))
     results: _Estimates = []
     for i, (model, mask, report, wrong) in enumerate(found):
-        mistake = mistakes.found.get(i) or (fail("{}[{}]: {}".format(names[0], i, wrong)) if wrong else None)
+        mistake = mistakes.found.get(i) or (fail("{}[{}]: {}".format(names[0], i, inWordsOf(words, wrong))) if wrong else None)
         if mistake is None:
             results.append((model, NO_POINTS.copy() if mask is None else mask, Report._of(report)))
         elif returnExceptions:

@@ -17,6 +17,7 @@ from ._arguments import integer, optionalArray
 from ._backend import native
 from ._enumerations import ProblemType
 from ._errors import fail
+from ._estimate import inPlane
 from ._params import Params, optionsOf
 from ._report import Report
 
@@ -34,7 +35,7 @@ class Correspondences(typing.NamedTuple):
 
     data: npt.NDArray[np.float64]  #: N x columns; of two views x1, y1, x2, y2
     inputIndex: npt.NDArray[np.int32]  #: N, the row of the caller's arrays
-    scores: Optional[npt.NDArray[np.float32]]  #: N, Params.scores, lower is better; None if there are none
+    scores: Optional[npt.NDArray[np.float32]]  #: N, of Params.scores, as they are there; None if there are none
     threshold: float  #: Params.threshold times Params.reach in these coordinates, not squared
     sampleSize: int  #: points of a minimal sample
 
@@ -120,8 +121,27 @@ class Score(_Component):
         of inliers."""
 
 
+def _noComponent(name: str) -> str:
+    return "components.{}: Python can replace components.sampler and components.score; {}".format(
+        name, "all others only C++ can (samples/custom_residual.cpp), Params chooses among those that there are")
+
+
 class Components:
-    """The parts of an estimator that can be replaced; None is the part that Params has chosen."""
+    """The parts of an estimator that can be replaced; None is the part that Params has chosen.
+
+    Python can replace two of them, sampler (Sampler) and score (Score); all others, and the problem, only C++ can."""
+
+    __slots__ = ("_usac", "_sampler", "_score", "__weakref__")
+
+    if not TYPE_CHECKING:  # which would take any name then
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            if not hasattr(type(self), name):
+                raise AttributeError(_noComponent(name))
+            super().__setattr__(name, value)
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(_noComponent(name))
 
     def __init__(self, usac: native.Usac) -> None:
         self._usac = usac
@@ -153,12 +173,29 @@ class Components:
         self._score = value
 
 
+def _points(problem: int, points1: Any, points2: Any) -> Tuple[npt.NDArray[Any], npt.NDArray[Any]]:
+    plane1, plane2 = inPlane(problem)
+    return _arguments.points(points1, "points1", plane1), _arguments.points(points2, "points2", plane2)
+
+
 class Usac:
     """One estimation: points, parameters and the components that do the work; made by Usac.create()."""
 
-    def __init__(self, usac: native.Usac) -> None:
+    __slots__ = ("_usac", "_problem", "_components", "_params", "__weakref__")
+
+    if not TYPE_CHECKING:  # which would take any name then
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            if not hasattr(type(self), name):
+                where = "components.{}".format(name) if name in ("sampler", "score") else "components or params"
+                raise AttributeError("Usac.{}: there is no such attribute; {} is what can be replaced".format(name, where))
+            super().__setattr__(name, value)
+
+    def __init__(self, usac: native.Usac, problem: int, params: Optional[Params]) -> None:
         self._usac = usac
+        self._problem = problem
         self._components = Components(usac)
+        self._params = (Params() if params is None else params.replace())._fix()
 
     @classmethod
     def create(cls, problem: int, points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
@@ -170,11 +207,14 @@ class Usac:
         points1, points2 -- N points each, as the function estimate* of the problem has them
         params -- Params, None for the default
         cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- for ESSENTIAL and ABSOLUTE_POSE, as for estimateEssential"""
+        if _arguments.isOfAnother(problem, ProblemType):
+            raise fail("problem: a ProblemType is expected, not {!r}".format(problem))
         number = integer(problem, "problem", None, 0, len(ProblemType) - 1)
+        options = optionsOf(params)
         return cls(native.Usac(
-            number, _arguments.array(points1, "points1"), _arguments.array(points2, "points2"), optionsOf(params),
+            number, *_points(number, points1, points2), options,
             optionalArray(cameraMatrix1, "cameraMatrix1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
-            optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2")))
+            optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2")), number, params)
 
     @property
     def components(self) -> Components:
@@ -182,21 +222,48 @@ class Usac:
         return self._components
 
     @property
+    def params(self) -> Params:
+        """What is used: a copy, whose fields cannot be written. Others are for the next run: usac.params =
+        usac.params.replace(threshold=2). Components that have been replaced stay; if something is wrong, nothing changes."""
+        return self._params
+
+    @params.setter
+    def params(self, value: Params) -> None:
+        self._renew(None, None, value)
+
+    def _renew(self, points1: Any, points2: Any, params: Params) -> None:
+        if not isinstance(params, Params):
+            raise fail("params: a usacv20.Params is expected, not {}".format(_arguments.shown(params)))
+        self._usac.renew(points1, points2, optionsOf(params))
+        self._params = params.replace()._fix()
+
+    def setScores(self, scores: Optional[npt.ArrayLike]) -> None:
+        """Other Params.scores of the points for the next run, one for each; None: none."""
+        self._renew(None, None, self._params.replace(scores=scores))
+
+    @property
     def points(self) -> Correspondences:
         """Copies of the points as the components see them."""
         return Correspondences(*self._usac.points())
 
-    def setPoints(self, points1: npt.ArrayLike, points2: npt.ArrayLike) -> None:
-        """Other points for the next run, of any number. The object keeps its memory."""
-        self._usac.setPoints(_arguments.array(points1, "points1"), _arguments.array(points2, "points2"))
+    def setPoints(self, points1: npt.ArrayLike, points2: npt.ArrayLike, scores: Optional[npt.ArrayLike] = None) -> None:
+        """Other points for the next run, of any number. The object keeps its memory, unless it gets other scores, too.
+
+        points1, points2 -- as for create()
+        scores -- their Params.scores, None: as they were, of the same number"""
+        given = _points(self._problem, points1, points2)
+        if scores is None:
+            self._usac.setPoints(*given)
+        else:
+            self._renew(*given, params=self._params.replace(scores=scores))
 
     def run(self, mask: _Mask = None) -> _Estimate:
         """Runs the estimation; may be called again, with the same result. An exception in a component ends the run with it.
 
-        mask -- Nx1 array of uint8 that receives the mask, or None
+        mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
         Returns (model, mask, report) as the function estimate* of the problem."""
-        _arguments.checkOutput(mask, "mask")
+        _arguments.checkMask(mask, "mask")
         model, inliers, report = self._usac.run()
         return model, _arguments.output(mask, inliers), Report._of(report)
 

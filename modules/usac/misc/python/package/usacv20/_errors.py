@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import re
 import sys
-from typing import Any, List, Type
+import typing
+from typing import Any, Callable, List, Type
 
 _PACKAGE = __name__.rpartition(".")[0]
 _made: List[Type[Exception]] = []
@@ -46,6 +48,30 @@ def errorClass() -> Type[Exception]:
 def fail(message: str) -> Exception:
     """The exception, to be raised."""
     return errorClass()(message)
+
+
+_ATTRIBUTES = ("code", "err", "file", "func", "line", "msg")
+
+
+def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args: Any) -> Any:
+    """Calls a function of the compiled part. Its errors begin with the argument, in words of C++: `names` has the caller's."""
+    try:
+        return function(*args)
+    except errorClass() as mistake:
+        old = str(getattr(mistake, "err", ""))
+        new = inWordsOf(names, old)
+        if new == old:
+            raise
+        attributes = {name: getattr(mistake, name) for name in _ATTRIBUTES if hasattr(mistake, name)}
+        attributes.update(err=new, msg=str(attributes.get("msg", "")).replace(old, new, 1))
+        renamed = fromNative(str(mistake).replace(old, new, 1), **attributes)
+    raise renamed
+
+
+def inWordsOf(names: typing.Mapping[str, str], message: str) -> str:
+    """A message "argument: what is wrong with it" with other names of arguments."""
+    head, colon, rest = message.partition(":")
+    return re.sub(r"\w+", lambda word: names.get(word.group()) or word.group(), head) + colon + rest if colon else message
 
 
 def fromNative(message: str, **attributes: Any) -> Exception:

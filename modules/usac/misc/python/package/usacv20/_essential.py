@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, overload
 
 import numpy as np
 
-from ._arguments import array, bind, checkOutput, integer, isReal, optionalArray, real, shown
+from ._arguments import array, bind, checkMask, integer, isReal, optionalArray, points, real, shown, signed
 from ._backend import native
 from ._enumerations import USACV20, ProblemType, UsacV20Method
-from ._errors import fail
-from ._estimate import estimate
+from ._errors import calling, fail
+from ._estimate import NAMES, estimate
 from ._find import flag, found, refuseBesideParams
 from ._params import Params
 
@@ -29,6 +29,7 @@ _ONE = ("points1", "points2", "cameraMatrix", "method", "prob", "threshold", "ma
 _FOCAL = ("points1", "points2", "focal", "pp", "method", "prob", "threshold", "maxIters", "mask")
 _TWO = ("points1", "points2", "cameraMatrix1", "distCoeffs1", "cameraMatrix2", "distCoeffs2", "method", "prob", "threshold", "mask")
 _PARAMS = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "dist_coeff1", "dist_coeff2", "params", "mask")
+_NAMES = dict(confidence="prob", maxIterations="maxIters")  # the caller's words for those of C++
 _DEFAULTS: Dict[str, Any] = dict(method=USACV20, prob=0.999, threshold=1.0, maxIters=1000, mask=None)
 
 
@@ -86,6 +87,7 @@ def findEssentialMat(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatri
                      mask: _Mask = ...) -> _Found: ...
 
 
+@signed(_ONE, 2, dict(_DEFAULTS, cameraMatrix=None))
 def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
     """findEssentialMat(points1, points2, cameraMatrix[, method[, prob[, threshold[, maxIters[, mask]]]]]) -> retval, mask
     findEssentialMat(points1, points2[, focal[, pp[, method[, prob[, threshold[, maxIters[, mask]]]]]]]) -> retval, mask
@@ -104,7 +106,7 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
     prob -- probability that the result is the best model; default 0.999
     threshold -- inlier threshold, Sampson distance in pixels; default 1
     maxIters -- upper bound of the number of samples; default, and None, 1000
-    mask -- Nx1 array of uint8 that receives the mask, or None
+    mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params
     retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and five points: up to ten of them in 30x3)
     mask -- Nx1 array of uint8, 1 for inliers"""
@@ -137,28 +139,32 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
 
 def _withParams(form: Tuple[str, ...], v: Dict[str, Any]) -> Any:
     cameras: Tuple[Any, ...] = (v.get("cameraMatrix"), None, None, None)
+    names = ("cameraMatrix", "", "", "")
     if form is _FOCAL:
         focal, (x, y) = real(v["focal"], "focal"), _principalPoint(v["pp"])
         cameras = (np.array([[focal, 0, x], [0, focal, y], [0, 0, 1]]), None, None, None)
+        names = ("focal, pp",) + names[1:]
     elif form is _TWO:
         cameras = (v["cameraMatrix1"], v["cameraMatrix2"], v["distCoeffs1"], v["distCoeffs2"])
-    return estimate(ProblemType.ESSENTIAL, v["points1"], v["points2"], v["method"], v["mask"], *cameras)[:2]
+        names = NAMES[2:]
+    return estimate(ProblemType.ESSENTIAL, v["points1"], v["points2"], v["method"], v["mask"], cameras[0], cameras[1],
+                    cameras[2], cameras[3], NAMES[:2] + names)[:2]
 
 
 def _withFlag(form: Tuple[str, ...], v: Dict[str, Any]) -> Any:
-    checkOutput(v["mask"], "mask")
-    points1, points2 = array(v["points1"], "points1"), array(v["points2"], "points2")
+    checkMask(v["mask"], "mask")
+    points1, points2 = points(v["points1"], "points1"), points(v["points2"], "points2")
     method, prob, threshold = flag(v["method"]), real(v["prob"], "prob", 0.999), real(v["threshold"], "threshold", 1.0)
     maxIters = integer(v["maxIters"], "maxIters", 1000)
     if form is _ONE:
-        result = native.findEssentialMat(points1, points2, array(v["cameraMatrix"], "cameraMatrix"), method, prob, threshold,
-                                         maxIters)
+        result = calling(dict(_NAMES, cameraMatrix1="cameraMatrix"), native.findEssentialMat, points1, points2,
+                         array(v["cameraMatrix"], "cameraMatrix"), method, prob, threshold, maxIters)
     elif form is _FOCAL:
-        result = native.findEssentialMatOfFocal(points1, points2, real(v["focal"], "focal", 1.0),
-                                                _principalPoint((0.0, 0.0) if v["pp"] is None else v["pp"]), method, prob,
-                                                threshold, maxIters)
+        result = calling(dict(_NAMES, cameraMatrix1="focal, pp"), native.findEssentialMatOfFocal, points1, points2,
+                         real(v["focal"], "focal", 1.0), _principalPoint((0.0, 0.0) if v["pp"] is None else v["pp"]), method, prob,
+                         threshold, maxIters)
     else:
-        result = native.findEssentialMatOfCameras(
-            points1, points2, array(v["cameraMatrix1"], "cameraMatrix1"), optionalArray(v["distCoeffs1"], "distCoeffs1"),
+        result = calling(
+            _NAMES, native.findEssentialMatOfCameras, points1, points2, array(v["cameraMatrix1"], "cameraMatrix1"), optionalArray(v["distCoeffs1"], "distCoeffs1"),
             array(v["cameraMatrix2"], "cameraMatrix2"), optionalArray(v["distCoeffs2"], "distCoeffs2"), method, prob, threshold)
     return found(result, v["mask"])

@@ -13,7 +13,7 @@ import numpy as np
 from . import _arguments
 from ._backend import native
 from ._enumerations import ProblemType
-from ._errors import fail
+from ._errors import calling, fail
 from ._params import Params, optionsOf
 from ._report import Report
 
@@ -24,17 +24,25 @@ if TYPE_CHECKING:
     _Mask = Optional[npt.NDArray[np.uint8]]
 
 NO_POINTS = np.empty((0, 1), np.uint8)
+NAMES = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2")  # in C++
+
+
+def inPlane(problem: int) -> Tuple[bool, bool]:
+    """Whether the points of both arrays are those of a plane."""
+    space = problem in (ProblemType.RIGID_3D, ProblemType.SIMILARITY_3D)
+    return not space and problem != ProblemType.ABSOLUTE_POSE, not space
 
 
 def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, cameraMatrix1: Any = None,
              cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None,
-             names: Tuple[str, ...] = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2"),
-             maskName: str = "mask") -> _Estimate:
+             names: Tuple[str, ...] = NAMES, maskName: str = "mask") -> _Estimate:
     """Any of the problems; `names` are those of the arguments that are arrays, as the caller knows them."""
     options = optionsOf(params)
-    _arguments.checkOutput(mask, maskName)
-    model, inliers, report = native.estimate(
-        problem, _arguments.array(points1, names[0]), _arguments.array(points2, names[1]), options,
+    _arguments.checkMask(mask, maskName)
+    plane1, plane2 = inPlane(problem)
+    model, inliers, report = calling(
+        dict(zip(NAMES, names)), native.estimate, problem, _arguments.points(points1, names[0], plane1),
+        _arguments.points(points2, names[1], plane2), options,
         _arguments.optionalArray(cameraMatrix1, names[2]), _arguments.optionalArray(cameraMatrix2, names[3]),
         _arguments.optionalArray(distCoeffs1, names[4]), _arguments.optionalArray(distCoeffs2, names[5]))
     return model, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers), Report._of(report)
@@ -45,9 +53,9 @@ def estimateHomography(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
     """Estimates the homography that maps image 1 to image 2.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type of integer or floating-point number, any
-        layout; with 3 in the place of 2, homogeneous coordinates
+        layout; with 3 in the place of 2, homogeneous coordinates (x, y, confidence is refused)
     params -- Params, None for the default; params.threshold is the distance in image 2 in pixels
-    mask -- Nx1 array of uint8 that receives the mask, or None
+    mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
     model -- 3x3 array of float64, or None if there is none

@@ -10,8 +10,9 @@ is raised when the estimator is created, or by Params.check()."""
 from __future__ import annotations
 
 import enum
+import os
 import typing
-from typing import TYPE_CHECKING, Any, Optional, Type, overload
+from typing import TYPE_CHECKING, Any, List, Optional, Type, Union, overload
 
 import numpy as np
 
@@ -83,11 +84,48 @@ class Integer(Field[int]):
         setattr(instance._native, self.name, _arguments.integer(value, self.name))
 
 
-class Option(Integer, typing.Generic[Enumeration]):
+def _short(name: str) -> str:
+    """How names are compared: "p-napsac" is P_NAPSAC, "magsac++" MAGSAC_PLUS_PLUS."""
+    return name.strip().upper().replace("-", "_").replace(" ", "_").replace("+", "_PLUS")
+
+
+class Named(Integer):
+    """Enumerators, which can also be written by their names, with or without the prefix that all of an enumeration have."""
+
+    def __init__(self, type_: Union[Type[enum.IntEnum], Type[enum.IntFlag]], about: str) -> None:
+        super().__init__(about)
+        self.enumeration = type_
+        self.names = list(type_.__members__)
+        prefix = os.path.commonprefix(self.names).rpartition("_")[0] + "_"
+        self.named = {name: int(type_[name].value) for name in self.names}
+        self.named.update({name[len(prefix):]: number for name, number in list(self.named.items())})
+
+    def refused(self, value: Any) -> TypeError:
+        return TypeError("{}: a {} is expected, {}, or such a name ('{}'), not {}".format(
+            self.name, self.enumeration.__name__, ", ".join(self.names),
+            min((name for name in self.named if name not in self.names), key=len).lower(), _arguments.shown(value)))
+
+    def __set__(self, instance: Any, value: Union[int, str]) -> None:
+        if isinstance(value, str):
+            number = 0
+            for name in self.split(value):
+                if _short(name) not in self.named:
+                    raise self.refused(value)
+                number |= self.named[_short(name)]
+            value = number
+        elif not _arguments.isInteger(value) or _arguments.isOfAnother(value, self.enumeration):
+            raise self.refused(value)
+        super().__set__(instance, value)
+
+    def split(self, names: str) -> List[str]:
+        return [names]
+
+
+class Option(Named, typing.Generic[Enumeration]):
     """One enumerator; a number that is none stays a number, until it is refused."""
 
     def __init__(self, type_: Type[Enumeration], about: str) -> None:
-        super().__init__(about)
+        super().__init__(type_, about)
         self.type = type_
         self.values = {int(value): value for value in type_}
 
@@ -103,11 +141,11 @@ class Option(Integer, typing.Generic[Enumeration]):
         return self.values.get(value, value)
 
 
-class Set(Integer, typing.Generic[Flags]):
-    """A set of bits; a number with other bits stays a number, until it is refused."""
+class Set(Named, typing.Generic[Flags]):
+    """A set of bits, by their names "a|b"; a number with other bits stays a number, until it is refused."""
 
     def __init__(self, type_: Type[Flags], about: str) -> None:
-        super().__init__(about)
+        super().__init__(type_, about)
         self.type = type_
         self.all = 0
         for value in type_:
@@ -123,6 +161,9 @@ class Set(Integer, typing.Generic[Flags]):
     def read(self, instance: Any) -> Any:
         value = getattr(instance._native, self.name)
         return self.type(value) if value & ~self.all == 0 else value
+
+    def split(self, names: str) -> List[str]:
+        return names.split("|")
 
 
 class Numbers(Field["npt.NDArray[Any]"]):
@@ -141,6 +182,7 @@ class Numbers(Field["npt.NDArray[Any]"]):
     def converted(self, value: Any) -> npt.NDArray[Any]:
         if value is None:
             return np.empty(0, self.kind)
+        _arguments.refuseMasked(value, self.name)
         try:
             given = np.asarray(value)
         except Exception as failure:

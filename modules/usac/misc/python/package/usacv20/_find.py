@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, overload
 import numpy as np
 
 from . import _arguments
-from ._arguments import array, bind, checkOutput, integer, isInteger, output, real, shown
+from ._arguments import bind, checkMask, integer, isInteger, isOfAnother, output, points, real, shown, signed
 from ._backend import native
-from ._enumerations import USACV20, ProblemType
-from ._errors import fail
+from ._enumerations import USACV20, ProblemType, UsacV20Method
+from ._errors import calling, fail
 from ._estimate import estimate
 from ._params import Params
 
@@ -55,7 +55,8 @@ def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str
 
 def flag(value: Any, name: str = "method") -> int:
     """An integer, the default for None."""
-    if value is not None and not isInteger(value):
+    other = isOfAnother(value, UsacV20Method) and type(value).__module__ == UsacV20Method.__module__
+    if value is not None and (other or not isInteger(value)):
         raise fail("{}: one of the flags USACV20*, a flag of OpenCV or a Params is expected, not {}".format(name, shown(value)))
     return integer(value, name, int(USACV20))
 
@@ -70,6 +71,9 @@ _HOMOGRAPHY = ("srcPoints", "dstPoints", "method", "ransacReprojThreshold", "mas
 _HOMOGRAPHY_OF_PARAMS = ("srcPoints", "dstPoints", "params", "mask")
 _HOMOGRAPHY_DEFAULTS: Dict[str, Any] = dict(method=USACV20, ransacReprojThreshold=3.0, mask=None, maxIters=2000, confidence=0.995)
 
+# The caller's words for those of C++.
+_HOMOGRAPHY_NAMES = dict(points1="srcPoints", points2="dstPoints", threshold="ransacReprojThreshold", maxIterations="maxIters")
+
 
 @overload
 def findHomography(srcPoints: npt.ArrayLike, dstPoints: npt.ArrayLike, method: int = ..., ransacReprojThreshold: float = ...,
@@ -80,6 +84,7 @@ def findHomography(srcPoints: npt.ArrayLike, dstPoints: npt.ArrayLike, params: P
 def findHomography(srcPoints: npt.ArrayLike, dstPoints: npt.ArrayLike, *, method: Params, mask: _Mask = ...) -> _Found: ...
 
 
+@signed(_HOMOGRAPHY, 2, _HOMOGRAPHY_DEFAULTS)
 def findHomography(*args: Any, **kwargs: Any) -> Any:
     """findHomography(srcPoints, dstPoints[, method[, ransacReprojThreshold[, mask[, maxIters[, confidence]]]]]) -> retval, mask
     findHomography(srcPoints, dstPoints, params[, mask]) -> retval, mask
@@ -89,7 +94,7 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
     srcPoints, dstPoints -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type; with 3 in the place of 2, homogeneous
     method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
     ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
-    mask -- Nx1 array of uint8 that receives the mask, or None
+    mask -- Nx1 array of uint8 or bool that receives the mask, or None
     maxIters -- upper bound of the number of samples; default 2000
     confidence -- probability that the result is the best model; default 0.995
     params -- Params in the place of the flag; also method=params
@@ -105,15 +110,16 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
     if "params" in v:
         return estimate(ProblemType.HOMOGRAPHY, v["srcPoints"], v["dstPoints"], v["params"], v["mask"],
                         names=("srcPoints", "dstPoints", "", "", "", ""))[:2]
-    checkOutput(v["mask"], "mask")
-    return found(native.findHomography(
-        array(v["srcPoints"], "srcPoints"), array(v["dstPoints"], "dstPoints"), flag(v["method"]),
+    checkMask(v["mask"], "mask")
+    return found(calling(
+        _HOMOGRAPHY_NAMES, native.findHomography, points(v["srcPoints"], "srcPoints"), points(v["dstPoints"], "dstPoints"), flag(v["method"]),
         real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), integer(v["maxIters"], "maxIters", 2000),
         real(v["confidence"], "confidence", 0.995)), v["mask"])
 
 
 _FUNDAMENTAL = ("points1", "points2", "method", "ransacReprojThreshold", "confidence", "maxIters", "mask")
 _FUNDAMENTAL_OF_PARAMS = ("points1", "points2", "params", "mask")
+_FUNDAMENTAL_NAMES = dict(threshold="ransacReprojThreshold", maxIterations="maxIters")
 _FUNDAMENTAL_DEFAULTS: Dict[str, Any] = dict(method=USACV20, ransacReprojThreshold=3.0, confidence=0.99, maxIters=1000, mask=None)
 
 
@@ -129,6 +135,7 @@ def findFundamentalMat(points1: npt.ArrayLike, points2: npt.ArrayLike, params: P
 def findFundamentalMat(points1: npt.ArrayLike, points2: npt.ArrayLike, *, method: Params, mask: _Mask = ...) -> _Found: ...
 
 
+@signed(_FUNDAMENTAL, 2, _FUNDAMENTAL_DEFAULTS)
 def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     """findFundamentalMat(points1, points2[, method[, ransacReprojThreshold[, confidence[, maxIters[, mask]]]]]) -> retval, mask
     findFundamentalMat(points1, points2, method, ransacReprojThreshold, confidence, mask) -> retval, mask
@@ -141,7 +148,7 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     ransacReprojThreshold -- inlier threshold, Sampson distance in pixels; default 3
     confidence -- probability that the result is the best model; default 0.99
     maxIters -- upper bound of the number of samples; default, and None, 1000
-    mask -- Nx1 array of uint8 that receives the mask, or None
+    mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params in the place of the flag; also method=params
     retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and seven points: up to three in 9x3)
     mask -- Nx1 array of uint8, 1 for inliers"""
@@ -157,15 +164,17 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
             v["params"] = v["method"]
     if "params" in v:
         return estimate(ProblemType.FUNDAMENTAL, v["points1"], v["points2"], v["params"], v["mask"])[:2]
-    checkOutput(v["mask"], "mask")
-    return found(native.findFundamentalMat(
-        array(v["points1"], "points1"), array(v["points2"], "points2"), flag(v["method"]),
+    checkMask(v["mask"], "mask")
+    return found(calling(
+        _FUNDAMENTAL_NAMES, native.findFundamentalMat, points(v["points1"], "points1"), points(v["points2"], "points2"), flag(v["method"]),
         real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), real(v["confidence"], "confidence", 0.99),
         integer(v["maxIters"], "maxIters", 1000)), v["mask"])
 
 
 _MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
 _MAP_OF_PARAMS = ("pts1", "pts2", "params", "inliers")
+_MAP_NAMES = dict(points1="from_", points2="to", threshold="ransacReprojThreshold", maxIterations="maxIters",
+                  polishingSteps="refineIters")
 _MAP_DEFAULTS: Dict[str, Any] = dict(inliers=None, method=USACV20, ransacReprojThreshold=3.0, maxIters=2000, confidence=0.99,
                                      refineIters=10)
 
@@ -180,13 +189,13 @@ def _findMap(function: str, problem: int, args: Tuple[Any, ...], kwargs: Dict[st
         refuseBesideParams(function, v, _MAP_DEFAULTS, ("ransacReprojThreshold", "maxIters", "confidence", "refineIters"))
         return estimate(problem, v["from_"], v["to"], v["method"], v["inliers"], names=("from_", "to", "", "", "", ""),
                         maskName="inliers")[:2]
-    checkOutput(v["inliers"], "inliers")
-    return found(getattr(native, function)(
-        array(v["from_"], "from_"), array(v["to"], "to"), flag(v["method"]),
+    checkMask(v["inliers"], "inliers")
+    return found(calling(
+        _MAP_NAMES, getattr(native, function), points(v["from_"], "from_"), points(v["to"], "to"), flag(v["method"]),
         real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0),
-        integer(v["maxIters"], "maxIters, Params.maxIterations", 2000, 0, _arguments.INT_MAX),
+        integer(v["maxIters"], "maxIters", 2000, 0, _arguments.INT_MAX),
         real(v["confidence"], "confidence", 0.99),
-        integer(v["refineIters"], "refineIters, Params.polishingSteps", 10, 0, _arguments.INT_MAX)), v["inliers"])
+        integer(v["refineIters"], "refineIters", 10, 0, _arguments.INT_MAX)), v["inliers"])
 
 
 @overload
@@ -199,6 +208,7 @@ def estimateAffine2D(pts1: npt.ArrayLike, pts2: npt.ArrayLike, params: Params, i
 def estimateAffine2D(from_: npt.ArrayLike, to: npt.ArrayLike, inliers: _Mask = ..., *, method: Params) -> _Found: ...
 
 
+@signed(_MAP, 2, _MAP_DEFAULTS)
 def estimateAffine2D(*args: Any, **kwargs: Any) -> Any:
     """estimateAffine2D(from_, to[, inliers[, method[, ransacReprojThreshold[, maxIters[, confidence[, refineIters]]]]]])
         -> retval, inliers
@@ -207,7 +217,7 @@ def estimateAffine2D(*args: Any, **kwargs: Any) -> Any:
     cv2.estimateAffine2D with a flag of this module or of OpenCV, or with all options: the affine map x2 = A x1 + t.
 
     from_, to -- N points of each image in pixels, as for findHomography
-    inliers -- Nx1 array of uint8 that receives the mask, or None
+    inliers -- Nx1 array of uint8 or bool that receives the mask, or None
     method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
     ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
     maxIters -- upper bound of the number of samples; default 2000
@@ -229,6 +239,7 @@ def estimateAffinePartial2D(pts1: npt.ArrayLike, pts2: npt.ArrayLike, params: Pa
 def estimateAffinePartial2D(from_: npt.ArrayLike, to: npt.ArrayLike, inliers: _Mask = ..., *, method: Params) -> _Found: ...
 
 
+@signed(_MAP, 2, _MAP_DEFAULTS)
 def estimateAffinePartial2D(*args: Any, **kwargs: Any) -> Any:
     """estimateAffinePartial2D(from_, to[, inliers[, method[, ransacReprojThreshold[, maxIters[, confidence[, refineIters]]]]]])
         -> retval, inliers

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Optional
 
 import numpy as np
 
-from ._arguments import array, optionalArray
+from ._arguments import array, optionalArray, points as pointsOf
 from ._backend import native
 
 if TYPE_CHECKING:
@@ -28,6 +28,6 @@ def removeDistortion(points: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
 
     Returns an Nx2 array of float64, pixels; NaN where the lens shows nothing, beyond the radius at which the radial terms fold
     the image back upon itself, and for points that are not finite."""
-    result = native.removeDistortion(array(points, "points"), array(cameraMatrix, "cameraMatrix"),
+    result = native.removeDistortion(pointsOf(points, "points"), array(cameraMatrix, "cameraMatrix"),
                                      optionalArray(distCoeffs, "distCoeffs"))
     return np.empty((0, 2)) if result is None else result

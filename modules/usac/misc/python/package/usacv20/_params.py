@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import enum
 import typing
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Type
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Type, Union
 
 import numpy as np
 
@@ -21,6 +21,8 @@ from ._fields import Field, Integer, Numbers, Option, Real, Scores, Set
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+    _Name = Union[int, str, None]
+
 P = typing.TypeVar("P", bound="Params")
 
 
@@ -31,16 +33,18 @@ def _restored(type_: Type[P], values: Dict[str, Any]) -> P:
 class Params:
     """All options of the estimator; each has an effect.
 
-    Fields can be given by their names, Params(threshold=2, scores=distances), and written later; None is the default.
-    Params() is Params.usacV20(). A value of a wrong type raises a TypeError when it is written; a wrong value raises usacv20.error,
-    which names the field, when the estimator is created, or in check(). Objects can be compared, copied and pickled;
-    repr() shows what differs from the default. Pixels are those of image 2, or the unit of the points of space 2."""
+    Fields can be given by their names, Params(threshold=2, scores=distances), also to the presets, Params.fast(threshold=2), and
+    written later; None is the default. Params() is Params.usacV20(). Enumerators can be written by their names, too:
+    Params(sampler="prosac", termination="sprt|standard"). A value of a wrong type, and an enumerator of another enumeration, raise a
+    TypeError when it is written; a wrong value raises usacv20.error, which names the field, when the estimator is created, or in
+    check(). Objects can be compared, copied and pickled; repr() shows what differs from the default. Pixels are those of image 2, or the unit of the points of space 2."""
 
-    __slots__ = ("_native", "_scores", "_initialModel", "_filled")
+    __slots__ = ("_native", "_scores", "_initialModel", "_filled", "_fixed")
     __hash__ = None  # type: ignore[assignment]  # as of all that can change
 
     _native: Any
     _filled: bool
+    _fixed: bool
 
     threshold = Real("""Inlier threshold in pixels, not squared; > 0. H, affine maps: distance in image 2. F, E: Sampson
         distance. Absolute pose: reprojection error in the image as it was taken. Motions of space: distance in space 2,
@@ -106,19 +110,18 @@ class Params:
 
     def __init__(self, *,
                  threshold: Optional[float] = None, confidence: Optional[float] = None,
-                 maxIterations: Optional[int] = None, maxTime: Optional[float] = None, seed: Optional[int] = None,
-                 threads: Optional[int] = None,
-                 sampler: Optional[int] = None, ordering: Optional[int] = None, scores: Optional[npt.ArrayLike] = None,
-                 initialModel: Optional[npt.ArrayLike] = None, scoreOrder: Optional[int] = None,
-                 neighborhood: Optional[int] = None, neighbors: Optional[int] = None,
-                 neighborRadius: Optional[float] = None, residual: Optional[int] = None, quality: Optional[int] = None,
-                 reach: Optional[float] = None, widestReach: Optional[float] = None, verification: Optional[int] = None,
-                 tddPoints: Optional[int] = None, localOptimization: Optional[int] = None,
+                 maxIterations: Optional[int] = None, maxTime: Optional[float] = None, seed: Optional[int] = None, threads: Optional[int] = None,
+                 sampler: _Name = None, ordering: _Name = None, scores: Optional[npt.ArrayLike] = None,
+                 initialModel: Optional[npt.ArrayLike] = None, scoreOrder: _Name = None,
+                 neighborhood: _Name = None, neighbors: Optional[int] = None,
+                 neighborRadius: Optional[float] = None, residual: _Name = None, quality: _Name = None,
+                 reach: Optional[float] = None, widestReach: Optional[float] = None, verification: _Name = None,
+                 tddPoints: Optional[int] = None, localOptimization: _Name = None,
                  localIterations: Optional[int] = None, localSampleMultiple: Optional[int] = None,
                  localSamples: Optional[int] = None, spatialWeight: Optional[float] = None,
-                 runnersUp: Optional[int] = None, orderedEvery: Optional[int] = None, termination: Optional[int] = None,
+                 runnersUp: Optional[int] = None, orderedEvery: Optional[int] = None, termination: _Name = None,
                  relaxation: Optional[float] = None, persistence: Optional[int] = None,
-                 degeneracy: Optional[int] = None, polishing: Optional[int] = None,
+                 degeneracy: _Name = None, polishing: _Name = None,
                  polishingSteps: Optional[int] = None, significance: Optional[float] = None) -> None:
         fields = dict(locals())
         self._start(native.Params())
@@ -137,6 +140,41 @@ class Params:
         result = cls.__new__(cls)
         result._start(options)
         return result
+
+    @classmethod
+    def _preset(cls: Type[P], name: str, fields: Dict[str, Any]) -> P:
+        return cls._of(getattr(native.Params, name)())._with(name, fields)
+
+    def _with(self: P, function: str, fields: Dict[str, Any]) -> P:
+        """With other values of these fields; None is that of the preset."""
+        for name, value in fields.items():
+            if name not in _FIELDS:
+                raise TypeError("Params.{}() got an unexpected keyword argument '{}'; it has the fields of Params".format(function, name))
+            if value is not None:
+                setattr(self, name, value)
+        return self
+
+    def _fix(self: P) -> P:
+        """No field can be written from now on."""
+        self.scores.setflags(write=False)
+        self.initialModel.setflags(write=False)
+        self._fixed = True
+        return self
+
+    if not TYPE_CHECKING:  # which would take any name then
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            if getattr(self, "_fixed", False) and name in _FIELDS:
+                raise AttributeError("params.{}: what an estimator uses cannot be written; other options for the next run: "
+                                     "usac.params = usac.params.replace({}=...)".format(name, name))
+            super().__setattr__(name, value)
+
+    def replace(self: P, **fields: Any) -> P:
+        """A copy with other values of some fields, params.replace(threshold=3); None is the default, as in Params()."""
+        unknown = [name for name in fields if name not in _FIELDS]
+        if unknown:
+            raise TypeError("Params.replace() got an unexpected keyword argument '{}'; it has the fields of Params".format(unknown[0]))
+        return type(self)(**dict(self._items(), **fields))
 
     def _prepared(self) -> Any:
         """The options in the form of the compiled part, with the lists as they are now."""
@@ -191,96 +229,96 @@ class Params:
         return _restored, (type(self), values)
 
     @classmethod
-    def fromMethod(cls: Type[P], method: int) -> P:
+    def fromMethod(cls: Type[P], method: int, **fields: Any) -> P:
         """The preset behind a flag, one of USACV20*; anything else raises usacv20.error."""
-        return cls._of(native.Params.fromMethod(integer(method, "method")))
+        return cls._of(native.Params.fromMethod(integer(method, "method")))._with("fromMethod", fields)
 
     @classmethod
-    def usacV20(cls: Type[P]) -> P:
+    def usacV20(cls: Type[P], **fields: Any) -> P:
         """The configuration chosen in the paper of USACv20, with robust polishing; the same as Params()."""
-        return cls._of(native.Params.usacV20())
+        return cls._preset("usacV20", fields)
 
     @classmethod
-    def fast(cls: Type[P]) -> P:
+    def fast(cls: Type[P], **fields: Any) -> P:
         """What USACV20_FAST uses: early stop and a short local optimization."""
-        return cls._of(native.Params.fast())
+        return cls._preset("fast", fields)
 
     @classmethod
-    def accurate(cls: Type[P]) -> P:
+    def accurate(cls: Type[P], **fields: Any) -> P:
         """What USACV20_ACCURATE uses: three times as many samples and a long local optimization."""
-        return cls._of(native.Params.accurate())
+        return cls._preset("accurate", fields)
 
     @classmethod
-    def sorted(cls: Type[P]) -> P:
+    def sorted(cls: Type[P], **fields: Any) -> P:
         """What USACV20_PROSAC uses: PROSAC sampling of points that the caller has sorted, best first, or in the order of `scores`
         where these are given."""
-        return cls._of(native.Params.sorted())
+        return cls._preset("sorted", fields)
 
     @classmethod
-    def trustedScores(cls: Type[P]) -> P:
+    def trustedScores(cls: Type[P], **fields: Any) -> P:
         """As usacV20(), for who vouches for the order of the points (scores, or ORDERING_INPUT_ORDER): all samples are
         PROSAC's, and its criterion may end the search. Where the order is wrong, a better model may be missed."""
-        return cls._of(native.Params.trustedScores())
+        return cls._preset("trustedScores", fields)
 
     @classmethod
-    def parallel(cls: Type[P]) -> P:
+    def parallel(cls: Type[P], **fields: Any) -> P:
         """What USACV20_PARALLEL uses: usacV20() with all threads of OpenCV and the same result."""
-        return cls._of(native.Params.parallel())
+        return cls._preset("parallel", fields)
 
     @classmethod
-    def ransac(cls: Type[P]) -> P:
+    def ransac(cls: Type[P], **fields: Any) -> P:
         """RANSAC of 1981: uniform samples, number of inliers, least squares."""
-        return cls._of(native.Params.ransac())
+        return cls._preset("ransac", fields)
 
     @classmethod
-    def msac(cls: Type[P]) -> P:
+    def msac(cls: Type[P], **fields: Any) -> P:
         """As ransac(), with truncated squared errors."""
-        return cls._of(native.Params.msac())
+        return cls._preset("msac", fields)
 
     @classmethod
-    def lmeds(cls: Type[P]) -> P:
+    def lmeds(cls: Type[P], **fields: Any) -> P:
         """As ransac(), with the median of the squared errors; threshold is not used."""
-        return cls._of(native.Params.lmeds())
+        return cls._preset("lmeds", fields)
 
     @classmethod
-    def mlesac(cls: Type[P]) -> P:
+    def mlesac(cls: Type[P], **fields: Any) -> P:
         """As ransac(), with the likelihood of a mixture of inliers and outliers."""
-        return cls._of(native.Params.mlesac())
+        return cls._preset("mlesac", fields)
 
     @classmethod
-    def prosac(cls: Type[P]) -> P:
+    def prosac(cls: Type[P], **fields: Any) -> P:
         """As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first, or `scores` do."""
-        return cls._of(native.Params.prosac())
+        return cls._preset("prosac", fields)
 
     @classmethod
-    def loRansac(cls: Type[P]) -> P:
+    def loRansac(cls: Type[P], **fields: Any) -> P:
         """LO-RANSAC: as ransac(), each new best model is refined by ten inner samples."""
-        return cls._of(native.Params.loRansac())
+        return cls._preset("loRansac", fields)
 
     @classmethod
-    def floRansac(cls: Type[P]) -> P:
+    def floRansac(cls: Type[P], **fields: Any) -> P:
         """FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size."""
-        return cls._of(native.Params.floRansac())
+        return cls._preset("floRansac", fields)
 
     @classmethod
-    def gcRansac(cls: Type[P]) -> P:
+    def gcRansac(cls: Type[P], **fields: Any) -> P:
         """GC-RANSAC: as msac(), each new best model is refined by graph cuts and inner samples."""
-        return cls._of(native.Params.gcRansac())
+        return cls._preset("gcRansac", fields)
 
     @classmethod
-    def usac2013(cls: Type[P]) -> P:
+    def usac2013(cls: Type[P], **fields: Any) -> P:
         """USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC."""
-        return cls._of(native.Params.usac2013())
+        return cls._preset("usac2013", fields)
 
     @classmethod
-    def magsac(cls: Type[P]) -> P:
+    def magsac(cls: Type[P], **fields: Any) -> P:
         """MAGSAC: uniform samples, quality, termination and fits marginalized over the noise."""
-        return cls._of(native.Params.magsac())
+        return cls._preset("magsac", fields)
 
     @classmethod
-    def magsacPlusPlus(cls: Type[P]) -> P:
+    def magsacPlusPlus(cls: Type[P], **fields: Any) -> P:
         """What USACV20_MAGSAC uses, MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits."""
-        return cls._of(native.Params.magsacPlusPlus())
+        return cls._preset("magsacPlusPlus", fields)
 
 
 _FIELDS = tuple(name for name, value in vars(Params).items() if isinstance(value, Field))

@@ -80,6 +80,10 @@ class Report:
         nevertheless: few points, or what Params.significance says."""
         return str(self._native.describe())
 
+    def asDict(self) -> Dict[str, Any]:
+        """The fields by their names, for a table or a file: numbers, truth values, and `stop` as text."""
+        return dict(self._values(), stop=self.stop.name)
+
     def _values(self) -> Dict[str, Any]:
         return dict({name: getattr(self._native, name) for name in _FIELDS}, sample=self.sample)
 
@@ -89,7 +93,7 @@ class Report:
         return self._values() == other._values()
 
     def __repr__(self) -> str:
-        values = dict(self._values(), stop=self.stop.name)
+        values = self.asDict()
         return "{}({})".format(type(self).__name__, ", ".join(
             "{}={}".format(name, value if name == "stop" else repr(value)) for name, value in values.items()))
 

@@ -1,0 +1,374 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Lines that people wrote who met the package for the first time: each does what it says, or says why not."""
+
+import copy
+import inspect
+import json
+import pickle
+import pydoc
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+
+from usac_common import (ERRORS, FINDER, FUNCTIONS, GENERAL, IN_TREE, MOVED, PLANE, RANSAC, THRESHOLD, bits, cv, estimate, inTree, needsCv2,
+                         once, package, usac)
+from usac_pose import POSE
+
+PRESETS = ("usacV20", "fast", "accurate", "sorted", "trustedScores", "parallel", "ransac", "msac", "lmeds", "mlesac", "prosac", "loRansac",
+           "floRansac", "gcRansac", "usac2013", "magsac", "magsacPlusPlus")
+
+
+class NewcomerCase(unittest.TestCase):
+
+    def refused(self, type_, words, function, *args, **kwargs):
+        with self.assertRaises(type_, msg=words) as context:
+            function(*args, **kwargs)
+        for word in words:
+            self.assertIn(word, str(context.exception))
+
+
+class ParamsTest(NewcomerCase):
+
+    def test_names_of_enumerators(self):
+        params = usac.Params(sampler="prosac", ordering="input-order", quality="QUALITY_MAGSAC", localOptimization="none",
+                             termination="sprt|standard", degeneracy="repeated")
+        self.assertEqual(params, usac.Params(sampler=usac.SAMPLER_PROSAC, ordering=usac.ORDERING_INPUT_ORDER,
+                                             quality=usac.QUALITY_MAGSAC, localOptimization=usac.LOCAL_OPTIMIZATION_NONE,
+                                             termination=usac.TERMINATION_SPRT | usac.TERMINATION_STANDARD,
+                                             degeneracy=usac.DEGENERACY_REPEATED))
+        self.assertIs(params.sampler, usac.SAMPLER_PROSAC)
+        for type_, field in ((usac.SamplerType, "sampler"), (usac.QualityType, "quality"), (usac.ScoreOrder, "scoreOrder"),
+                             (usac.LocalOptimizationType, "localOptimization"), (usac.TerminationFlags, "termination")):
+            for value in type_:
+                self.assertIs(getattr(usac.Params(**{field: value.name}), field), value)
+                self.assertIs(getattr(usac.Params(**{field: value.name.lower()}), field), value)
+        self.assertEqual(usac.Params(quality="magsac++").quality, usac.QUALITY_MAGSAC_PLUS_PLUS)
+        params.sampler = "p_napsac"
+        self.assertEqual(params.sampler, usac.SAMPLER_P_NAPSAC)
+
+    def test_names_that_are_none(self):
+        self.refused(TypeError, ("sampler", "SAMPLER_PROSAC", "SAMPLER_IMPORTANCE", "'prosak'"), usac.Params, sampler="prosak")
+        self.refused(TypeError, ("termination", "TERMINATION_SPRT"), usac.Params, termination="sprt|never")
+        self.refused(TypeError, ("quality", "''"), usac.Params, quality="")
+        self.refused(TypeError, ("quality", "msac|magsac"), usac.Params, quality="msac|magsac")
+
+    def test_enumerators_of_another_enumeration(self):
+        self.refused(TypeError, ("sampler", "SamplerType", "QUALITY_MSAC"), usac.Params, sampler=usac.QUALITY_MSAC)
+        self.refused(TypeError, ("termination", "DEGENERACY"), usac.Params, termination=usac.DEGENERACY_REPEATED)
+        self.refused(TypeError, ("quality",), setattr, usac.Params(), "quality", usac.USACV20)
+        self.refused(ERRORS, ("method", "QUALITY_MSAC"), usac.findHomography, PLANE.points1, PLANE.points2, usac.QUALITY_MSAC)
+        self.assertEqual(usac.Params(sampler=1).sampler, usac.SAMPLER_PROSAC)
+
+    def test_presets_with_fields(self):
+        for name in PRESETS:
+            preset = getattr(usac.Params, name)
+            params = preset(threshold=2, scores=[1, 2], seed=None)
+            expected = preset()
+            expected.threshold, expected.scores = 2.0, [1, 2]
+            self.assertEqual(params, expected, name)
+            self.refused(TypeError, (name, "treshold"), preset, treshold=2)
+        self.assertEqual(usac.Params.fast(threshold=2).threshold, 2)
+        self.assertEqual(usac.Params.fromMethod(usac.USACV20_FAST, threshold=2), usac.Params.fast(threshold=2))
+
+    def test_replace(self):
+        params = usac.Params.fast(scores=[3, 1])
+        other = params.replace(threshold=3, quality="magsac")
+        self.assertEqual((params.threshold, other.threshold, other.quality), (1.5, 3.0, usac.QUALITY_MAGSAC))
+        self.assertEqual(other.replace(threshold=1.5, quality=params.quality), params)
+        other.scores[0] = 7
+        self.assertEqual(params.scores[0], 3)
+        self.assertEqual(len(params.replace(scores=None).scores), 0)
+        self.refused(TypeError, ("replace", "treshold"), params.replace, treshold=3)
+
+    def test_masked_scores(self):
+        scores = np.ma.masked_array([1.0, 2.0], mask=[True, False])
+        self.refused(ERRORS, ("scores", "mask"), usac.Params, scores=scores)
+
+
+class ReportTest(NewcomerCase):
+
+    def test_as_dict(self):
+        report = estimate("Homography", PLANE, usac.Params())[2]
+        values = report.asDict()
+        self.assertEqual((values["inliers"], values["stop"]), (report.inliers, report.stop.name))
+        self.assertEqual(json.loads(json.dumps(values))["iterations"], report.iterations)
+        self.assertLessEqual({"threshold", "chance", "cost", "searchMs"}, set(values))
+
+
+class PointsTest(NewcomerCase):
+
+    def test_one_pair_for_many(self):
+        a, b = PLANE.points1, PLANE.points2
+        for first, second in ((a, b), (a.tolist(), b.tolist()), ([tuple(p) for p in a], list(b)), (a[:, None], b[:, None]), (a.T, b.T)):
+            self.refused(ERRORS, ("points1", "estimateHomography"), usac.estimateHomographies, first, second)
+        self.refused(ERRORS, ("points2",), usac.estimateHomographies, [a], b)
+        self.refused(ERRORS, ("objectPoints",), usac.estimateAbsolutePoses, POSE.X, POSE.x, POSE.K)
+        expected = bits(usac.estimateHomography(a, b)[:2])
+        for first, second in (([a], [b]), (a[None], b[None]), ([a.tolist()], (b,)), ([a[:, None]], [b[None]])):
+            found = usac.estimateHomographies(first, second)
+            self.assertEqual([bits(result[:2]) for result in found], [expected])
+        both = usac.estimateHomographies(np.stack([a, b]), np.stack([b, a]))
+        self.assertEqual((len(both), bits(both[0][:2])), (2, expected))
+        self.assertEqual(usac.estimateHomographies([], []), [])
+        self.assertEqual(usac.estimateHomographies([[], a], [[], b])[0][0], None)
+
+    def test_many_pairs_for_one(self):
+        many = np.stack([PLANE.points1, PLANE.points2])
+        self.refused(ERRORS, ("points1", "(2, 300, 2)", "estimateHomographies"), usac.estimateHomography, many, many)
+        self.refused(ERRORS, ("srcPoints",), FINDER.findHomography, many, many, usac.USACV20)
+        self.refused(ERRORS, ("dstPoints",), usac.findHomography, PLANE.points1, many, RANSAC)
+        self.refused(ERRORS, ("objectPoints",), usac.solvePnPRansac, np.stack([POSE.X, POSE.X]), POSE.x, POSE.K, None)
+
+    def test_masked_arrays(self):
+        a, b = PLANE.points1, PLANE.points2
+        masked = np.ma.masked_array(a, mask=a > 300)
+        self.refused(ERRORS, ("points1", "mask", "nan"), usac.estimateHomography, masked, b)
+        self.refused(ERRORS, ("dstPoints",), usac.findHomography, a, np.ma.masked_array(b, mask=b > 300))
+        self.refused(ERRORS, ("points1[0]",), usac.estimateHomographies, [masked], [b])
+        self.assertEqual(bits(usac.findHomography(np.ma.masked_array(a), b)), bits(usac.findHomography(a, b)))
+        filled = usac.estimateHomography(masked.filled(np.nan), b)[1]  # as the message says
+        self.assertFalse(filled[(a > 300).any(axis=1)].any())
+
+    def test_confidences(self):
+        a, b = PLANE.points1, PLANE.points2
+        confidences = np.random.RandomState(1).uniform(0.2, 1, (len(a), 1))
+        scored = np.hstack([a, confidences])
+        for wrong in (scored, scored.T, scored[:, None], scored[None], scored.tolist(), np.float32(scored)):
+            self.refused(ERRORS, ("points1", "confidence", "Params.scores"), usac.estimateHomography, wrong, b)
+            self.refused(ERRORS, ("dstPoints", "confidence"), usac.findHomography, a, wrong, RANSAC)
+        self.refused(ERRORS, ("imagePoints",), usac.solvePnPRansac, POSE.X, np.hstack([POSE.x, 0 * POSE.x[:, :1] + 0.5]), POSE.K, None)
+        expected = bits(usac.estimateHomography(a, b)[:2])
+        for scale in (1, 2, 4):  # what is homogeneous stays so
+            self.assertEqual(bits(usac.estimateHomography(scale * np.hstack([a, np.ones((len(a), 1))]), b)[:2]), expected)
+        space = np.hstack([a / 640, confidences])  # a third coordinate is right there
+        self.assertIsNotNone(usac.estimateRigid3D(space, space, usac.Params(threshold=0.01))[0])
+
+    def test_masks_of_the_caller(self):
+        a, b = PLANE.points1, PLANE.points2
+        expected = usac.findHomography(a, b)[1].ravel() != 0
+        for shape in ((len(a), 1), len(a)):
+            given = np.zeros(shape, bool)
+            self.assertIs(usac.findHomography(a, b, mask=given)[1], given)
+            np.testing.assert_array_equal(given.ravel(), expected)
+        given = np.zeros((len(a), 1), bool)
+        usac.estimateAffine2D(a, b, given)
+        self.assertTrue(given.any())
+        for kind in (float, np.float32, np.int32, np.int64):
+            wrong = np.zeros((len(a), 1), kind)
+            self.refused(ERRORS, ("mask", "uint8", wrong.dtype.name), usac.findHomography, a, b, mask=wrong)
+            self.refused(ERRORS, ("mask",), usac.estimateFundamental, a, b, None, wrong)
+            self.refused(ERRORS, ("inliers",), usac.estimateAffine2D, a, b, wrong)
+        self.refused(ERRORS, ("inliers", "int32"), usac.solvePnPRansac, POSE.X, POSE.x, POSE.K, None, inliers=np.zeros(len(POSE.X), bool))
+
+
+class WordTest(NewcomerCase):
+    """Messages are in the words of the function that was called."""
+
+    def test_names_of_arguments(self):
+        a, b, K = GENERAL.points1, GENERAL.points2, GENERAL.K1
+        for word, others, function, args, kwargs in (
+                ("ransacReprojThreshold", " threshold:", "findHomography", (a, b, usac.USACV20, -1.0), {}),
+                ("maxIters", "maxIterations", "findHomography", (a, b, usac.USACV20), dict(maxIters=0)),
+                ("confidence", "", "findHomography", (a, b, usac.USACV20), dict(confidence=2.0)),
+                ("srcPoints and dstPoints", "points1", "findHomography", (a, b[1:], usac.USACV20), {}),
+                ("dstPoints", "points2", "findHomography", (a, b[:, :1], usac.USACV20), {}),
+                ("ransacReprojThreshold", " threshold:", "findFundamentalMat", (a, b, usac.USACV20, 0.0), {}),
+                ("points1 and points2", "srcPoints", "findFundamentalMat", (a, b[1:], usac.USACV20), {}),
+                ("prob", "confidence", "findEssentialMat", (a, b, K, usac.USACV20, 2.0), {}),
+                ("threshold", "ransacReproj", "findEssentialMat", (a, b, K, usac.USACV20, 0.99, -1.0), {}),
+                ("cameraMatrix:", "cameraMatrix1", "findEssentialMat", (a, b, K[:2], usac.USACV20), {}),
+                ("cameraMatrix2", "", "findEssentialMat", (a, b, K, None, K[:2], None, usac.USACV20), {}),
+                ("from_ and to", "points1", "estimateAffine2D", (a, b[1:], None, usac.USACV20), {}),
+                ("ransacReprojThreshold", " threshold:", "estimateAffinePartial2D", (a, b, None, usac.USACV20, -1.0), {}),
+                ("maxIters", "maxIterations", "estimateAffine2D", (a, b, None, usac.USACV20), dict(maxIters=0)),
+                ("reprojectionError", " threshold:", "solvePnPRansac", (POSE.X, POSE.x, POSE.K, None),
+                 dict(reprojectionError=-1.0, flags=usac.USACV20)),
+                ("objectPoints and imagePoints", "points1", "solvePnPRansac", (POSE.X, POSE.x[1:], POSE.K, None), dict(flags=usac.USACV20)),
+                ("iterationsCount", "maxIterations", "solvePnPRansac", (POSE.X, POSE.x, POSE.K, None),
+                 dict(iterationsCount=0, flags=usac.USACV20)),
+                ("cameraMatrix:", "cameraMatrix1", "solvePnPRansac", (POSE.X, POSE.x, POSE.K[:2], None), dict(flags=usac.USACV20))):
+            for where in {usac, FINDER}:
+                with self.assertRaises(ERRORS, msg="{} {}".format(function, word)) as context:
+                    getattr(where, function)(*args, **kwargs)
+                self.assertIn(word, str(context.exception))
+                self.assertIn(word, context.exception.err)
+                if others:
+                    self.assertNotIn(others, str(context.exception))
+
+    def test_fields_keep_their_names(self):
+        self.refused(ERRORS, ("threshold",), usac.findHomography, PLANE.points1, PLANE.points2, usac.Params(threshold=-1))
+        self.refused(ERRORS, ("srcPoints and dstPoints",), usac.findHomography, PLANE.points1, PLANE.points2[1:], usac.Params())
+        self.refused(ERRORS, ("objectPoints[0]", "imagePoints"), usac.estimateAbsolutePoses, [POSE.X], [POSE.x[1:]], POSE.K)
+        self.refused(ERRORS, ("cameraMatrix:",), usac.estimateAbsolutePose, POSE.X, POSE.x, POSE.K[:2])
+
+    def test_signatures(self):
+        self.assertEqual(list(inspect.signature(usac.findHomography).parameters),
+                         ["srcPoints", "dstPoints", "method", "ransacReprojThreshold", "mask", "maxIters", "confidence", "params"])
+        self.assertEqual(inspect.signature(usac.findHomography).parameters["ransacReprojThreshold"].default, 3.0)
+        names = set(FUNCTIONS) | {name for name in dir(usac) if name.startswith(("estimate", "find"))}
+        self.assertGreater(len(names), 20)
+        for name in names:
+            parameters = inspect.signature(getattr(usac, name)).parameters.values()
+            self.assertFalse([p for p in parameters if p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD)], name)
+            self.assertIn("params", [p.name for p in parameters], name)
+            self.assertNotIn("*args", pydoc.plain(pydoc.render_doc(getattr(usac, name))))
+        m = MOVED
+        for name, args in (("findHomography", (m.points1, m.points2)), ("estimateAffine2D", (m.points1, m.points2)),
+                           ("findEssentialMat", (m.points1, m.points2, PLANE.K1)), ("solvePnPRansac", (POSE.X, POSE.x, POSE.K, None))):
+            bound = inspect.signature(getattr(usac, name)).bind(*args)
+            bound.apply_defaults()
+            del bound.arguments["params"]
+            function = getattr(usac, name)  # the defaults are those that it has
+            self.assertEqual(bits(function(**bound.arguments)), bits(function(*args)), name)
+
+    def test_help(self):
+        text = pydoc.plain(pydoc.render_doc(usac))
+        self.assertLess(len(text.splitlines()), 1000)  # 5976 with all enumerations
+        for name in FUNCTIONS + ("estimateHomography", "estimateHomographies", "Params", "Report", "draw_matches", "USACV20_FAST"):
+            self.assertIn(name, text)
+        self.assertIn("QUALITY_MAGSAC", pydoc.render_doc(usac.QualityType))
+
+    @needsCv2
+    @inTree
+    def test_wrappers_of_cv2(self):
+        self.refused(ERRORS, ("ransacReprojThreshold",), FINDER.findHomography, PLANE.points1, PLANE.points2, usac.USACV20, -1.0)
+
+
+class PictureTest(NewcomerCase):
+
+    def setUp(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            if cv is None:
+                self.skipTest("there is nothing to draw with")
+
+    def scene(self):
+        image1, image2 = np.full((480, 640), 100, np.uint8), np.full((500, 600, 3), 50, np.uint8)
+        a, b = np.array([[100., 200], [300, 60], [20, 400]]), np.array([[50., 100], [250, 300], [590, 490]])
+        return image1, image2, a, b, np.array([[1], [0], [1]], np.uint8)
+
+    def check(self, picture, a, b, good):
+        """Dots are green or magenta, and the lines of inliers are green halfway."""
+        self.assertEqual((picture.shape, picture.dtype), ((500, 1240, 3), np.uint8))
+        for p, q, inlier in zip(a, b + [640, 0], good):
+            places = [p, q] + ([0.3 * p + 0.7 * q] if inlier else [])
+            for x, y in places:
+                near = picture[int(y) - 1:int(y) + 2, int(x) - 1:int(x) + 2].reshape(-1, 3).astype(int)
+                green = near[:, 1] - near[:, [0, 2]].max(axis=1)
+                self.assertGreater((green if inlier else -green).max(), 40, (x, y, near))
+        between = picture[int(0.3 * a[1, 1] + 0.7 * b[1, 1]), int(0.3 * a[1, 0] + 0.7 * (b[1, 0] + 640))]
+        self.assertEqual(len(set(between.tolist())), 1)  # gray: an outlier has no line
+
+    def test_matches(self):
+        image1, image2, a, b, mask = self.scene()
+        draw = usac.draw_matches
+        picture = draw(image1, image2, a, b, mask)
+        self.check(picture, a, b, mask.ravel())
+        self.assertEqual(picture[450, 320, 0], 76 + 70)  # of image 1, pale
+        for args in ((image1, image2, a[:, None], b.T, mask.ravel() != 0), (image1 / 255.0, image2, a.tolist(), np.float32(b), mask)):
+            np.testing.assert_allclose(draw(*args).astype(int), picture, atol=1)
+        everything = draw(image1, image2, a, b)
+        self.assertGreater(int((everything != draw(image1, image2, a, b, lines=0)).any(axis=2).sum()), 1000)
+        far = np.array([[np.nan, 3], [1e30, 3], [-1e6, 2]])
+        np.testing.assert_array_equal(draw(image1, image2, far, b), draw(image1, image2, np.zeros((0, 2)), np.zeros((0, 2))))
+        self.assertEqual(draw(image1, image2, [], []).shape, picture.shape)
+
+    def test_mistakes(self):
+        image1, image2, a, b, mask = self.scene()
+        for word, args in (("image1", (None, image2, a, b)), ("image2", (image1, np.zeros((4, 4, 2)), a, b)), ("image1", ("a.png", image2, a, b)),
+                           ("points1 and points2", (image1, image2, a, b[1:])), ("mask", (image1, image2, a, b, mask[1:])),
+                           ("points2", (image1, image2, a, np.zeros((3, 5)))), ("lines", (image1, image2, a, b, mask, -1))):
+            self.refused(ERRORS, (word,), usac.draw_matches, *args)
+
+    @once
+    def test_without_cv2_and_without_both(self):
+        """In another process, where imports of them fail; cv2.usacv20 is never without cv2."""
+        code = "import sys; sys.modules.update({}); import numpy as np, usacv20; print(usacv20.draw_matches({}).shape)"
+        image = "np.zeros((20, 30)), np.zeros((20, 30)), [[1, 2]], [[3, 4]]"
+        if IN_TREE:
+            self.skipTest("of the package only")
+        for missing, words in (("cv2=None", "(20, 60, 3)"), ("cv2=None, matplotlib=None", "ImportError: draw_matches: cv2 or matplotlib")):
+            run = subprocess.run([sys.executable, "-c", code.replace("{}", "dict({})", 1).format(missing, image)],
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+            self.assertIn(words, run.stdout)
+
+
+@package
+class UsacTest(NewcomerCase):
+
+    def create(self, **fields):
+        return usac.Usac.create(usac.HOMOGRAPHY, PLANE.points1, PLANE.points2, usac.Params(threshold=THRESHOLD, **fields))
+
+    def test_components_that_python_cannot_replace(self):
+        usac_ = self.create()
+        for name in ("residual", "localOptimizer", "verifier", "sampelr"):
+            self.refused(AttributeError, (name, "sampler", "score", "C++"), setattr, usac_.components, name, None)
+            self.refused(AttributeError, (name, "C++"), getattr, usac_.components, name)
+        for name in ("sampler", "score"):
+            self.refused(AttributeError, (name, "components." + name), setattr, usac_, name, None)
+        self.refused(AttributeError, ("scores",), setattr, usac_, "scores", [1])
+        self.refused(ERRORS, ("problem",), usac.Usac.create, usac.QUALITY_MSAC, PLANE.points1, PLANE.points2)
+
+    def test_params(self):
+        given = usac.Params(threshold=THRESHOLD, seed=3)
+        usac_ = usac.Usac.create(usac.HOMOGRAPHY, PLANE.points1, PLANE.points2, given)
+        self.assertEqual(usac_.params, given)
+        given.threshold = 9
+        self.assertEqual(usac_.params.threshold, THRESHOLD)
+        self.refused(AttributeError, ("threshold", "replace"), setattr, usac_.params, "threshold", 3)
+        for copied in (copy.copy(usac_.params), pickle.loads(pickle.dumps(usac_.params)), usac_.params.replace()):
+            copied.threshold = 3
+        usac_.params = usac_.params.replace(threshold=1.0, scores=PLANE.inliers, scoreOrder="higher_is_better")
+        self.refused(ValueError, ("read-only",), usac_.params.scores.__setitem__, 0, 1)
+        self.assertEqual(bits(usac_.run()[:2]), bits(estimate("Homography", PLANE, usac_.params)[:2]))
+        self.refused(ERRORS, ("threshold",), setattr, usac_, "params", usac.Params(threshold=-1))
+        self.refused(ERRORS, ("params",), setattr, usac_, "params", None)
+        self.assertEqual(usac_.params.threshold, 1.0)
+        self.assertEqual(usac.Usac.create(usac.HOMOGRAPHY, PLANE.points1, PLANE.points2).params, usac.Params())
+
+    def test_scores(self):
+        scores = np.where(PLANE.inliers, 0.25, 0.75)
+        usac_ = self.create()
+        usac_.setScores(scores)
+        params = usac.Params(threshold=THRESHOLD, scores=scores)
+        self.assertEqual(usac_.params, params)
+        self.assertEqual(bits(usac_.run()[:2]), bits(estimate("Homography", PLANE, params)[:2]))
+        self.refused(ERRORS, ("scores", "300"), usac_.setScores, scores[1:])
+        self.assertEqual(usac_.params, params)
+        usac_.setPoints(PLANE.points1[:200], PLANE.points2[:200], scores[:200])
+        expected = usac.estimateHomography(PLANE.points1[:200], PLANE.points2[:200], params.replace(scores=scores[:200]))
+        self.assertEqual(bits(usac_.run()[:2]), bits(expected[:2]))
+        usac_.setScores(None)
+        self.assertIsNone(usac_.points.scores)
+
+    def test_a_sampler_sees_the_scores_of_the_caller(self):
+        class Nosy(usac.Sampler):
+            def start(self, points):
+                self.points = points
+
+            def sample(self, rng, iteration):
+                return rng.distinct(len(self.points.data), self.points.sampleSize)
+
+        scores = np.random.RandomState(2).uniform(0, 1, len(PLANE.points1)).astype(np.float32)
+        scores[5] = np.nan
+        for order in ("higher_is_better", "lower_is_better"):
+            usac_, sampler = self.create(scores=scores, scoreOrder=order), Nosy()
+            usac_.components.sampler = sampler
+            usac_.run()
+            for points in (sampler.points, usac_.points):
+                np.testing.assert_array_equal(points.scores, scores[points.inputIndex])
+            usac_.setScores(scores + 1)  # the sampler stays
+            self.assertIs(usac_.components.sampler, sampler)
+            usac_.run()
+            np.testing.assert_array_equal(sampler.points.scores, (scores + 1)[sampler.points.inputIndex])
+
+
+if __name__ == "__main__":
+    unittest.main()
