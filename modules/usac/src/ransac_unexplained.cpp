@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "check_components.hpp"
 #include "core/sample_counts.hpp"
+#include "core/streams.hpp"
 #include "ransac.hpp"
 
 /* Samples of the points that the best model leaves, when the search is about to end.
@@ -27,8 +28,6 @@ namespace usacv20 {
 
 namespace {
 
-//! Stream of random numbers beside those of ransac.cpp.
-constexpr uint64 UNEXPLAINED_STREAM = (uint64)3 << 40;
 // What half and double of these do: doc/constants.md. Search failures are those of H and F beside a motion that is
 // nearly as large (doc/structured.md).
 
@@ -106,7 +105,7 @@ void Ransac::sampleUnexplained(const int* indices, int count, int most)
               end = state.iteration + std::min(most, context.params.maxIterations - state.iteration);
     for (; state.iteration < end; ++state.iteration)
     {
-        Rng rng(context.params.seed, UNEXPLAINED_STREAM + state.iteration);
+        Rng rng(context.params.seed, streamOf(STREAM_UNEXPLAINED, state.iteration));
         Sample sample;
         rng.distinct(count, m, sample.val);
         for (int k = 0; k < m; ++k)
