@@ -33,8 +33,8 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
 {
     if (std::sqrt(own.in[0] * own.in[1]) < LEAST_PAIRS || other > left)
         return other > left;
-    const double coherence = OTHER_COHERENCE * own.coherence, wrong = 1 - other / left;
-    const double chance = rest.expected * wrong * wrong;
+    const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
+    const double chance = rest.expected * (1 - part * part);  // of all pairs but its own
     // at least, as other points than those that are spread evenly share a cell more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other / own.cells;  // with a point, so that the number of pairs varies more
