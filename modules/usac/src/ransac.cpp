@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "check_components.hpp"
+#include "core/streams.hpp"
 #include "ransac.hpp"
 #include "scoring/scores.hpp"
 #include "termination/termination.hpp"
@@ -23,8 +24,6 @@ constexpr int FIRST_BATCH = 8;
 constexpr int EXPENSIVE = 2000;
 //! Tests of a point. Batches of less work, a tenth of a millisecond, are not worth the threads. The result is the same.
 constexpr double PARALLEL_WORK = 44800;
-//! Streams of random numbers beside those of the iterations.
-constexpr uint64 ROTATION_STREAM = (uint64)1 << 40, REFINEMENT_STREAM = (uint64)1 << 41;
 
 //! A model of a uniform sample may be a runner-up if what it gains over no model at all is at least so much of what the
 //! best one gained. Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4 %, failures of H and E +0.2 points.
@@ -49,7 +48,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       samples(context_.arena.take<Sample>(LARGEST_BATCH)), counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0),
       errorRows(0), size(0), hypotheses(0),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena), sampled(false),
-      unexplainedSamples(0), rivals(0),
+      exploredSamples(0), unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
       sampleWork(context_.points.problem->sampleCost().time + context_.points.size), firstOfBatch(0),
       exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
@@ -127,7 +126,7 @@ void Ransac::begin(const Model& initial)
 {
     Model model = initial;
     Quality quality = context.rate(model);
-    state.rng = Rng(context.params.seed, REFINEMENT_STREAM);
+    state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT));
     if (!(quality.cost < context.points.size) || !recover(0, model, quality))
         return;
     if (parts.localOptimizer)
@@ -146,7 +145,7 @@ void Ransac::thresholdChanged()
         state.yield = 1;
     if (valid && parts.localOptimizer)
     {
-        state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
+        state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT, state.iteration));
         optimize(state.best, state.bestQuality);
     }
     const Sample sample = sampleOfBest;
@@ -203,7 +202,7 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
         return;                                                                 // 5
     h.computed = parts.minimalSolver->solve(context.points, sample, h.models);  // 6
     checkModels(h.models, h.computed);
-    Rng rotation(context.params.seed, ROTATION_STREAM + firstOfBatch + index);
+    Rng rotation(context.params.seed, streamOf(STREAM_ROTATION, firstOfBatch + index));
     for (int k = 0; k < h.computed; ++k)  // 7
     {
         const Model& model = h.models[k];
@@ -266,7 +265,7 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
     Quality quality = candidate.quality;
-    state.rng = Rng(context.params.seed, REFINEMENT_STREAM + state.iteration);
+    state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT, state.iteration));
     const double yield = state.yield;
     const bool valid = recover(candidate.sample.val, model, quality);  // 14
     if (!valid || candidate.quality.betterThan(quality))

@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "check_components.hpp"
 #include "core/sample_counts.hpp"
+#include "core/streams.hpp"
 #include "ransac.hpp"
 
 /* Samples of the points that the best model leaves, when the search is about to end.
@@ -19,16 +20,15 @@ of seven points, where (45 / 100)^7 = 0.4 % of all are.
 
 A few such samples are drawn in any case. If one of them, or a runner-up, has a part RIVAL of the inliers of the best
 model for itself, there may be a rival, and as many are drawn as find a model that has as many inliers as the best one,
-and most of them for itself, with the promised confidence; at most a third as many as the search has drawn. They count
-as iterations, but not for the criteria. */
+and most of them for itself, with the promised confidence; at most a third as many as the search has drawn. Where an
+order that the data confirm has ended the search (ConfirmedOrderTermination), it may be that of a wrong group; then as
+many are drawn as that criterion wants. They count as iterations, but not for the criteria. */
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
 
-//! Stream of random numbers beside those of ransac.cpp.
-constexpr uint64 UNEXPLAINED_STREAM = (uint64)3 << 40;
 // What half and double of these do: doc/constants.md. Search failures are those of H and F beside a motion that is
 // nearly as large (doc/structured.md).
 
@@ -45,6 +45,8 @@ constexpr double RIVAL = 0.1;
 constexpr double WIDE = 1.5;
 //! The least part of the inliers of a rival that it does not share with the best model, as samples are counted.
 constexpr double FOR_ITSELF = 2. / 3;
+//! Samples count for another best model, too, if it has lost no more than this part of the inliers of the one before.
+constexpr double SAME_LOSS = 0.1;
 
 }  // namespace
 
@@ -80,24 +82,45 @@ bool Ransac::searchUnexplained()
         return false;
     explored = state.best;
     const double wanted = FOR_ITSELF * state.bestQuality.inliers;
-    if (wanted > context.points.size - state.bestQuality.inliers)
+    if (state.report.stop != STOP_ORDER && wanted > context.points.size - state.bestQuality.inliers)
         return false;
     Arena::Scope scope(context.arena);
     int* const indices = scope.take<int>(context.points.size);
     const int count = unexplainedPoints(indices);
-    if (count <= m || wanted > count)
+    if (count <= m)
         return false;
+    if (state.report.stop == STOP_ORDER)
+        sampleAsOrdered(indices, count);
+    if (wanted <= count)
+        sampleForRivals(indices, count, wanted, drawn);
+    unexplainedSamples += state.iteration - drawn;
+    return true;
+}
+
+void Ransac::sampleAsOrdered(const int* indices, int count)
+{
+    const int had = exploredInliers.count(), lost = exploredInliers.without(runnersUp.best());
+    if (lost > SAME_LOSS * had || had == 0)
+        exploredSamples = 0;
+    const int before = state.iteration;
+    const double needed = state.unexplainedSamples * context.params.persistence;
+    sampleUnexplained(indices, count, (int)std::min(needed, (double)INT_MAX) - exploredSamples);
+    exploredInliers = runnersUp.best();
+    exploredSamples += state.iteration - before;
+}
+
+void Ransac::sampleForRivals(const int* indices, int count, double wanted, int drawn)
+{
+    const int m = parts.minimalSolver->sampleSize();
     const int needed = samplesNeeded(goodSampleProbability(wanted, count, m, true),
                                      std::log(1 - context.params.confidence));
     const int few = std::max(drawn / FIRST_PART, LEAST_SAMPLES);
     const int many = std::max((drawn - unexplainedSamples) / MOST_PART - unexplainedSamples, LEAST_SAMPLES);
     const double rival = rivalInliers();
     if (rivals < rival)
-        sampleUnexplained(indices, count, std::min(needed, few));
+        sampleUnexplained(indices, count, std::min(needed, few) - (state.iteration - drawn));
     if (std::max(rivals, runnersUp.mostUnexplained()) >= rival)
         sampleUnexplained(indices, count, std::min(needed, many) - (state.iteration - drawn));
-    unexplainedSamples += state.iteration - drawn;
-    return true;
 }
 
 void Ransac::sampleUnexplained(const int* indices, int count, int most)
@@ -105,7 +128,7 @@ void Ransac::sampleUnexplained(const int* indices, int count, int most)
     const int end = state.iteration + std::min(most, context.params.maxIterations - state.iteration);
     for (; state.iteration < end && !stop(sampleWork); ++state.iteration)
     {
-        Rng rng(context.params.seed, UNEXPLAINED_STREAM + state.iteration);
+        Rng rng(context.params.seed, streamOf(STREAM_UNEXPLAINED, state.iteration));
         Sample sample;
         rng.distinct(count, m, sample.val);
         for (int k = 0; k < m; ++k)
@@ -134,7 +157,8 @@ bool Ransac::addRival(const Sample& sample, const Model& model)
     const int own = inliers.without(runnersUp.best());
     if (own < rivalInliers() || own <= m)
         return false;
-    runnersUp.add(Candidate(sample, model, context.rate(model)), inliers);
+    if (runnersUp.wants(own))
+        runnersUp.add(Candidate(sample, model, context.rate(model)), inliers);
     return true;
 }
 

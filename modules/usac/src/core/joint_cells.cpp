@@ -16,6 +16,12 @@ int division(float value, float low, float scale)
     return (int)(inside < CELL_DIVISIONS - 1.f ? inside : CELL_DIVISIONS - 1.f);
 }
 
+//! Cells with so many times the sides.
+int merge(int cell, int merged)
+{
+    return cell / CELL_DIVISIONS / merged * CELL_DIVISIONS + cell % CELL_DIVISIONS / merged;
+}
+
 double pairsOf(const int* counts, int size)
 {
     double sum = 0;
@@ -39,7 +45,8 @@ void assignCells(const Correspondences& p, int array, ushort* cells)
     }
 }
 
-CellPairs::CellPairs(const Correspondences& p, const uchar* mask, uchar value, Arena& arena)
+CellPairs::CellPairs(const Correspondences& p, const uchar* mask, uchar value, Arena& arena, int merged)
+    : cells(CELLS / (merged * merged))
 {
     Arena::Scope scope(arena);
     ushort *const cells1 = scope.take<ushort>(p.size), *const cells2 = scope.take<ushort>(p.size);
@@ -55,9 +62,10 @@ CellPairs::CellPairs(const Correspondences& p, const uchar* mask, uchar value, A
         if (mask[i] == value)
         {
             ++size;
-            ++in1[cells1[i]];
-            ++in2[cells2[i]];
-            ++inBoth[cells1[i] * CELLS + cells2[i]];
+            const int first = merge(cells1[i], merged), second = merge(cells2[i], merged);
+            ++in1[first];
+            ++in2[second];
+            ++inBoth[first * CELLS + second];
         }
     all = 0.5 * size * (size - 1);
     in[0] = pairsOf(in1, CELLS);

@@ -20,9 +20,10 @@ void assignCells(const Correspondences& points, int array, ushort* cells);
 //! Pairs of points that have the same cell.
 struct CellPairs
 {
-    /** Of the points whose `mask` has this value. */
-    CellPairs(const Correspondences& points, const uchar* mask, uchar value, Arena& arena);
+    //! Of the points whose `mask` has this value, in cells with `merged` times the sides, a divisor of CELL_DIVISIONS.
+    CellPairs(const Correspondences& points, const uchar* mask, uchar value, Arena& arena, int merged = 1);
 
+    int cells;         //!< of an array
     double all;        //!< pairs of points
     double in[2];      //!< those in one cell of array 1, of array 2
     double both;       //!< those in one cell of each

@@ -49,6 +49,8 @@ public:
 
     //! True if it keeps nothing.
     bool none() const { return most == 0; }
+    //! False if a model with so many unexplained inliers would not be kept.
+    bool wants(int unexplained) const { return count < most || unexplained >= kept[most - 1].unexplained; }
     //! Keeps the model if it is one of those to be kept.
     void add(const Candidate& candidate, const InlierBits& inliers);
     //! The best model has these inliers now.

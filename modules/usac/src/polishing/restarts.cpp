@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "polishing/restarts.hpp"
 #include "core/random_part.hpp"
+#include "core/streams.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -30,8 +31,6 @@ constexpr double CHANCE = 1e-6;
 //! What a degree of freedom of another point adds to the loss, in that of the inliers: 8 is exceeded by one right point
 //! in a hundred where ten degrees are left. Half: the ten inliers of OpenCV's EKcase are 9; double: the same.
 constexpr double GROWN = 8;
-//! Stream of random numbers beside those of the search.
-constexpr uint64 STREAM = (uint64)1 << 42;
 
 }  // namespace
 
@@ -121,7 +120,7 @@ bool Restarts::look(const Model& model)
         count = 0;
         return false;
     }
-    Rng rng(context.params.seed, STREAM - 1);
+    Rng rng(context.params.seed, streamOf(STREAM_RESTARTS));
     const int size = std::min(count, (int)MOST);
     randomPart(inliers, count, size, rng);
     std::copy(inliers, inliers + size, members);
@@ -145,7 +144,7 @@ bool Restarts::look(const Model& model)
 
 bool Restarts::restart(int index, int size, Model& model, Quality& quality)
 {
-    Rng rng(context.params.seed, STREAM + index);
+    Rng rng(context.params.seed, streamOf(STREAM_RESTARTS, 1 + index));
     int places[MAX_SAMPLE_SIZE], sample[MAX_SAMPLE_SIZE];
     rng.distinct(count, m, places);
     if (size > count)

@@ -32,32 +32,19 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! Of so many samples where those of unexplained points are wanted, one follows the order and one is uniform.
-constexpr int UNEXPLAINED_TURNS = 8;
-
 //! As isOrdered() where the order is somebody's knowledge (orderIsKnown()): what State::wanted says.
 inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
 {
-    const int every = context.params.orderedEvery, m = context.components.minimalSolver->sampleSize();
-    const int turn = state.iteration % UNEXPLAINED_TURNS;
-    const bool unexplained = state.wanted == SAMPLES_UNEXPLAINED && state.unexplainedCount >= m;
+    const int every = context.params.orderedEvery;
     const int step = state.wanted == SAMPLES_ORDERED ? 1 : state.wanted == SAMPLES_HALF ? std::min(every, 2) : every;
-    if (every == 1 || (unexplained ? turn == 0 : state.iteration % step == 0))
-    {
-        state.counts = every == 1;
-        ++state.orderedSamples;
-        return true;
-    }
-    if (!unexplained || turn == UNEXPLAINED_TURNS / 2)
+    if (state.iteration % step != 0)
     {
         drawUniform(context, state, sample);
         return false;
     }
-    state.counts = false;
-    state.rng.distinct(state.unexplainedCount, m, sample);
-    for (int k = 0; k < m; ++k)
-        sample[k] = state.unexplained[sample[k]];
-    return false;
+    state.counts = every == 1;
+    ++state.orderedSamples;
+    return true;
 }
 
 //! All samples equally likely, see UniformSampler.

@@ -18,17 +18,14 @@ constexpr int FIRST_ORDERED = 480;
 constexpr double CONFIRMED = 3.1;
 //! One of so many parts of the order, the last one, tells how many inliers come anywhere in it.
 constexpr int LATE_PART = 4;
-//! Part of the samples that are of unexplained points, where these are wanted: all but two in eight.
-constexpr double UNEXPLAINED_SHARE = 0.75;
-//! The best model is another one if it has lost more than this part of the inliers of the one before.
-constexpr double SAME = 0.9;
-
 /** Another motion keeps its neighbors together at least so many times as often as the best model's, ... */
 constexpr double OTHER_COHERENCE = 0.75;
 //! ... which is known from so many pairs of inliers at least ...
 constexpr double LEAST_PAIRS = 50;
-//! ... and shows, but for so many standard deviations: 1 % is missed.
-constexpr double MISSED_DEVIATIONS = 2.33;
+//! ... and shows, but for so many standard deviations, in cells of both sizes: 1 % is missed.
+constexpr double MISSED_DEVIATIONS = 2.58;
+//! Cells of the second look have so many times the sides: few matches are seldom in one cell.
+constexpr int COARSE = 2;
 //! Of the inliers, not more than this part may repeat others, as these stay together in any case.
 constexpr double MOST_REPEATED = 0.1;
 
@@ -36,11 +33,11 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
 {
     if (std::sqrt(own.in[0] * own.in[1]) < LEAST_PAIRS || other > left)
         return other > left;
-    const double coherence = OTHER_COHERENCE * own.coherence, wrong = 1 - other / left;
-    const double chance = rest.expected * wrong * wrong;
+    const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
+    const double chance = rest.expected * (1 - part * part);  // of all pairs but its own
     // at least, as other points than those that are spread evenly share a cell more often
-    const double together = coherence * 0.5 * other * (other - 1) / CELLS;
-    const double each = coherence * other / CELLS;  // with a point, so that the number of pairs varies more
+    const double together = coherence * 0.5 * other * (other - 1) / own.cells;
+    const double each = coherence * other / own.cells;  // with a point, so that the number of pairs varies more
     const double deviation = std::sqrt(chance + together * (1 + 2 * each));
     return rest.both < chance + together - MISSED_DEVIATIONS * deviation;
 }
@@ -78,11 +75,11 @@ other model can hide among the points that the best one does not explain.
 Params::orderedEvery.
 2. Each new best model tells whether the order is good: its inliers come early in it (orderEvidence()). If they do, all
 samples follow the order until PROSAC's criterion, see prosacSamples(), is fulfilled.
-3. That may be a wrong group with the best scores, another motion say. So another model with significantly more inliers
-(significantInliers()) is looked for among the points that the best one does not explain, where it has a larger part of
-the points than among all. It may share with the best one what comes anywhere in the order (otherInliers()). The search
-ends when samples of these points would have met it with the wanted confidence, or at once if it would be seen there, as
-its neighbors stay neighbors (otherMotionWouldShow()).
+3. That may be a wrong group with the best scores, another motion say. So the search ends for good when samples of the
+points that the best model does not explain, where another one has a larger part of the points than among all, have
+not met a model with significantly more inliers (significantInliers(), State::unexplainedSamples). It may share with the
+best one what comes anywhere in the order (otherInliers()). No such samples are asked for if the model would be seen
+there, as its neighbors stay neighbors (otherMotionWouldShow()).
 
 Where uniform samples are sooner enough, or the best model is of a plane that has two motions (State::yield), the other
 criteria decide. O(N) a batch of samples at most. */
@@ -90,47 +87,36 @@ class ConfirmedOrderTermination : public Termination
 {
 public:
     ConfirmedOrderTermination()
-        : randomRatio(1), cost(0), orderedNeeded(INT_MAX), from(0), explained(0), points(0), late(0),
-          manyRepeated(false), noOther(false)
+        : randomRatio(1), cost(0), orderedNeeded(INT_MAX), enough(INT_MAX), late(0), manyRepeated(false)
     {}
 
     void start(const Context& context) CV_OVERRIDE
     {
         randomRatio = context.points.problem->randomInlierRatio(context.points);
         cost = std::numeric_limits<double>::infinity();
-        orderedNeeded = INT_MAX;
-        explained = 0;
-        points = 0;
+        orderedNeeded = enough = INT_MAX;
     }
 
     bool adapt(const Context& context, State& state) CV_OVERRIDE
     {
         if (!isOfUse(context))
             return false;
-        const int before = state.wanted;
-        const bool changed = state.bestQuality.cost != cost;
-        if (changed)
+        const int wanted = state.wanted, before = enough;
+        if (state.bestQuality.cost != cost)
             look(context, state);
         state.wanted = state.iteration < FIRST_ORDERED ? (int)SAMPLES_HALF : SAMPLES_MIXED;
-        if (orderedNeeded < INT_MAX)
-            state.wanted = wantedNow(context, state);
-        if (state.wanted != SAMPLES_UNEXPLAINED || (!changed && before == SAMPLES_UNEXPLAINED))
-            return state.wanted != before;
-        collect(context, state, before == SAMPLES_UNEXPLAINED);
-        if (otherModelSamples(context, state) / UNEXPLAINED_SHARE > uniformLeft(context, state))
+        if (orderedNeeded < INT_MAX && orderedNeeded - state.orderedSamples < uniformLeft(context, state))
         {
-            orderedNeeded = INT_MAX;  // those of all points are enough sooner
-            state.wanted = SAMPLES_MIXED;
+            state.wanted = SAMPLES_ORDERED;
+            if (state.orderedSamples >= orderedNeeded && enough == INT_MAX)
+                end(context, state);
         }
-        return true;
+        return state.wanted != wanted || enough != before;
     }
 
-    int iterations(const Context& context, const State& state) const CV_OVERRIDE
+    int iterations(const Context&, const State& state) const CV_OVERRIDE
     {
-        if (state.wanted != SAMPLES_UNEXPLAINED || state.bestQuality.cost != cost)
-            return INT_MAX;
-        const double needed = otherModelSamples(context, state) / UNEXPLAINED_SHARE;
-        return needed < INT_MAX - from ? from + (int)std::ceil(needed) : INT_MAX;
+        return state.bestQuality.cost == cost ? enough : INT_MAX;
     }
 
     int reason() const CV_OVERRIDE { return STOP_ORDER; }
@@ -138,8 +124,9 @@ public:
 private:
     static bool isOfUse(const Context& context)
     {
-        return orderIsKnown(context) && context.params.orderedEvery > 1 &&
-               context.components.sampler->growingShare(context) > 0 && context.params.quality != QUALITY_LMEDS;
+        return orderIsKnown(context) && context.params.orderedEvery > 1 && context.params.runnersUp > 0 &&
+               context.components.localOptimizer && context.components.sampler->growingShare(context) > 0 &&
+               context.params.quality != QUALITY_LMEDS;
     }
 
     void markInliers(const Context& context, const State& state, uchar* inliers) const
@@ -159,7 +146,7 @@ private:
         const Correspondences& p = context.points;
         const int m = context.components.minimalSolver->sampleSize(), size = p.size;
         cost = state.bestQuality.cost;
-        orderedNeeded = INT_MAX;
+        orderedNeeded = enough = INT_MAX;
         if (state.yield < 1 || !state.order || state.orderedSamples == 0 || state.bestQuality.inliers <= m)
             return;
         Arena::Scope scope(context.arena);
@@ -186,14 +173,6 @@ private:
                                       (context.params.termination & TERMINATION_EXACT) != 0, length);
     }
 
-    //! With an order that is confirmed.
-    int wantedNow(const Context& context, const State& state) const
-    {
-        if (state.orderedSamples >= orderedNeeded)
-            return SAMPLES_UNEXPLAINED;
-        return orderedNeeded - state.orderedSamples < uniformLeft(context, state) ? SAMPLES_ORDERED : SAMPLES_MIXED;
-    }
-
     //! Uniform samples that lack for the standard criterion.
     static double uniformLeft(const Context& context, const State& state)
     {
@@ -202,73 +181,65 @@ private:
         return (double)needed - state.countedSamples;
     }
 
-    //! The points that the best model does not explain. What has been drawn of those before counts if it still has
-    //! nearly all inliers that it had.
-    void collect(const Context& context, State& state, bool wasWanted)
+    //! Samples that follow the order are enough, if it is not one of another motion.
+    void end(const Context& context, State& state)
     {
-        const int size = context.points.size;
-        if (!explained)
-        {
-            explained = context.arena.take<uchar>(size);
-            points = context.arena.take<int>(size);
-        }
+        const int size = context.points.size, m = context.components.minimalSolver->sampleSize();
         Arena::Scope scope(context.arena);
         uchar* const inliers = scope.take<uchar>(size);
         markInliers(context, state, inliers);
-        int had = 0, kept = 0;
-        for (int i = 0; wasWanted && i < size; ++i)
+        const int left = size - (int)std::count(inliers, inliers + size, (uchar)1);
+        const double other = otherInliers(context, state, left);
+        const int samples = seesNoOther(context, inliers, other, left)
+                                ? 0
+                                : otherModelSamples(context, state, other, left, m);
+        if (samples > uniformLeft(context, state))
         {
-            had += explained[i];
-            kept += explained[i] & inliers[i];
+            orderedNeeded = INT_MAX;  // those of all points are enough sooner
+            state.wanted = SAMPLES_MIXED;
+            return;
         }
-        if (!wasWanted || kept < SAME * had)
-            from = state.iteration;
-        std::copy(inliers, inliers + size, explained);
-        state.unexplained = points;
-        state.unexplainedCount = 0;
-        for (int i = 0; i < size; ++i)
-            if (!inliers[i])
-                points[state.unexplainedCount++] = i;
-        const CellPairs own(context.points, inliers, 1, context.arena), rest(context.points, inliers, 0, context.arena);
-        noOther = !manyRepeated &&
-                  otherMotionWouldShow(own, rest, otherInliers(context, state), state.unexplainedCount);
+        state.unexplainedSamples = samples;
+        enough = state.iteration;
     }
 
-    /** Inliers that another model must have among the unexplained points to have significantly more. If the best model
-    owes its place in the order to a wrong group, the other one shares with it what comes anywhere in the order; how
-    many these are the last ones tell. */
-    double otherInliers(const Context& context, const State& state) const
+    //! True if another motion with so many inliers would show among the points that the best one leaves.
+    bool seesNoOther(const Context& context, const uchar* inliers, double other, int left) const
     {
-        const double shared = (late + std::sqrt((double)late)) * state.unexplainedCount * LATE_PART /
-                              context.points.size;
+        bool shows = false;
+        for (int merged = 1; merged <= COARSE && !shows && !manyRepeated; merged *= COARSE)
+            shows = otherMotionWouldShow(CellPairs(context.points, inliers, 1, context.arena, merged),
+                                         CellPairs(context.points, inliers, 0, context.arena, merged), other, left);
+        return shows;
+    }
+
+    /** Inliers that another model must have among the `left` points to have significantly more. If the best model owes
+    its place in the order to a wrong group, the other one shares with it what comes anywhere in the order; how many
+    these are the last ones tell. */
+    double otherInliers(const Context& context, const State& state, int left) const
+    {
+        const double shared = (late + std::sqrt((double)late)) * left * LATE_PART / context.points.size;
         return significantInliers(context, state) - std::min(shared, (double)state.bestQuality.inliers);
     }
 
-    //! Samples of unexplained points after which another model that has significantly more inliers would be found.
-    int otherModelSamples(const Context& context, const State& state) const
+    //! Samples of the `left` points after which a model with so many inliers would be found.
+    static int otherModelSamples(const Context& context, const State& state, double other, int left, int m)
     {
-        const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
-        const int left = state.unexplainedCount;
-        const double other = otherInliers(context, state);
-        if (noOther || other > left)
+        if (other > left)
             return 0;
-        const double copies = copiesOf(state, n, m);
+        const double copies = copiesOf(state, context.points.size, m);
         const double different = std::max(left / copies, (double)std::min(left, m + 1));
         double p = 1;
         for (int i = 0; i < m; ++i)
             p *= std::max(other / left * different - i, 0.0) / (different - i);
-        return samplesNeeded(std::min(p, 1.0) * keptProbability(context, other) * state.yield,
-                             std::log(1 - context.params.confidence));
+        return samplesNeeded(std::min(p, 1.0) * state.yield, std::log(1 - context.params.confidence));
     }
 
     double randomRatio, cost;
     int orderedNeeded;  //!< samples that follow the order; INT_MAX: they do not end the search
-    int from;           //!< the sample from which on those of unexplained points count
-    uchar* explained;   //!< inliers of the best model that `points` are left of
-    int* points;        //!< State::unexplained
+    int enough;         //!< samples after which it may end; INT_MAX: not known
     int late;           //!< inliers of the best model among the last points of the order
     bool manyRepeated;  //!< of the inliers
-    bool noOther;       //!< another motion would show among the unexplained points
 };
 
 }  // namespace

@@ -84,14 +84,14 @@ TEST(Usac_ConfirmedOrder, goodOrderIsEvidence)
 }
 
 //! Pairs of a scene's rows in cells, for the matches of one motion and for wrong ones.
-CellPairs pairsOf(const Scene& scene, bool right, Arena& arena)
+CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
 {
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Correspondences& p = usac->points();
     std::vector<uchar> mask(p.size);
     for (int i = 0; i < p.size; ++i)
         mask[i] = scene.truth[p.inputIndex[i]];
-    return CellPairs(p, mask.data(), right, arena);
+    return CellPairs(p, mask.data(), right, arena, merged);
 }
 
 //! Neighbors of a motion stay neighbors, those of wrong matches do so as often as by chance.
@@ -123,6 +123,37 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
         EXPECT_NEAR(1, both / expected, 0.1);
         EXPECT_GE(seen, 30) << (int)problems[k];
         EXPECT_EQ(0, missed) << (int)problems[k];
+    }
+}
+
+//! Few matches are seldom in one of the small cells: larger ones tell that there is no other motion, and miss none.
+TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
+{
+    const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
+    for (int k = 0; k < 3; ++k)
+    {
+        int seen[2] = {0, 0}, missed = 0;
+        for (uint64 seed = 1; seed <= 40; ++seed)
+        {
+            Arena arena;
+            SceneOptions options;
+            options.seed = seed;
+            options.setSize(500, 0.2);
+            const Scene scene = makeScene(problems[k], options);
+            options.outliers = 300;
+            options.second = 100;
+            const Scene other = makeScene(problems[k], options);
+            for (int merged = 1; merged <= 2; ++merged)
+            {
+                const CellPairs own = pairsOf(scene, true, arena, merged);
+                EXPECT_EQ(merged == 1 ? 64 : 16, own.cells);
+                seen[merged - 1] += otherMotionWouldShow(own, pairsOf(scene, false, arena, merged), 100, 400);
+                missed += otherMotionWouldShow(own, pairsOf(other, false, arena, merged), 100, 400);
+            }
+        }
+        EXPECT_GE(seen[1], 30) << (int)problems[k];
+        EXPECT_GT(seen[1], seen[0]) << (int)problems[k];
+        EXPECT_LE(missed, 1) << (int)problems[k];
     }
 }
 
@@ -171,6 +202,17 @@ TEST(Usac_ConfirmedOrder, goodScoresPay)
     }
 }
 
+//! Where few are right nearly all time went into samples of what the best model does not explain.
+TEST(Usac_ConfirmedOrder, goodScoresPayWhereFewAreRight)
+{
+    SceneOptions options;
+    options.setSize(500, 0.2);
+    options.scoreInformation = 0.9;
+    const Outcome found = run(ESSENTIAL, options, true, 20);
+    EXPECT_EQ(0, found.failed);
+    EXPECT_LE(found.iterations, 2000);  // 14 000 without scores
+}
+
 //! The best scores on another motion that is smaller, on one place, random and upside down ones.
 TEST(Usac_ConfirmedOrder, badScoresAreSeen)
 {
@@ -208,6 +250,18 @@ TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
             0, cvtest::norm(estimate(scene, with, noArray(), &a), estimate(scene, without, noArray(), &b), NORM_INF));
         EXPECT_EQ(a.iterations, b.iterations);
     }
+}
+
+//! What the best model does not explain is searched by runners-up: without them no order ends the search.
+TEST(Usac_ConfirmedOrder, isIdleWithoutRunnersUp)
+{
+    SceneOptions options;
+    options.setSize(500, 0.4);
+    options.scoreInformation = 0.95;
+    EXPECT_GE(run(HOMOGRAPHY, options, true, 10).byOrder, 9);
+    Params none;
+    none.runnersUp = 0;
+    EXPECT_EQ(0, run(HOMOGRAPHY, options, true, 10, none).byOrder);
 }
 
 }

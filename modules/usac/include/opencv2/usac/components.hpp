@@ -45,9 +45,7 @@ struct Context;
 enum WantedSamples {
     SAMPLES_MIXED,    //!< those that follow the order and uniform ones, see Params::orderedEvery
     SAMPLES_HALF,     //!< the same, but every second one follows the order
-    SAMPLES_ORDERED,  //!< those that follow the order
-    //! most of points that the best model does not explain (State::unexplained)
-    SAMPLES_UNEXPLAINED
+    SAMPLES_ORDERED   //!< those that follow the order
 };
 
 //! All that changes during a run.
@@ -55,7 +53,7 @@ struct CV_EXPORTS State
 {
     State()
         : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0), orderedSamples(0),
-          wanted(SAMPLES_MIXED), unexplained(0), unexplainedCount(0), order(0)
+          wanted(SAMPLES_MIXED), unexplainedSamples(0), order(0)
     {}
 
     //! The points, best first, as the Ordering says; sorted at the first call.
@@ -74,8 +72,9 @@ struct CV_EXPORTS State
     int repeatedSamples;  //!< samples that do not count only because a match was in them twice
     int orderedSamples;   //!< samples drawn so far that follow an order that is known (scores, the order of the input)
     int wanted;           //!< @ref WantedSamples; only samplers that follow a known order look at it
-    const int* unexplained;           //!< points that are no inliers of the best model, if such samples are wanted
-    int unexplainedCount;             //!< number of them
+    //! So many samples of the points that the best model does not explain has a criterion that ends the search with
+    //! #STOP_ORDER drawn before: they must not lead to a better model.
+    int unexplainedSamples;
     const int* order;                 //!< what bestFirst() has returned; null before
     Model best;                       //!< the best model so far
     Quality bestQuality;              //!< and what it is worth

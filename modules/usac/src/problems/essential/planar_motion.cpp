@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/streams.hpp"
 #include "problems/essential/essential.hpp"
 #include "problems/two_view/dominant_plane.hpp"
 
@@ -17,9 +18,6 @@ constexpr double DOMINANT = 0.8;
 //! Then so many of the samples of inliers only are taken to lead to the right motion. Lists: half: time +3 %; double:
 //! the same. Scenes with planes: half: 59 % more samples; 1: 43 % less, and 6 of 432 searches fail for 1.
 constexpr double YIELD = 0.5;
-//! Stream of random numbers beside those of the samples, 0 .. 2^31, and of ransac.cpp, from 2^40 and 2^41 on:
-//! the triples of points are not those of a sample.
-constexpr uint64 PLANE_STREAM = (uint64)1 << 42;
 
 /** @brief E of a scene that is dominated by a plane takes more samples.
 
@@ -35,7 +33,7 @@ public:
         if (sample && context.components.localOptimizer)
             return true;
         Matx33d H;
-        Rng rng(context.params.seed, PLANE_STREAM + state.iteration);
+        Rng rng(context.params.seed, streamOf(STREAM_PLANE, state.iteration));
         state.yield = plane.find(context, rng, model, DOMINANT, H) ? YIELD : 1;
         return true;
     }

@@ -4,9 +4,9 @@
 
 #include "precomp.hpp"
 #include <Eigen/Cholesky>
-#include "core/point_subset.hpp"
 #include "problems/share_a_point.hpp"
 #include "problems/two_view/two_view.hpp"
+#include "scoring/counted_once.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -127,27 +127,15 @@ public:
 
     bool recover(const Context& context, State&, const int*, Model& model, Quality& quality) CV_OVERRIDE
     {
-        const Score& score = *context.components.score;
-        if (places == 0 || score.wholeModel())
+        if (context.components.score->wholeModel())
             return true;
-        const Correspondences& p = context.points;
-        const int count = ends[places];
-        Arena::Scope scope(context.arena);
-        PointSubset subset(p, count, scope);
-        for (int i = 0; i < count; ++i)
-            subset.add(members[i]);
-        const double* const errors = subset.squaredErrors(*context.components.residual, model);
-        float* const floats = scope.take<float>(count);
-        std::copy(errors, errors + count, floats);
         for (int k = 0; k < places; ++k)
         {
-            const int size = ends[k + 1] - ends[k];
-            Quality sum(0, 0);
-            score.accumulate(floats + ends[k], size, (float)(p.threshold * p.threshold), sum);
-            if (sum.inliers < 2)
-                continue;
-            quality.cost += (size - sum.cost) * (sum.inliers - 1) / sum.inliers;
-            quality.inliers = std::max(quality.inliers - sum.inliers + 1, 1);
+            Arena::Scope scope(context.arena);
+            PointSubset place(context.points, ends[k + 1] - ends[k], scope);
+            for (int i = ends[k]; i < ends[k + 1]; ++i)
+                place.add(members[i]);
+            countOnce(context, 1, place, model, quality);
         }
         return true;
     }

@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/point_subset.hpp"
 #include "problems/share_a_point.hpp"
 #include "problems/two_view/two_view.hpp"
+#include "scoring/counted_once.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -44,23 +44,15 @@ public:
 
     bool recover(const Context& context, State&, const int*, Model& model, Quality& quality) CV_OVERRIDE
     {
-        const Score& score = *context.components.score;
         if (!searched)
             search(context);
-        if (count == 0 || score.wholeModel())
+        if (count == 0 || context.components.score->wholeModel())
             return true;
-        const Correspondences& p = context.points;
         Arena::Scope scope(context.arena);
-        PointSubset subset(p, count, scope);
+        PointSubset subset(context.points, count, scope);
         for (int i = 0; i < count; ++i)
             subset.add(repetitions[i]);
-        const double* const errors = subset.squaredErrors(*context.components.residual, model);
-        float* const floats = scope.take<float>(count);
-        std::copy(errors, errors + count, floats);
-        Quality sum(0, 0);
-        score.accumulate(floats, count, (float)(p.threshold * p.threshold), sum);
-        quality.cost += count - sum.cost;
-        quality.inliers = std::max(quality.inliers - sum.inliers, 0);
+        countOnce(context, 0, subset, model, quality);
         return true;
     }
 

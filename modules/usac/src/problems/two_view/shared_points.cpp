@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/point_subset.hpp"
 #include "problems/two_view/two_view.hpp"
+#include "scoring/counted_once.hpp"
 #include "problems/share_a_point.hpp"
 #include "scoring/kernels.hpp"
 
@@ -125,8 +125,7 @@ public:
     bool recover(const Context& context, State&, const int*, Model& model, Quality& quality) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
-        const Score& score = *context.components.score;
-        if (score.wholeModel())
+        if (context.components.score->wholeModel())
             return true;
         const OneEnd one(model, sizes, p.threshold);
         int seen = 0;
@@ -139,16 +138,7 @@ public:
         for (int i = 0; i < p.size; ++i)
             if (one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]))
                 silent.add(i);
-        const int count = silent.size();
-        const double* const errors = silent.squaredErrors(*context.components.residual, model);
-        float* const floats = scope.take<float>(count);
-        std::copy(errors, errors + count, floats);
-        Quality sum(0, 0);
-        score.accumulate(floats, count, (float)(p.threshold * p.threshold), sum);
-        if (sum.inliers < 2)
-            return true;
-        quality.cost += (count - sum.cost) * (sum.inliers - 1) / sum.inliers;
-        quality.inliers = std::max(quality.inliers - sum.inliers + 1, 1);
+        countOnce(context, 1, silent, model, quality);
         return true;
     }
 

@@ -1,0 +1,50 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "scoring/counted_once.hpp"
+
+namespace opencv_test {
+namespace {
+
+//! Inliers and cost against those of the points without the subset, but for one of its inliers on average.
+TEST(Usac_CountedOnce, asIfOthersWereNotThere)
+{
+    SceneOptions options;
+    options.setSize(200, 0.5);
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    const Params params;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    Arena arena;
+    const Context context(usac->points(), usac->components(), params, arena);
+    usac->components().start(context);
+    const Model model = toInternal(usac->points(), scene.model);
+    const Correspondences& p = usac->points();
+    std::vector<float> errors(p.size);
+    context.components.residual->squaredErrors(p, model, 0, p.size, errors.data());
+    const float limit = (float)(p.threshold * p.threshold);
+    for (int kept = 0; kept <= 1; ++kept)
+        for (int size = 0; size <= 60; size += 20)
+        {
+            Quality rest(0, 0), inside(0, 0);
+            for (int i = 0; i < p.size; ++i)
+            {
+                float error = errors[i];
+                context.components.score->accumulate(&error, 1, limit, i < size ? inside : rest);
+            }
+            Arena::Scope scope(arena);
+            PointSubset subset(p, std::max(size, 1), scope);
+            for (int i = 0; i < size; ++i)
+                subset.add(i);
+            Quality quality = context.rate(model);
+            countOnce(context, kept, subset, model, quality);
+            const bool one = kept == 1 && inside.inliers > 0;
+            const double gain = one ? (size - inside.cost) / inside.inliers : kept == 1 ? size - inside.cost : 0;
+            EXPECT_EQ(rest.inliers + one, quality.inliers) << kept << " of " << size;
+            EXPECT_NEAR(rest.cost + size - gain, quality.cost, 1e-3) << kept << " of " << size;
+        }
+}
+
+}
+}  // namespace
