@@ -111,7 +111,6 @@ void Ransac::sampleAsOrdered(const int* indices, int count)
 
 void Ransac::sampleForRivals(const int* indices, int count, double wanted, int drawn)
 {
-    const int m = parts.minimalSolver->sampleSize();
     const int needed = samplesNeeded(goodSampleProbability(wanted, count, m, true),
                                      std::log(1 - context.params.confidence));
     const int few = std::max(drawn / FIRST_PART, LEAST_SAMPLES);
