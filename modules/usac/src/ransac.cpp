@@ -33,11 +33,21 @@ constexpr double WORTHWHILE = 0.6;
 //! measured.
 constexpr double DIFFERENT = 0.1;
 
+Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
+{
+    Degeneracy** const result = arena.take<Degeneracy*>(checks.size());
+    for (size_t d = 0; d < checks.size(); ++d)
+        result[d] = checks[d].get();
+    return result;
+}
+
 }  // namespace
 
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
-    : context(context_), parts(context_.components), state(state_), samples(context_.arena.take<Sample>(LARGEST_BATCH)),
-      counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0), hypotheses(0),
+    : context(context_), parts(context_.components), state(state_), m(parts.minimalSolver->sampleSize()),
+      checks(pointersTo(parts.degeneracies, context_.arena)), checkCount((int)parts.degeneracies.size()),
+      samples(context_.arena.take<Sample>(LARGEST_BATCH)), counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0),
+      errorRows(0), size(0), hypotheses(0),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
       unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
@@ -158,7 +168,7 @@ void Ransac::drawBatch()
         state.counts = true;
         parts.sampler->sample(context, state, samples[i].val);
         if (checkSamples)
-            checkSample(samples[i].val, parts.minimalSolver->sampleSize(), context.points.size);
+            checkSample(samples[i].val, m, context.points.size);
         counts[i] = state.counts;
     }
     state.iteration = firstOfBatch;
@@ -199,8 +209,8 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
     h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
     h.rejectedSample = h.repeated = false;
     h.rejectedSample = !validSample(sample);  // 4
-    for (size_t d = 0; d < parts.degeneracies.size() && h.rejectedSample && !h.repeated; ++d)
-        h.repeated = parts.degeneracies[d]->mayBeGood(context, sample);
+    for (int d = 0; d < checkCount && h.rejectedSample && !h.repeated; ++d)
+        h.repeated = checks[d]->mayBeGood(context, sample);
     if (h.rejectedSample)
         return;                                                                 // 5
     h.computed = parts.minimalSolver->solve(context.points, sample, h.models);  // 6
@@ -246,16 +256,16 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
 bool Ransac::validSample(const int* sample) const
 {
     bool valid = true;
-    for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)
-        valid = parts.degeneracies[d]->validSample(context, sample);
+    for (int d = 0; valid && d < checkCount; ++d)
+        valid = checks[d]->validSample(context, sample);
     return valid;
 }
 
 bool Ransac::validModel(const int* sample, const Model& model) const
 {
     bool valid = true;
-    for (size_t d = 0; valid && d < parts.degeneracies.size(); ++d)
-        valid = parts.degeneracies[d]->validModel(context, sample, model);
+    for (int d = 0; valid && d < checkCount; ++d)
+        valid = checks[d]->validModel(context, sample, model);
     return valid;
 }
 
@@ -358,8 +368,8 @@ void Ransac::optimize(Model& model, Quality& quality)
 
 bool Ransac::recover(const int* sample, Model& model, Quality& quality)
 {
-    for (size_t d = 0; d < parts.degeneracies.size(); ++d)
-        if (!parts.degeneracies[d]->recover(context, state, sample, model, quality))
+    for (int d = 0; d < checkCount; ++d)
+        if (!checks[d]->recover(context, state, sample, model, quality))
             return false;
     return true;
 }
@@ -370,8 +380,12 @@ void Ransac::account(const Hypotheses& h)
     state.repeatedSamples += state.counts && h.repeated;
     state.counts = state.counts && !h.repeated;
     state.countedSamples += state.counts;
+    if (parts.verifier)
+        parts.verifier->sampleTested(state, h.firstInliers, h.firstTested);
     report.rejectedSamples += h.rejectedSample;
-    report.degenerateSamples += !h.rejectedSample && h.computed == 0;
+    if (h.rejectedSample)
+        return;
+    report.degenerateSamples += h.computed == 0;
     report.models += h.computed;
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
@@ -379,8 +393,6 @@ void Ransac::account(const Hypotheses& h)
     // Which of the two came first: the best model may be another one now than when a thread rated these.
     for (int k = 0; k < h.stopped; ++k)
         ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
-    if (parts.verifier)
-        parts.verifier->sampleTested(state, h.firstInliers, h.firstTested);
 }
 
 }  // namespace usacv20

@@ -89,12 +89,15 @@ private:
     const Context& context;
     const Components& parts;
     State& state;
-    Sample* samples;    //!< of the batch
-    uchar* counts;      //!< State::counts of each
-    Hypotheses* batch;  //!< theirs, or those of the present sample
-    float* errorRows;   //!< one for each thread that rates models; null: the score wants none
-    int size;           //!< of the batch
-    int hypotheses;     //!< that there is room for
+    const int m;                //!< points of a sample
+    Degeneracy* const* checks;  //!< Components::degeneracies
+    const int checkCount;       //!< of these
+    Sample* samples;            //!< of the batch
+    uchar* counts;              //!< State::counts of each
+    Hypotheses* batch;          //!< theirs, or those of the present sample
+    float* errorRows;           //!< one for each thread that rates models; null: the score wants none
+    int size;                   //!< of the batch
+    int hypotheses;             //!< that there is room for
     RunnersUp runnersUp;
     Model explored;          //!< the best model when what it leaves was searched
     int unexplainedSamples;  //!< of the points that a best model has left, so far

@@ -36,7 +36,6 @@ bool Ransac::terminate()
 most of them: whatever points the samples prefer, they do not miss it. */
 int Ransac::samplesThatCount() const
 {
-    const int m = parts.minimalSolver->sampleSize();
     const bool planar = state.report.degenerate || state.yield < 1;  // then it may share nearly all with a wrong one
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - state.repeatedSamples : state.countedSamples;

@@ -74,7 +74,7 @@ double Ransac::rivalInliers() const
 
 bool Ransac::searchUnexplained()
 {
-    const int m = parts.minimalSolver->sampleSize(), drawn = state.iteration;
+    const int drawn = state.iteration;
     if (runnersUp.none() || explored == state.best || state.bestQuality.inliers <= m ||
         drawn >= context.params.maxIterations)
         return false;
@@ -102,8 +102,7 @@ bool Ransac::searchUnexplained()
 
 void Ransac::sampleUnexplained(const int* indices, int count, int most)
 {
-    const int m = parts.minimalSolver->sampleSize(),
-              end = state.iteration + std::min(most, context.params.maxIterations - state.iteration);
+    const int end = state.iteration + std::min(most, context.params.maxIterations - state.iteration);
     for (; state.iteration < end; ++state.iteration)
     {
         Rng rng(context.params.seed, UNEXPLAINED_STREAM + state.iteration);
@@ -133,7 +132,7 @@ bool Ransac::addRival(const Sample& sample, const Model& model)
 {
     const InlierBits inliers(context, model);
     const int own = inliers.without(runnersUp.best());
-    if (own < rivalInliers() || own <= parts.minimalSolver->sampleSize())
+    if (own < rivalInliers() || own <= m)
         return false;
     runnersUp.add(Candidate(sample, model, context.rate(model)), inliers);
     return true;

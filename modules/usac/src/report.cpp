@@ -11,6 +11,8 @@ namespace {
 
 //! Report::chance above which a model is no better than one of random matches: the limit of Params::significance 0.
 constexpr double SIGNIFICANT = 0.01;
+//! Of so many inliers less than one is independent: most are at a few places. Half, double: not measured.
+constexpr int FEW = 4;
 
 }  // namespace
 
@@ -37,10 +39,13 @@ String Report::describe() const
                                           "the order of the points"};
     const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_ORDER ? reasons[stop] : "unknown reason";
     const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT;
-    return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s", inliers, cost,
+    const String few = model && FEW * independentInliers < inliers && independentInliers > 0
+                           ? format("; only %d inliers are independent", independentInliers)
+                           : String();
+    return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s%s", inliers, cost,
                   iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "",
                   wideThreshold ? "; the threshold is as wide as all the points: is it in their unit?" : "",
-                  model && chance > SIGNIFICANT ? "; no better than chance" : "");
+                  few.c_str(), model && chance > SIGNIFICANT ? "; no better than chance" : "");
 }
 
 }  // namespace usacv20

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/bits.hpp"
 #include "core/random_part.hpp"
 #include "local_optimization/inlier_set.hpp"
 
@@ -14,13 +15,11 @@ void InlierSet::within(const Context& context, const Model& model, double multip
     const Correspondences& points = context.points;
     const float limit = (float)(multiple * multiple * points.threshold * points.threshold);
     context.components.residual->squaredErrors(points, model, 0, points.size, errors);
-    int found = 0;
-    for (int i = 0; i < points.size; ++i)  // no branches, which could not be foretold
-    {
-        members[found] = i;
-        found += errors[i] <= limit;
-    }
-    count = found;
+    count = 0;
+    for (int i = 0; i < points.size; i += WORD_BITS)  // a branch for each point could not be foretold
+        for (uint64 word = usacv20::within(errors + i, std::min(points.size - i, (int)WORD_BITS), limit); word;
+             word &= word - 1)
+            members[count++] = i + lowestOne(word);
 }
 
 int InlierSet::select(Rng& rng, int most)

@@ -6,6 +6,7 @@
 #define OPENCV_USACV20_SHARE_A_POINT_HPP
 
 #include <algorithm>
+#include <type_traits>
 #include "opencv2/usac/components.hpp"
 
 namespace cv {
@@ -41,10 +42,46 @@ inline bool anyPair(const int* sample, int m, const Share& share)
     return false;
 }
 
+//! True if two points of a sample of m have the same number in a column. `m` may be a constant: then there is no loop.
+template <class Size>
+inline bool anyEqual(const float* column, const int* sample, Size m)
+{
+    float values[MAX_SAMPLE_SIZE];
+    bool equal = false;
+    for (int i = 0; i < m; ++i)
+    {
+        values[i] = column[sample[i]];
+        for (int k = 0; k < i; ++k)
+            equal |= values[i] == values[k];
+    }
+    return equal;
+}
+
+/** False if no two matches of a sample have the same first number of an array, so that they do not share a point of it.
+Hardly any sample has, and this is soon told: without branches that depend on the points. */
+inline bool mayShareAPoint(const Correspondences& p, int array, const int* sample, int m)
+{
+    const float* const column = p.column[array ? p.coordinates[0] : 0];
+    switch (m)
+    {
+    case 4: return anyEqual(column, sample, std::integral_constant<int, 4>());
+    case 5: return anyEqual(column, sample, std::integral_constant<int, 5>());
+    case 7: return anyEqual(column, sample, std::integral_constant<int, 7>());
+    default: return anyEqual(column, sample, m);
+    }
+}
+
+//! True if two matches of a sample share a point, see shareAPoint().
+inline bool anyShareAPoint(const Correspondences& p, const int* sample, int m)
+{
+    return (mayShareAPoint(p, 0, sample, m) || (p.coordinates[1] > 0 && mayShareAPoint(p, 1, sample, m))) &&
+           anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
+}
+
 //! True if a match is twice in a sample of m, and no two different ones share a point: of these one would be wrong.
 inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 {
-    return anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
+    return mayShareAPoint(p, 0, sample, m) && anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
            !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
 }
 

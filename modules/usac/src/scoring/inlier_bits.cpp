@@ -3,22 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/bits.hpp"
 #include "scoring/inlier_bits.hpp"
 
 namespace cv {
 namespace usacv20 {
-
-namespace {
-
-//! Ones of a word, summed side by side in fields of 2, 4 and 8 bits.
-int ones(uint64 word)
-{
-    word -= (word >> 1) & 0x5555555555555555ULL;
-    word = (word & 0x3333333333333333ULL) + ((word >> 2) & 0x3333333333333333ULL);
-    return (int)((((word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fULL) * 0x0101010101010101ULL) >> 56);
-}
-
-}  // namespace
 
 InlierBits::InlierBits() { std::fill(words, words + WORDS, (uint64)0); }
 
@@ -30,8 +19,8 @@ InlierBits::InlierBits(const Context& context, const Model& model, double width)
     const float limit = (float)(width * width * p.threshold * p.threshold);
     float errors[MOST];
     context.components.residual->squaredErrors(p, model, 0, looked, errors);
-    for (int i = 0; i < looked; ++i)
-        words[i / 64] |= (uint64)(errors[i] <= limit) << (i % 64);  // false for NaN
+    for (int i = 0; i < looked; i += WORD_BITS)
+        words[i / WORD_BITS] = within(errors + i, std::min(looked - i, (int)WORD_BITS), limit);
 }
 
 int InlierBits::count() const { return without(InlierBits()); }

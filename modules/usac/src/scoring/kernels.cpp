@@ -42,8 +42,14 @@ void toFloat(const Model& model, float* m, bool homogeneous)
         factor = largest > 0 ? 1 / largest : 0;
         limit = 1;
     }
-    for (int i = 0; i < model.size(); ++i)
-        m[i] = (float)std::min(std::max(model.val[i] * factor, -limit), limit);
+    float all[MAX_MODEL_SIZE];
+    USAC_SIMD
+    for (int i = 0; i < MAX_MODEL_SIZE; ++i)
+    {
+        const double value = model.val[i] * factor, raised = value < -limit ? -limit : value;
+        all[i] = (float)(limit < raised ? limit : raised);
+    }
+    std::copy(all, all + model.size(), m);
 }
 
 }  // namespace usacv20

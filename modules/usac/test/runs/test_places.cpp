@@ -105,6 +105,29 @@ TEST_P(Usac_Places, no_flag_collapses)
         }
 }
 
+//! Without the checks a model that takes all to the place may be returned: the report says what it rests on.
+TEST(Usac_Places_Report, says_that_few_inliers_are_independent)
+{
+    int collapsed = 0;
+    for (int seed = 1; seed <= RUNS; ++seed)
+    {
+        SceneOptions options;
+        options.setSize(SIZE, 0.2);
+        options.outlierModel = OUTLIERS_PLACE;
+        setParts(PARTS[3], seed, options);
+        const Scene scene = makeScene(HOMOGRAPHY, options);
+        Params params = paramsOf(USACV20, scene.scores);
+        params.degeneracy = 0;
+        Report report;
+        const Mat model = Usac::create(HOMOGRAPHY, scene.points1, scene.points2, params)->run(noArray(), &report);
+        if (model.empty() || report.inliers < SIZE / 2)
+            continue;
+        ++collapsed;
+        EXPECT_NE(String::npos, report.describe().find("inliers are independent")) << report.describe();
+    }
+    EXPECT_GT(collapsed, 0);
+}
+
 //! The map of an object of 16 pixels in image 2 is no collapse, however large the object is in image 1.
 TEST(Usac_Places_Objects, small_ones_are_found)
 {

@@ -34,7 +34,7 @@ public:
     {
         const Correspondences& p = context.points;
         const int m = context.components.minimalSolver->sampleSize();
-        return !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
+        return !anyShareAPoint(p, sample, m);
     }
 
     bool mayBeGood(const Context& context, const int* sample) const CV_OVERRIDE

@@ -112,7 +112,7 @@ public:
         const Correspondences& p = context.points;
         const int m = context.components.minimalSolver->sampleSize();
         if (!targets)
-            return !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
+            return !anyShareAPoint(p, sample, m);
         const TargetLimits limits(p.threshold, sizes);
         return !anyPair(sample, m, [&](int i, int k) { return shareATarget(p, limits, i, k); });
     }
