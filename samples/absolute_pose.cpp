@@ -7,7 +7,7 @@
 // pose of the first scene is the initial model of the second. Without images a board is made and photographed here, and
 // the true poses are known.
 
-#include <opencv2/calib3d.hpp>
+#include <opencv2/usac/geometry.hpp>
 #include "tools.hpp"
 
 namespace {

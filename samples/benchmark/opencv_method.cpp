@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "problems/rigid_motion.hpp"
 
 namespace benchmark {

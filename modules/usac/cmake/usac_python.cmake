@@ -10,7 +10,7 @@ function(usac_add_python_module)
   usac_target_options(_native)
   set_target_properties(_native PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_include_directories(_native PRIVATE "${USAC_MODULE_DIR}/include")
-  target_link_libraries(_native PRIVATE opencv_core opencv_calib3d opencv_imgproc opencv_flann)
+  target_link_libraries(_native PRIVATE opencv_core opencv_${USAC_OPENCV_GEOMETRY} opencv_imgproc opencv_flann)
   if(NOT MSVC)  # the library's own build shows the warnings of its sources; these hand over arrays, which takes no optimization
     set_property(SOURCE ${native} APPEND PROPERTY COMPILE_OPTIONS -O1 -Wall -Wextra -Wshadow -Wundef -Wnon-virtual-dtor)
   endif()

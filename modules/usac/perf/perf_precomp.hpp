@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_PERF_PRECOMP_HPP
 
 #include "opencv2/ts.hpp"
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
 #include "scenes.hpp"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "opencv2/core.hpp"
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
 
 #endif

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "lens_oracle.hpp"
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 
 using cv::Mat;
 using cv::Matx22d;

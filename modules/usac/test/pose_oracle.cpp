@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 
 using cv::format;
 using cv::Mat;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 
 namespace opencv_test {
 

@@ -5,8 +5,8 @@
 #ifndef OPENCV_USACV20_TEST_PRECOMP_HPP
 #define OPENCV_USACV20_TEST_PRECOMP_HPP
 
-#include "opencv2/ts.hpp"
-#include "opencv2/calib3d.hpp"
+#include "framework.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
 #include "scenes.hpp"
 

@@ -13,7 +13,7 @@
 #include "benchmark.hpp"
 #include "components_method.hpp"
 #include "estimator_method.hpp"
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "program.hpp"
 #include "spread_sampler.hpp"
 #include "tukey_score.hpp"

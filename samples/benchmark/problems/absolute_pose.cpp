@@ -4,7 +4,7 @@
 
 #include "absolute_pose.hpp"
 
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "squared_errors.hpp"
 #include "view_files.hpp"
 

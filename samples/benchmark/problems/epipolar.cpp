@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <limits>
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "squared_errors.hpp"
 
 namespace benchmark {

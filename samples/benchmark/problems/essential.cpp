@@ -4,7 +4,7 @@
 
 #include "essential.hpp"
 
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "opencv2/imgproc.hpp"
 
 namespace benchmark {

@@ -5,7 +5,7 @@
 #include "rigid_motion.hpp"
 
 #include "motion_files.hpp"
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "squared_errors.hpp"
 #include "view_files.hpp"
 

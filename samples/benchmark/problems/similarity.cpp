@@ -4,7 +4,7 @@
 
 #include "similarity.hpp"
 
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 
 namespace benchmark {
 

@@ -5,7 +5,7 @@
 #include "true_model.hpp"
 
 #include <cmath>
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 
 namespace benchmark {
 

@@ -5,7 +5,7 @@
 #include "sequence.hpp"
 
 #include <cmath>
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
 
 namespace benchmark {

@@ -5,7 +5,12 @@
 #ifndef OPENCV_USACV20_LABELING_HPP
 #define OPENCV_USACV20_LABELING_HPP
 
+#include "opencv2/core/version.hpp"
+#if CV_VERSION_MAJOR >= 5
+#include "opencv2/geometry/detail/gcgraph.hpp"
+#else
 #include "opencv2/imgproc/detail/gcgraph.hpp"
+#endif
 #include "opencv2/usac/components.hpp"
 
 namespace cv {

@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_FIND_AFFINE_HPP
 
 #include <utility>
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac/params.hpp"
 
 namespace cv {

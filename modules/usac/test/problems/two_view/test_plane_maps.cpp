@@ -10,7 +10,7 @@
 #include "problems/problems.hpp"
 #include "problems/similarity/similarity_parameterization.hpp"
 
-#include "opencv2/calib3d.hpp"
+#include "opencv2/usac/geometry.hpp"
 
 // The affine map and the similarity between two images.
 
