@@ -10,11 +10,13 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: doc/constants.md.
+// Half and double of these: doc/constants.md. Measured on 1200 fits of H, F, E and poses to 8 to 2000 points.
 
-//! Samples whose models are compared by their errors, and best ones of them from which least squares start.
+//! Samples whose models are compared by their errors, and best ones of them from which least squares start. Half: 6 and
+//! 7 fits end in a minimum that is higher by 0.1 % or more; double: 3 in a higher one, 2 and 2 in a lower one.
 constexpr int SAMPLES = 64, STARTS = 4;
-//! Points that the starts are compared and fitted with, and steps of a fit: at its end long before.
+//! Points that the starts are compared and fitted with, and steps of a fit, which is at its end before. Half, double:
+//! the same minima.
 constexpr int PART = 500, STEPS = 100;
 //! Stream of random numbers beside those of a search.
 constexpr uint64 STREAM = (uint64)1 << 43;

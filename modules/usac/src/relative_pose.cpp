@@ -10,11 +10,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Part of the inliers on a plane from which on its second motion has nearly as many, as in PlanarMotion. Half: the
-//! homography of a smaller plane is looked for in vain, double: none is ever found.
+/** Part of the inliers on a plane from which on its second motion is of interest, as in PlanarMotion. 0.9: of planes of
+0.9 of the points a half is not seen; 0.6: those of 0.7 are, the motions returned are the same. */
 constexpr double DOMINANT = 0.8;
-//! Thresholds: so far from its place under the homography is a point of the plane. Half: a plane with noise of half a
-//! threshold is not seen in 1 of 20 scenes; double: the same.
+//! Thresholds: so far from its place under the homography is a point of the plane. Half: 134 of 358 planes with noise
+//! of up to two thirds of a threshold are not seen, and 41 of 180 right motions of nothing but a plane are missed;
+//! double: 5 of 180 planes of 0.7 of the points are seen.
 constexpr double ON_PLANE = 2;
 
 //! The essential matrix of two views, and which way it is to be read.

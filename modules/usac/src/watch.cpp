@@ -12,10 +12,10 @@ namespace {
 
 // Half and double of these: doc/constants.md.
 
-//! Milliseconds between two questions: a fifth of a frame of a display, and 0.04 % of the time where a question takes
-//! two microseconds, as one of Python's lock does.
+//! Milliseconds between two questions: a third of a frame of a display. Half, double: the result is the same.
 constexpr double PERIOD = 5;
 //! Milliseconds that polishing may take after the end of a run that was stopped: a thousand points take a third of one.
+//! Half, double: a run of 10 000 points or more ends as much earlier or later.
 constexpr double GRACE = 2;
 
 int64 ticks(double milliseconds)

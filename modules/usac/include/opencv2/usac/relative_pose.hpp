@@ -27,7 +27,7 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
     CV_PROP_RW int behind;
     //! Inliers on one plane, if these are most of them (more than 80 %); else 0.
     CV_PROP_RW int onPlane;
-    //! Of a plane: the other motion that has it in front of both cameras, 3x3 and 3x1, CV_64F; empty: there is none.
+    //! Of a plane: the other motion that it allows, 3x3 and 3x1, CV_64F; empty: there is none.
     CV_PROP_RW Mat otherR, otherT;
     //! Points in front of both cameras that this other motion has within the threshold.
     CV_PROP_RW int otherInliers;
