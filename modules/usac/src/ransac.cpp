@@ -37,8 +37,8 @@ constexpr double DIFFERENT = 0.1;
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
     : context(context_), parts(context_.components), state(state_), samples(context_.arena.take<Sample>(LARGEST_BATCH)),
       counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0), hypotheses(0),
-      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
-      exploredSamples(0), unexplainedSamples(0), rivals(0),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena), exploredSamples(0),
+      unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)
