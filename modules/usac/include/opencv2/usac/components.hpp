@@ -43,9 +43,9 @@ struct Context;
 
 //! Which samples the criteria want to be drawn, see State::wanted.
 enum WantedSamples {
-    SAMPLES_MIXED,    //!< those that follow the order and uniform ones, see Params::orderedEvery
-    SAMPLES_HALF,     //!< the same, but every second one follows the order
-    SAMPLES_ORDERED   //!< those that follow the order
+    SAMPLES_MIXED,   //!< those that follow the order and uniform ones, see Params::orderedEvery
+    SAMPLES_HALF,    //!< the same, but every second one follows the order
+    SAMPLES_ORDERED  //!< those that follow the order
 };
 
 //! All that changes during a run.

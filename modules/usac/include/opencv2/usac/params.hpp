@@ -151,8 +151,7 @@ enum TerminationFlags {
     TERMINATION_PROSAC = 8,   //!< maximality and non-randomness in the best subset of the points @cite chum2005matching
     TERMINATION_MAGSAC = 16,  //!< the standard criterion marginalized over the noise @cite barath2019magsac
     TERMINATION_EXACT = 32,   //!< modifies the others: samples without repetition, C(I, m) / C(N, m), not (I / N)^m
-    //! where the best model confirms a known order: PROSAC's, and no better model in what that does not explain; idle
-    //! without Params::runnersUp
+    //! where the best model confirms a known order: PROSAC's, and nothing better beside it; idle without `runnersUp`
     TERMINATION_ORDER = 64
 };
 
