@@ -12,9 +12,12 @@ doc/collections.md describes the rules, the files and what they cost."""
 
 import typing
 
+from ._engine import Summary
 from ._pair import CollectionError, Configuration, TwoView
+from ._scores import ColumnScores, HlocScores
+from ._verify import verify
 
-__all__ = ["CollectionError", "Configuration", "TwoView", "readResults"]
+__all__ = ["CollectionError", "ColumnScores", "Configuration", "HlocScores", "Summary", "TwoView", "readResults", "verify"]
 
 
 def readResults(path: str) -> typing.Iterator[TwoView]:

@@ -16,11 +16,11 @@ from __future__ import annotations
 
 import csv
 import json
-import sys
 import typing
 from typing import Any, Dict, List, Optional
 
 from . import _pictures
+from ._output import write
 from ._pair import CollectionError, Configuration
 from ._report_graph import Graph, graphOf, indexed
 from ._report_table import FAULT, OURS, PAIRS, REFUSED, VERIFIED, Results, Row
@@ -219,7 +219,7 @@ def report(path: str, pictures: Optional[str] = None, jsonFile: Optional[str] = 
     try:
         with Results(path) as results:
             summary = summarize(results, most)
-            (stream or sys.stdout).write(textOf(summary))
+            write(textOf(summary), stream)
             if draw is not None:
                 draw.histograms(summary["histograms"])
                 draw.pairs(results)
