@@ -67,7 +67,8 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
 
 def _addEngine(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("engine")
-    group.add_argument("--resume", action="store_true", help="go on with the last run: pairs that are done are skipped, those that are new or were left are done")
+    group.add_argument("--resume", action="store_true",
+                       help="go on with the last run: pairs that are done are skipped, those that are new or were left are done")
     where = group.add_mutually_exclusive_group()
     where.add_argument("--threads", type=_count, default=0, metavar="N", help="of this process (default 0: one for each core)")
     where.add_argument("--workers", type=_count, default=0, metavar="N", help="processes of a cluster on this machine (Dask)")

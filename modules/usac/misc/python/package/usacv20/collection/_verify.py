@@ -96,10 +96,10 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
     before = (stored or {}).get("threshold")
     if isinstance(before, (int, float)):
         say("threshold: {:g} px, that of the run that goes on".format(before))
-        return Settings(threshold=float(before), **options)
+        return Settings(threshold=float(before), ratios=tuple((stored or {}).get("ratios") or ()), **options)
     estimate = estimateThreshold(samplePairs(source), Settings(**options))
     say("threshold: " + estimate.describe())
-    return Settings(threshold=estimate.threshold, **options)
+    return Settings(threshold=estimate.threshold, ratios=estimate.ratios, **options)
 
 
 def go(source: Source, sink: Any, settings: Settings, say: Say, **engine: Any) -> Summary:
