@@ -9,8 +9,9 @@
     compare_colmap.py WORK --database matches.db --cameras cameras.json --pairs
 
 WORK is a folder for databases; what it has already is not made again. Without --database colmap extracts and matches features
-of the images first. Both verifications then fill two_view_geometries in copies of the database (COLMAP's matcher verifies only
-where there are matches), and `colmap mapper` goes on from each. cameras.json has {name: {"K": 3 x 3, "R": 3 x 3, "t": 3}} with
+of the images first. Both verifications then fill two_view_geometries in copies of the database (COLMAP 4's geometric_verifier,
+or the matcher of 3.8, which verifies only where there are matches), and `colmap mapper`, or `global_mapper` (--mapper), goes on
+from each. --colmap is the program, that on the PATH if it is not given. cameras.json has {name: {"K": 3 x 3, "R": 3 x 3, "t": 3}} with
 x ~ K (R X + t), the center of the first pixel at 0, 0.
 
 Focal lengths (--focal): known: the K of cameras.json, prior_focal_length 1, not refined by the mapper; unknown: as COLMAP guesses
@@ -23,7 +24,7 @@ images up to 1, 3 and 5 degrees, images that are not registered being wrong; in 
 pairs follow whose configurations differ, with what the true cameras say of their inliers (at most --limit pixels from the
 epipolar lines of both images).
 
-Needs colmap (Debian's is 3.8), NumPy and the package usacv20."""
+Needs colmap (Debian 12's is 3.8, sid's 4.2.1), NumPy and the package usacv20."""
 
 from __future__ import annotations
 
@@ -33,7 +34,7 @@ import os
 import shutil
 import sqlite3
 import sys
-from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -45,7 +46,9 @@ import usac_colmap as uc  # noqa: E402
 
 Floats = npt.NDArray[np.float64]
 PINHOLE = 1  # COLMAP's number
-CONFIGURATIONS = ("-", "degenerate", "calibrated", "uncalibrated", "planar", "panoramic", "planar or panoramic", "watermark")
+PROGRAM: Optional[str] = None  # --colmap
+CONFIGURATIONS = ("-", "degenerate", "calibrated", "uncalibrated", "planar", "panoramic", "planar or panoramic", "watermark",
+                  "multiple", "calibrated rig")
 PLANE_OR_TURN = {4, 5, 6}  # COLMAP's matcher tells them apart with an option only
 
 
@@ -68,8 +71,11 @@ def makeDatabase(path: str, images: str) -> None:
     part = path + ".part"
     if os.path.exists(part):
         os.remove(part)
-    uc.colmap("feature_extractor", database_path=part, image_path=images, ImageReader__single_camera=1, SiftExtraction__use_gpu=0)
-    uc.colmap("exhaustive_matcher", database_path=part, SiftMatching__use_gpu=0)
+    program = PROGRAM or uc.find() or ""
+    steps: Sequence[Tuple[str, Dict[str, Any]]] = (
+        ("feature_extractor", dict(image_path=images, ImageReader__single_camera=1)), ("exhaustive_matcher", {}))
+    for command, given in steps:
+        uc.colmap(command, program, database_path=part, **given, **uc.withoutGpu(program, command))
     os.rename(part, path)
 
 
@@ -103,19 +109,18 @@ class Rival(NamedTuple):
     def verify(self, database: str) -> float:
         """CPU seconds."""
         if not self.options:
-            return uc.verifyByColmap(database).cpuSeconds
+            return uc.verifyByColmap(database, PROGRAM).cpuSeconds
         uc.clear(database)
         return uc.runProgram([sys.executable, "-m", "usacv20.collection", "verify", "--threads", "1", "--no-progress",
                               *self.options, database]).cpuSeconds
 
 
-def reconstruct(database: str, mode: str, cameras: Dict[str, TrueCamera], seeds: int) -> List[List[float]]:
+def reconstruct(database: str, mode: str, cameras: Dict[str, TrueCamera], seeds: int, command: str) -> List[List[float]]:
     """Registered images, reprojection error, AUC at 1, 3, 5 degrees; a line for each seed."""
-    fixed: Dict[str, Any] = dict(Mapper__ba_refine_focal_length=0, Mapper__ba_refine_extra_params=0) if mode == "known" else {}
     truth = {name: (camera.R, camera.t) for name, camera in cameras.items()}
     lines = []
     for seed in range(seeds):
-        model, _ = uc.mapper(database, threads=1, random_seed=seed, **fixed)
+        model, _ = uc.mapper(database, program=PROGRAM, command=command, seed=seed, fixed=mode == "known")
         errors = uc.relativeErrors(model.poses, truth) if truth else np.array([])
         auc = [uc.areaUnderCurve(errors, limit) if truth else np.nan for limit in (1, 3, 5)]
         lines.append([len(model.poses), model.reprojectionError, *auc])
@@ -139,7 +144,7 @@ def compare(options: argparse.Namespace, source: str, mode: str, cameras: Dict[s
         "", "CPU s", "(range)", "pairs", "registered", "reprojection", "AUC 1", "AUC 3", "AUC 5", "(range)"))
     for rival in rivals:
         kept = sum(len(pair.inliers) > 0 for pair in uc.verified(databases[rival.name]).values())
-        lines = np.array(reconstruct(databases[rival.name], mode, cameras, options.seeds))
+        lines = np.array(reconstruct(databases[rival.name], mode, cameras, options.seeds, options.mapper))
         median, spread = np.median(lines, axis=0), np.ptp(lines, axis=0)
         cpu = times[rival.name]
         print("{:<24}{:9.2f}{:6.2f}{:6.2f}{:8}{:12.0f}{:14.4f}{:10.4f}{:8.4f}{:8.4f}{:9.4f}".format(
@@ -200,6 +205,8 @@ def main() -> int:
     parser.add_argument("--method", nargs="+", default=["USACV20"], help="presets, one run for each")
     parser.add_argument("--repeats", type=int, default=5, help="verifications (default %(default)s)")
     parser.add_argument("--seeds", type=int, default=3, help="reconstructions of each (default %(default)s)")
+    parser.add_argument("--colmap", metavar="PROGRAM", help="the rival, and whose mapper goes on (default: colmap on the PATH)")
+    parser.add_argument("--mapper", choices=("mapper", "global_mapper"), default="mapper", help="default %(default)s")
     parser.add_argument("--pairs", action="store_true", help="list the pairs with other configurations")
     parser.add_argument("--limit", type=float, default=4.0, help="pixels")
     options = parser.parse_args()
@@ -207,6 +214,8 @@ def main() -> int:
         parser.error("--images or --database is needed")
     if "known" in options.focal and options.cameras is None:
         parser.error("--focal known needs --cameras")
+    global PROGRAM
+    PROGRAM = options.colmap
     cameras = readCameras(options.cameras) if options.cameras else {}
     os.makedirs(options.work, exist_ok=True)
     source = options.database or os.path.join(options.work, "matches.db")

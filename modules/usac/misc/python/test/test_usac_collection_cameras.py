@@ -22,7 +22,8 @@ LENSES = ((2, "SIMPLE_RADIAL", [800, 400, 300, -.2]), (3, "RADIAL", [800, 400, 3
           (4, "OPENCV", [800, 810, 400, 300, -.25, .06, 1e-3, -2e-3]),
           (6, "FULL_OPENCV", [800, 810, 400, 300, -.25, .06, 1e-3, -2e-3, .01, .02, .01, .003]))
 FISHEYES = ((5, "OPENCV_FISHEYE", [400, 410, 400, 300, -.02, .006, 1e-3, -2e-3]),
-            (8, "SIMPLE_RADIAL_FISHEYE", [400, 400, 300, .05]), (9, "RADIAL_FISHEYE", [400, 400, 300, .05, -.01]))
+            (8, "SIMPLE_RADIAL_FISHEYE", [400, 400, 300, .05]), (9, "RADIAL_FISHEYE", [400, 400, 300, .05, -.01]),
+            (14, "SIMPLE_FISHEYE", [400, 400, 300]), (15, "FISHEYE", [400, 410, 400, 300]))
 
 
 def camera(model, params, known=1):
@@ -96,6 +97,14 @@ class CamerasTest(unittest.TestCase):
         np.testing.assert_allclose(got[0], [400 + 400 * np.tan(1.5), 300], rtol=1e-9)
         self.assertTrue(np.isnan(got[1]).all())
 
+    def test_plain_fisheyes(self):
+        """The angle to the axis is the distance to the center, as of a fisheye whose coefficients are 0."""
+        points = grid(1.5)
+        for plain, other in (((14, [400, 400, 300]), (8, [400, 400, 300, 0])),
+                             ((15, [400, 410, 400, 300]), (5, [400, 410, 400, 300, 0, 0, 0, 0]))):
+            taken = seen(camera(*other), points)
+            np.testing.assert_array_equal(camera(*plain).ideal(taken), camera(*other).ideal(taken))
+
     def test_points_that_are_no_numbers(self):
         for model, _, params in LENSES + FISHEYES:
             got = camera(model, params).ideal(np.array([[np.nan, 3], [np.inf, 3], [410, 310]]))
@@ -104,6 +113,8 @@ class CamerasTest(unittest.TestCase):
 
     def test_mistakes(self):
         for model, params, said in ((7, [800, 400, 300, .5, .1], "camera 7: its model FOV "), (10, [1] * 12, "THIN_PRISM_FISHEYE"),
+                                    (12, [1] * 4, "SIMPLE_DIVISION"), (13, [1] * 5, "model DIVISION"), (16, [1] * 6, "EUCM"),
+                                    (17, [1] * 2, "EQUIRECTANGULAR"),
                                     (99, [1], "of number 99"), (0, [800, 400], "SIMPLE_PINHOLE has 3 parameters"),
                                     (0, [0, 400, 300], "f=0"), (1, [800, np.nan, 400, 300], "fy=nan"), (1, [800, -1, 0, 0], "fy=-1")):
             with self.assertRaisesRegex(CollectionError, said):

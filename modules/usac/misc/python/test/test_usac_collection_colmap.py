@@ -12,7 +12,7 @@ import shutil
 import sys
 import tempfile
 import unittest
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -201,8 +201,8 @@ class VerifyTest(Case):
 class MapperTest(Case):
     """From our table and from COLMAP's, of the same matches."""
 
-    def mapped(self, database: str, collection: Collection) -> Dict[str, float]:
-        model, _ = usac_colmap.mapper(database)
+    def mapped(self, database: str, collection: Collection, program: Optional[str] = None, command: str = "mapper") -> Dict[str, float]:
+        model, _ = usac_colmap.mapper(database, program=program, command=command)
         truth = {name: (R, t) for name, R, t in zip(collection.names, collection.rotations, collection.translations)}
         errors = usac_colmap.relativeErrors(model.poses, truth)
         return dict(registered=len(model.poses), reprojection=model.reprojectionError, median=float(np.median(errors)),
@@ -233,6 +233,32 @@ class MapperTest(Case):
         self.assertEqual(found["registered"], UNKNOWN.images)
         self.assertLess(found["reprojection"], UNKNOWN.noise + 0.15)
         self.assertGreater(found["auc1"], 0.85)
+
+    @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a later colmap")
+    def test_later_version(self) -> None:
+        """Both mappers of COLMAP 4, from databases that were its own before and from those that were not, are as good with our
+        table as with its own."""
+        later = usac_colmap.findLater()
+        for name, recipe in (("known", KNOWN), ("unknown", UNKNOWN)):
+            collection = Collection(recipe)
+            theirs = self.write(collection, "later-theirs-" + name)
+            usac_colmap.verifyByColmap(theirs, later)
+            for base in ("3.8", "4"):
+                ours = self.write(collection, "later-{}-{}".format(base, name))
+                if base == "4":
+                    usac_colmap.verifyByColmap(ours, later)
+                verify(ours)
+                for command in ("mapper", "global_mapper"):
+                    with self.subTest(focal=name, base=base, command=command):
+                        a, b = (self.mapped(path, collection, later, command) for path in (ours, theirs))
+                        print("{} focal lengths, {}, {}: ours: {}\nCOLMAP: {}".format(name, base, command, a, b))
+                        self.assertEqual(a["registered"], recipe.images)
+                        self.assertGreater(a["auc1"], b["auc1"] - 0.02)
+                        self.assertGreater(a["auc1"], 0.9)
+                    if base == "3.8":  # what COLMAP 4 has opened is its own from then on
+                        os.remove(ours)
+                        ours = self.write(collection, "later-{}-{}".format(base, name))
+                        verify(ours)
 
 
 if __name__ == "__main__":

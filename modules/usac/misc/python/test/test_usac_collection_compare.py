@@ -45,16 +45,24 @@ class CompareTest(unittest.TestCase):
 
     @unittest.skipUnless(usac_colmap.find(), "there is no program colmap")
     def test_table(self) -> None:
+        self.table()
+
+    @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a later colmap")
+    def test_table_of_later_version(self) -> None:
+        self.table("--colmap", usac_colmap.findLater() or "", "--mapper", "global_mapper")
+
+    def table(self, *more: str) -> None:
         collection = Collection(Recipe(images=20, lonePairs=0, wrong=(0.3, 0.5), cameras=(("SIMPLE_PINHOLE", True),)))
         half = np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])  # in cameras.json the center of the first pixel is at 0, 0
         cameras = {name: dict(K=(collection.lens(i).split()[0] - half).tolist(), R=collection.rotations[i].tolist(),
                               t=collection.translations[i].tolist()) for i, name in enumerate(collection.names)}
-        paths = [os.path.join(self.folder, name) for name in ("matches.db", "cameras.json")]
+        folder = tempfile.mkdtemp(dir=self.folder)
+        paths = [os.path.join(folder, name) for name in ("matches.db", "cameras.json")]
         collection.write(paths[0])
         with open(paths[1], "w") as file:
             json.dump(cameras, file)
         run = self.compare("--database", paths[0], "--cameras", paths[1], "--focal", "known", "--repeats", "1", "--seeds", "1",
-                           "--pairs")
+                           "--pairs", *more)
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         for name in ("COLMAP", "USACV20 4"):
             row = self.numbers(run.stdout, name)

@@ -8,6 +8,7 @@
 import itertools
 import math
 import pickle
+import re
 import unittest
 
 import numpy as np
@@ -129,6 +130,45 @@ class GeometryTest(unittest.TestCase):
         scene = Scene(2)
         pair = scene.pair._replace(second=scene.pair.second._replace(focalKnown=False))
         self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.UNCALIBRATED)
+
+    def test_samples_by_the_other_pairs(self):
+        """A right pair of the collection, drawn among those that are known and one that is worse, is found with `confidence`."""
+        plain = Settings()
+        self.assertEqual(Settings(ratios=(0.25,) * 9).needed(5, 300), plain.needed(5, 300))
+        self.assertEqual(Settings(ratios=(0.1, 0.2)).needed(5, 300), plain.needed(5, 300))
+        before = plain.needed(5, 300)
+        for count in (1, 10, 100):
+            settings = Settings(ratios=(0.6,) * count)
+            needed = settings.needed(5, 300)
+            self.assertLess(needed, before)
+            missed = [(1 - Settings(inlierRatio=ratio)._rightSamples(5, 300, ratio))**needed for ratio in (0.6,) * count + (0.25,)]
+            self.assertLessEqual(np.mean(missed), 0.001)
+            self.assertGreater(np.mean([part**((needed - 2) / needed) for part in missed]), 0.001)
+            before = needed
+        self.assertEqual(Settings(ratios=(0.9,) * 3, inlierRatio=0.9).needed(5, 300), 500)
+        with self.assertRaisesRegex(CollectionError, "ratios"):
+            Settings(ratios=(0.5, 0.0))
+
+    def test_fundamental_matrix_alone(self):
+        """Where E was refused F is searched for in few samples, and more is asked of it."""
+        for seed in range(6):
+            pair = Scene(seed, wrong=1.0, count=300).pair
+            known = verifyPairs([pair], Settings(threshold=2, maxIterations=2000))[0]
+            unknown = verifyPairs([pair._replace(first=pair.first._replace(focalKnown=False))],
+                                  Settings(threshold=2, maxIterations=2000))[0]
+            self.assertEqual(known.configuration, Configuration.DEGENERATE)
+            self.assertLessEqual(known.iterations, unknown.iterations + 500 + 50)
+
+    def test_one_chance(self):
+        """Of a refused pair the reason and the chance are of the same model."""
+        seen = 0
+        for seed in range(12):
+            result = verifyPairs([Scene(seed, wrong=1.0, count=80).pair], Settings(threshold=2, maxIterations=300))[0]
+            match = re.search("with a chance of ([^;]+)", result.reason)
+            if match:
+                self.assertEqual("{:.2g}".format(result.chance), match.group(1))
+                seen += 1
+        self.assertGreater(seen, 3)
 
     def test_wrong_focal_length(self):
         scene = Scene(2, focal=0.4, count=1000)
@@ -285,9 +325,12 @@ class GeometryTest(unittest.TestCase):
         random = Scene(3, wrong=1, count=75)
         found = verified(random)
         self.assertEqual(found.configuration, Configuration.DEGENERATE)
-        self.assertRegex(found.reason, r"^E: .*; all 10000 samples drawn, confidence 0\.9988 for E, 0\.2242 for F$")
+        self.assertRegex(found.reason, r"^E: .*; all 10000 samples drawn, confidence 0\.9988 for E$")
+        unknown = random.pair._replace(first=random.pair.first._replace(focalKnown=False))
+        self.assertRegex(verifyPairs([unknown], Settings(threshold=2))[0].reason, r"all 10000 samples drawn, confidence 0\.2242 for F$")
         self.assertNotIn("confidence", verified(random, maxIterations=300000).reason)
-        self.assertRegex(verified(random, maxIterations=10250).reason, r"drawn, confidence 0\.2291 for F$")
+        self.assertNotIn("confidence", verified(random, maxIterations=10250).reason)
+        self.assertRegex(verifyPairs([unknown], Settings(threshold=2, maxIterations=10250))[0].reason, r"confidence 0\.2291 for F$")
         self.assertRegex(verified(Scene(3, wrong=1, count=75, known=False)).reason, "^F: .* confidence 0.2242 for F$")
         self.assertNotIn("confidence", verified(Scene(3, wrong=1, count=30)).reason)
 

@@ -197,6 +197,18 @@ class FiguresTest(Reports):
         with Results(path) as opened:
             self.assertEqual(opened.kind, COLMAP)
 
+    def test_configurations_of_later_versions(self):
+        path = self.database(results(neighbors))
+        for number, pair in ((8, (1, 2)), (9, (2, 3))):
+            change(path, "INSERT INTO two_view_geometries (pair_id, rows, cols, config) VALUES (?, 20, 2, ?)", pairId(*pair), number)
+        text = self.text(path)
+        self.assertEqual(self.counted(text, "Configurations"), {"MULTIPLE": 1, "CALIBRATED_RIG": 1})
+
+    def test_empty_bins(self):
+        found = {(1, 2): results(neighbors)[1, 2]._replace(iterations=3), (1, 3): results(neighbors)[1, 3]._replace(iterations=4000)}
+        shown = self.text(self.verified(found)).split("\nSamples of a pair")[1].split("\n\n")[0].splitlines()[1:]
+        self.assertEqual([line.split()[:4] for line in shown], [["2", "to", "5", "1"], ["2000", "to", "5000", "1"]])
+
     def test_left_and_changed(self):
         found = results(neighbors)
         path = self.verified(found)
@@ -298,6 +310,23 @@ class PicturesTest(Reports):
         """True if a thousandth of the picture has the color."""
         pixels = np.round(255 * imread(path)[..., :3]).astype(int)
         return bool((np.abs(pixels - color).max(axis=2) == 0).mean() > 0.001)
+
+    def test_order_of_the_names(self):
+        """Whatever the numbers of the images, and both pictures have the bins and cells of the same pairs."""
+        found = results(neighbors)
+        path = self.verified(found)
+        change(path, "UPDATE images SET name = 'x' || (100 - image_id)")
+        with Results(path) as table:
+            names, ranks = table.names(table.images())
+        self.assertEqual(names, sorted(names))
+        self.assertEqual(ranks.tolist(), list(range(IMAGES))[::-1])
+        change(path, "UPDATE images SET name = 'y' || substr(name, 2)")
+        pictures = [self.path(name) for name in ("a", "b")]
+        self.text(path, pictures=pictures[0])
+        change(path, "UPDATE images SET name = 'y' || (200 + image_id)")
+        self.text(path, pictures=pictures[1])
+        a, b = (imread(os.path.join(folder, "pairs.png")) for folder in pictures)
+        self.assertTrue(a.shape != b.shape or (a != b).any())
 
     def test_matrix(self):
         found = results(neighbors)

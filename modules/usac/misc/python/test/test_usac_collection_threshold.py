@@ -15,7 +15,7 @@ from usac_common import IN_TREE, once, package
 if not IN_TREE:
     from usac_collection_noise import NONE, NoisyPair, noisyPairs
     from usacv20.collection import _threshold as threshold
-    from usacv20.collection._pair import CollectionError, Fault, Pair, View
+    from usacv20.collection._pair import Fault, Pair, View
     from usacv20.collection._settings import Settings
     from usacv20.collection._threshold import IN_SIGMAS, QUANTILE, estimateThreshold, samplePairs
 
@@ -71,12 +71,19 @@ class NoiseTest(unittest.TestCase):
         self.assertGreaterEqual(found.used, right - 1)
 
     def test_no_pair_tells(self):
+        """Then the threshold is COLMAP's, and the line says so."""
         scenes = noisyPairs(6, 40, none=1.0)
         few = [NoisyPair(i, matches=12, wrong=0) for i in range(5)]
         for given in ([], few, scenes):
-            wanted = "^threshold: none of {} pairs .*; give a number of pixels$".format(len(given))
-            with self.assertRaisesRegex(CollectionError, wanted):
-                estimate(given)
+            found = estimate(given)
+            self.assertEqual((found.threshold, found.used, found.asked), (4.0, 0, len(given)))
+            self.assertRegex(found.describe(), "^4 px, COLMAP's, as none of {} pairs .* --threshold PIXELS".format(len(given)))
+
+    def test_few_pairs_tell(self):
+        for count in (1, 2, 3):
+            found = estimate([NoisyPair(seed, "general", matches=300) for seed in range(count)])
+            self.assertEqual(found.used, count)
+            self.assertEqual("may be wrong" in found.describe(), count < 3)
 
     def test_pairs_that_cannot_be_used_do_not_count(self):
         scenes = noisyPairs(7, 12, none=0, matches=300)

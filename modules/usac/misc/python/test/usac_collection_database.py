@@ -36,9 +36,12 @@ sensor_type INTEGER NOT NULL, FOREIGN KEY(frame_id) REFERENCES frames(frame_id) 
 CREATE TABLE pose_priors (pose_prior_id INTEGER PRIMARY KEY NOT NULL, corr_data_id INTEGER NOT NULL,
 corr_sensor_id INTEGER NOT NULL, corr_sensor_type INTEGER NOT NULL, position BLOB, position_covariance BLOB, gravity BLOB,
 coordinate_system INTEGER NOT NULL);"""
+_CAMERAS = """ALTER TABLE two_view_geometries ADD COLUMN camera1 BLOB;
+ALTER TABLE two_view_geometries ADD COLUMN camera2 BLOB;"""
 # Version: columns of images, of descriptors, other tables, user_version.
 SCHEMAS = {"3.8": (_OLD_IMAGES, "", "", 3800), "3.9": (_OLD_IMAGES, "", "", 3900), "3.11": ("", "", _PRIORS, 3900),
-           "4.0": ("", "type INTEGER NOT NULL, ", _RIGS, 4000)}
+           "4.0": ("", "type INTEGER NOT NULL, ", _RIGS, 4000),
+           "4.2": ("", "type INTEGER NOT NULL, ", _RIGS + _CAMERAS, 4020100)}
 
 
 def _script(schema):

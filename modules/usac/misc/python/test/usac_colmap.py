@@ -3,10 +3,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""COLMAP as a program: its verification of given matches, its mapper, what it writes, and how right that is."""
+"""COLMAP as a program: its verification of given matches, its mappers, what it writes, and how right that is.
+
+The program is `colmap` on the PATH (Debian 12 has 3.8); USAC_COLMAP4 names the command of a later version (4.2.1 is Debian
+sid's; a script that enters a chroot will do, if that sees the folder of temporary files under the same path)."""
 
 from __future__ import annotations
 
+import functools
 import os
 import resource
 import shutil
@@ -58,6 +62,26 @@ def find() -> Optional[str]:
     return shutil.which("colmap")
 
 
+def findLater() -> Optional[str]:
+    """Of version 4."""
+    name = os.environ.get("USAC_COLMAP4")
+    return shutil.which(name) if name else None
+
+
+@functools.lru_cache(maxsize=None)
+def options(program: str, command: str) -> str:
+    """What a version knows, as names of options changed."""
+    return runProgram([program, command, "--help"]).output
+
+
+def withoutGpu(program: str, command: str) -> Dict[str, object]:
+    """The options of a command that extracts or matches features, on one core."""
+    groups = ("FeatureExtraction", "FeatureMatching", "SiftExtraction", "SiftMatching")
+    known = options(program, command)
+    group = next(name for name in groups if "--{}.use_gpu".format(name) in known)
+    return {group + "__use_gpu": 0, group + "__num_threads": 1}
+
+
 def runProgram(command: Sequence[str]) -> Usage:
     """Only the children of one call may end meanwhile: the CPU time is that of all of them."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -69,9 +93,9 @@ def runProgram(command: Sequence[str]) -> Usage:
     return Usage(run.stdout, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
 
 
-def colmap(command: str, **options: object) -> Usage:
-    """An option of a group has two underscores where COLMAP has a dot: Mapper__num_threads."""
-    program = find()
+def colmap(command: str, program: Optional[str] = None, **options: object) -> Usage:
+    """An option of a group has two underscores where COLMAP has a dot: Mapper__num_threads. program -- None: that on the PATH"""
+    program = program or find()
     if program is None:
         raise ColmapError("there is no program colmap (Debian: apt-get install colmap)")
     words = [word for name, value in options.items() for word in ("--" + name.replace("__", "."), str(value))]
@@ -96,16 +120,19 @@ def clear(database: str) -> None:
     connection.close()
 
 
-def verifyByColmap(database: str, threads: int = 1, **options: object) -> Usage:
-    """COLMAP's own verification in the place of what the table has. Where a pair has matches, COLMAP's importer of a list of
-    pairs does not match again (so it needs no descriptors) and verifies only."""
+def verifyByColmap(database: str, program: Optional[str] = None) -> Usage:
+    """COLMAP's own verification, on one core, in the place of what the table has. Version 3 has no command for it alone; where a
+    pair has matches, its importer of a list of pairs does not match again (so it needs no descriptors) and verifies only."""
     clear(database)
+    program = program or find() or ""
+    if program and "geometric_verifier" in runProgram([program, "help"]).output:
+        return colmap("geometric_verifier", program, database_path=database, num_threads=1)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "pairs.txt")
         with open(path, "w") as file:
             file.writelines("{} {}\n".format(*pair) for pair in pairsOf(database))
-        return colmap("matches_importer", database_path=database, match_list_path=path, match_type="pairs",
-                      SiftMatching__use_gpu=0, SiftMatching__num_threads=threads, **options)
+        known = withoutGpu(program, "matches_importer") if program else {}
+        return colmap("matches_importer", program or None, database_path=database, match_list_path=path, match_type="pairs", **known)
 
 
 def verified(database: str) -> Dict[int, Verified]:
@@ -117,17 +144,32 @@ def verified(database: str) -> Dict[int, Verified]:
             for key, count, data, config, F, E, H in rows}
 
 
-def mapper(database: str, images: Optional[str] = None, threads: int = 1, **options: object) -> Tuple[Model, Usage]:
-    """The largest model that the mapper makes, an empty one if it makes none; without a folder of images there are no colors."""
+def mapper(database: str, images: Optional[str] = None, program: Optional[str] = None, command: str = "mapper", seed: int = 0,
+           fixed: bool = False) -> Tuple[Model, Usage]:
+    """The largest model that `mapper` or `global_mapper` makes on one core, an empty one if it makes none.
+
+    images -- folder, for colors; None: there are none
+    fixed -- True: the cameras are not refined"""
+    program = program or find() or ""
+    group = "GlobalMapper" if command == "global_mapper" else "Mapper"
+    known = options(program, command) if program else ""
+    given: Dict[str, object] = {group + "__num_threads": 1}
+    if group + ".extract_colors" in known:
+        given[group + "__extract_colors"] = int(images is not None)
+    if group + ".structure_less_registration_fallback" in known:  # 4.2.1 of Debian ends in it by a double free (of PoseLib)
+        given[group + "__structure_less_registration_fallback"] = 0
+    given[group + "__random_seed" if group + ".random_seed" in known else "random_seed"] = seed
+    if fixed:
+        given.update({group + "__ba_refine_focal_length": 0, group + "__ba_refine_extra_params": 0})
     with tempfile.TemporaryDirectory() as folder:
         try:
-            usage = colmap("mapper", database_path=database, image_path=images or folder, output_path=folder,
-                           Mapper__extract_colors=int(images is not None), Mapper__num_threads=threads, **options)
+            usage = colmap(command, program or None, database_path=database, image_path=images or folder, output_path=folder, **given)
         except ColmapError as error:
-            if "failed to create sparse model" not in str(error):
+            if "failed to create" not in str(error).lower():
                 raise
             usage = Usage(str(error), float("nan"))
-        models = [readModel(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
+        models = [readModel(os.path.join(folder, name)) for name in sorted(os.listdir(folder))
+                  if os.path.isdir(os.path.join(folder, name))]
     return max(models, key=lambda model: len(model.poses), default=Model({}, 0, 0.0)), usage
 
 

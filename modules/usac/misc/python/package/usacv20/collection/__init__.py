@@ -10,11 +10,26 @@
 
 doc/collections.md describes the rules, the files and what they cost."""
 
+import importlib
 import typing
 
 from ._pair import CollectionError, Configuration, TwoView
 
-__all__ = ["CollectionError", "Configuration", "TwoView", "readResults"]
+if typing.TYPE_CHECKING:
+    from ._engine import Summary
+    from ._scores import ColumnScores, HlocScores
+    from ._verify import verify
+
+__all__ = ["CollectionError", "ColumnScores", "Configuration", "HlocScores", "Summary", "TwoView", "readResults", "verify"]
+
+_LATER = {"Summary": "_engine", "ColumnScores": "_scores", "HlocScores": "_scores", "verify": "_verify"}
+
+
+def __getattr__(name: str) -> typing.Any:
+    """What is imported when it is used first: so the command is soon where it can be interrupted."""
+    if name not in _LATER:
+        raise AttributeError("module {!r} has no attribute {!r}".format(__name__, name))
+    return getattr(importlib.import_module("." + _LATER[name], __name__), name)
 
 
 def readResults(path: str) -> typing.Iterator[TwoView]:

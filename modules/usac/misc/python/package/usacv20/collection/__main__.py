@@ -6,7 +6,9 @@
 
 import sys
 
-from ._command import main
-
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        from ._command import main
+        sys.exit(main())
+    except KeyboardInterrupt:  # before anything was begun
+        sys.exit(130)

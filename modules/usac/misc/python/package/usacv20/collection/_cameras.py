@@ -7,7 +7,8 @@
 The distortions are the two that OpenCV knows. Of a camera with a lens in perspective (u, v) = (x / z, y / z) moves by the
 polynomials in r^2 = u^2 + v^2 of cv2.projectPoints, which usacv20.removeDistortion inverts; of a fisheye (u, v) is scaled so
 that the angle theta = atan(r) to the axis becomes theta (1 + k1 theta^2 + k2 theta^4 + ...), as of cv2.fisheye. COLMAP's models
-with fewer coefficients are these with the others 0; its models FOV, THIN_PRISM_FISHEYE and those of later versions have no counterpart and are refused by name."""
+with fewer coefficients are these with the others 0, SIMPLE_FISHEYE and FISHEYE with all of them 0; its other models have no
+counterpart and are refused by name."""
 
 from __future__ import annotations
 
@@ -35,8 +36,12 @@ _MODELS: Dict[int, Tuple[str, str]] = {
     6: ("FULL_OPENCV", "fx fy cx cy k1 k2 p1 p2 k3 k4 k5 k6"),
     8: ("SIMPLE_RADIAL_FISHEYE", "f cx cy k1"),
     9: ("RADIAL_FISHEYE", "f cx cy k1 k2"),
+    14: ("SIMPLE_FISHEYE", "f cx cy"),
+    15: ("FISHEYE", "fx fy cx cy"),
 }
-_REFUSED: Dict[int, str] = {7: "FOV", 10: "THIN_PRISM_FISHEYE", 11: "RAD_TAN_THIN_PRISM_FISHEYE"}
+# The last ones are as COLMAP 4.2.1 numbers them.
+_REFUSED: Dict[int, str] = {7: "FOV", 10: "THIN_PRISM_FISHEYE", 11: "RAD_TAN_THIN_PRISM_FISHEYE", 12: "SIMPLE_DIVISION",
+                            13: "DIVISION", 16: "EUCM", 17: "EQUIRECTANGULAR"}
 _DISTORTIONS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 # Newton's method doubles the digits that are right with each step; lenses in use take 3 to 6 steps to the last digit.
 _STEPS = 30

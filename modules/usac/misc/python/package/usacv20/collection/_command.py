@@ -8,19 +8,16 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import os
 import sys
 import typing
 from typing import Any, Dict, Optional
 
-from ._database import DatabaseSource
-from ._database_sink import DatabaseSink
-from ._engine import CHUNK, Summary, run
-from ._geometry import verifyPairs
-from ._pair import CollectionError, Sink, Source
+from ._engine import CHUNK, Summary
+from ._output import say
+from ._pair import CollectionError
 from ._scores import ColumnScores, HlocScores
 from ._settings import METHODS, Settings
-from ._sqlite import copyDatabase
+from ._verify import go, settle, verifyDatabase
 
 DONE, FAULTS, MISTAKE, INTERRUPTED = 0, 1, 2, 130
 
@@ -51,7 +48,8 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
     default = Settings()
     group = parser.add_argument_group("estimation")
     group.add_argument("--threshold", type=_threshold, default=None, metavar="PIXELS",
-                       help="largest error of an inlier, or auto (default): found from a part of the pairs")
+                       help="largest error of an inlier, or auto (default): found from a part of the pairs, with --resume that of "
+                            "the run that goes on")
     group.add_argument("--method", choices=sorted(METHODS), default=default.method, help="preset (default %(default)s)")
     group.add_argument("--confidence", type=float, default=default.confidence, help="default %(default)s")
     group.add_argument("--max-iterations", type=_count, default=default.maxIterations, metavar="N",
@@ -69,7 +67,8 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
 
 def _addEngine(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("engine")
-    group.add_argument("--resume", action="store_true", help="go on with an interrupted run; pairs that are done are skipped")
+    group.add_argument("--resume", action="store_true",
+                       help="go on with the last run: pairs that are done are skipped, those that are new or were left are done")
     where = group.add_mutually_exclusive_group()
     where.add_argument("--threads", type=_count, default=0, metavar="N", help="of this process (default 0: one for each core)")
     where.add_argument("--workers", type=_count, default=0, metavar="N", help="processes of a cluster on this machine (Dask)")
@@ -91,6 +90,8 @@ def _parser() -> argparse.ArgumentParser:
                                  "its table two_view_geometries, from which colmap mapper goes on. Other tables of COLMAP are "
                                  "not changed.")
     verify.add_argument("database", metavar="DATABASE")
+    verify.add_argument("--pairs", metavar="FILE",
+                        help="verify only these pairs, the names of two images on a line; rows of others stay as they are")
     verify.add_argument("--output", metavar="COPY", help="leave the database as it is and write to a copy")
     scores = verify.add_mutually_exclusive_group()
     scores.add_argument("--scores", metavar="FILE", help="of the matches, as hloc writes them (HDF5)")
@@ -123,32 +124,18 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _settings(options: argparse.Namespace, source: Source) -> Settings:
+def _settings(options: argparse.Namespace) -> Dict[str, Any]:
+    """Without the threshold."""
+    return dict(method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
+                inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance,
+                watermarks=not options.no_watermarks, seed=options.seed)
+
+
+def _engine(options: argparse.Namespace) -> Dict[str, Any]:
     if options.chunk < 1:
         raise CollectionError("chunk: a positive number is expected")
-    given: Dict[str, Any] = dict(
-        method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
-        inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance,
-        watermarks=not options.no_watermarks, seed=options.seed)
-    if options.threshold is not None:
-        return Settings(threshold=options.threshold, **given)
-    from ._threshold import estimateThreshold, samplePairs
-    estimate = estimateThreshold(samplePairs(source), Settings(**given))
-    print("threshold: " + estimate.describe(), flush=True)
-    return Settings(threshold=estimate.threshold, **given)
-
-
-def _go(options: argparse.Namespace, source: Source, sink: Sink, settings: Settings) -> Summary:
-    finished = False
-    try:
-        summary = run(source, sink, settings, verifyPairs, threads=options.threads, chunk=options.chunk, workers=options.workers,
-                      scheduler=options.scheduler, progress=options.progress)
-        finished = not summary.interrupted
-    finally:
-        sink.close(finished)
-    print(summary.line())
-    print(summary.times())
-    return summary
+    return dict(threads=options.threads, chunk=options.chunk, workers=options.workers, scheduler=options.scheduler,
+                progress=options.progress)
 
 
 def _exitCode(summary: Summary) -> int:
@@ -161,31 +148,20 @@ def _verify(options: argparse.Namespace) -> int:
         scores = HlocScores(options.scores)
     elif options.scores_column:
         scores = ColumnScores(options.scores_column, not options.lower_is_better)
-    with contextlib.closing(DatabaseSource(options.database, scores)) as source:
-        return _verifyAll(options, source, scores)
-
-
-def _verifyAll(options: argparse.Namespace, source: DatabaseSource, scores: Any) -> int:
-    settings = _settings(options, source)
-    target = options.output or options.database
-    if options.output and not (options.resume and os.path.exists(options.output)):
-        copyDatabase(options.database, options.output)
-    used = dict(settings.asDict(), scores=scores.describe() if scores else None)
-    sink = DatabaseSink(target, used, options.resume)
-    summary = _go(options, source, sink, settings)
-    if sink.removed:
-        print("{} rows that were in two_view_geometries are replaced".format(sink.removed))
-    return _exitCode(summary)
+    return _exitCode(verifyDatabase(options.database, options.output, options.threshold, options.pairs, options.resume, scores,
+                                    _settings(options), say, **_engine(options)))
 
 
 def _pairs(options: argparse.Namespace) -> int:
-    from ._list_results import checkExtension, openResults
+    from ._list_results import checkExtension, openResults, storedSettings
     from ._lists import ListSource
     checkExtension(options.output)
+    engine = _engine(options)
     with contextlib.closing(ListSource(options.list, options.keypoints)) as source:
-        settings = _settings(options, source)
+        stored = storedSettings(options.output) if options.resume else None
+        settings = settle(source, options.threshold, _settings(options), stored, say)
         sink = openResults(options.output, source, settings.asDict(), options.resume)
-        return _exitCode(_go(options, source, sink, settings))
+        return _exitCode(go(source, sink, settings, say, **engine))
 
 
 def _report(options: argparse.Namespace) -> int:
@@ -195,8 +171,8 @@ def _report(options: argparse.Namespace) -> int:
 
 def main(arguments: Optional[typing.Sequence[str]] = None) -> int:
     """Runs a command; returns its exit code."""
-    options = _parser().parse_args(arguments)
     try:
+        options = _parser().parse_args(arguments)
         result: int = options.function(options)
         return result
     except CollectionError as mistake:

@@ -18,7 +18,7 @@ import numpy as np
 from ._pair import CollectionError, Configuration, Key, TwoView
 from ._sqlite import checkInput, columns, connect, explained
 
-VERSION = 1  # of our own tables
+VERSION = 2  # of our own tables and of what is in a row; 1: zeros for matrices that are not known
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
 
@@ -42,16 +42,23 @@ class DatabaseSink:
 
     path -- of the database
     settings -- what the results depend on; values are those of JSON
-    resume -- True: go on with the last run. CollectionError if its settings are others. Without a last run one begins. Rows that
-        were in two_view_geometries before a run are removed together with the first commit
+    resume -- True: pairs that earlier runs have done with the same settings are kept. CollectionError if the settings of the last
+        run are others. Without a last run one begins
+    keep -- True: of other pairs than those that are committed the rows stay, whoever has written them. Otherwise, and without
+        `resume`, all rows that were in two_view_geometries are removed together with the first commit
 
-    A pair that is refused has a row without inliers, by which COLMAP knows that it was looked at. A fault has none."""
+    A pair that is refused has a row without inliers, by which COLMAP knows that it was looked at. A fault has none. Of two sinks
+    of one database, in whatever processes, the one that has begun to write last goes on; the other one raises CollectionError
+    with its next commit and has changed nothing since."""
 
-    def __init__(self, path: str, settings: typing.Mapping[str, Any], resume: bool = False) -> None:
+    def __init__(self, path: str, settings: typing.Mapping[str, Any], resume: bool = False, keep: bool = False) -> None:
         self.path = os.path.abspath(path)
         self._settings = json.loads(json.dumps(dict(settings), sort_keys=True))
         self.removed = 0  # rows of two_view_geometries that another program, or an earlier run, has left
         self._run: Optional[int] = None
+        self._newest: Optional[int] = None  # run of the database, as far as this sink knows
+        self._same = ""  # runs with the same settings, for SQL
+        self._keep = keep
         self._resumed = False
         self._closed = False
         self._connection = connect(self.path, write=True)
@@ -63,6 +70,7 @@ class DatabaseSink:
                     # A commit survives the death of the process, and the database that of the machine.
                     self._connection.execute("PRAGMA synchronous = NORMAL")
                 self._matrices = self._checkTable()
+                self._newest = self._newestRun()
                 if resume:
                     self._resume()
                 self._try()
@@ -81,8 +89,8 @@ class DatabaseSink:
             return False
         with explained(self.path):
             return bool(self._connection.execute(
-                "SELECT 1 FROM {} JOIN two_view_geometries USING (pair_id) WHERE pair_id = ?".format(PAIRS),
-                (int(key),)).fetchall())
+                "SELECT 1 FROM {} JOIN two_view_geometries USING (pair_id) WHERE pair_id = ? AND run_id IN ({})".format(
+                    PAIRS, self._same), (int(key),)).fetchall())
 
     def commit(self, results: typing.Sequence[TwoView]) -> None:
         if self._closed:
@@ -112,16 +120,26 @@ class DatabaseSink:
             self._connection.execute("ROLLBACK")
 
     def _transaction(self, action: Any) -> None:
-        run, removed = self._run, self.removed
+        before = self._run, self._newest, self.removed
         self._connection.execute("BEGIN IMMEDIATE")
         try:
+            newest = self._newestRun()
+            if newest != self._newest:
+                raise CollectionError("{}: another run of this tool (number {}) has begun on this database meanwhile; this one ends "
+                                      "here".format(self.path, newest))
             action()
             self._connection.execute("COMMIT")
         except BaseException:
-            self._run, self.removed = run, removed
+            self._run, self._newest, self.removed = before
             if self._connection.in_transaction:
                 self._connection.execute("ROLLBACK")
             raise
+
+    def _newestRun(self) -> Optional[int]:
+        if not columns(self._connection, RUNS):
+            return None
+        newest: Optional[int] = self._connection.execute("SELECT MAX(run_id) FROM {}".format(RUNS)).fetchone()[0]
+        return newest
 
     def _checkTable(self) -> List[str]:
         """The columns for matrices that the table of the results has."""
@@ -136,11 +154,10 @@ class DatabaseSink:
     def _resume(self) -> None:
         if not columns(self._connection, RUNS) or not columns(self._connection, PAIRS):
             return
-        last = self._connection.execute("SELECT run_id, version, settings FROM {} ORDER BY run_id DESC LIMIT 1".format(
-            RUNS)).fetchall()
-        if not last:
+        stored = self._connection.execute("SELECT run_id, version, settings FROM {} ORDER BY run_id".format(RUNS)).fetchall()
+        if not stored:
             return
-        run, version, settings = last[0]
+        _, version, settings = stored[-1]
         if version != VERSION:
             raise CollectionError("{}: --resume: the last run is of another version of this tool".format(self.path))
         before = json.loads(settings)
@@ -149,7 +166,8 @@ class DatabaseSink:
         if differing:
             raise CollectionError("{}: --resume: the settings are not those of the last run: {}".format(
                 self.path, "; ".join(differing)))
-        self._run, self._resumed = run, True
+        self._same = ", ".join(str(int(run)) for run, used, text in stored if used == VERSION and json.loads(text) == before)
+        self._resumed = True
 
     def _write(self, results: typing.Sequence[TwoView]) -> None:
         self._begin()
@@ -170,10 +188,12 @@ class DatabaseSink:
     def _begin(self) -> None:
         if self._run is not None:
             return
-        for statement in (_GEOMETRIES, "DROP TABLE IF EXISTS {}".format(PAIRS)) + _OWN:
+        begun = self._resumed or self._keep
+        for statement in (_GEOMETRIES,) + (() if begun else ("DROP TABLE IF EXISTS {}".format(PAIRS),)) + _OWN:
             self._connection.execute(statement)
-        self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
-        self._run = self._connection.execute(
+        if not begun:
+            self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
+        self._newest = self._run = self._connection.execute(
             "INSERT INTO {} (version, settings, state, started, updated) VALUES (?, ?, ?, ?, ?)".format(RUNS),
             (VERSION, json.dumps(self._settings, sort_keys=True), RUNNING, _now(), _now())).lastrowid
 
@@ -184,17 +204,22 @@ class DatabaseSink:
         self._connection.execute("UPDATE {} SET state = ?, updated = ? WHERE run_id = ?".format(RUNS), (state, _now(), self._run))
 
     def _row(self, result: TwoView) -> Tuple[Any, ...]:
-        """Zeros stand for a matrix that is not known, NULL for all if there are no inliers, as COLMAP has it."""
+        """NULL stands for a matrix that is not known: COLMAP 4 takes zeros for a pose, and 3.8, which writes them, reads NULL
+        as well. The motion of a PLANAR pair is one of two: COLMAP 4's global mapper would take it for the right one, and
+        finds it from other pairs if there is none (AUC at 1 degree of 20 synthetic images 0.957, with it 0.627)."""
         count = len(result.inliers)
-        given = {"F": result.F, "E": result.E, "H": result.H, "qvec": result.quaternion, "tvec": result.translation}
+        motion = (None, None) if result.configuration == Configuration.PLANAR else (result.quaternion, result.translation)
+        given = {"F": result.F, "E": result.E, "H": result.H, "qvec": motion[0], "tvec": motion[1]}
         data = np.ascontiguousarray(result.inliers, "<u4").tobytes() if count else None
         matrices = [_blob(given[name], _SIZES[name]) if count else None for name in self._matrices]
         return (result.key, count, 2, data, int(result.configuration), *matrices)
 
 
-def _blob(values: Any, size: int) -> bytes:
+def _blob(values: Any, size: int) -> Optional[bytes]:
     """Row by row."""
-    table = np.zeros(size) if values is None else np.asarray(values, "<f8")
+    if values is None:
+        return None
+    table = np.asarray(values, "<f8")
     if table.size != size:
         raise ValueError("{} numbers, not {}".format(size, table.size))
     return table.astype("<f8").tobytes()

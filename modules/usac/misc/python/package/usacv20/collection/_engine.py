@@ -38,6 +38,7 @@ class Summary:
         self.refused = 0
         self.faults = 0
         self.interrupted = False
+        self.threshold = float("nan")  # pixels
         self.reading = self.estimating = self.writing = self.elapsed = 0.0
 
     def add(self, outcome: Outcome) -> None:
@@ -47,10 +48,13 @@ class Summary:
         self.reading += outcome.reading
         self.estimating += outcome.estimating
 
+    @property
+    def verified(self) -> int:
+        return self.pairs - self.refused - self.faults
+
     def line(self) -> str:
-        verified = self.pairs - self.refused - self.faults
         text = "{} pairs in {:.1f} s ({:.0f} a second): {} verified, {} refused".format(
-            self.pairs, self.elapsed, self.pairs / max(self.elapsed, 1e-9), verified, self.refused)
+            self.pairs, self.elapsed, self.pairs / max(self.elapsed, 1e-9), self.verified, self.refused)
         if self.faults:
             text += ", {} cannot be read".format(self.faults)
         if self.skipped:

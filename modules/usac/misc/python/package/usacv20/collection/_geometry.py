@@ -7,7 +7,8 @@
 The rules are COLMAP's, with differences that are marked (*).
 
 1. An essential matrix E is estimated where both focal lengths are known, else a fundamental matrix F. With a significant E (see
-   Params.significance) of at least `minInliers` inliers F starts from E (*), else it is searched for, too.
+   Params.significance) of at least `minInliers` inliers F starts from E (*), else it is searched for, too; where E was refused,
+   though the focal lengths are known, in few samples, and the square of the significance is asked of it (*).
 2. A homography H is estimated from the inliers of E, else of F (*). Its error has two coordinates and the noise of both images,
    that of E and F one coordinate, so that H's threshold is sqrt(2 5.991 / 3.841) = 1.77 times theirs: as much of the right
    matches, 0.95, is within it @cite hartley2003multiple (table 4.2) (*). From afar to near H magnifies the noise, so it is
@@ -44,7 +45,7 @@ from .._report import Report
 from ._distances import area, mapDistances, sampsonDistances
 from ._pair import Configuration, Pair, TwoView, View
 from ._poses import directions, motionOfEssential, quaternion, rotation
-from ._settings import Settings
+from ._settings import LEAST_ITERATIONS, Settings
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -55,6 +56,9 @@ if TYPE_CHECKING:
 _SAMPLE = {"E": 5, "F": 7, "H": 4}  # points of a minimal sample
 # F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
 _FREEDOM_MORE = 2
+# F where E was refused, though the focal lengths are known, tells that these are wrong: what is asked of it is the significance to
+# this power, 10^-8 by default, and it is searched for in LEAST_ITERATIONS samples only.
+_ALONE = 2
 _DEVIATIONS = 3  # of a count: one in a thousand is larger by chance
 # F that starts from E draws as good as no samples of its own: its local optimization does the work.
 _ITERATIONS_FROM_E = 10
@@ -113,8 +117,8 @@ class _Work:
             self.models[name] = model
         elif among is None:
             why = _why(report) if model is None else "{} inliers, {} are needed".format(model.inliers, settings.minInliers)
-            self.reason = self.reason or "{}: {}".format(name, why)
-            self.chance = min(self.chance, report.chance)
+            if not self.reason or report.chance < self.chance:  # both are of the best model that was refused
+                self.reason, self.chance = "{}: {}".format(name, why), min(report.chance, 1.0)
             self._limit(name, report.iterations, settings)
 
     def _limit(self, name: str, drawn: int, settings: Settings) -> None:
@@ -127,7 +131,7 @@ class _Work:
 def _why(report: Report) -> str:
     """There is no model."""
     if report.stop == StopReason.STOP_NOT_SIGNIFICANT:
-        return "random matches would give as good a model with a chance of {:.1g}".format(report.chance)
+        return "random matches would give as good a model with a chance of {:.2g}".format(report.chance)
     return report.stop.name[len("STOP_"):].lower().replace("_", " ")
 
 
@@ -173,7 +177,7 @@ def _estimateHomographies(works: List[_Work], settings: Settings) -> None:
 
 
 def _options(name: str, works: List[_Work], amongs: typing.Sequence[Optional[_Mask]], settings: Settings) -> List[Params]:
-    plain: Dict[int, Params] = {}
+    plain: Dict[Tuple[int, float], Params] = {}
     return [_params(name, work, among, settings) or _plain(name, work, settings, plain) for work, among in zip(works, amongs)]
 
 
@@ -200,13 +204,20 @@ def _rows(points: _Array, among: Optional[_Mask]) -> _Array:
     return points if among is None else points[among]
 
 
-def _plain(name: str, work: _Work, settings: Settings, made: Dict[int, Params]) -> Params:
+def _plain(name: str, work: _Work, settings: Settings, made: Dict[Tuple[int, float], Params]) -> Params:
     """Options of all pairs that need as many iterations as this one."""
-    iterations = settings.iterations(_SAMPLE[name], len(work.pair.matches))
-    if iterations not in made:
-        made[iterations] = settings.params()
-        made[iterations].maxIterations = iterations
-    return made[iterations]
+    limits = _limits(name, work, settings)
+    if limits not in made:
+        made[limits] = settings.params()
+        made[limits].maxIterations, made[limits].significance = limits
+    return made[limits]
+
+
+def _limits(name: str, work: _Work, settings: Settings) -> Tuple[int, float]:
+    """Most iterations, and the largest chance."""
+    if name == "F" and work.calibrated and "E" not in work.models:
+        return min(settings.maxIterations, LEAST_ITERATIONS), settings.significance**_ALONE
+    return settings.iterations(_SAMPLE[name], len(work.pair.matches)), settings.significance
 
 
 def _params(name: str, work: _Work, among: Optional[_Mask], settings: Settings) -> Optional[Params]:
@@ -215,7 +226,7 @@ def _params(name: str, work: _Work, among: Optional[_Mask], settings: Settings) 
     if among is None and not fromE and work.pair.scores is None:
         return None
     params = settings.params(work.pair)
-    params.maxIterations = settings.iterations(_SAMPLE[name], len(work.pair.matches))
+    params.maxIterations, params.significance = _limits(name, work, settings)
     if among is not None:
         params.maxIterations = min(params.maxIterations, _ITERATIONS_IN_INLIERS)
         params.significance = 1  # its part of the inliers is what counts

@@ -18,13 +18,13 @@ import json
 import os
 import sqlite3
 import typing
-from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _list_columns
 from ._list_files import fail
-from ._pair import Configuration, Key, TwoView
+from ._pair import CollectionError, Configuration, Key, TwoView
 from ._sqlite import PATIENCE, columns, connect, explained
 
 if TYPE_CHECKING:
@@ -48,6 +48,24 @@ _OTHER = "the results are of a run with other settings"
 
 def settingsText(run: typing.Mapping[str, object]) -> str:
     return json.dumps(dict(run), sort_keys=True, default=str)
+
+
+def storedSettings(path: str) -> Optional[Dict[str, Any]]:
+    """Of the run whose results are there, OUTPUT.part first; None: there are none that can be read."""
+    for name in (path + ".part", path):
+        if not os.path.isfile(name):
+            continue
+        try:
+            if _extension(name) in ARRAYS:
+                text = _list_columns.readSettings(name)
+            else:
+                with contextlib.closing(connect(name)) as connection:
+                    text = connection.execute("SELECT settings FROM {}".format(RUNS)).fetchone()[0]
+            found = json.loads(text)
+        except (CollectionError, sqlite3.Error, TypeError, ValueError):
+            return None  # the sink says what is wrong
+        return found if isinstance(found, dict) else None
+    return None
 
 
 def _blob(array: Optional[npt.NDArray[np.float64]]) -> Optional[bytes]:

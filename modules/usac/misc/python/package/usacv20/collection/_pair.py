@@ -33,6 +33,8 @@ class Configuration(enum.IntEnum):
     PANORAMIC = 5
     PLANAR_OR_PANORAMIC = 6
     WATERMARK = 7
+    MULTIPLE = 8  # this and the next are in tables of COLMAP's own only
+    CALIBRATED_RIG = 9
 
 
 class View(typing.NamedTuple):

@@ -7,7 +7,8 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict
+import typing
+from typing import TYPE_CHECKING, Any, Dict
 
 import numpy as np
 
@@ -15,7 +16,19 @@ from ._optional import need
 from ._report_graph import indexed, matrixOf
 from ._report_table import VERIFIED, Results
 
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    _Numbers = npt.NDArray[np.int64]
+
 CELLS = 1000  # most rows of the matrix of the pairs
+NAMED = 40  # images whose names are shown beside the matrix, at most: a line has a fifth of an inch then
+
+
+def _ranked(blocks: typing.Iterable[_Numbers], ranks: _Numbers) -> typing.Iterator[_Numbers]:
+    """Links with the places of their images in another order."""
+    for block in blocks:
+        yield np.column_stack((ranks[block[:, :2]], block[:, 2:]))
 
 
 class Pictures:
@@ -40,7 +53,9 @@ class Pictures:
         for name, histogram in histograms.items():
             figure = self._new(8, 4.5)
             axes = figure.add_subplot()
-            counts, edges = histogram["pairs"], histogram["edges"]
+            used = np.flatnonzero(histogram["pairs"])
+            begin, end = int(used[0]), int(used[-1]) + 1  # without empty bins at the ends
+            counts, edges = histogram["pairs"][begin:end], histogram["edges"][begin:end + 1]
             axes.bar(range(len(counts)), counts, width=0.95, align="edge", color="tab:blue")
             axes.set_xticks(range(len(edges)))
             axes.set_xticklabels(["{:g}".format(edge) for edge in edges])
@@ -55,7 +70,8 @@ class Pictures:
         images = results.images()
         if not len(images):
             return
-        cells = matrixOf(len(images), indexed(images, results.links()), VERIFIED, CELLS)
+        names, ranks = results.names(images)
+        cells = matrixOf(len(images), _ranked(indexed(images, results.links()), ranks), VERIFIED, CELLS)
         figure = self._new(9, 8)
         axes = figure.add_subplot()
         axes.set_facecolor("white")
@@ -67,7 +83,13 @@ class Pictures:
         colored = np.where(cells > 0, cells, np.nan)
         shown = axes.imshow(colored, norm=scale, cmap="viridis", extent=extent, interpolation="nearest")
         figure.colorbar(shown, ax=axes, label="inliers; gray: refused, white: not matched")
-        axes.set_xlabel("image, in the order of the database")
+        if len(images) <= NAMED:
+            places = range(1, len(images) + 1)
+            axes.set_xticks(places)
+            axes.set_xticklabels(names, rotation=90, fontsize=7)
+            axes.set_yticks(places)
+            axes.set_yticklabels(names, fontsize=7)
+        axes.set_xlabel("image, in the order of the names")
         axes.set_ylabel("image")
         share = -(-len(images) // len(cells))
         shared = ", up to {} in a row: the most inliers".format(share) if share > 1 else ""

@@ -10,6 +10,7 @@ import sys
 from typing import Any, Optional
 
 from ._optional import need
+from ._output import write
 from ._pair import CollectionError
 
 _LINES = 20  # of faults that are shown; a table of the report has all
@@ -46,7 +47,7 @@ class Progress:
 
     def say(self, line: str) -> None:
         if self._bar is None:
-            print(line, file=sys.stderr, flush=True)
+            write(line + "\n", sys.stderr)
         else:
             self._bar.write(line, file=sys.stderr)
 

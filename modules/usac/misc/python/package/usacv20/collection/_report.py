@@ -16,11 +16,11 @@ from __future__ import annotations
 
 import csv
 import json
-import sys
 import typing
 from typing import Any, Dict, List, Optional
 
 from . import _pictures
+from ._output import write
 from ._pair import CollectionError, Configuration
 from ._report_graph import Graph, graphOf, indexed
 from ._report_table import FAULT, OURS, PAIRS, REFUSED, VERIFIED, Results, Row
@@ -171,9 +171,8 @@ def _textOfHistograms(summary: Dict[str, Any]) -> List[str]:
         counts, edges = histogram["pairs"], histogram["edges"]
         lines += ["", "{}: median {:.3g}, 90 % below {:.3g}, largest {:.3g}".format(
             histogram["title"][0].upper() + histogram["title"][1:], *histogram["quantiles"])]
-        used = [i for i, count in enumerate(counts) if count]
-        rows = [["{:g} to {:g}".format(edges[i], edges[i + 1]), counts[i], _share(counts[i], sum(counts)),
-                 "#" * round(40 * counts[i] / max(counts))] for i in range(used[0], used[-1] + 1)]
+        rows = [["{:g} to {:g}".format(edges[i], edges[i + 1]), count, _share(count, sum(counts)),
+                 "#" * round(40 * count / max(counts))] for i, count in enumerate(counts) if count]
         lines += _table(rows)
     if summary["iterations"] is not None and summary["milliseconds"] is not None:
         seconds = summary["milliseconds"] / 1000
@@ -189,7 +188,7 @@ def textOf(summary: Dict[str, Any]) -> str:
     for kind in dict.fromkeys(pair["kind"] for pair in summary["look"]):
         lines.append("  " + kind)
         lines += _table([[pair["pair"], "{} of {}".format(pair["inliers"], pair["matches"]),
-                          "" if pair["chance"] is None else "chance {:.2g}".format(pair["chance"]),
+                          "" if pair["chance"] is None or pair["reason"] else "chance {:.2g}".format(pair["chance"]),
                           pair["reason"] or pair["configuration"],
                           "smaller part: {} images".format(pair["images"]) if "images" in pair else ""]
                          for pair in summary["look"] if pair["kind"] == kind], "    ")
@@ -219,7 +218,7 @@ def report(path: str, pictures: Optional[str] = None, jsonFile: Optional[str] = 
     try:
         with Results(path) as results:
             summary = summarize(results, most)
-            (stream or sys.stdout).write(textOf(summary))
+            write(textOf(summary), stream)
             if draw is not None:
                 draw.histograms(summary["histograms"])
                 draw.pairs(results)

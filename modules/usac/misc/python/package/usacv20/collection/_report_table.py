@@ -167,6 +167,15 @@ class Results:
         sql = "SELECT number FROM temp.nodes ORDER BY 1" if self.kind == PAIRS else "SELECT image_id FROM images ORDER BY 1"
         return np.fromiter((number for number, in self.rows(sql)), np.int64)
 
+    def names(self, images: npt.NDArray[np.int64]) -> Tuple[List[str], npt.NDArray[np.int64]]:
+        """Of those images in the order of their names, and the place of each image in it: numbers of images tell no order, COLMAP
+        4 gives them out as its threads finish."""
+        known = dict(self.rows("SELECT number, image FROM temp.nodes" if self.kind == PAIRS else "SELECT image_id, name FROM images"))
+        order = sorted(range(len(images)), key=lambda i: (str(known[int(images[i])]), i))
+        ranks = np.empty(len(images), np.int64)
+        ranks[order] = np.arange(len(images))
+        return [str(known[int(images[i])]) for i in order], ranks
+
     def links(self, where: str = "1") -> typing.Iterator[Tuple[int, int, int, int]]:
         """Numbers of the images, inliers and state of each pair."""
         for first, second, inliers, state in self.rows(

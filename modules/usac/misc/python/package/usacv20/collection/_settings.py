@@ -7,8 +7,11 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
-from typing import Any, Dict, Optional
+from typing import Any, Dict, Optional, Tuple
+
+import numpy as np
 
 from .._enumerations import ScoreOrder, UsacV20Method
 from .._params import Params
@@ -36,6 +39,8 @@ class Settings:
     maxIterations: int = 10000
     # Least part of the matches that is expected to be right; pairs with less are found, too, but not with `confidence`.
     inlierRatio: float = 0.25
+    # Inlier ratios of some pairs of the collection, those that tell its threshold (see `needed`); none: not known.
+    ratios: Tuple[float, ...] = ()
     seed: int = 0
     minInliers: int = 15  # of a pair that is kept
     # Largest Report.chance of a pair that is kept: of pairs without overlap at most this part is taken for one with. A
@@ -53,6 +58,8 @@ class Settings:
         for name in ("planarRatio", "calibrationRatio", "inlierRatio"):
             if not 0 <= getattr(self, name) <= 1:
                 raise CollectionError("{}: a number from 0 to 1 is expected, not {}".format(name, getattr(self, name)))
+        if not all(0 < ratio <= 1 for ratio in self.ratios):
+            raise CollectionError("ratios: numbers above 0 and up to 1 are expected, not {}".format(self.ratios))
         try:
             self.params().check()
         except Exception as mistake:
@@ -60,34 +67,52 @@ class Settings:
 
     def asDict(self) -> Dict[str, Any]:
         """For a file: what two runs must have in common to be one."""
-        return dataclasses.asdict(self)
+        return dict(dataclasses.asdict(self), ratios=list(self.ratios))
 
     @property
     def leastMatches(self) -> int:
         """Pairs with less are refused at once: any seven matches have an F that fits."""
         return max(self.minInliers, 8)
 
+    @functools.lru_cache(maxsize=4096)  # many pairs have as many matches
     def needed(self, sample: int, matches: int) -> int:
-        """Samples of so many points that find a pair that is to be kept: with `confidence` one of them is right. No limit."""
-        right = self._rightSamples(sample, matches)
-        if right >= self.confidence:
+        """Samples of so many points that find a pair that is to be kept: with `confidence` one of them is right. No limit.
+
+        Of a collection with `ratios` that is the mean over its pairs: those that are known and one more, which has
+        `inlierRatio`, as a pair has less than the least of k others with a chance of 1 / (k + 1). Ratios below that count as
+        that, so that the samples never are more than without them."""
+        lost = 1 - min(self.confidence, 1 - 1e-15)
+        ratios = [max(ratio, self.inlierRatio) for ratio in (*self.ratios, self.inlierRatio)]
+        right = np.array([self._rightSamples(sample, matches, ratio) for ratio in ratios])
+        if right.min() >= self.confidence:
             return LEAST_ITERATIONS
-        needed = math.log1p(-min(self.confidence, 1 - 1e-15)) / math.log1p(-right)
-        return max(LEAST_ITERATIONS, math.ceil(needed))
+        with np.errstate(divide="ignore"):
+            logarithms = np.log1p(-right)
+
+        def enough(samples: int) -> bool:
+            with np.errstate(invalid="ignore"):
+                return bool(np.mean(np.exp(samples * logarithms)) <= lost)
+
+        low, high = 0, math.ceil(math.log(lost) / float(logarithms.max()))
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (low, middle) if enough(middle) else (middle, high)
+        return max(LEAST_ITERATIONS, high)
 
     def iterations(self, sample: int, matches: int) -> int:
         """Samples that are drawn at most: those that are needed, or `maxIterations`, if that is less."""
         return min(self.maxIterations, self.needed(sample, matches))
 
     def reached(self, sample: int, matches: int) -> float:
-        """The chance that one of those samples is right: less than `confidence` where `maxIterations` is less than is needed."""
-        right = self._rightSamples(sample, matches)
+        """The chance that one of those samples is right, if `inlierRatio` of the matches is: less than `confidence` where
+        `maxIterations` is less than is needed."""
+        right = self._rightSamples(sample, matches, self.inlierRatio)
         return 1.0 if right == 1 else -math.expm1(self.iterations(sample, matches) * math.log1p(-right))
 
-    def _rightSamples(self, sample: int, matches: int) -> float:
+    def _rightSamples(self, sample: int, matches: int, ratio: float) -> float:
         """The part of the samples, drawn without replacement, whose points all are right. A model has at least a sample."""
-        count = math.ceil(self.inlierRatio * matches)
-        if matches and (count - 1) / matches >= self.inlierRatio:  # 0.07 * 100 is more than 7
+        count = math.ceil(ratio * matches)
+        if matches and (count - 1) / matches >= ratio:  # 0.07 * 100 is more than 7
             count -= 1
         count = max(count, self.minInliers, sample)
         part = 1.0

@@ -137,7 +137,9 @@ def copyDatabase(source: str, target: str) -> None:
                 reader.backup(writer, pages=4096)
             tidy(target)
         except BaseException:
-            os.remove(target)
+            for name in (target, target + "-journal", target + "-wal", target + "-shm"):  # a full disk leaves them behind
+                with contextlib.suppress(FileNotFoundError):
+                    os.remove(name)
             raise
     finally:
         reader.close()

@@ -1,0 +1,91 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Some of the pairs of a database, as a file names them (--pairs)."""
+
+from __future__ import annotations
+
+import typing
+from typing import TYPE_CHECKING, Dict, List, Optional, Union
+
+import numpy as np
+
+from ._database import IMAGES, DatabaseSource
+from ._pair import CollectionError, Fault, Key, Pair
+from ._sqlite import explained
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+_PAGE = 500  # keys in one question to SQLite, which allows 999 values of all versions
+
+
+class Selection:
+    """Those pairs of a database that are in a list; a Source.
+
+    path -- of a text as COLMAP's importer of matches and hloc have it: the names of two images on a line; empty lines and what
+        follows # at the front of a line are passed over. CollectionError for an image that is not in the database
+
+    `missing` is how many of them have no row in the table of matches."""
+
+    def __init__(self, source: DatabaseSource, path: str) -> None:
+        self.source = source
+        asked = np.unique(np.array(_read(source, path), np.int64))
+        found: List[int] = []
+        with explained(source.path):
+            for begin in range(0, len(asked), _PAGE):
+                page = asked[begin:begin + _PAGE].tolist()
+                found += [int(key) for key, in source.connection().execute(
+                    "SELECT pair_id FROM matches WHERE pair_id IN ({})".format(", ".join("?" * len(page))), page)]
+        self._keys: npt.NDArray[np.int64] = np.sort(np.array(found, np.int64))
+        self.missing = len(asked) - len(found)
+
+    def keys(self) -> typing.Iterator[Key]:
+        return iter(self._keys.tolist())
+
+    def __len__(self) -> int:
+        return len(self._keys)
+
+    def load(self, keys: typing.Sequence[Key]) -> List[Union[Pair, Fault]]:
+        return self.source.load(keys)
+
+    def fingerprint(self) -> str:
+        return self.source.fingerprint()
+
+    def close(self) -> None:
+        self.source.close()
+
+
+def _read(source: DatabaseSource, path: str) -> List[int]:
+    with explained(source.path):
+        images: Dict[str, int] = dict(source.connection().execute("SELECT name, image_id FROM images"))
+    keys = []
+    try:
+        with open(path, encoding="utf-8") as file:
+            for number, line in enumerate(file, 1):
+                words = line.strip()
+                if words and not words.startswith("#"):
+                    keys.append(_key(words, images, "{}: line {}".format(path, number)))
+    except (OSError, UnicodeDecodeError) as error:
+        raise CollectionError("{}: the list of pairs cannot be read: {}".format(
+            path, getattr(error, "strerror", None) or "it is not UTF-8")) from error
+    return keys
+
+
+def _key(line: str, images: Dict[str, int], place: str) -> int:
+    """Names may have blanks: both parts of the line are to be names."""
+    numbers: Optional[List[int]] = None
+    for i, letter in enumerate(line):
+        if letter.isspace():
+            first, second = line[:i].rstrip(), line[i:].lstrip()
+            if first in images and second in images:
+                numbers = sorted((images[first], images[second]))
+                break
+    if numbers is None:
+        unknown = [word for word in line.split() if word not in images]
+        raise CollectionError("{}: {}".format(place, "there is no image {} in the database".format(unknown[0]) if unknown and
+                                              len(line.split()) == 2 else "two names of images are expected, not {!r}".format(line)))
+    if numbers[0] == numbers[1]:
+        raise CollectionError("{}: an image has no pair with itself".format(place))
+    return numbers[0] * IMAGES + numbers[1]

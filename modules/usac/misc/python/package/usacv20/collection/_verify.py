@@ -1,0 +1,130 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""The verification of a whole database, for the command line and for other programs."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import typing
+from typing import Any, Callable, Dict, Optional, Union
+
+from ._database import DatabaseSource
+from ._database_sink import DatabaseSink, lastRun
+from ._engine import CHUNK, Summary, run
+from ._geometry import verifyPairs
+from ._pair import CollectionError, Source
+from ._scores import ColumnScores, HlocScores
+from ._selection import Selection
+from ._settings import Settings
+from ._sqlite import connect, copyDatabase, explained
+from ._threshold import estimateThreshold, samplePairs
+
+Say = Callable[[str], Any]
+
+
+def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float] = None, pairs: Optional[str] = None,
+           resume: bool = False, scores: Union[HlocScores, ColumnScores, None] = None, threads: int = 0, workers: int = 0,
+           scheduler: str = "", chunk: int = CHUNK, progress: Optional[bool] = False, say: Optional[Say] = None,
+           **settings: Any) -> Summary:
+    """The two-view geometry of all pairs of a COLMAP database: what `usacv20-collection verify` does.
+
+    path -- of the database. Its table two_view_geometries is written, others of COLMAP's are not
+    output -- a copy to be made and written in the place of it; with `resume` it may be there
+    threshold -- pixels, largest error of an inlier; None: found from a part of the pairs, or, with `resume`, that of the last run
+    pairs -- file with the names of two images on a line: only those pairs are verified, rows of others stay as they are
+    resume -- True: pairs that a run with the same settings has done are skipped, pairs that are new are done
+    scores -- of the matches
+    threads, workers, scheduler -- 0: a thread for each core; of Dask: processes, or tcp://HOST:PORT
+    chunk -- pairs that are handed out and stored together
+    progress -- a bar on stderr: True, False, or None: if that is a terminal
+    say -- is called with each line that the command prints
+    settings -- method, confidence, maxIterations, inlierRatio, minInliers, significance, watermarks, seed: as of the command line
+
+    Pairs that cannot be read are named on stderr and counted in the summary. Raises CollectionError if nothing can be done, and
+    KeyboardInterrupt, after what is under way was stored, if the run was interrupted."""
+    summary = verifyDatabase(path, output, threshold, pairs, resume, scores, settings, say or _silent, threads=threads,
+                             workers=workers, scheduler=scheduler, chunk=chunk, progress=progress)
+    if summary.interrupted:
+        raise KeyboardInterrupt
+    return summary
+
+
+def _silent(line: str) -> None:
+    pass
+
+
+def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float], pairs: Optional[str], resume: bool, scores: Any,
+                   options: Dict[str, Any], say: Say, **engine: Any) -> Summary:
+    """As `verify`; an interruption is in the summary."""
+    with contextlib.closing(DatabaseSource(path, scores)) as source:
+        _checkMatches(source)
+        chosen: Any = source
+        if pairs is not None:
+            chosen = Selection(source, pairs)
+            if chosen.missing:
+                say("{} pairs of {} have no matches in the database".format(chosen.missing, pairs))
+            if not len(chosen):
+                raise CollectionError("{}: none of its pairs has matches in the database: run a matcher first".format(pairs))
+        target = output or path
+        settings = settle(source, threshold, options, _stored(target) if resume else None, say)
+        if output and not (resume and os.path.exists(output)):
+            copyDatabase(path, output)
+        used = dict(settings.asDict(), scores=scores.describe() if scores else None)
+        sink = DatabaseSink(target, used, resume, keep=pairs is not None)
+        summary = go(chosen, sink, settings, say, **engine)
+    summary.threshold = settings.threshold
+    if sink.removed:
+        say("{} rows that were in two_view_geometries are replaced".format(sink.removed))
+    return summary
+
+
+def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], stored: Optional[typing.Mapping[str, Any]],
+           say: Say) -> Settings:
+    """The settings with a threshold.
+
+    source -- of all pairs of the collection, so that the threshold does not depend on which of them are verified
+    threshold -- None: that of `stored`, else found from a part of the pairs
+    stored -- the settings of the run that goes on, None: there is none"""
+    unknown = sorted(set(options) - set(Settings().asDict()))
+    if unknown:
+        raise CollectionError("{}: there is no such setting".format(unknown[0]))
+    if threshold is not None:
+        return Settings(threshold=threshold, **options)
+    before = (stored or {}).get("threshold")
+    if isinstance(before, (int, float)):
+        say("threshold: {:g} px, that of the run that goes on".format(before))
+        return Settings(threshold=float(before), ratios=tuple((stored or {}).get("ratios") or ()), **options)
+    estimate = estimateThreshold(samplePairs(source), Settings(**options))
+    say("threshold: " + estimate.describe())
+    return Settings(threshold=estimate.threshold, ratios=estimate.ratios, **options)
+
+
+def go(source: Source, sink: Any, settings: Settings, say: Say, **engine: Any) -> Summary:
+    """The run itself; the sink is closed."""
+    finished = False
+    try:
+        summary = run(source, sink, settings, verifyPairs, **engine)
+        finished = not summary.interrupted
+    finally:
+        sink.close(finished)
+    say(summary.line())
+    say(summary.times())
+    return summary
+
+
+def _stored(path: str) -> Optional[Dict[str, Any]]:
+    """The settings of the last run on a database, None: there was none."""
+    if not os.path.exists(path):
+        return None
+    with explained(path), contextlib.closing(connect(path)) as connection:
+        last = lastRun(connection)
+    return last["settings"] if last else None
+
+
+def _checkMatches(source: DatabaseSource) -> None:
+    with explained(source.path):
+        if not source.connection().execute("SELECT 1 FROM matches WHERE rows > 0 LIMIT 1").fetchall():
+            raise CollectionError("{}: no pair has matches: run a matcher first, colmap exhaustive_matcher, say".format(source.path))

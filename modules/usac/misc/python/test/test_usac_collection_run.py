@@ -1,0 +1,228 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""A collection that grows, some of its pairs, and the verification of a database by another program."""
+
+from __future__ import annotations
+
+import contextlib
+import inspect
+import os
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from typing import Any, Dict, List
+
+from usac_collection import Collection, Recipe
+from usac_collection_database import change, dump, rows
+from usac_common import IN_TREE, once, package
+
+if not IN_TREE:
+    import usacv20.collection
+    from usacv20.collection import CollectionError, verify
+    from usacv20.collection._command import main
+
+PAIRS, LATER = 234, 66  # of 25 images
+TABLE = "two_view_geometries"
+FEW = 100  # samples: these matches are easy
+
+
+class RunCase(unittest.TestCase):
+
+    folder = ""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.folder = tempfile.mkdtemp()
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.collection = Collection(Recipe(images=25, lonePairs=1.0, wrong=(0.2, 0.4)))
+        cls.whole = os.path.join(cls.folder, "whole.db")
+        cls.collection.write(cls.whole)
+
+    def setUp(self) -> None:
+        self.path = os.path.join(self.folder, self.id().rsplit(".", 1)[1] + ".db")
+        shutil.copy(self.whole, self.path)
+
+    def verify(self, path: str = "", **options: Any) -> List[str]:
+        """What it says."""
+        said: List[str] = []
+        options.setdefault("maxIterations", FEW)
+        self.summary = verify(path or self.path, threads=1, say=said.append, **options)
+        return said
+
+    def list(self, keys: List[int], *more: str) -> str:
+        path = self.path + ".txt"
+        names = dict(rows(self.path, "SELECT image_id, name FROM images"))
+        with open(path, "w") as file:
+            file.write("# a comment\n\n" + "".join("{} {}\n".format(names[key % 2147483647], names[key // 2147483647]) for key in keys))
+            file.writelines(line + "\n" for line in more)
+        return path
+
+
+@once
+@package
+class GrowthTest(RunCase):
+
+    def test_new_images(self) -> None:
+        later = [key for key, in rows(self.path, "SELECT pair_id FROM matches ORDER BY pair_id")][PAIRS:]
+        self.assertEqual(len(later), LATER)
+        change(self.path, "CREATE TABLE kept AS SELECT * FROM matches WHERE pair_id >= {}".format(later[0]))
+        change(self.path, "DELETE FROM matches WHERE pair_id >= {}".format(later[0]))
+        self.verify()
+        threshold = self.summary.threshold
+        self.assertEqual((self.summary.pairs, self.summary.skipped), (PAIRS, 0))
+        before = dump(self.path, TABLE)
+        change(self.path, "INSERT INTO matches SELECT * FROM kept")
+        said = self.verify(resume=True)
+        self.assertEqual(said[0], "threshold: {:g} px, that of the run that goes on".format(threshold))
+        self.assertEqual((self.summary.pairs, self.summary.skipped, self.summary.threshold), (LATER, PAIRS, threshold))
+        after = dump(self.path, TABLE)[TABLE]
+        self.assertEqual(after[:PAIRS], before[TABLE])
+        at_once = self.path + ".copy"
+        self.verify(output=at_once, threshold=threshold)
+        self.assertEqual(after, dump(at_once, TABLE)[TABLE])
+
+    def test_other_threshold(self) -> None:
+        self.verify(threshold=3.0)
+        with self.assertRaisesRegex(CollectionError, "threshold is 2.0 and was 3.0"):
+            self.verify(threshold=2.0, resume=True)
+
+    def test_some_pairs(self) -> None:
+        self.verify(threshold=4.0)
+        all_ = dump(self.path, TABLE)[TABLE]
+        chosen = [row[0] for row in all_[5:200:7]]
+        change(self.path, "DELETE FROM {} WHERE pair_id IN ({})".format(TABLE, ", ".join(map(str, chosen[:4]))))
+        self.verify(threshold=4.0, pairs=self.list(chosen))
+        self.assertEqual((self.summary.pairs, dump(self.path, TABLE)[TABLE]), (len(chosen), all_))
+        change(self.path, "DELETE FROM {} WHERE pair_id IN ({})".format(TABLE, ", ".join(map(str, chosen[:4]))))
+        self.verify(threshold=4.0, pairs=self.list(chosen), resume=True)
+        self.assertEqual((self.summary.pairs, self.summary.skipped), (4, len(chosen) - 4))
+        self.assertEqual(dump(self.path, TABLE)[TABLE], all_)
+
+    def test_mistakes_in_the_list(self) -> None:
+        for line, said in (("nobody.jpg ring00.png", "line 4: there is no image nobody.jpg"), ("ring00.png", "line 4: two names"),
+                           ("ring00.png ring00.png", "line 4: an image has no pair with itself")):
+            with self.assertRaisesRegex(CollectionError, said):
+                self.verify(threshold=4.0, pairs=self.list(rows(self.path, "SELECT pair_id FROM matches")[0][:1], line))
+        with self.assertRaisesRegex(CollectionError, "nothing.txt: the list of pairs cannot be read"):
+            self.verify(threshold=4.0, pairs=os.path.join(self.folder, "nothing.txt"))
+
+    def test_pairs_without_matches(self) -> None:
+        keys = [key for key, in rows(self.path, "SELECT pair_id FROM matches ORDER BY pair_id")]
+        change(self.path, "DELETE FROM matches WHERE pair_id IN ({}, {})".format(*keys[:2]))
+        said = self.verify(threshold=4.0, pairs=self.list(keys[:3]))
+        self.assertRegex(said[0], "^2 pairs of .* have no matches in the database$")
+        self.assertEqual(self.summary.pairs, 1)
+        with self.assertRaisesRegex(CollectionError, "none of its pairs has matches in the database: run a matcher first"):
+            self.verify(threshold=4.0, pairs=self.list(keys[:2]))
+
+    def test_names_with_blanks(self) -> None:
+        change(self.path, "UPDATE images SET name = 'a b c.png' WHERE image_id = 1")
+        keys = [key for key, in rows(self.path, "SELECT pair_id FROM matches ORDER BY pair_id")][:3]
+        self.verify(threshold=4.0, pairs=self.list(keys))
+        self.assertEqual([row[0] for row in dump(self.path, TABLE)[TABLE]], keys)
+
+    def test_no_matches(self) -> None:
+        for statement in ("UPDATE matches SET rows = 0, data = NULL", "DELETE FROM matches"):
+            change(self.path, statement)
+            for threshold in (None, 4.0):
+                with self.assertRaisesRegex(CollectionError, "no pair has matches: run a matcher first"):
+                    self.verify(threshold=threshold)
+
+
+@once
+@package
+class FunctionTest(RunCase):
+
+    def test_as_the_command(self) -> None:
+        self.verify(threshold=3.0, minInliers=20, seed=3)
+        other = os.path.join(self.folder, "by_command.db")
+        shutil.copy(self.whole, other)
+        with open(os.devnull, "w") as nowhere, contextlib.redirect_stdout(nowhere):
+            self.assertEqual(main(["verify", other, "--threshold", "3", "--min-inliers", "20", "--seed", "3", "--threads", "1",
+                                   "--max-iterations", str(FEW)]), 0)
+        self.assertEqual(dump(self.path, TABLE), dump(other, TABLE))
+        counts: Dict[bool, int] = dict(rows(self.path, "SELECT rows > 0, COUNT(*) FROM {} GROUP BY 1".format(TABLE)))
+        self.assertEqual((self.summary.verified, self.summary.refused, self.summary.faults), (counts[1], counts[0], 0))
+
+    def test_mistakes(self) -> None:
+        for options, said in ((dict(thresholds=3, threshold=4.0), "thresholds: there is no such setting"), (dict(method="RANSAC"), "method"),
+                              (dict(threshold=-1.0), "threshold")):
+            with self.assertRaisesRegex(CollectionError, said):
+                self.verify(**options)
+
+    def test_documented(self) -> None:
+        text = inspect.getdoc(usacv20.collection.verify) or ""
+        for name, parameter in inspect.signature(usacv20.collection.verify).parameters.items():
+            self.assertRegex(text, r"\b{}\b".format(name), parameter)
+
+    def test_interrupted(self) -> None:
+        timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+        with self.assertRaises(KeyboardInterrupt):
+            timer.start()
+            for _ in range(50):
+                self.verify(threshold=4.0, chunk=1)
+        timer.join()
+
+
+@once
+@package
+class OutputTest(RunCase):
+
+    def process(self, *arguments: str, **options: Any) -> "subprocess.Popen[bytes]":
+        return subprocess.Popen([sys.executable, "-m", "usacv20.collection", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                **options)
+
+    def test_nobody_reads(self) -> None:
+        """`| head -1`: the work is done, and nothing is said about the pipe."""
+        for arguments in (("verify", self.path, "--threshold", "4", "--max-iterations", str(FEW)), ("report", self.path)):
+            reader, writer = os.pipe()
+            os.close(reader)
+            with subprocess.Popen([sys.executable, "-m", "usacv20.collection", *arguments], stdout=writer,
+                                  stderr=subprocess.PIPE) as run:
+                os.close(writer)
+                error = run.communicate()[1]
+            self.assertEqual((run.returncode, error), (0, b""))
+        self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("finished",)])
+
+    def test_full_disk(self) -> None:
+        """Of a copy that does not fit nothing is left."""
+        import resource
+        target = os.path.join(self.folder, "copies", "copy.db")
+        os.mkdir(os.path.dirname(target))
+        most = os.path.getsize(self.whole) // 2
+
+        def limit() -> None:
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+        with self.process("verify", self.path, "--threshold", "4", "--output", target, preexec_fn=limit) as run:
+            error = run.communicate()[1].decode()
+        self.assertEqual((run.returncode, error.count("\n")), (2, 1), error)
+        self.assertIn("copy.db", error)
+        self.assertEqual(os.listdir(os.path.dirname(target)), [])
+
+    def test_interrupted_early(self) -> None:
+        """Ctrl-C before the run begins."""
+        for seconds in (0.15, 0.3, 0.45):
+            with self.process("verify", self.path) as run:
+                time.sleep(seconds)
+                run.send_signal(signal.SIGINT)
+                error = run.communicate()[1].decode()
+            self.assertIn(run.returncode, (130, -signal.SIGINT))
+            if "usacv20/__init__.py" not in error:  # which comes before anything of this tool
+                self.assertNotIn("Traceback", error)
+            with contextlib.closing(sqlite3.connect(self.path)) as connection:
+                self.assertEqual(connection.execute("PRAGMA integrity_check").fetchall(), [("ok",)])
+
+
+if __name__ == "__main__":
+    unittest.main()
