@@ -72,6 +72,7 @@ from ._opencv import patch_cv2, unpatch_cv2
 from ._params import Params, UsacParams
 from ._pose import solvePnPRansac
 from ._report import Report
+from ._version import __version__
 
 __all__ = [
     "ABSOLUTE_POSE", "AFFINITY", "DEGENERACY_DEGENSAC", "DEGENERACY_ORIENTATION", "DEGENERACY_REPEATED", "DegeneracyFlags",
