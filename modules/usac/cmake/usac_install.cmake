@@ -16,14 +16,15 @@ install(TARGETS opencv_usac EXPORT opencv_usac-targets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev)
 install(EXPORT opencv_usac-targets DESTINATION "${package_dir}" COMPONENT dev)
 export(EXPORT opencv_usac-targets)
-configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/opencv_usac-config.cmake.in" "${PROJECT_BINARY_DIR}/opencv_usac-config.cmake"
-  INSTALL_DESTINATION "${package_dir}")
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/opencv_usac-config-version.cmake" VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/opencv_usac-config.cmake.in"
+  "${PROJECT_BINARY_DIR}/opencv_usac-config.cmake" INSTALL_DESTINATION "${package_dir}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/opencv_usac-config-version.cmake" VERSION ${PROJECT_VERSION}
+  COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/opencv_usac-config.cmake" "${PROJECT_BINARY_DIR}/opencv_usac-config-version.cmake"
   DESTINATION "${package_dir}" COMPONENT dev)
 
 include("${CMAKE_CURRENT_LIST_DIR}/usac_pkgconfig.cmake")
-configure_file("${CMAKE_CURRENT_LIST_DIR}/opencv_usac.pc.in" opencv_usac.pc @ONLY)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/opencv_usac.pc.in" "${PROJECT_BINARY_DIR}/opencv_usac.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/opencv_usac.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
 
 # They find the library of the same prefix, wherever that is; in /usr the system does.

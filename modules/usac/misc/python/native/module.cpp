@@ -24,6 +24,7 @@ PYBIND11_MODULE(_native, module)
 {
     using namespace cv::usacv20::python;
     checkNumPy();
+    module.attr("pybind11Version") = pybind11::make_tuple(PYBIND11_VERSION_MAJOR, PYBIND11_VERSION_MINOR);
     module.doc() = "The compiled part of the package usacv20.";
     addErrors(module);
     addEnumerators(module);
