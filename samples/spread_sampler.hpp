@@ -42,7 +42,7 @@ private:
 
     static int division(float value, float low, float high)
     {
-        const float cell = high > low ? (value - low) * DIVISIONS / (high - low) : 0;
+        const float cell = high > low ? (value - low) * (float)DIVISIONS / (high - low) : 0;
         return std::max(0, std::min((int)cell, DIVISIONS - 1));
     }
 

@@ -22,7 +22,6 @@ if sys.version_info[:2] < OLDEST:
 
 from setuptools import Extension, setup  # noqa: E402
 from setuptools.command.build_ext import build_ext  # noqa: E402
-from setuptools.command.sdist import sdist  # noqa: E402
 from setuptools.errors import SetupError  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -49,14 +48,21 @@ def remove_later(folders):
             atexit.register(shutil.rmtree, folder, True)
 
 
-class Sources(sdist):
-    """A source distribution with the license, which stands in the folder of the project."""
+def borrow_license():
+    """The license stands in the folder of the project, setuptools packs files of this one: a copy for as long as this runs."""
+    copy, text = os.path.join(HERE, "LICENSE"), os.path.join(HERE, "..", "..", "LICENSE")
+    if not os.path.exists(copy) and os.path.exists(text):
+        shutil.copyfile(text, copy)
+        atexit.register(os.remove, copy)
 
-    def make_release_tree(self, base_dir, files):
-        super().make_release_tree(base_dir, files)
-        text = os.path.join(HERE, "..", "..", "LICENSE")
-        if os.path.exists(text):
-            self.copy_file(text, base_dir)
+
+def pybind11():
+    """That of the system does, but that Debian 12's is older than NumPy 2, which pip takes where there is none yet."""
+    try:
+        import numpy  # noqa: F401
+    except ImportError:  # in an environment that pip has made for this build
+        return ["pybind11 >= 2.12"]
+    return []
 
 
 class Native(build_ext):
@@ -99,10 +105,12 @@ class Native(build_ext):
 
 
 remove_later(EGG_INFO)
+borrow_license()
 setup(
     version=version(),
     license="Apache-2.0",
     ext_modules=[Extension("usacv20._native", sources=[])],
-    cmdclass={"build_ext": Native, "sdist": Sources},
+    cmdclass={"build_ext": Native},
+    setup_requires=pybind11(),
     options={"build": {"build_base": temporary()}},
 )

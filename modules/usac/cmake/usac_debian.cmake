@@ -3,7 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 # Debian packages of the stand-alone build, made by `cpack -G DEB` in its build tree: the library, what programs are built with,
-# and with BUILD_PYTHON the Python package. Configured with CMAKE_INSTALL_PREFIX=/usr they go where Debian has such files. Dependencies are those of the
+# with BUILD_PYTHON the Python package, with BUILD_SAMPLES the programs of the benchmark. Configured with CMAKE_INSTALL_PREFIX=/usr they go where Debian has such files. Dependencies are those of the
 # libraries that the build was linked with (dpkg-shlibdeps of dpkg-dev).
 
 set(CPACK_PACKAGE_NAME opencv-usac)
@@ -12,8 +12,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL library dev)
+set(CPACK_STRIP_FILES ON)
 
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME "libopencv-usac${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${USAC_LIBRARY_PACKAGE})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
@@ -42,6 +43,16 @@ if(BUILD_PYTHON)
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "USACv20 robust estimation for OpenCV, Python package
  usacv20.findHomography and its kin, beside any cv2 or without; usacv20-collection
  for all pairs of a collection of images.")
+endif()
+
+if(BUILD_SAMPLES)
+  list(APPEND CPACK_COMPONENTS_ALL benchmark)
+  set(CPACK_DEBIAN_BENCHMARK_PACKAGE_NAME usac-benchmark)
+  set(CPACK_DEBIAN_BENCHMARK_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_BENCHMARK_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_BENCHMARK_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION})")
+  set(CPACK_COMPONENT_BENCHMARK_DESCRIPTION "USACv20 robust estimation for OpenCV, benchmark programs
+ usac_benchmark and its kin: estimators on lists of image pairs and on scenes.")
 endif()
 
 include(CPack)

@@ -7,7 +7,26 @@
 option(USAC_WERROR "Warnings of the module's own targets are errors" OFF)
 set(USAC_SOURCE_FLAGS "" CACHE STRING "Compiler options of the module's own source files, after those of the build type")
 
+# Headers parsed once a target, not once a file; the bits are the same. Not by default where each file has its own, cached result:
+# ccache needs CCACHE_SLOPPINESS=pch_defines,time_macros for them.
+set(_precompile ON)
+if(CMAKE_VERSION VERSION_LESS 3.16 OR CMAKE_CXX_COMPILER_LAUNCHER)
+  set(_precompile OFF)
+endif()
+option(USAC_PRECOMPILED_HEADERS "Precompile the headers, stand-alone" ${_precompile})
+
+include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
+
+get_filename_component(USAC_MODULE_DIR "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
+get_filename_component(USAC_PROJECT_DIR "${USAC_MODULE_DIR}/../.." ABSOLUTE)
+
+# Exceptions name modules/usac/src/..., not the folder in which the library was compiled.
+check_cxx_compiler_flag(-fmacro-prefix-map=a=b USAC_COMPILER_MAPS_PATHS)
+set(USAC_PATH_FLAGS "")
+if(USAC_COMPILER_MAPS_PATHS)
+  set(USAC_PATH_FLAGS "-fmacro-prefix-map=${USAC_MODULE_DIR}/=modules/usac/")
+endif()
 
 # Sets `result` if the compiler targets x86-64 and accepts the flags of an instruction set.
 function(usac_check_instruction_set result macro intrinsic flags)
@@ -51,7 +70,7 @@ endforeach()
 # Options of the module's source files; properties of files, because in opencv_world they have no target of their own.
 function(usac_source_options)
   foreach(source ${ARGN})
-    set(options ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS})
+    set(options ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS} ${USAC_PATH_FLAGS})
     if(source MATCHES "_avx2\\.cpp$" AND USAC_COMPILES_AVX2)
       list(APPEND options ${USAC_AVX2_FLAGS})
     elseif(source MATCHES "_avx512\\.cpp$" AND USAC_COMPILES_AVX512)
@@ -65,6 +84,29 @@ function(usac_source_options)
   endforeach()
 endfunction()
 
+# Precompiles headers of a target. All its files but those of an instruction set, which parse their own, are compiled with the same
+# options; these must be the target's, too, as the compiler refuses headers of others.
+function(usac_precompile target)
+  if(NOT USAC_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    if(source MATCHES "_avx(2|512)\\.cpp$")
+      set_property(SOURCE "${source}" PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
+endfunction()
+
+# The same for a target that has all of the library's sources.
+function(usac_precompile_library target)
+  target_compile_options(${target} PRIVATE ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS} ${USAC_PATH_FLAGS})
+  target_compile_definitions(${target} PRIVATE ${USAC_DEFINITIONS})
+  target_include_directories(${target} PRIVATE "${USAC_MODULE_DIR}/src")
+  usac_precompile(${target} "${USAC_MODULE_DIR}/src/precomp.hpp" <Eigen/Cholesky> <Eigen/Geometry> <Eigen/SVD>)
+endfunction()
+
 # Warnings of a target of the module as errors.
 function(usac_target_options target)
   if(USAC_WERROR)
@@ -75,6 +117,3 @@ function(usac_target_options target)
     endif()
   endif()
 endfunction()
-
-get_filename_component(USAC_MODULE_DIR "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
-get_filename_component(USAC_PROJECT_DIR "${USAC_MODULE_DIR}/../.." ABSOLUTE)

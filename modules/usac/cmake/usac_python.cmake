@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The target of the extension module usacv20._native, after find_package(pybind11): of its own sources and those given, which are
-# those of the library where it is not linked with it.
+# The target of the extension module usacv20._native, after find_package(pybind11): of its own sources and what is
+# given, which are the objects of the library where it is not linked with it.
 function(usac_add_python_module)
   file(GLOB native "${USAC_MODULE_DIR}/misc/python/native/*.cpp")
   pybind11_add_module(_native MODULE NO_EXTRAS ${native} ${ARGN})  # no optimization across files
@@ -11,7 +11,8 @@ function(usac_add_python_module)
   set_target_properties(_native PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_include_directories(_native PRIVATE "${USAC_MODULE_DIR}/include")
   target_link_libraries(_native PRIVATE opencv_core opencv_${USAC_OPENCV_GEOMETRY} opencv_imgproc opencv_flann)
-  if(NOT MSVC)  # the library's own build shows the warnings of its sources; these hand over arrays, which takes no optimization
-    set_property(SOURCE ${native} APPEND PROPERTY COMPILE_OPTIONS -O1 -Wall -Wextra -Wshadow -Wundef -Wnon-virtual-dtor)
+  if(NOT MSVC)  # these hand over arrays, which takes no optimization
+    target_compile_options(_native PRIVATE ${USAC_PATH_FLAGS} -O1 -Wall -Wextra -Wshadow -Wundef -Wnon-virtual-dtor)
   endif()
+  usac_precompile(_native "${USAC_MODULE_DIR}/misc/python/native/native.hpp")
 endfunction()

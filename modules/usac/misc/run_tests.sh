@@ -47,12 +47,12 @@ build_python_package()
     mkdir -p "$folder/source"
     /usr/bin/python3 -m build --no-isolation --sdist --outdir "$folder/dist" "$module" &&
     tar -xf "$folder"/dist/usacv20-*.tar.gz -C "$folder/source" --strip-components=1 &&
-    USACV20_BUILD_DIR="$folder/build" CMAKE_ARGS=-DUSAC_WERROR=ON /usr/bin/python3 -m build --no-isolation --wheel \
+    USACV20_BUILD_DIR="$folder/build" CMAKE_ARGS="-DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON" /usr/bin/python3 -m build --no-isolation --wheel \
         --outdir "$folder/dist" "$folder/source" &&
     rm -r "$folder/source" &&
     /usr/bin/python3 -m venv --system-site-packages "$folder/venv" &&
     "$folder/venv/bin/pip" install --no-index "$folder"/dist/usacv20-*.whl &&
-    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build")" ]  # nothing is left beside the sources
+    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # nothing is left beside the sources
 }
 
 # The same tests, beside Debian's cv2 and as if there were none.

@@ -38,7 +38,7 @@ void checkScore(const Score& score)
         std::fill(values, values + COUNT, errors[far]);
         Quality sum(0, 0);
         score.accumulate(values, COUNT, 1, sum);
-        if (!(sum.cost >= 0 && sum.cost <= COUNT * (1 + FLT_EPSILON)) || (!far && sum.inliers != COUNT))
+        if (!(sum.cost >= 0 && sum.cost <= (int)COUNT * (1 + FLT_EPSILON)) || (!far && sum.inliers != COUNT))
             CV_Error_(Error::StsOutOfRange,
                       ("components().score: %d points %s have the cost %g and %d inliers; a cost from 0 to 1 a point "
                        "is expected, and that points without error are inliers",

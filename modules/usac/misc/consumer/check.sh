@@ -6,7 +6,8 @@
 # Builds the library and its samples against the installed OpenCV, installs them into a temporary prefix, moves that, and
 # builds and runs the consumer project by the CMake package and by pkg-config, and looks whether programs that would lose a flag
 # are refused by the compiler. With a build of OpenCV that has the module inside, the same project is built and run against
-# that, too: its build tree, and an installation that was moved. The last line is "<N> passed, <M> failed".
+# that, too: its build tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the Debian
+# packages and what is in them; and README's line for the Python package where another python3 comes first. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -33,8 +34,11 @@ check() # name, command
 
 install_library()
 {
-    cmake -S "$project" -B "$work/build" -DUSAC_WERROR=ON -DCMAKE_INSTALL_LIBDIR=lib &&
+    PATH="$work/other_python:$PATH" cmake -S "$project" -B "$work/build" -DUSAC_WERROR=ON -DCMAKE_INSTALL_PREFIX=/usr \
+        -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_PYTHON=ON -DUSAC_PRECOMPILED_HEADERS=ON &&
     cmake --build "$work/build" -j "$(nproc)" &&
+    cmake --install "$work/build" --prefix "$work/uninstalled" &&
+    cmake --build "$work/build" --target uninstall &&
     cmake --install "$work/build" --prefix "$work/staging" &&
     mv "$work/staging" "$work/prefix"
 }
@@ -92,13 +96,105 @@ flag_case() # name
     grep -q "flag case $1: as it should be" "$work/flag_cases.log" || { grep "flag case $1:" "$work/flag_cases.log"; false; }
 }
 
+# What was installed is gone, folders of its own, too.
+uninstalled()
+{
+    [ -d "$work/uninstalled" ] && ! find "$work/uninstalled" -type f -o -name '*usac*' | grep .
+}
+
+# The newcomer's two ways. The build type is none, so nothing is optimized: the warnings are those of C++20 (GCC has those of 23, too).
+parent() # name, option of CMake
+{
+    cmake -S "$here/parent" -B "$work/$1" "$2" -DUSAC_WERROR=ON &&
+    cmake --build "$work/$1" -j "$(nproc)" &&
+    "$work/$1/parent" &&
+    cmake --install "$work/$1" --prefix "$work/$1/prefix" &&
+    [ "$(find "$work/$1/prefix" -type f)" = "$work/$1/prefix/bin/parent" ]
+}
+
+# The headers alone, and the sample of a component of one's own.
+standard() # of C++
+{
+    for source in "$here/main.cpp" "$project/samples/custom_sampler.cpp"; do
+        c++ "-std=$1" -fsyntax-only -Wall -Wextra -Wshadow -Werror -isystem /usr/include/opencv4 \
+            -I"$project/modules/usac/include" "$source" || return 1
+    done
+}
+
+# One after the other: each has its copyright, nothing of the build is named in it, what is compiled is stripped.
+debian_packages()
+{
+    (cd "$work/build" && cpack -G DEB) &&
+    for package in libopencv-usac0 libopencv-usac-dev python3-usacv20 usac-benchmark; do
+        dpkg-deb -x "$work"/build/$package*.deb "$work/debian" || return 1
+    done &&
+    for package in "libopencv-usac${version%.*}" libopencv-usac-dev python3-usacv20 usac-benchmark; do
+        cmp "$project/LICENSE" "$work/debian/usr/share/doc/$package/copyright" || return 1
+    done
+}
+
+compiled()
+{
+    find "$work/debian" -type f \( -name '*.so' -o -name '*.so.*' -o -path '*/bin/usac_*' \)
+}
+
+debian_paths()
+{
+    [ "$(compiled | wc -l)" -gt 2 ] && ! grep -rF -e "$project" -e "$work" "$work/debian" &&
+    strings "$work/debian/usr/lib/libopencv_usac.so.$version" | grep '^modules/usac/src/'
+}
+
+debian_stripped()
+{
+    [ "$(compiled | wc -l)" -gt 2 ] &&
+    for file in $(compiled); do
+        readelf -S "$file" | grep -F .dynsym || return 1
+        ! readelf -S "$file" | grep -F .symtab || return 1
+    done
+}
+
+debian_python()
+{
+    PYTHONPATH="$work/debian/usr/lib/python3/dist-packages" LD_LIBRARY_PATH="$work/debian/usr/lib" /usr/bin/python3 -c "
+import importlib.metadata, usacv20
+assert usacv20.__file__.startswith('$work/debian'), usacv20.__file__
+assert usacv20.__version__ == importlib.metadata.version('usacv20') == '$version'
+assert importlib.metadata.requires('usacv20') == ['numpy >= 1.20']
+try:
+    usacv20.Params(threshold=-1).validate() if hasattr(usacv20.Params, 'validate') else usacv20.findHomography([[0, 0]], [[0, 0]], threshold=-1)
+except Exception as error:
+    print(error)
+    assert '$project' not in str(error) and '$work' not in str(error)
+"
+}
+
+debian_benchmark()
+{
+    LD_LIBRARY_PATH="$work/debian/usr/lib" "$work/debian/usr/bin/usac_benchmark" --help
+}
+
+# README's line; the library is built already.
+readme_python()
+{
+    line=$(sed -n '/^## Python/,/^## /s/^\([^ ]*python3 -m venv .*\)$/\1/p' "$project/README.md")
+    [ -n "$line" ] && mkdir "$work/readme" && ln -s "$project/modules" "$work/readme/modules" && cd "$work/readme" &&
+    PATH="$work/other_python:$PATH" CMAKE_ARGS="-Dopencv_usac_DIR=$work/build -DUSAC_PRECOMPILED_HEADERS=ON" sh -exc "$line" &&
+    env/bin/python3 -c "import usacv20; print(usacv20.__version__)" | grep -Fx "$version" &&
+    [ -n "$(find env -path '*/usacv20-*.dist-info/*' -name LICENSE)" ]
+}
+
 mkdir -p "$work"
 for directory in build staging prefix opencv_staging opencv by_prefix by_build in_tree_by_prefix in_tree_by_dir in_tree_by_build \
-    by_pkg_config flags
+    by_pkg_config flags uninstalled parent fetch debian readme other_python
 do
     rm -rf "${work:?}/$directory"
 done
+mkdir "$work/other_python"  # pyenv's or conda's: nothing that is needed is installed for it
+printf '#!/bin/sh\necho "another python3 was called" >&2\nexit 1\n' > "$work/other_python/python3"
+cp "$work/other_python/python3" "$work/other_python/python"
+chmod +x "$work/other_python/python3" "$work/other_python/python"
 check install install_library
+check uninstalled uninstalled
 check relocatable relocatable
 check cmake consumer by_prefix "-DCMAKE_PREFIX_PATH=$work/prefix" "$work/prefix/lib/cmake/opencv_usac"
 check cmake_build_tree consumer by_build "-DCMAKE_PREFIX_PATH=$work/build" "$work/build"
@@ -114,6 +210,16 @@ if [ -n "$opencv" ]; then
 fi
 check pkg-config by_pkg_config
 check custom_components custom_components
+check parent parent parent -DFETCH=OFF
+check fetch parent fetch -DFETCH=ON
+check cxx20 standard c++20
+check cxx23 standard c++2b
+check debian_packages debian_packages
+check debian_paths debian_paths
+check debian_stripped debian_stripped
+check debian_python debian_python
+check debian_benchmark debian_benchmark
+check readme_python readme_python
 check flag_cases flag_cases
 for name in $(sed -n 's/^#\(el\)*if defined(\([A-Z]*_[a-z_]*\))$/\2/p' "$here/flags/cases.cpp"); do
     check "$name" flag_case "$name"

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 //! Cells of each array along its sides, and in all. For the order by density, 4 and 16: errors of H +1 and +2 %, of E
 //! +5 and +3 %; 16: time +2 to +3 %.
-enum { CELL_DIVISIONS = 8, CELLS = CELL_DIVISIONS * CELL_DIVISIONS };
+constexpr int CELL_DIVISIONS = 8, CELLS = CELL_DIVISIONS * CELL_DIVISIONS;
 
 //! The cell of each point by the first two coordinates of an array; where there are less, there is one row of cells.
 void assignCells(const Correspondences& points, int array, ushort* cells);

@@ -43,7 +43,7 @@ void SigmaConsensus::marginalize(const Context& context, PointSubset& subset, co
     const double end = (double)part / partitions, begin = (part - 1.0) / partitions;
     for (int i = 0; i < count; ++i)
     {
-        const double u = std::max(squared[i] * scale, 1.0 / MarginalizedWeights::SIZE);
+        const double u = std::max(squared[i] * scale, 1.0 / (int)MarginalizedWeights::SIZE);
         if (u < end * end)  // false for NaN
             weights[i] += table.tabulatedWeight((float)(u / (end * end))) -
                           (part > 1 ? table.tabulatedWeight((float)(u / (begin * begin))) : 0.f);

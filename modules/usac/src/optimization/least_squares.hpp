@@ -111,7 +111,7 @@ private:
         Step b, added;
         here.project(sums, A, b);
         added = damping * A.diagonal();
-        added.array() += SINGULAR * A.trace() / DIMENSION;
+        added.array() += SINGULAR * A.trace() / (int)DIMENSION;
         A.diagonal() += added;
         const Eigen::LLT<Matrix> llt(A);
         if (llt.info() != Eigen::Success)

@@ -44,7 +44,7 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
         const double square = squaredErrors[i] * scale;
         if (!(square <= limit))  // or NaN
             continue;
-        const int bin = std::min((int)(std::sqrt(square) * BINS / REACH), BINS - 1);
+        const int bin = std::min((int)(std::sqrt(square) * (int)BINS / (int)REACH), BINS - 1);
         near[bin] += square;
         ++members[bin];
         ++size;
@@ -77,7 +77,7 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
 
 bool NoiseScale::hasTail(const int* members, double sigma, int degrees)
 {
-    const int first = std::min((int)(CORE * sigma * INSIDE) + 1, (int)INSIDE);
+    const int first = std::min((int)(CORE * sigma * (int)INSIDE) + 1, (int)INSIDE);
     int core = 0, tail = 0, outside = 0;
     for (int i = 0; i < BINS; ++i)
         (i < first ? core : i < INSIDE ? tail : outside) += members[i];

@@ -38,7 +38,7 @@ public:
     static double estimate(const float* squaredErrors, int count, double threshold, int degrees);
 
 private:
-    enum { INSIDE = BINS / REACH };  //!< bins within the threshold
+    enum { INSIDE = (int)BINS / (int)REACH };  //!< bins within the threshold
 
     //! Is there more between four standard deviations and the threshold than outliers explain?
     static bool hasTail(const int* members, double sigma, int degrees);

@@ -37,7 +37,7 @@ double sumOfLookUps(const float* table, const float* positions, int count)
 double MarginalizedWeights::sumOfLosses(float* u, int count) const
 {
     for (int i = 0; i < count; ++i)
-        u[i] = (u[i] < 1 ? u[i] : 1.f) * SIZE;
+        u[i] = (u[i] < 1 ? u[i] : 1.f) * (float)SIZE;
     return sumOfLookUps(losses, u, count);
 }
 
@@ -55,7 +55,7 @@ MarginalizedWeights::MarginalizedWeights(int degrees) : a(0.5 * (degrees - 1))
     atEnd = upperGamma(a, K);
     for (int i = 0; i < SIZE + 2; ++i)  // the last one is read with factor 0 only
     {
-        const double at = (double)i / SIZE;
+        const double at = (double)i / (int)SIZE;
         losses[i] = (float)loss(at);
         weights[i] = (float)weight(at * at);
     }
@@ -75,7 +75,7 @@ double MarginalizedWeights::weight(double u) const
 {
     if (!(u < 1))
         return 0;
-    return scale * K * (upperGamma(a, std::max(u, 1.0 / SIZE) * K) - atEnd);
+    return scale * K * (upperGamma(a, std::max(u, 1.0 / (int)SIZE) * K) - atEnd);
 }
 
 }  // namespace usacv20

@@ -65,7 +65,7 @@ public:
     double sumOfLosses(float* u, int count) const;
 
 private:
-    static float interpolate(const float* table, float at) { return lookUp(table, at * SIZE); }
+    static float interpolate(const float* table, float at) { return lookUp(table, at * (float)SIZE); }
 
     double a, K, scale, atEnd;
     float losses[SIZE + 2], weights[SIZE + 2];

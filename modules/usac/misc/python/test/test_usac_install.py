@@ -78,6 +78,24 @@ class MissingTest(unittest.TestCase):
         self.assertIn("{}.{}".format(*sys.version_info[:2]), last)
 
 
+@once
+@package
+class NumPyTest(unittest.TestCase):
+
+    def test_array_types_of_numpy_2(self):
+        """pybind11 before 2.12 reads the types of NumPy 1: said at import, not by wrong results."""
+        code = "import numpy; numpy.__version__ = '{}.0.0'; import usacv20; print(usacv20.findHomography(*2 * [numpy.eye(4, 2)])[0])"
+        one, two = (subprocess.run([sys.executable, "-c", code.format(major)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   universal_newlines=True) for major in (1, 2))
+        self.assertEqual(one.returncode, 0, one.stderr)
+        if two.returncode != 0:
+            self.assertRegex(two.stderr.strip().splitlines()[-1],
+                             r"ImportError: .*built with pybind11 2\.\d+, which knows NumPy 1 only, and this is NumPy 2\.0\.0")
+        else:
+            from usacv20 import _native
+            self.assertGreaterEqual(_native.pybind11Version, (2, 12))
+
+
 @package
 class MetadataTest(unittest.TestCase):
 
@@ -89,10 +107,13 @@ class MetadataTest(unittest.TestCase):
             self.skipTest("the package has not been installed")
         with open(os.path.join(ROOT, "cmake", "usac_version.cmake")) as file:
             self.assertIn("USAC_VERSION {})".format(found["Version"]), file.read())
+            file.seek(0)
+            self.assertIn("USAC_VERSION {})".format(usac.__version__), file.read())
         self.assertEqual(found["Requires-Python"], ">=3.8")
         self.assertTrue(any(name.startswith("numpy") for name in metadata.requires("usacv20")))
         files = {os.path.basename(str(file)) for file in metadata.files("usacv20")}
         self.assertLessEqual({"__init__.py", "py.typed", "_native.pyi"}, files)
+        self.assertIn("LICENSE", files)
         self.assertFalse([name for name in files if name.endswith((".cpp", ".hpp", ".txt.in"))])
 
 

@@ -77,6 +77,7 @@ from ._enumerations import (
     ScoreOrder as ScoreOrder, StopReason as StopReason, TerminationFlags as TerminationFlags,
     UsacV20Method as UsacV20Method, VerificationType as VerificationType)
 from ._params import UsacParams as UsacParams
+from ._version import __version__
 
 __all__ = [
     "ABSOLUTE_POSE", "AFFINITY", "DEGENERACY_DEGENSAC", "DEGENERACY_ORIENTATION", "DEGENERACY_REPEATED", "ESSENTIAL",
