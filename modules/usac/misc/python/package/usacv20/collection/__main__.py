@@ -6,9 +6,14 @@
 
 import sys
 
-if __name__ == "__main__":
+
+def _run() -> int:
     try:
         from ._command import main
-        sys.exit(main())
+        return main()
     except KeyboardInterrupt:  # before anything was begun
-        sys.exit(130)
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(_run())

@@ -170,7 +170,8 @@ class Results:
     def names(self, images: npt.NDArray[np.int64]) -> Tuple[List[str], npt.NDArray[np.int64]]:
         """Of those images in the order of their names, and the place of each image in it: numbers of images tell no order, COLMAP
         4 gives them out as its threads finish."""
-        known = dict(self.rows("SELECT number, image FROM temp.nodes" if self.kind == PAIRS else "SELECT image_id, name FROM images"))
+        sql = "SELECT number, image FROM temp.nodes" if self.kind == PAIRS else "SELECT image_id, name FROM images"
+        known: Dict[int, Any] = {number: name for number, name in self.rows(sql)}
         order = sorted(range(len(images)), key=lambda i: (str(known[int(images[i])]), i))
         ranks = np.empty(len(images), np.int64)
         ranks[order] = np.arange(len(images))
