@@ -18,10 +18,7 @@ namespace {
 bool veryLong = false;
 }
 
-bool runsVeryLong()
-{
-    return veryLong;
-}
+bool runsVeryLong() { return veryLong; }
 
 }  // namespace cvtest
 
