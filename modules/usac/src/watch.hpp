@@ -46,8 +46,8 @@ private:
     bool look();
     Report present(int64 now) const;
 
-    //! Tests of a point, 2 ns each: 0.4 ms of work between two looks at the clock, which take 25 ns. Half, double: runs
-    //! end as late, within the noise.
+    //! Tests of a point, 2 ns each: 0.4 ms of work between two looks at the clock, which take 25 ns. Half: runs
+    //! end as late, within the noise; double: not measured.
     static constexpr double WORK = 2e5;
 
     const bool active;
