@@ -75,8 +75,6 @@ private:
     //! Samples of the points that the best model leaves; see ransac_unexplained.cpp. @return false if there was none
     bool searchUnexplained();
     int unexplainedPoints(int* indices) const;
-    //! As many as the criterion wants that ends the search by the order.
-    void sampleAsOrdered(const int* indices, int count);
     //! Many only if there is a sign of a rival. @param drawn samples before this search
     void sampleForRivals(const int* indices, int count, double wanted, int drawn);
     void sampleUnexplained(const int* indices, int count, int most);
@@ -113,11 +111,9 @@ private:
     RunnersUp runnersUp;
     Sample sampleOfBest;
     bool sampled;
-    Model explored;              //!< the best model when what it leaves was searched
-    InlierBits exploredInliers;  //!< its inliers, when that was for the order
-    int exploredSamples;         //!< how many were drawn for that
-    int unexplainedSamples;      //!< of the points that a best model has left, so far
-    int rivals;                  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
+    Model explored;          //!< the best model when what it leaves was searched
+    int unexplainedSamples;  //!< of the points that a best model has left, so far
+    int rivals;              //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
     const double sampleWork;  //!< of a sample and its models, at most, in tests of a point
     int firstOfBatch;         //!< number of its first sample

@@ -45,8 +45,6 @@ constexpr double RIVAL = 0.1;
 constexpr double WIDE = 1.5;
 //! The least part of the inliers of a rival that it does not share with the best model, as samples are counted.
 constexpr double FOR_ITSELF = 2. / 3;
-//! Samples count for another best model, too, if it has lost no more than this part of the inliers of the one before.
-constexpr double SAME_LOSS = 0.1;
 
 }  // namespace
 
@@ -90,23 +88,14 @@ bool Ransac::searchUnexplained()
     if (count <= m)
         return false;
     if (state.report.stop == STOP_ORDER)
-        sampleAsOrdered(indices, count);
+        sampleUnexplained(indices, count,
+                          state.unexplainedSamples <= INT_MAX / context.params.persistence
+                              ? state.unexplainedSamples * context.params.persistence
+                              : INT_MAX);
     if (wanted <= count)
         sampleForRivals(indices, count, wanted, drawn);
     unexplainedSamples += state.iteration - drawn;
     return true;
-}
-
-void Ransac::sampleAsOrdered(const int* indices, int count)
-{
-    const int had = exploredInliers.count(), lost = exploredInliers.without(runnersUp.best());
-    if (lost > SAME_LOSS * had || had == 0)
-        exploredSamples = 0;
-    const int before = state.iteration;
-    const double needed = state.unexplainedSamples * context.params.persistence;
-    sampleUnexplained(indices, count, (int)std::min(needed, (double)INT_MAX) - exploredSamples);
-    exploredInliers = runnersUp.best();
-    exploredSamples += state.iteration - before;
 }
 
 void Ransac::sampleForRivals(const int* indices, int count, double wanted, int drawn)
