@@ -1,0 +1,266 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "polishing/leverage.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// What half and double of these do is in doc/constants.md.
+
+//! Part of the inliers that is fitted first, those with the lowest leverage.
+constexpr double BULK = 0.85;
+//! Leverage, at most 1, of a point that a parameter may hang on.
+constexpr double HIGH = 0.4;
+//! Points that come back: their error is at most so many standard deviations of what is predicted, and, in the first
+//! of two rounds, their leverage is at most that.
+constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
+/** By how much the sum of squared errors has to be less, in variances of the noise: that of the first fit, else nothing
+is to be expected, and that of the result. By chance two parameters gain 6 in one of 20 cases; then the result is as
+good as the model. */
+constexpr double HOPE = 3, GAIN = 6;
+//! Expected number of models with two free parameters that meet so many wrong matches by chance.
+constexpr double CHANCE = 0.01;
+//! The noise is no less, in thresholds: there float errors end.
+constexpr double LEAST_NOISE = 1e-3;
+//! Steps of a fit; they need not be to its end, as the result is polished.
+constexpr int STEPS = 5;
+//! Stream of random numbers beside those of the search.
+constexpr uint64 STREAM = (uint64)5 << 40;
+
+//! n D(k/n, p), see SignificantScale.
+double surprise(double k, double n, double p)
+{
+    const double q = k / n;
+    return q <= p ? 0 : n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
+}
+
+}  // namespace
+
+Leverage::Leverage(const Context& search_, const Context& polish, double threshold)
+    : search(search_), context(polish), parts(polish.components), limit(threshold * threshold), errors(0), looked(0),
+      inliers(), bulk(), all(0), allowed(0)
+{}
+
+void Leverage::improve(Model& model, Quality& quality)
+{
+    const int size = context.points.size;
+    if (!parts.nonMinimalSolver || context.points.problem->errorDimension() > 1)
+        return;
+    Arena::Scope scope(context.arena);
+    errors = scope.take<float>(size);
+    inliers.indices = scope.take<int>(MOST);
+    bulk.indices = scope.take<int>(MOST);
+    if (!look(model) || !findBulk(model))
+        return;
+    Model fitted = model;
+    if (!fit(bulk, 0, fitted))
+        return;
+    const double sum = sumOf(bulk, fitted);
+    if (sumOf(bulk, model) - sum < HOPE * variance(sum, bulk.count))
+        return;
+    Points near = {scope.take<int>(looked), 0}, rest = {scope.take<int>(looked), 0};
+    if (!agreeing(fitted, bulk, PREDICTED, near) || !fit(near, STARTS, fitted) ||
+        !agreeing(fitted, near, DBL_MAX, rest) ||
+        !parts.nonMinimalSolver->fit(context.points, rest.indices, rest.count, 0, fitted, STEPS))
+        return;
+    parts.polisher->polish(context, fitted);
+    fitted = context.points.problem->closest(fitted);
+    const double after = sumOf(rest, fitted);
+    if (!(sumOf(rest, model) - after >= GAIN * variance(after, rest.count)) || all - inliersOf(fitted) > allowed)
+        return;
+    model = fitted;
+    quality = context.rate(model);
+}
+
+bool Leverage::look(const Model& model)
+{
+    const Correspondences& p = context.points;
+    parts.residual->squaredErrors(p, model, 0, p.size, errors);
+    all = inliers.count = 0;
+    for (int i = 0; i < p.size; ++i)
+    {
+        if (!(errors[i] <= (float)limit))  // or NaN
+            continue;
+        ++all;
+        if (inliers.count == MOST)
+            continue;
+        inliers.indices[inliers.count++] = i;
+        looked = i + 1;
+    }
+    if (BULK * inliers.count < 2 * p.problem->dimension() || all == p.size)
+        return false;
+    allowed = chanceInliers(p.size - all);
+    return allowed > 1;
+}
+
+int Leverage::chanceInliers(int outside) const
+{
+    const Correspondences& p = context.points;
+    const double chance = p.problem->randomInlierRatio(p) * std::sqrt(limit) / p.threshold;
+    const double most = 2 * std::log((double)outside) - std::log(CHANCE);
+    int inside = 0;
+    if (chance > 0 && chance < 1)
+        while (inside < outside && surprise(inside + 1, outside, chance) <= most)
+            ++inside;
+    return inside;
+}
+
+bool Leverage::findBulk(const Model& model)
+{
+    double own[MOST];
+    int order[MOST];
+    const int count = inliers.count;
+    if (!leverages(model, inliers, inliers, own) || !(*std::max_element(own, own + count) >= HIGH))
+        return false;
+    for (int k = 0; k < count; ++k)
+        order[k] = k;
+    bulk.count = (int)(BULK * count);
+    std::nth_element(order, order + bulk.count, order + count,
+                     [&own](int a, int b) { return own[a] < own[b] || (own[a] == own[b] && a < b); });
+    std::sort(order, order + bulk.count);  // whatever order the library leaves
+    for (int k = 0; k < bulk.count; ++k)
+        bulk.indices[k] = inliers.indices[order[k]];
+    return true;
+}
+
+bool Leverage::fit(const Points& points, int first, Model& model) const
+{
+    const NonMinimalSolver& solver = *parts.nonMinimalSolver;
+    Model other = model;
+    const bool fits = solver.fit(context.points, points.indices, points.count, 0, model, STEPS);
+    if (sampled(points, first, other) && solver.fit(context.points, points.indices, points.count, 0, other, STEPS) &&
+        (!fits || sumOf(points, other) < sumOf(points, model)))
+    {
+        model = other;
+        return true;
+    }
+    return fits;
+}
+
+bool Leverage::sampled(const Points& points, int first, Model& model) const
+{
+    const int m = parts.minimalSolver->sampleSize();
+    double least = DBL_MAX;
+    for (int i = 0; i < STARTS; ++i)
+    {
+        Rng rng(context.params.seed, STREAM + first + i);
+        int sample[MAX_SAMPLE_SIZE];
+        rng.distinct(points.count, m, sample);
+        for (int k = 0; k < m; ++k)
+            sample[k] = points.indices[sample[k]];
+        Model models[MAX_MODELS];
+        const int found = parts.minimalSolver->solve(search.points, sample, models);
+        for (int k = 0; k < found; ++k)
+        {
+            const double sum = sumOf(points, models[k]);
+            if (!(sum < least))
+                continue;
+            least = sum;
+            model = models[k];
+        }
+    }
+    return least < DBL_MAX;
+}
+
+bool Leverage::agreeing(const Model& model, const Points& fitted, double most, Points& result) const
+{
+    if (fitted.count <= context.points.problem->dimension())
+        return false;
+    const double noise = variance(sumOf(fitted, model), fitted.count);
+    Arena::Scope scope(context.arena);
+    Points near = {scope.take<int>(looked), 0};
+    double* const own = scope.take<double>(looked);
+    for (int i = 0; i < looked; ++i)  // errors are those of sumOf
+    {
+        near.indices[near.count] = i;
+        near.count += errors[i] <= (float)limit;
+    }
+    if (!leverages(model, fitted, near, own))
+        return false;
+    result.count = 0;
+    for (int k = 0; k < near.count; ++k)
+    {
+        const int i = near.indices[k];
+        if (own[k] <= most && errors[i] <= DEVIATIONS * DEVIATIONS * noise * (1 + own[k]))
+            result.indices[result.count++] = i;
+    }
+    return result.count > context.points.problem->dimension() && result.count > parts.minimalSolver->sampleSize();
+}
+
+//! In all entries of the model. It has fewer parameters, but that is the same for all points.
+template <int ENTRIES>
+bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points, double* result) const
+{
+    typedef Eigen::Matrix<double, ENTRIES, ENTRIES> Square;
+    typedef Eigen::Matrix<double, ENTRIES, 1> Row;
+    const Correspondences& p = context.points;
+    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * ENTRIES];
+    const auto derive = [&](int i) {
+        for (int c = 0; c < p.columns(); ++c)
+            datum[c] = p.exact[c][i];
+        parts.residual->linearize(model, datum, error, derivative);
+        return Eigen::Map<const Row>(derivative);
+    };
+    Square sum = Square::Zero();
+    for (int k = 0; k < fitted.count; ++k)
+        sum.template selfadjointView<Eigen::Lower>().rankUpdate(derive(fitted.indices[k]));
+    // Errors do not depend on the scale of the model. A residual of a program may be undefined: then the trace is NaN.
+    const Row scale = Eigen::Map<const Row>(model.val);
+    sum.template selfadjointView<Eigen::Lower>().rankUpdate(scale, sum.trace() / scale.squaredNorm());
+    sum.diagonal().array() += 1e-14 * sum.trace();
+    const Eigen::LLT<Square> llt(sum);
+    if (llt.info() != Eigen::Success)
+        return false;
+    for (int k = 0; k < points.count; ++k)
+    {
+        Row row = derive(points.indices[k]);
+        llt.matrixL().solveInPlace(row);
+        result[k] = row.squaredNorm();
+    }
+    return true;
+}
+
+bool Leverage::leverages(const Model& model, const Points& fitted, const Points& points, double* result) const
+{
+    return model.size() == 9    ? leveragesOf<9>(model, fitted, points, result)
+           : model.size() == 12 ? leveragesOf<12>(model, fitted, points, result)
+                                : false;
+}
+
+double Leverage::sumOf(const Points& points, const Model& model) const
+{
+    parts.residual->squaredErrors(context.points, model, 0, looked, errors);
+    double sum = 0;
+    for (int k = 0; k < points.count; ++k)
+    {
+        const double error = errors[points.indices[k]];
+        sum += error < limit ? error : limit;  // also for NaN
+    }
+    return sum;
+}
+
+double Leverage::variance(double sum, int count) const
+{
+    const int freedom = std::max(count - context.points.problem->dimension(), 1);
+    return std::max(sum / freedom, LEAST_NOISE * LEAST_NOISE * limit);
+}
+
+int Leverage::inliersOf(const Model& model) const
+{
+    const Correspondences& p = context.points;
+    parts.residual->squaredErrors(p, model, 0, p.size, errors);
+    int result = 0;
+    for (int i = 0; i < p.size; ++i)
+        result += errors[i] <= (float)limit;
+    return result;
+}
+
+}  // namespace usacv20
+}  // namespace cv
