@@ -25,8 +25,6 @@ constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 is to be expected, and that of the result. By chance two parameters gain 6 in one of 20 cases; then the result is as
 good as the model. */
 constexpr double HOPE = 3, GAIN = 6;
-//! Expected number of models with two free parameters that meet so many wrong matches by chance.
-constexpr double CHANCE = 0.01;
 //! The noise is no less, in thresholds: there float errors end.
 constexpr double LEAST_NOISE = 1e-3;
 //! Steps of a fit; they need not be to its end, as the result is polished.
@@ -34,18 +32,11 @@ constexpr int STEPS = 5;
 //! Stream of random numbers beside those of the search.
 constexpr uint64 STREAM = (uint64)5 << 40;
 
-//! n D(k/n, p), see SignificantScale.
-double surprise(double k, double n, double p)
-{
-    const double q = k / n;
-    return q <= p ? 0 : n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
-}
-
 }  // namespace
 
 Leverage::Leverage(const Context& search_, const Context& polish, double threshold)
     : search(search_), context(polish), parts(polish.components), limit(threshold * threshold), errors(0), looked(0),
-      inliers(), bulk(), all(0), allowed(0)
+      inliers(), bulk(), all(0)
 {}
 
 void Leverage::improve(Model& model, Quality& quality)
@@ -65,15 +56,17 @@ void Leverage::improve(Model& model, Quality& quality)
     const double sum = sumOf(bulk, fitted);
     if (sumOf(bulk, model) - sum < HOPE * variance(sum, bulk.count))
         return;
-    Points near = {scope.take<int>(looked), 0}, rest = {scope.take<int>(looked), 0};
+    looked = size;
+    Points near = {scope.take<int>(size), 0}, rest = {scope.take<int>(size), 0};
     if (!agreeing(fitted, bulk, PREDICTED, near) || !fit(near, STARTS, fitted) ||
         !agreeing(fitted, near, DBL_MAX, rest) ||
         !parts.nonMinimalSolver->fit(context.points, rest.indices, rest.count, 0, fitted, STEPS))
         return;
     parts.polisher->polish(context, fitted);
     fitted = context.points.problem->closest(fitted);
-    const double after = sumOf(rest, fitted);
-    if (!(sumOf(rest, model) - after >= GAIN * variance(after, rest.count)) || all - inliersOf(fitted) > allowed)
+    const double after = sumOf(rest, fitted), gain = (sumOf(rest, model) - after) / variance(after, rest.count);
+    const double against = surpriseOf(all - inliersOf(fitted));
+    if (!(gain >= GAIN) || against > gain / 2 || against > byChance())
         return;
     model = fitted;
     quality = context.rate(model);
@@ -96,21 +89,22 @@ bool Leverage::look(const Model& model)
     }
     if (BULK * inliers.count < 2 * p.problem->dimension() || all == p.size)
         return false;
-    allowed = chanceInliers(p.size - all);
-    return allowed > 1;
+    return surpriseOf(1) <= byChance();
 }
 
-int Leverage::chanceInliers(int outside) const
+double Leverage::surpriseOf(int lost) const
 {
     const Correspondences& p = context.points;
     const double chance = p.problem->randomInlierRatio(p) * std::sqrt(limit) / p.threshold;
-    const double most = 2 * std::log((double)outside) - std::log(CHANCE);
-    int inside = 0;
-    if (chance > 0 && chance < 1)
-        while (inside < outside && surprise(inside + 1, outside, chance) <= most)
-            ++inside;
-    return inside;
+    if (lost <= 0 || chance >= 1)
+        return 0;
+    const double size = p.size - all + lost, part = lost / size;
+    if (part <= chance)
+        return 0;
+    return size * (part * std::log(part / chance) + (part < 1 ? (1 - part) * std::log((1 - part) / (1 - chance)) : 0));
 }
+
+double Leverage::byChance() const { return 2 * std::log((double)context.points.size - all); }
 
 bool Leverage::findBulk(const Model& model)
 {

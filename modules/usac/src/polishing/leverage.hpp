@@ -22,8 +22,10 @@ without them, have another optimum, with clearly lower errors.
 So the inliers with the highest leverage are left out. The others are fitted, from the model and from samples of them,
 and points that agree with what this fit predicts for them come back, those first that it predicts well, as in a forward
 search @cite atkinson2000robust. The result is polished, and takes the place of the model if the errors of the points
-that came back are lower than under the model by more than chance explains, and if no more inliers are lost than a model
-with two free parameters meets by chance among wrong matches.
+that came back are lower than under the model by more than chance explains, and if the inliers that are lost are no
+evidence against it: no more than the best of the models through two wrong matches meets among all of them by chance,
+and less improbable than those errors. (The right matches off a plane have a high leverage, too; but they are more than
+chance brings to one epipole.)
 
 For errors with one component: a wrong match is hardly within the threshold of a model by chance if there are more. At
 most #MOST inliers are looked at, so the time is bounded; that of the polishing is not. */
@@ -54,8 +56,11 @@ private:
 
     //! Finds the inliers that are looked at. @return false if there is nothing to do
     bool look(const Model& model);
-    //! As many inliers a model with two free parameters may have by chance among so many wrong matches.
-    int chanceInliers(int outside) const;
+    //! Minus the logarithm of the probability, at most, that so many of the points that are no inliers, and of
+    //! themselves, are met by a model by chance (Chernoff's bound, see SignificantScale).
+    double surpriseOf(int lost) const;
+    //! What it may be if the best model through two of these points is taken.
+    double byChance() const;
     //! Inliers with the lowest leverage under a fit to all. @return false if no leverage is high
     bool findBulk(const Model& model);
     //! Least squares over some points, from the model and from samples of them.
@@ -84,7 +89,6 @@ private:
     Points inliers;      //!< of those
     Points bulk;         //!< of those, with low leverage
     int all;             //!< inliers
-    int allowed;         //!< inliers that may be lost
 };
 
 }  // namespace usacv20
