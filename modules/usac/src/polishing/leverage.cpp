@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "optimization/normal_equations.hpp"
 #include "polishing/leverage.hpp"
 
 #include <Eigen/Cholesky>
@@ -56,20 +57,29 @@ void Leverage::improve(Model& model, Quality& quality)
     const double sum = sumOf(bulk, fitted);
     if (sumOf(bulk, model) - sum < HOPE * variance(sum, bulk.count))
         return;
-    looked = size;
+    looked = std::min(4 * looked, size);
     Points near = {scope.take<int>(size), 0}, rest = {scope.take<int>(size), 0};
     if (!agreeing(fitted, bulk, PREDICTED, near) || !fit(near, STARTS, fitted) ||
         !agreeing(fitted, near, DBL_MAX, rest) ||
-        !parts.nonMinimalSolver->fit(context.points, rest.indices, rest.count, 0, fitted, STEPS))
+        !parts.nonMinimalSolver->fit(context.points, rest.indices, rest.count, 0, fitted, STEPS) ||
+        !convinces(fitted, model, rest))
         return;
     parts.polisher->polish(context, fitted);
     fitted = context.points.problem->closest(fitted);
-    const double after = sumOf(rest, fitted), gain = (sumOf(rest, model) - after) / variance(after, rest.count);
-    const double against = surpriseOf(all - inliersOf(fitted));
-    if (!(gain >= GAIN) || against > gain / 2 || against > byChance())
+    if (!convinces(fitted, model, rest))
         return;
     model = fitted;
     quality = context.rate(model);
+}
+
+bool Leverage::convinces(const Model& fitted, const Model& model, const Points& points) const
+{
+    const double sum = sumOf(points, fitted);
+    const double gain = (sumOf(points, model) - sum) / variance(sum, points.count);
+    if (!(gain >= GAIN))
+        return false;
+    const double against = surpriseOf(all - inliersOf(fitted));
+    return against <= gain / 2 && against <= byChance();
 }
 
 bool Leverage::look(const Model& model)
@@ -167,24 +177,27 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
 {
     if (fitted.count <= context.points.problem->dimension())
         return false;
-    const double noise = variance(sumOf(fitted, model), fitted.count);
+    const double noise = DEVIATIONS * DEVIATIONS * variance(sumOf(fitted, model), fitted.count);
     Arena::Scope scope(context.arena);
     Points near = {scope.take<int>(looked), 0};
     double* const own = scope.take<double>(looked);
+    const double widest = std::min(limit, noise * (1 + most));
+    result.count = 0;
     for (int i = 0; i < looked; ++i)  // errors are those of sumOf
     {
+        if (most == DBL_MAX && errors[i] <= noise)
+        {
+            result.indices[result.count++] = i;
+            continue;
+        }
         near.indices[near.count] = i;
-        near.count += errors[i] <= (float)limit;
+        near.count += errors[i] <= widest;
     }
     if (!leverages(model, fitted, near, own))
         return false;
-    result.count = 0;
     for (int k = 0; k < near.count; ++k)
-    {
-        const int i = near.indices[k];
-        if (own[k] <= most && errors[i] <= DEVIATIONS * DEVIATIONS * noise * (1 + own[k]))
-            result.indices[result.count++] = i;
-    }
+        if (own[k] <= most && errors[near.indices[k]] <= noise * (1 + own[k]))
+            result.indices[result.count++] = near.indices[k];
     return result.count > context.points.problem->dimension() && result.count > parts.minimalSolver->sampleSize();
 }
 
@@ -195,28 +208,24 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     typedef Eigen::Matrix<double, ENTRIES, ENTRIES> Square;
     typedef Eigen::Matrix<double, ENTRIES, 1> Row;
     const Correspondences& p = context.points;
-    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * ENTRIES];
-    const auto derive = [&](int i) {
-        for (int c = 0; c < p.columns(); ++c)
-            datum[c] = p.exact[c][i];
-        parts.residual->linearize(model, datum, error, derivative);
-        return Eigen::Map<const Row>(derivative);
-    };
-    Square sum = Square::Zero();
-    for (int k = 0; k < fitted.count; ++k)
-        sum.template selfadjointView<Eigen::Lower>().rankUpdate(derive(fitted.indices[k]));
+    NormalEquationsOf<ENTRIES> sums;
+    sums.accumulate(*parts.residual, PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
     // Errors do not depend on the scale of the model. A residual of a program may be undefined: then the trace is NaN.
     const Row scale = Eigen::Map<const Row>(model.val);
-    sum.template selfadjointView<Eigen::Lower>().rankUpdate(scale, sum.trace() / scale.squaredNorm());
-    sum.diagonal().array() += 1e-14 * sum.trace();
-    const Eigen::LLT<Square> llt(sum);
+    Square A = sums.JtJ;
+    A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());
+    A.diagonal().array() += 1e-14 * A.trace();
+    const Eigen::LLT<Square> llt(A);
     if (llt.info() != Eigen::Success)
         return false;
+    const Square inverse = llt.matrixL().solve(Square::Identity());
+    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * ENTRIES];
     for (int k = 0; k < points.count; ++k)
     {
-        Row row = derive(points.indices[k]);
-        llt.matrixL().solveInPlace(row);
-        result[k] = row.squaredNorm();
+        for (int c = 0; c < p.columns(); ++c)
+            datum[c] = p.exact[c][points.indices[k]];
+        parts.residual->linearize(model, datum, error, derivative);
+        result[k] = inverse.lazyProduct(Eigen::Map<const Row>(derivative)).squaredNorm();
     }
     return true;
 }
