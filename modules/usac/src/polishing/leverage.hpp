@@ -56,7 +56,8 @@ private:
 
     //! Finds the inliers that are looked at. @return false if there is nothing to do
     bool look(const Model& model);
-    //! Is a fit better than the model for the points that agree with it, and are the inliers lost no evidence against it?
+    //! Is a fit better than the model for the points that agree with it, and are the inliers lost no evidence against
+    //! it?
     bool convinces(const Model& fitted, const Model& model, const Points& points) const;
     //! Minus the logarithm of the probability, at most, that so many of the points that are no inliers, and of
     //! themselves, are met by a model by chance (Chernoff's bound, see SignificantScale).
