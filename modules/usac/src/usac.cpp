@@ -13,7 +13,6 @@
 #include "significance/significance.hpp"
 #include "core/chi_square.hpp"
 #include "optimization/significant_scale.hpp"
-#include "polishing/leverage.hpp"
 #include "polishing/restarts.hpp"
 #include "termination/termination.hpp"
 
@@ -261,8 +260,6 @@ private:
             quality = before;
         }
         Restarts(search, context, state).improve(best, quality);
-        Leverage(search, context, context.points.threshold * data.maskThreshold() / search.points.threshold)
-            .improve(best, quality);
         return quality;
     }
 
