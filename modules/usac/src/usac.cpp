@@ -284,6 +284,16 @@ private:
         return polish(context, Context(seen, imageParts, params, arena, context.watch), state, state.best);
     }
 
+    //! In the order of the caller's points. Memory is asked for only where `rows` has not had as many before.
+    void writeSample(const Context& context, std::vector<int>& rows) const
+    {
+        int row[MAX_SAMPLE_SIZE];
+        const int size = parts.minimalSolver->sampleSize();
+        for (int i = 0; i < size; ++i)
+            row[i] = context.points.inputIndex[sample[i]];
+        rows.assign(row, row + size);
+    }
+
     //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
     Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
     {
@@ -332,14 +342,14 @@ private:
         learned.threshold = data.threshold();
         learned.wideThreshold = learned.stop != STOP_TOO_FEW_POINTS && data.wideThreshold();
         if (report && !result.empty())
-        {
             learned.independentInliers = data.independentInliers(inliers, arena);
-            for (int i = 0; sampled && i < parts.minimalSolver->sampleSize(); ++i)
-                learned.sample.push_back(context.points.inputIndex[sample[i]]);
-        }
         learned.polishMs = milliseconds(start);
         if (report)
+        {
             *report = learned;
+            if (sampled && !result.empty())
+                writeSample(context, report->sample);
+        }
         return result;
     }
 

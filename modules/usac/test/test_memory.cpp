@@ -15,6 +15,7 @@ namespace {
 //! By one run. `mask` and `report` are there already.
 long allocationsOf(Usac& usac, Mat& mask, Report& report, bool& found)
 {
+    report.sample.reserve(MAX_SAMPLE_SIZE);  // which is the caller's
     const long before = allocationsSoFar();
     const Mat model = usac.run(mask, &report);
     const long after = allocationsSoFar();
