@@ -156,15 +156,15 @@ debian_stripped()
 debian_python()
 {
     PYTHONPATH="$work/debian/usr/lib/python3/dist-packages" LD_LIBRARY_PATH="$work/debian/usr/lib" /usr/bin/python3 -c "
-import importlib.metadata, usacv20
+import importlib.metadata, numpy, usacv20
 assert usacv20.__file__.startswith('$work/debian'), usacv20.__file__
 assert usacv20.__version__ == importlib.metadata.version('usacv20') == '$version'
 assert importlib.metadata.requires('usacv20') == ['numpy >= 1.20']
 try:
-    usacv20.Params(threshold=-1).validate() if hasattr(usacv20.Params, 'validate') else usacv20.findHomography([[0, 0]], [[0, 0]], threshold=-1)
-except Exception as error:
-    print(error)
-    assert '$project' not in str(error) and '$work' not in str(error)
+    usacv20.findHomography(*2 * [numpy.eye(4, 2)], usacv20.USACV20, -1.0)
+    raise AssertionError('a threshold of -1 is taken')
+except usacv20.error as error:
+    assert error.file.startswith('modules/usac/'), error.file
 "
 }
 

@@ -16,6 +16,8 @@ _Found = Tuple[_Double, Optional[npt.NDArray[np.uint8]]]
 _Pose = Tuple[bool, _Double, _Double, Optional[npt.NDArray[np.int32]]]
 _Points = Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], Optional[npt.NDArray[np.float32]], float, int]
 
+pybind11Version: Tuple[int, int]
+
 class _Class(type): ...  # that pybind11 gives its classes
 
 class Params(metaclass=_Class):
