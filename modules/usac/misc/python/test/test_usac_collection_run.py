@@ -217,9 +217,9 @@ class OutputTest(RunCase):
                 time.sleep(seconds)
                 run.send_signal(signal.SIGINT)
                 error = run.communicate()[1].decode()
-            self.assertIn(run.returncode, (130, -signal.SIGINT))
-            if "usacv20/__init__.py" not in error:  # which comes before anything of this tool
-                self.assertNotIn("Traceback", error)
+            if not error:  # else Python was about to start
+                self.assertIn(run.returncode, (130, -signal.SIGINT))
+            self.assertNotIn("_command.py", error)  # before it Python itself may say where it was, as of any program
             with contextlib.closing(sqlite3.connect(self.path)) as connection:
                 self.assertEqual(connection.execute("PRAGMA integrity_check").fetchall(), [("ok",)])
 
