@@ -36,7 +36,7 @@ void Ransac::hypothesizePart(int first, int count)
 {
     parallel_for_(
         Range(0, threads),
-        [=](const Range& range) {
+        [this, first, count](const Range& range) {
             for (int t = range.start; t < range.end; ++t)
             {
                 float* const row = errorRows ? errorRows + (size_t)t * context.points.size : 0;
