@@ -50,6 +50,7 @@ if(BUILD_SAMPLES)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_NAME usac-benchmark)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}")  # the library is in no package that is installed
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION})")
   set(CPACK_COMPONENT_BENCHMARK_DESCRIPTION "USACv20 robust estimation for OpenCV, benchmark programs
  usac_benchmark and its kin: estimators on lists of image pairs and on scenes.")
