@@ -8,12 +8,10 @@
 # tests with this module's flags in the place of OpenCV's, and C++ once more with AddressSanitizer and
 # UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo); the last line is "<N> passed, <M> failed".
 #
-# usage: run_tests.sh [opencv | --installed]
+# usage: run_tests.sh [opencv]
 #
-#   opencv       only OpenCV's own tests with this module's flags; the list of what may differ is for OpenCV 4.6 and 4.10:
-#                OPENCV_SUITE=trixie sh run_tests.sh opencv
-#   --installed  without OpenCV's source: library, C++ tests, Python package and consumer against the OpenCV of the system
-#                (libopencv-dev), all but the performance tests and OpenCV's own
+#   opencv  only OpenCV's own tests with this module's flags; the list of what may differ is for OpenCV 4.6 and 4.10:
+#           OPENCV_SUITE=trixie sh run_tests.sh opencv
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
 #   OPENCV_SUITE       of Debian, whose source package that is; default: the one of this system
@@ -21,8 +19,8 @@
 
 set -eu
 case "$*" in
-    "" | opencv | --installed) ;;
-    *) echo "usage: run_tests.sh [opencv | --installed]" >&2; exit 2 ;;
+    "" | opencv) ;;
+    *) echo "usage: run_tests.sh [opencv]" >&2; exit 2 ;;
 esac
 . "$(dirname "$0")/common.sh"
 
@@ -87,56 +85,6 @@ sanitized_tests()
     OPENCV_SOURCE_DIR="$source" OPENCV_BUILD_DIR="$build" USAC_TEST_OBJECTS="$build/usac_test_objects.txt" \
         USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
 }
-
-# A program of GoogleTest, its tests shared by as many processes as there are processors.
-in_shards() # program
-{
-    shards=$(nproc) shard=0 processes=
-    while [ $shard -lt "$shards" ]; do
-        GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard "$@" > "$work/shard.$shard.log" 2>&1 &
-        processes="$processes $!" shard=$((shard + 1))
-    done
-    rc=0
-    for process in $processes; do wait "$process" || rc=1; done
-    cat "$work"/shard.*.log
-    sed -n "s/$gtest_passed/\1/p" "$work"/shard.*.log | awk '{ n += $1 } END { print n + 0 }' > "$work/shards.passed"
-    sed -n "s/$gtest_failed/\1/p" "$work"/shard.*.log | awk '{ n += $1 } END { print n + 0 }' > "$work/shards.failed"
-    rm "$work"/shard.*.log
-    echo "$(cat "$work/shards.passed") passed, $(cat "$work/shards.failed") failed"
-    return $rc
-}
-
-# The library once for its tests, the Python package and the consumer.
-build_installed()
-{
-    build=$work/installed-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
-    cmake -S "$project" -B "$build" -DBUILD_TESTS=ON -DBUILD_PYTHON=ON -DUSAC_WERROR=ON -DPython_EXECUTABLE=/usr/bin/python3 &&
-    cmake --build "$build" --target all opencv_test_usac &&
-    rm -rf "$build/site" &&
-    mkdir "$build/site" &&
-    cp -r "$module/misc/python/package/usacv20" "$build/site" &&
-    cp "$build"/_native.* "$build/site/usacv20"
-}
-
-installed_package_tests() # with | none
-{
-    cd "$module/misc/python/test" &&
-    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/site" USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
-        /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
-}
-
-if [ "$*" = --installed ]; then
-    install_packages libgtest-dev
-    build_installed
-    failed=0
-    run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
-    run cpp "$count_passed" "$count_failed" in_shards "$build/bin/opencv_test_usac"
-    run python_package "$count_passed" "$count_failed" installed_package_tests with
-    run python_package_alone "$count_passed" "$count_failed" installed_package_tests none
-    run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$work/consumer"
-    [ "$failed" = 0 ]
-    exit
-fi
 
 install_packages
 [ -f "$source/CMakeLists.txt" ] || fetch_opencv
