@@ -21,11 +21,11 @@ include(CheckCXXSourceCompiles)
 get_filename_component(USAC_MODULE_DIR "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 get_filename_component(USAC_PROJECT_DIR "${USAC_MODULE_DIR}/../.." ABSOLUTE)
 
-# Exceptions name modules/usac/src/..., not the folder in which the library was compiled.
+# Exceptions name modules/usac/src/..., those of the programs samples/..., not the folder of the build.
 check_cxx_compiler_flag(-fmacro-prefix-map=a=b USAC_COMPILER_MAPS_PATHS)
 set(USAC_PATH_FLAGS "")
 if(USAC_COMPILER_MAPS_PATHS)
-  set(USAC_PATH_FLAGS "-fmacro-prefix-map=${USAC_MODULE_DIR}/=modules/usac/")
+  set(USAC_PATH_FLAGS "-fmacro-prefix-map=${USAC_PROJECT_DIR}/=")
 endif()
 
 # Sets `result` if the compiler targets x86-64 and accepts the flags of an instruction set.

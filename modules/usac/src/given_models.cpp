@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/streams.hpp"
 #include "given_models.hpp"
 
 namespace cv {
@@ -18,8 +19,6 @@ constexpr int SAMPLES = 64, STARTS = 4;
 //! Points that the starts are compared and fitted with, and steps of a fit, which is at its end before. Half, double:
 //! the same minima.
 constexpr int PART = 500, STEPS = 100;
-//! Stream of random numbers beside those of a search.
-constexpr uint64 STREAM = (uint64)1 << 43;
 
 //! A list of numbers, one for each point, as CV_64F; empty: none is given.
 Mat readNumbers(InputArray given, int size, const char* name)
@@ -101,8 +100,7 @@ Model GivenModels::read(InputArray given, Model* forSearch) const
                                      matrix.cols, problem.name().c_str()));
     if (forSearch)
         *forSearch = searched;
-    const Model exact = problem.ofOutput(numbers);
-    return exact.size() > 0 ? exact : model;
+    return modelOfMask(problem, numbers, model);
 }
 
 void GivenModels::choose(InputArray weightOfEach, InputArray chosen)
@@ -128,18 +126,12 @@ void GivenModels::choose(InputArray weightOfEach, InputArray chosen)
     }
 }
 
-double GivenModels::lossOf(const Model& model, int size) const
+double GivenModels::lossOf(PointSubset& part, const Model& model) const
 {
+    const double* const errors = part.squaredErrors(*residual, model);
     double sum = 0;
-    for (int k = 0; k < size; ++k)
-    {
-        const double* column[MAX_COLUMNS];
-        for (int c = 0; c < points.columns(); ++c)
-            column[c] = points.exact[c] + indices[k];
-        double error;
-        residual->squaredErrors(model, column, 1, &error);
-        sum += weights ? weights[k] * error : error;
-    }
+    for (int k = 0; k < part.size(); ++k)
+        sum += weights ? weights[k] * errors[k] : errors[k];
     return sum <= DBL_MAX ? sum : DBL_MAX;  // also for NaN
 }
 
@@ -153,12 +145,16 @@ bool GivenModels::begin(Model& model) const
 {
     const MinimalSolver& minimal = *context.components.minimalSolver;
     const int m = minimal.sampleSize(), size = std::min(count, PART);
+    Arena::Scope scope(context.arena);
+    PointSubset part(points, size, scope);
+    for (int k = 0; k < size; ++k)
+        part.add(indices[k]);
     Model starts[STARTS];
     double losses[STARTS];
     std::fill(losses, losses + STARTS, DBL_MAX);
     for (int i = 0; i < (count > m ? SAMPLES : 1); ++i)
     {
-        Rng rng(context.params.seed, STREAM + i);
+        Rng rng(context.params.seed, streamOf(STREAM_FIT, i));
         int sample[MAX_SAMPLE_SIZE];
         rng.distinct(count, m, sample);
         for (int k = 0; k < m; ++k)
@@ -167,7 +163,7 @@ bool GivenModels::begin(Model& model) const
         const int found = minimal.solve(context.points, sample, models);
         for (int k = 0; k < found; ++k)
         {
-            const double loss = lossOf(models[k], size);
+            const double loss = lossOf(part, models[k]);
             int place = STARTS;
             for (; place > 0 && loss < losses[place - 1]; --place)
                 if (place < STARTS)
@@ -187,7 +183,7 @@ bool GivenModels::begin(Model& model) const
     {
         if (!leastSquares(size, starts[i]))
             continue;
-        const double loss = lossOf(starts[i], size);
+        const double loss = lossOf(part, starts[i]);
         if (!(loss < least))
             continue;
         least = loss;
@@ -213,19 +209,14 @@ Mat GivenModels::give(State& state, OutputArray mask, Report* report)
     if (found && problem.toInput(state.best, context.points, model))
     {
         result = problem.toOutput(model);
-        const Model exact = problem.ofOutput(result);
-        learned.inliers = data.mask(*residual, exact.size() > 0 ? exact : model, asSeen, inliers, context.arena);
+        learned.inliers = data.mask(*residual, modelOfMask(problem, result, model), asSeen, inliers, context.arena);
         learned.cost = context.rate(state.best).cost / std::max(points.size, 1);
     }
     else if (found)
         learned.stop = STOP_NO_MODEL;
     if (mask.needed())
         Mat(rows, 1, CV_8U, inliers).copyTo(mask);
-    learned.inlierRatio = rows > 0 ? (double)learned.inliers / rows : 0;
-    learned.threshold = data.threshold();
-    learned.wideThreshold = learned.stop != STOP_TOO_FEW_POINTS && data.wideThreshold();
-    if (report && !result.empty())
-        learned.independentInliers = data.independentInliers(inliers, context.arena);
+    data.tell(inliers, report && !result.empty(), context.arena, learned);
     learned.polishMs = (getTickCount() - start) / getTickFrequency() * 1e3;
     if (report)
         *report = learned;

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_GIVEN_MODELS_HPP
 #define OPENCV_USACV20_GIVEN_MODELS_HPP
 
+#include "core/point_subset.hpp"
 #include "problem_data.hpp"
 
 namespace cv {
@@ -36,8 +37,8 @@ private:
     void choose(InputArray weights, InputArray chosen);
     //! The best of the models of samples, after least squares over a part of the points.
     bool begin(Model& model) const;
-    //! The sum of (weighted) squared errors over the first points.
-    double lossOf(const Model& model, int size) const;
+    //! The sum of (weighted) squared errors over the first points that take part.
+    double lossOf(PointSubset& part, const Model& model) const;
     bool leastSquares(int size, Model& model) const;
 
     const Context& context;

@@ -289,6 +289,15 @@ int ProblemData::independentInliers(const uchar* mask, Arena& arena) const
                                        view.problem->commonUnit() ? inputThreshold : 0, inputThreshold, arena);
 }
 
+void ProblemData::tell(const uchar* mask, bool independent, Arena& arena, Report& report) const
+{
+    report.inlierRatio = view.inputSize > 0 ? (double)report.inliers / view.inputSize : 0;
+    report.threshold = threshold();
+    report.wideThreshold = report.stop != STOP_TOO_FEW_POINTS && wideThreshold();
+    if (independent)
+        report.independentInliers = independentInliers(mask, arena);
+}
+
 int ProblemData::mask(const Residual& residual, const Model& model, bool image, uchar* mask, Arena& arena) const
 {
     const int count = view.inputSize;

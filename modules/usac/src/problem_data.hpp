@@ -45,12 +45,15 @@ public:
     void errors(const Residual& residual, const Model& model, bool image, double* errors) const;
     //! Of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
+    /** What a report tells of the mask, but Report::inliers, which it has already.
+    @param independent also how many inliers are independent, which takes some time */
+    void tell(const uchar* mask, bool independent, Arena& arena, Report& report) const;
+
+private:
     //! Report::wideThreshold of the mask.
     bool wideThreshold() const;
     //! Those of a mask that are not the same as another one in either array, see Problem::commonUnit.
     int independentInliers(const uchar* mask, Arena& arena) const;
-
-private:
     void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
     bool finiteRow(int row) const;
     void scale(const Params& params, Arena& arena);
@@ -74,6 +77,13 @@ private:
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);
 };
+
+//! The model of the mask: the one that is returned, to the bit, if the problem reads it back; else `model`.
+inline Model modelOfMask(const Problem& problem, const Mat& returned, const Model& model)
+{
+    const Model exact = problem.ofOutput(returned);
+    return exact.size() > 0 ? exact : model;
+}
 
 }  // namespace usacv20
 }  // namespace cv

@@ -317,8 +317,7 @@ private:
             {
                 result = problem->toOutput(model);
                 const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
-                const Model exact = problem->ofOutput(result);
-                learned.inliers = data.mask(*residual, exact.size() > 0 ? exact : model, !imageResidual.empty(),
+                learned.inliers = data.mask(*residual, modelOfMask(*problem, result, model), !imageResidual.empty(),
                                             inliers, arena);
                 if (learned.inliers == 0 && params.reach <= givenReach)
                     result.release();
@@ -338,11 +337,7 @@ private:
         }
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);
-        learned.inlierRatio = rows > 0 ? (double)learned.inliers / rows : 0;
-        learned.threshold = data.threshold();
-        learned.wideThreshold = learned.stop != STOP_TOO_FEW_POINTS && data.wideThreshold();
-        if (report && !result.empty())
-            learned.independentInliers = data.independentInliers(inliers, arena);
+        data.tell(inliers, report && !result.empty(), arena, learned);
         learned.polishMs = milliseconds(start);
         if (report)
         {

@@ -16,7 +16,8 @@ enum Stream {
     STREAM_REFINEMENT,    //!< of an iteration: local optimization and checks
     STREAM_UNEXPLAINED,   //!< samples of the points that the best model leaves
     STREAM_PLANE,         //!< triples of points that show a plane
-    STREAM_RESTARTS       //!< of the polishing
+    STREAM_RESTARTS,      //!< of the polishing
+    STREAM_FIT            //!< samples that a fit without a search begins with
 };
 
 //! Stream of Rng, one of 2^40.
