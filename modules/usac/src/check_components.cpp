@@ -30,6 +30,9 @@ void checkEntries(const std::vector<Ptr<T>>& parts, const char* name)
 //! Points without error, and points as far away as can be.
 void checkScore(const Score& score)
 {
+    if (!(score.inlierPart() > 0 && score.inlierPart() <= 1))
+        CV_Error_(Error::StsOutOfRange,
+                  ("components().score: inlierPart() is %g; above 0 and at most 1 is expected", score.inlierPart()));
     enum { COUNT = 16 };
     const float errors[] = {0, FLT_MAX};
     for (int far = 0; far < 2; ++far)

@@ -72,6 +72,14 @@ void Components::start(const Context& context) const
     startPart(polisher, context);
 }
 
+double Context::inlierThreshold() const { return points.threshold * components.score->inlierPart(); }
+
+double Context::randomInlierRatio() const
+{
+    return points.problem->randomInlierRatio(points) *
+           std::pow(components.score->inlierPart(), points.problem->errorDimension());
+}
+
 bool Context::mustStop() const
 {
     constexpr double FIT = 2000;  // tests of a point, as Watch counts them: about that of a fit to a part of the points
@@ -131,6 +139,7 @@ double Sampler::growingShare(const Context&) const { return 0; }
 
 FusedKernel Score::fused(const Residual&) const { return 0; }
 bool Score::wholeModel() const { return false; }
+double Score::inlierPart() const { return 1; }
 double Score::threshold(const Context& context, const Model&) const { return context.points.threshold; }
 
 bool Verifier::preTest(const Context&, const Model&, Rng&, int& inliers, int& tested) const

@@ -51,15 +51,15 @@ Ptr<Neighborhood> createNeighborhood(const Params& params, int columns)
     }
 }
 
-Ptr<Score> createScore(int type, const Problem& problem)
+Ptr<Score> createScore(const Params& params, const Problem& problem)
 {
-    switch (type)
+    switch (params.quality)
     {
     case QUALITY_INLIERS: return createInlierScore();
     case QUALITY_MLESAC: return createMlesacScore();
     case QUALITY_LMEDS: return createLmedsScore();
-    case QUALITY_MAGSAC: return createMagsacScore(problem.errorDimension());
-    case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(problem.errorDimension());
+    case QUALITY_MAGSAC: return createMagsacScore(problem.errorDimension(), params.reach);
+    case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(problem.errorDimension(), params.reach);
     default: return createMsacScore();
     }
 }
@@ -122,7 +122,7 @@ Components createComponents(const Problem& problem, const Params& params)
     Components parts;
     parts.residual = problem.createResidual(params.residual);
     parts.minimalSolver = problem.createMinimalSolver();
-    parts.score = createScore(params.quality, problem);
+    parts.score = createScore(params, problem);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
         parts.ordering = createOrdering(params.ordering, !params.scores.empty());
     parts.neighborhood = createNeighborhood(params, problem.coordinates(0) + problem.coordinates(1));

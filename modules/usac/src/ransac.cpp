@@ -290,7 +290,7 @@ void Ransac::setBest(const Model& model, const Quality& quality, const Sample* s
     state.best = model;  // 25
     state.bestQuality = quality;
     if (!runnersUp.none())
-        runnersUp.setBest(InlierBits(context, model, explainedWidth()));
+        runnersUp.setBest(InlierBits(context, model, EXPLAINED));
     updateTermination();  // 26
 }
 

@@ -40,9 +40,6 @@ constexpr int MOST_PART = 3;
 //! A rival has this part of the inliers of the best model for itself. On random wrong matches it is 0.06, of matches of
 //! a cluster 0.15 at most. 0.15: instructions of H -1 %, failures of USACV20_FAST 20 -> 31 %; 0.2: 36 %.
 constexpr double RIVAL = 0.1;
-//! In units of Params::threshold: where the noise is as wide as that, right matches are left beyond it, which are no
-//! rival's. 1: a third more samples in all such scenes, instructions of H +4 %.
-constexpr double WIDE = 1.5;
 //! The least part of the inliers of a rival that it does not share with the best model, as samples are counted.
 constexpr double FOR_ITSELF = 2. / 3;
 
@@ -54,7 +51,8 @@ int Ransac::unexplainedPoints(int* indices) const
     Arena::Scope scope(context.arena);
     float* const errors = scope.take<float>(p.size);
     parts.residual->squaredErrors(p, state.best, 0, p.size, errors);
-    const float limit = (float)(explainedWidth() * explainedWidth() * p.threshold * p.threshold);
+    const double width = EXPLAINED * context.inlierThreshold();
+    const float limit = (float)(width * width);
     int count = 0;
     for (int i = 0; i < p.size; ++i)
     {
@@ -63,8 +61,6 @@ int Ransac::unexplainedPoints(int* indices) const
     }
     return count;
 }
-
-double Ransac::explainedWidth() const { return std::max(WIDE / context.params.reach, 1.); }
 
 double Ransac::rivalInliers() const
 {

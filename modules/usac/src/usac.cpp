@@ -214,7 +214,15 @@ private:
         const double chance = p.problem->randomInlierRatio(p);
         const int degrees = p.problem->errorDimension();
         double sigma = SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m);
-        if (sigma * REACH > GROWS * p.threshold)  // only then does it matter what points of other matches have
+        const double grown = GROWS * p.threshold;
+        // Points of another motion, or of a second plane, may look like noise that is wide. But with such noise the
+        // errors fill the threshold, and those of a right model with little noise do not.
+        const double near = sigma * REACH > grown
+                                ? SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m, 1)
+                                : 0;
+        if (near > 0 && near * REACH <= grown)
+            sigma = near;
+        if (sigma * REACH > grown)  // only then does it matter what points of other matches have
         {
             float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);
             const int count = wrongErrors(*parts.residual, state.best, p, size, wrong, arena);

@@ -70,7 +70,7 @@ double medianOf(const int* members, int last, int within, int degrees)
 }  // namespace
 
 double SignificantScale::estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount,
-                                  double threshold, double chance, int degrees, int sampleSize)
+                                  double threshold, double chance, int degrees, int sampleSize, double widest)
 {
     const int size = std::min<int>(count, MOST);
     int members[BINS] = {0}, wrong[BINS] = {0};
@@ -85,7 +85,7 @@ double SignificantScale::estimate(const float* squaredErrors, int count, const f
         wrongWithin += wrong[bin];
         const double p = std::max(chance * volumeOf(endOf(bin), degrees),
                                   (double)wrongWithin / std::max(wrongCount, 1));
-        if (p >= 1)
+        if (p >= 1 || endOf(bin) > widest * widest)
             break;
         const double value = within > sampleSize ? surprise(within - sampleSize, size - sampleSize, p) : 0;
         if (value > best)

@@ -5,6 +5,8 @@
 #ifndef OPENCV_USACV20_SIGNIFICANT_SCALE_HPP
 #define OPENCV_USACV20_SIGNIFICANT_SCALE_HPP
 
+#include <cfloat>
+
 namespace cv {
 namespace usacv20 {
 
@@ -34,9 +36,10 @@ public:
     @param chance that a point is within the threshold of a wrong model
     @param degrees of freedom of the error, 1 to 3
     @param sampleSize m points of a minimal sample
+    @param widest radius that is looked at, in thresholds
     @return sigma, 0 where even the least bound would be met by one of the n^m samples */
     static double estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount,
-                           double threshold, double chance, int degrees, int sampleSize);
+                           double threshold, double chance, int degrees, int sampleSize, double widest = DBL_MAX);
 };
 
 }  // namespace usacv20

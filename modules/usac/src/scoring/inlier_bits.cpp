@@ -16,7 +16,8 @@ InlierBits::InlierBits(const Context& context, const Model& model, double width)
     std::fill(words, words + WORDS, (uint64)0);
     const Correspondences& p = context.points;
     const int looked = std::min<int>(p.size, MOST);
-    const float limit = (float)(width * width * p.threshold * p.threshold);
+    const double threshold = width * context.inlierThreshold();
+    const float limit = (float)(threshold * threshold);
     float errors[MOST];
     context.components.residual->squaredErrors(p, model, 0, looked, errors);
     for (int i = 0; i < looked; i += WORD_BITS)

@@ -20,7 +20,7 @@ public:
 
     //! None.
     InlierBits();
-    //! @param width of the threshold, in thresholds
+    //! @param width in units of Context::inlierThreshold
     InlierBits(const Context& context, const Model& model, double width = 1);
 
     int count() const;

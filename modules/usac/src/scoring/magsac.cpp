@@ -35,8 +35,8 @@ divides is tabulated over u with linear interpolation: a root and a look-up for 
 class MagsacScore : public Score
 {
 public:
-    explicit MagsacScore(int errorDimension)
-        : degrees(errorDimension), k(thresholdInSigmas(degrees)), extent(1), bends()
+    MagsacScore(int errorDimension, double reach)
+        : degrees(errorDimension), k(thresholdInSigmas(degrees)), part(1 / reach), extent(1), bends()
     {
         const double curvature = 0.5 * k * k / degrees;
         for (int i = 1; i < SIZE; ++i)
@@ -46,6 +46,8 @@ public:
         }
     }
 
+    double inlierPart() const CV_OVERRIDE { return part; }
+
     void start(const Context& context) CV_OVERRIDE { extent = context.points.problem->outlierExtent(context.points); }
 
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
@@ -53,6 +55,7 @@ public:
         const int near = keepInliers(squaredErrors, count, squaredThreshold);
         const float factor = 1 / squaredThreshold;
         double line = 0;
+        sum.inliers += countWithin(squaredErrors, near, (float)(part * part) * squaredThreshold);
         for (int i = 0; i < near; ++i)
         {
             const float u = std::min(std::sqrt(squaredErrors[i] * factor), 1.f);
@@ -60,20 +63,19 @@ public:
             squaredErrors[i] = u * SIZE;
         }
         const double scale = 1 / (1 + logDensityRatio(extent, std::sqrt((double)squaredThreshold) / k, degrees));
-        sum.inliers += near;
         sum.cost += count - near + line + scale * sumOfLookUps(bends, squaredErrors, near);
     }
 
 private:
     const int degrees;
-    const double k;
+    const double k, part;
     double extent;
     float bends[SIZE + 2];
 };
 
 }  // namespace
 
-Ptr<Score> createMagsacScore(int errorDimension) { return makePtr<MagsacScore>(errorDimension); }
+Ptr<Score> createMagsacScore(int errorDimension, double reach) { return makePtr<MagsacScore>(errorDimension, reach); }
 
 }  // namespace usacv20
 }  // namespace cv

@@ -16,7 +16,11 @@ the scale of the noise, see MarginalizedWeights. A look-up for each inlier. */
 class MagsacPlusPlusScore : public Score
 {
 public:
-    explicit MagsacPlusPlusScore(int errorDimension) : table(MarginalizedWeights::of(errorDimension)) {}
+    MagsacPlusPlusScore(int errorDimension, double reach)
+        : table(MarginalizedWeights::of(errorDimension)), part(1 / reach)
+    {}
+
+    double inlierPart() const CV_OVERRIDE { return part; }
 
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
     {
@@ -24,17 +28,21 @@ public:
         const float factor = 1 / squaredThreshold;
         for (int i = 0; i < near; ++i)
             squaredErrors[i] *= factor;
-        sum.inliers += near;
+        sum.inliers += countWithin(squaredErrors, near, (float)(part * part));
         sum.cost += count - near + table.sumOfLosses(squaredErrors, near);
     }
 
 private:
     const MarginalizedWeights& table;
+    const double part;
 };
 
 }  // namespace
 
-Ptr<Score> createMagsacPlusPlusScore(int errorDimension) { return makePtr<MagsacPlusPlusScore>(errorDimension); }
+Ptr<Score> createMagsacPlusPlusScore(int errorDimension, double reach)
+{
+    return makePtr<MagsacPlusPlusScore>(errorDimension, reach);
+}
 
 }  // namespace usacv20
 }  // namespace cv

@@ -21,6 +21,15 @@ inline float lookUp(const float* table, float position)
 //! Moves the errors up to a limit to the front, without a branch. @return their number; NaN is not among them
 int keepInliers(float* squaredErrors, int count, float squaredThreshold);
 
+//! Of errors that are numbers.
+inline int countWithin(const float* squaredErrors, int count, float squaredThreshold)
+{
+    int within = 0;
+    for (int i = 0; i < count; ++i)
+        within += squaredErrors[i] <= squaredThreshold;
+    return within;
+}
+
 //! Sum of the values at `count` positions. Four sums side by side, so that no addition waits for the one before.
 double sumOfLookUps(const float* table, const float* positions, int count);
 

@@ -19,9 +19,9 @@ Ptr<Score> createMlesacScore();
 //! See LmedsScore.
 Ptr<Score> createLmedsScore();
 //! See MagsacScore.
-Ptr<Score> createMagsacScore(int errorDimension);
+Ptr<Score> createMagsacScore(int errorDimension, double reach);
 //! See MagsacPlusPlusScore.
-Ptr<Score> createMagsacPlusPlusScore(int errorDimension);
+Ptr<Score> createMagsacPlusPlusScore(int errorDimension, double reach);
 
 //! What rating one model found out.
 struct Rating

@@ -92,7 +92,7 @@ public:
 
     void start(const Context& context) CV_OVERRIDE
     {
-        randomRatio = context.points.problem->randomInlierRatio(context.points);
+        randomRatio = context.randomInlierRatio();
         cost = std::numeric_limits<double>::infinity();
         orderedNeeded = enough = INT_MAX;
     }
@@ -135,7 +135,7 @@ private:
         Arena::Scope scope(context.arena);
         float* const errors = scope.take<float>(size);
         context.components.residual->squaredErrors(context.points, state.best, 0, size, errors);
-        const float limit = (float)(context.points.threshold * context.points.threshold);
+        const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
         for (int i = 0; i < size; ++i)
             inliers[i] = errors[i] <= limit;  // false for NaN
     }
@@ -161,7 +161,7 @@ private:
         std::fill(repeated, repeated + size, (uchar)0);
         if (orderEvidence(inliers, repeated, size, m) < CONFIRMED)
             return;
-        manyRepeated = markRepeated(p, state.order, inliers, size, p.threshold, repeated, context.arena) >
+        manyRepeated = markRepeated(p, state.order, inliers, size, context.inlierThreshold(), repeated, context.arena) >
                        MOST_REPEATED * state.bestQuality.inliers;
         if (orderEvidence(inliers, repeated, size, m) < CONFIRMED)
             return;

@@ -67,10 +67,7 @@ class ProsacTermination : public Termination
 public:
     ProsacTermination() : randomRatio(1) {}
 
-    void start(const Context& context) CV_OVERRIDE
-    {
-        randomRatio = context.points.problem->randomInlierRatio(context.points);
-    }
+    void start(const Context& context) CV_OVERRIDE { randomRatio = context.randomInlierRatio(); }
 
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
@@ -81,7 +78,7 @@ public:
         Arena::Scope scope(context.arena);
         float* const errors = scope.take<float>(size);
         context.components.residual->squaredErrors(context.points, state.best, 0, size, errors);
-        const float limit = (float)(context.points.threshold * context.points.threshold);
+        const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
         uchar *const inliers = scope.take<uchar>(size), *const repeated = scope.take<uchar>(size);
         for (int i = 0; i < size; ++i)
             inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
@@ -120,7 +117,7 @@ private:
     {
         const Correspondences& p = context.points;
         std::fill(repeated, repeated + p.size, (uchar)0);
-        markRepeated(p, order, inliers, p.size, p.threshold, repeated, context.arena);
+        markRepeated(p, order, inliers, p.size, context.inlierThreshold(), repeated, context.arena);
     }
 
     double randomRatio;

@@ -28,7 +28,7 @@ public:
     bool preTest(const Context& context, const Model& model, Rng& rng, int& inliers, int& tested) const CV_OVERRIDE
     {
         const int d = std::min(points, context.points.size);
-        const float limit = (float)(context.points.threshold * context.points.threshold);
+        const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
         int chosen[MAX_POINTS];
         for (inliers = tested = 0; tested < d; ++inliers)
         {

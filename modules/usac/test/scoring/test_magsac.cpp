@@ -58,7 +58,7 @@ TEST_P(Usac_Magsac_Problem, magsacAgainstItsDefinition)
     {
         const double sigmaMax = inlierThreshold / thresholdInSigmas(degrees);
         const Ptr<OwnPoints> points(spanning(problem, inlierThreshold));
-        const Ptr<Score> score = started(createMagsacScore(degrees), points->view());
+        const Ptr<Score> score = started(createMagsacScore(degrees, 1), points->view());
         EXPECT_FALSE(score->wholeModel());
         const double best = meanLogLikelihood(0, sigmaMax, degrees), worst = meanLogLikelihood(1e9, sigmaMax, degrees);
         for (double u = 0; u < 1.2; u += 0.061)
@@ -73,7 +73,7 @@ TEST_P(Usac_Magsac_Problem, magsacAgainstItsDefinition)
 TEST_P(Usac_Magsac_Problem, magsacPlusPlusAgainstItsFormula)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const Ptr<Score> score = createMagsacPlusPlusScore(problemObject(problem).errorDimension());
+    const Ptr<Score> score = createMagsacPlusPlusScore(problemObject(problem).errorDimension(), 1);
     const MarginalizedWeights weights(problemObject(problem).errorDimension());
     EXPECT_FALSE(score->wholeModel());
     for (double u = 0; u < 1.2; u += 0.0123)
@@ -89,7 +89,7 @@ TEST_P(Usac_Magsac_Problem, bounds)
     {
         const Ptr<OwnPoints> points(spanning(problem, thresholds[t]));
         const Ptr<Score> scores[] = {
-            started(createMagsacScore(problemObject(problem).errorDimension()), points->view()),
+            started(createMagsacScore(problemObject(problem).errorDimension(), 1), points->view()),
             createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
         for (int s = 0; s < 2; ++s)
         {
@@ -113,7 +113,7 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const Ptr<OwnPoints> points(spanning(problem, 2));
-    const Ptr<Score> scores[] = {started(createMagsacScore(problemObject(problem).errorDimension()), points->view()),
+    const Ptr<Score> scores[] = {started(createMagsacScore(problemObject(problem).errorDimension(), 1), points->view()),
                                  createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
     for (int s = 0; s < 2; ++s)
     {
@@ -123,6 +123,26 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
         scores[s]->accumulate(errors, 5, 4, quality);
         EXPECT_EQ(3 + 4, quality.cost);
         EXPECT_EQ(2 + 2, quality.inliers);
+    }
+}
+
+//! Inliers are those of the mask, though the cost looks further.
+TEST_P(Usac_Magsac_Problem, inliersOfTheMask)
+{
+    const ProblemType problem = (ProblemType)GetParam();
+    const Ptr<OwnPoints> points(spanning(problem, 2));
+    const int degrees = problemObject(problem).errorDimension();
+    const Ptr<Score> scores[] = {started(createMagsacScore(degrees, 2), points->view()),
+                                 createMagsacPlusPlusScore(degrees, 2)};
+    for (int s = 0; s < 2; ++s)
+    {
+        EXPECT_EQ(0.5, scores[s]->inlierPart());
+        float errors[] = {0, 1.f, std::nextafter(1.f, 2.f), 3.9f, 4.1f};
+        Quality quality(0, 0);
+        scores[s]->accumulate(errors, 5, 4, quality);
+        EXPECT_EQ(2, quality.inliers);
+        EXPECT_GT(quality.cost, 1);
+        EXPECT_LT(quality.cost, 4);
     }
 }
 

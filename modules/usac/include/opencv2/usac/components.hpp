@@ -108,6 +108,11 @@ struct CV_EXPORTS Context
     Neighborhood& neighborhood() const;
     const NonMinimalSolver& nonMinimalSolver() const;
 
+    //! Not squared: within it of a model a point is one of Quality::inliers.
+    double inlierThreshold() const;
+    //! Probability that a point is that by chance, see Problem::randomInlierRatio.
+    double randomInlierRatio() const;
+
     //! Has the run to end at once (Params::maxTime, ProgressScope)? For loops of components that take all points in
     //! each turn: they leave with the best that they have. For the thread that began the run.
     bool stop() const { return watch && mustStop(); }
@@ -259,7 +264,10 @@ public:
     //! True: the cost is no sum over the points; accumulate is called once for a model, with all of them. Default:
     //! false.
     virtual bool wholeModel() const;
-    //! The threshold, not squared, of the inliers of a model. Default: that of the points.
+    //! The part of the threshold of the points, 0 to 1, within which accumulate() counts inliers; points beyond it add
+    //! to the cost alone. Default: 1.
+    virtual double inlierPart() const;
+    //! The threshold, not squared, of the mask and of what follows the search. Default: that of the points.
     virtual double threshold(const Context& context, const Model& model) const;
 };
 

@@ -9,7 +9,9 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-PythonScore::PythonScore(const py::object& score_) : score(score_), whole(py::bool_(score_.attr("wholeModel"))) {}
+PythonScore::PythonScore(const py::object& score_)
+    : score(score_), whole(py::bool_(score_.attr("wholeModel"))), part(score_.attr("inlierPart").cast<double>())
+{}
 
 PythonScore::~PythonScore()
 {

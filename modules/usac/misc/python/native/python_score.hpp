@@ -22,10 +22,12 @@ public:
     void start(const Context& context) CV_OVERRIDE;
     void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE;
     bool wholeModel() const CV_OVERRIDE { return whole; }
+    double inlierPart() const CV_OVERRIDE { return part; }
 
 private:
     py::object score;
     const bool whole;
+    const double part;
 };
 
 }  // namespace python

@@ -239,6 +239,22 @@ class ScoreTest(unittest.TestCase):
         usac_.components.score = Median()
         self.assertLess(PLANE.error("Homography", usac_.run()[0]), 1.0)
 
+    def test_part_of_the_threshold(self):
+        class Wide(Msac):
+            inlierPart = 0.5
+
+            def accumulate(self, squaredErrors, squaredThreshold):
+                return super().accumulate(squaredErrors, squaredThreshold)[0], int((squaredErrors * 4 <= squaredThreshold).sum())
+
+        usac_ = create(usac.HOMOGRAPHY, PLANE, threshold=3)
+        usac_.components.score = Wide()
+        self.assertLess(PLANE.error("Homography", usac_.run()[0]), 1.0)
+        for part in (0, -1, 1.5, float("nan")):
+            Wide.inlierPart = part
+            usac_.components.score = Wide()
+            with self.assertRaisesRegex(Exception, "inlierPart"):
+                usac_.run()
+
     def test_exceptions_end_the_run(self):
         class Failing(Msac):
             def accumulate(self, squaredErrors, squaredThreshold):

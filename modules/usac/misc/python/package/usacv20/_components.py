@@ -110,6 +110,10 @@ class Score(_Component):
     #: True: the cost is no sum over the points; accumulate() is called once for a model, with all of them.
     wholeModel: bool = False
 
+    #: The part of the threshold, above 0 and at most 1, within which accumulate() counts inliers; points beyond it add to the cost
+    #: alone.
+    inlierPart: float = 1.0
+
     @abc.abstractmethod
     def accumulate(self, squaredErrors: npt.NDArray[np.float32], squaredThreshold: float) -> Tuple[float, int]:
         """Rates a block of points.
