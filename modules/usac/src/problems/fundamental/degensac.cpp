@@ -66,26 +66,25 @@ public:
     bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
     {
         Matx33d H;
-        if (sample ? !planeOfSample(context.points, sample, model, H)
-                   : !plane.find(context, state.rng, model, DOMINANT, H))
+        if (sample ? !planeOfSample(context, sample, model, H) : !plane.find(context, state.rng, model, DOMINANT, H))
             return true;
         state.report.degenerate = true;
         const Quality before = quality;
-        if (knownThreshold == context.points.threshold && isKnown(context.points, H, sample))
+        if (knownThreshold == context.points.threshold && isKnown(context, H, sample))
         {
             if (knownQuality.betterThan(quality))
             {
                 model = knownModel;
                 quality = knownQuality;
             }
-            if (pointsOn(context.points, H) <= CLEARLY * knownPoints)
+            if (pointsOn(context, H) <= CLEARLY * knownPoints)
                 return true;
         }
         if (!fitPlane(context, std::max(DOMINANT * before.inliers, SEEN * context.points.size), H))
             return true;
         known = H;
         knownThreshold = context.points.threshold;
-        knownPoints = pointsOn(context.points, H);
+        knownPoints = pointsOn(context, H);
         planeAndParallax(context, state, H, model, quality);
         knownModel = model;
         knownQuality = quality.betterThan(before) ? quality : Quality();
@@ -94,31 +93,32 @@ public:
 
 private:
     //! True if the plane is the last one that was dealt with: what was found then would be found again.
-    bool isKnown(const Correspondences& p, const Matx33d& H, const int* sample) const
+    bool isKnown(const Context& context, const Matx33d& H, const int* sample) const
     {
         if (sample)
-            return mapped(p, known, sample, 7) >= 5;
+            return mapped(context, known, sample, 7) >= 5;
+        const Correspondences& p = context.points;
         int both = 0, here = 0;
         const int* const inliers = plane.inliers();
         for (int k = 0; k < plane.inlierCount(); ++k)
         {
-            const bool on = error(p, H, inliers[k]) <= planeLimit(p);
+            const bool on = error(p, H, inliers[k]) <= planeLimit(context);
             here += on;
-            both += on && error(p, known, inliers[k]) <= planeLimit(p);
+            both += on && error(p, known, inliers[k]) <= planeLimit(context);
         }
         return both > SAME_PLANE * here;
     }
 
-    static int mapped(const Correspondences& p, const Matx33d& H, const int* indices, int count)
+    static int mapped(const Context& context, const Matx33d& H, const int* indices, int count)
     {
         int result = 0;
         for (int k = 0; k < count; ++k)
-            result += error(p, H, indices[k]) <= planeLimit(p);
+            result += error(context.points, H, indices[k]) <= planeLimit(context);
         return result;
     }
 
     //! True if five or more of the seven points are mapped by the homography of one of the triples.
-    static bool planeOfSample(const Correspondences& p, const int* sample, const Model& F, Matx33d& H)
+    static bool planeOfSample(const Context& context, const int* sample, const Model& F, Matx33d& H)
     {
         static const int triples[5][3] = {{0, 1, 2}, {3, 4, 5}, {0, 1, 6}, {3, 4, 6}, {2, 5, 6}};
         Vec3d e;
@@ -128,7 +128,7 @@ private:
         for (int t = 0; t < 5; ++t)
         {
             const int triple[3] = {sample[triples[t][0]], sample[triples[t][1]], sample[triples[t][2]]};
-            if (planeOfThree(p, triple, A, e, H) && mapped(p, H, sample, 7) >= 5)
+            if (planeOfThree(context.points, triple, A, e, H) && mapped(context, H, sample, 7) >= 5)
                 return true;
         }
         return false;
@@ -139,12 +139,13 @@ private:
         return TransferError::squared(H.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]);
     }
 
-    static int pointsOn(const Correspondences& p, const Matx33d& H)
+    static int pointsOn(const Context& context, const Matx33d& H)
     {
         float m[9];
         toFloat(H, m);
         Quality sum(0, 0);
-        kernels().inliers[Residual::TRANSFER](p, m, (float)planeLimit(p), 0, p.size, sum);
+        kernels().inliers[Residual::TRANSFER](context.points, m, (float)planeLimit(context), 0, context.points.size,
+                                              sum);
         return sum.inliers;
     }
 
@@ -171,7 +172,7 @@ private:
             onPlane = context.arena.take<int>(p.size);
             offPlane = context.arena.take<int>(p.size);
         }
-        split(p, H, planeLimit(p));
+        split(p, H, planeLimit(context));
         if (onCount < LEAST_POINTS || onCount < ROUGHLY * least)
             return false;
         Model fitted = H;
@@ -182,11 +183,11 @@ private:
             if (!fitter->fit(p, onPlane, std::min(before, MAX_FIT), 0, fitted, FIT_STEPS))
                 return false;
             H = fitted;
-            split(p, H, planeLimit(p));
+            split(p, H, planeLimit(context));
         }
         if (onCount < least)
             return false;
-        split(p, H, OFF_PLANE * p.threshold * p.threshold);
+        split(p, H, OFF_PLANE * context.inlierThreshold() * context.inlierThreshold());
         return true;
     }
 

@@ -123,7 +123,7 @@ void PlaneParallax::setPlane(const Context& context, const int* offPlane, int co
 {
     const Correspondences& points = context.points;
     H = homography * (1 / norm(homography));
-    limit = points.threshold * points.threshold;
+    limit = context.inlierThreshold() * context.inlierThreshold();
     voters.gather(points, offPlane, count);
     stride = (size() + ARCS_BLOCK - 1) / ARCS_BLOCK * ARCS_BLOCK;
     if (!numbers)

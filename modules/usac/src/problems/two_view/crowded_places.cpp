@@ -79,7 +79,7 @@ A map that shrinks everything to that place, or a camera far away, fits them all
 support any more. The map of a small object keeps most of its quality, as it does not shrink it to one place.
 
 The other way, from one place of array 1 to many of array 2, nothing fits. Places are looked for once, with the
-threshold that was given: a wide reach takes a small object for one place. Qualities that are no sum over the points are
+threshold of the inliers: a wide reach takes a small object for one place. Qualities that are no sum over the points are
 left. */
 class CrowdedPlaces : public Degeneracy
 {
@@ -94,7 +94,7 @@ public:
             return;
         int seen[LOOKED_AT];
         const int count = std::min<int>(p.size, LOOKED_AT);
-        const double threshold = p.threshold / context.params.reach;
+        const double threshold = context.inlierThreshold();
         look(p, (float)square(NEAR_THRESHOLDS * threshold), -1, count, seen);
         if (*std::max_element(seen, seen + count) < SEEN)
             return;

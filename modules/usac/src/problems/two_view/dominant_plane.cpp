@@ -56,9 +56,9 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
     Vec3d e;
     Matx33d A;
     count = 0;
+    const double limit = context.inlierThreshold() * context.inlierThreshold();
     for (int i = 0; i < p.size && count < MAX_INLIERS; ++i)
-        if (SampsonError::squared(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]) <=
-            p.threshold * p.threshold)
+        if (SampsonError::squared(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]) <= limit)
             members[count++] = i;
     if (count < LEAST_INLIERS || !epipolar(F, e, A))
         return false;
@@ -74,7 +74,7 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
         Matx33d candidate;
         if (!planeOfThree(p, triple, A, e, candidate))
             continue;
-        const int support = someInliers.count(Residual::TRANSFER, candidate, planeLimit(p));
+        const int support = someInliers.count(Residual::TRANSFER, candidate, planeLimit(context));
         if (support > most)
         {
             most = support;

@@ -20,7 +20,10 @@ bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 //! Squared errors above this are off a plane that was found from three points: three thresholds. 1.5: time of F -3 %,
 //! errors +2 %; 6: time +8 % (F) and +4 % (E), errors -3 and -2 %.
 constexpr int PLANE_LIMIT = 9;
-inline double planeLimit(const Correspondences& p) { return PLANE_LIMIT * p.threshold * p.threshold; }
+inline double planeLimit(const Context& context)
+{
+    return PLANE_LIMIT * context.inlierThreshold() * context.inlierThreshold();
+}
 
 //! Looks for a plane with many of the inliers of F, or of E, which is the F of normalized points.
 class DominantPlane
