@@ -90,7 +90,7 @@ TEST_P(Usac_Magsac_Problem, bounds)
         const Ptr<OwnPoints> points(spanning(problem, thresholds[t]));
         const Ptr<Score> scores[] = {
             started(createMagsacScore(problemObject(problem).errorDimension(), 1), points->view()),
-            createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
+            createMagsacPlusPlusScore(problemObject(problem).errorDimension(), 1)};
         for (int s = 0; s < 2; ++s)
         {
             EXPECT_EQ(0, costOf(*scores[s], 0, thresholds[t]));
@@ -114,7 +114,7 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
     const ProblemType problem = (ProblemType)GetParam();
     const Ptr<OwnPoints> points(spanning(problem, 2));
     const Ptr<Score> scores[] = {started(createMagsacScore(problemObject(problem).errorDimension(), 1), points->view()),
-                                 createMagsacPlusPlusScore(problemObject(problem).errorDimension())};
+                                 createMagsacPlusPlusScore(problemObject(problem).errorDimension(), 1)};
     for (int s = 0; s < 2; ++s)
     {
         float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0, 4.f,
