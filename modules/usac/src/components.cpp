@@ -72,12 +72,15 @@ void Components::start(const Context& context) const
     startPart(polisher, context);
 }
 
-double Context::inlierThreshold() const { return points.threshold * components.score->inlierPart(); }
+double Context::inlierThreshold() const
+{
+    return components.score ? points.threshold * components.score->inlierPart() : points.threshold;
+}
 
 double Context::randomInlierRatio() const
 {
     return points.problem->randomInlierRatio(points) *
-           std::pow(components.score->inlierPart(), points.problem->errorDimension());
+           std::pow(inlierThreshold() / points.threshold, points.problem->errorDimension());
 }
 
 bool Context::mustStop() const

@@ -108,7 +108,7 @@ struct CV_EXPORTS Context
     Neighborhood& neighborhood() const;
     const NonMinimalSolver& nonMinimalSolver() const;
 
-    //! Not squared: within it of a model a point is one of Quality::inliers.
+    //! Not squared: within it of a model a point is one of Quality::inliers. Without a score that of the points.
     double inlierThreshold() const;
     //! Probability that a point is that by chance, see Problem::randomInlierRatio.
     double randomInlierRatio() const;
