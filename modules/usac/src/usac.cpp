@@ -31,6 +31,11 @@ constexpr double REACH = 5;
 //! Growing by 1.25 or 2, shrinking by 0.85 or 0.4 change errors by 2 % at most.
 constexpr double GROWS = 1.5, SHRINKS = 0.7;
 
+/** Points of another motion, or of a second plane, may look like noise that is wide. But with such noise the errors
+fill the threshold. So the reach does not grow where so many of the inliers of the wide noise are in a core within the
+threshold whose own noise is small. */
+constexpr double CORE = 1. / 3;
+
 //! The noise is looked at first when one in so many of Params::maxIterations samples have been drawn. 4 and 1 change
 //! errors by 2 % at most.
 constexpr int FIRST_LOOK = 2;
@@ -213,20 +218,22 @@ private:
         parts.residual->squaredErrors(p, state.best, 0, size, errors);
         const double chance = p.problem->randomInlierRatio(p);
         const int degrees = p.problem->errorDimension();
-        double sigma = SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m);
-        const double grown = GROWS * p.threshold;
-        // Points of another motion, or of a second plane, may look like noise that is wide. But with such noise the
-        // errors fill the threshold, and those of a right model with little noise do not.
-        const double near = sigma * REACH > grown
-                                ? SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m, 1)
-                                : 0;
-        if (near > 0 && near * REACH <= grown)
-            sigma = near;
-        if (sigma * REACH > grown)  // only then does it matter what points of other matches have
+        const SignificantScale::Found all = SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance, degrees,
+                                                                       m);
+        double sigma = all.sigma;
+        const double widest = GROWS * p.threshold / REACH;
+        if (sigma > widest)
         {
+            const SignificantScale::Found near = SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance,
+                                                                            degrees, m, 1);
             float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);
-            const int count = wrongErrors(*parts.residual, state.best, p, size, wrong, arena);
-            sigma = SignificantScale::estimate(errors, size, wrong, count, p.threshold, chance, degrees, m);
+            if (near.sigma > 0 && near.sigma <= widest && near.inliers >= CORE * all.inliers)
+                sigma = near.sigma;
+            else  // only then does it matter what points of other matches have
+                sigma = SignificantScale::estimate(errors, size, wrong,
+                                                   wrongErrors(*parts.residual, state.best, p, size, wrong, arena),
+                                                   p.threshold, chance, degrees, m)
+                            .sigma;
         }
         return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }

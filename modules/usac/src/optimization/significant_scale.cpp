@@ -69,8 +69,9 @@ double medianOf(const int* members, int last, int within, int degrees)
 
 }  // namespace
 
-double SignificantScale::estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount,
-                                  double threshold, double chance, int degrees, int sampleSize, double widest)
+SignificantScale::Found SignificantScale::estimate(const float* squaredErrors, int count, const float* wrongErrors,
+                                                   int wrongCount, double threshold, double chance, int degrees,
+                                                   int sampleSize, double widest)
 {
     const int size = std::min<int>(count, MOST);
     int members[BINS] = {0}, wrong[BINS] = {0};
@@ -95,7 +96,9 @@ double SignificantScale::estimate(const float* squaredErrors, int count, const f
             foundWithin = within;
         }
     }
-    return found < 0 ? 0 : medianOf(members, found, foundWithin, degrees) / MEDIANS[degrees - 1] * threshold;
+    const double median = found < 0 ? 0 : medianOf(members, found, foundWithin, degrees);
+    const Found result = {median / MEDIANS[degrees - 1] * threshold, foundWithin};
+    return result;
 }
 
 }  // namespace usacv20

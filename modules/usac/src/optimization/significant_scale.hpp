@@ -30,6 +30,12 @@ class SignificantScale
 public:
     enum { MOST = 2000 };
 
+    struct Found
+    {
+        double sigma;  //!< 0 where even the least bound would be met by one of the n^m samples
+        int inliers;   //!< points within the radius that was found
+    };
+
     /** @param squaredErrors, count of all points under the model, in random order
     @param wrongErrors, wrongCount the same of points paired with those of other matches
     @param threshold unit of the radii, not squared
@@ -37,9 +43,9 @@ public:
     @param degrees of freedom of the error, 1 to 3
     @param sampleSize m points of a minimal sample
     @param widest radius that is looked at, in thresholds
-    @return sigma, 0 where even the least bound would be met by one of the n^m samples */
-    static double estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount,
-                           double threshold, double chance, int degrees, int sampleSize, double widest = DBL_MAX);
+    */
+    static Found estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount,
+                          double threshold, double chance, int degrees, int sampleSize, double widest = DBL_MAX);
 };
 
 }  // namespace usacv20

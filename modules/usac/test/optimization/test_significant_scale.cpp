@@ -33,7 +33,8 @@ double scaleOf(const std::vector<float>& errors, int degrees, double unit)
                                              : degrees == 2 ? CV_PI * part * part
                                                             : 2 * part;
     return SignificantScale::estimate(errors.data(), (int)errors.size(), 0, 0, unit, chance, degrees,
-                                      sampleSizeOf(degrees));
+                                      sampleSizeOf(degrees))
+        .sigma;
 }
 
 //! Within 15 % of the noise, by whatever threshold, and the same within the width of a bin.
@@ -51,6 +52,27 @@ TEST(Usac_SignificantScale, isThatOfTheNoise)
                 EXPECT_NEAR(1, scaleOf(errors, degrees, unit), 0.15);
             }
         }
+}
+
+//! Of a narrow core within the threshold and others beyond it that agree, too, the core's if no more is looked at.
+TEST(Usac_SignificantScale, ofTheCore)
+{
+    RNG rng(7);
+    std::vector<float> errors;
+    for (int i = 0; i < 1000; ++i)
+    {
+        const double sigma = i % 3 == 0 ? 0.2 : 6;
+        const double x = rng.gaussian(sigma), y = rng.gaussian(sigma);
+        errors.push_back((float)(x * x + y * y));
+    }
+    const double unit = 2, chance = CV_PI * unit * unit / (400. * 400);
+    const SignificantScale::Found all = SignificantScale::estimate(errors.data(), 1000, 0, 0, unit, chance, 2, 4),
+                                  core = SignificantScale::estimate(errors.data(), 1000, 0, 0, unit, chance, 2, 4, 1);
+    EXPECT_GT(all.sigma, 2);
+    EXPECT_GT(all.inliers, 900);
+    EXPECT_NEAR(0.2, core.sigma, 0.05);
+    EXPECT_GE(core.inliers, 333);
+    EXPECT_LT(core.inliers, 400);
 }
 
 //! That of the narrow half, if there are two.
@@ -79,7 +101,7 @@ TEST(Usac_SignificantScale, noneOfRandomErrors)
         }
     const std::vector<float> undefined(100, std::numeric_limits<float>::quiet_NaN());
     EXPECT_EQ(0, scaleOf(undefined, 2, 0.1));
-    EXPECT_EQ(0, SignificantScale::estimate(0, 0, 0, 0, 1, 0.1, 2, 4));
+    EXPECT_EQ(0, SignificantScale::estimate(0, 0, 0, 0, 1, 0.1, 2, 4).sigma);
 }
 
 //! Points in clusters are near to most models: what points of other matches have, too, is no evidence.
@@ -89,9 +111,9 @@ TEST(Usac_SignificantScale, noneOfWhatWrongMatchesHave)
     const std::vector<float> errors = drawErrors(rng, 2, 500, 1000), same = drawErrors(rng, 2, 500, 1000),
                              few = drawErrors(rng, 2, 50, 1000);
     const double chance = CV_PI / (400. * 400);
-    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, 0, 0, 1, chance, 2, 4), 0.15);
-    EXPECT_EQ(0, SignificantScale::estimate(errors.data(), 1000, same.data(), 1000, 1, chance, 2, 4));
-    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, few.data(), 1000, 1, chance, 2, 4), 0.15);
+    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, 0, 0, 1, chance, 2, 4).sigma, 0.15);
+    EXPECT_EQ(0, SignificantScale::estimate(errors.data(), 1000, same.data(), 1000, 1, chance, 2, 4).sigma);
+    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, few.data(), 1000, 1, chance, 2, 4).sigma, 0.15);
 }
 
 }
