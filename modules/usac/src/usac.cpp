@@ -9,10 +9,10 @@
 #include "problems/problems.hpp"
 #include "problem_data.hpp"
 #include "ransac.hpp"
+#include "reach.hpp"
 #include "watch.hpp"
 #include "significance/significance.hpp"
 #include "core/chi_square.hpp"
-#include "optimization/significant_scale.hpp"
 #include "polishing/restarts.hpp"
 #include "termination/termination.hpp"
 
@@ -22,19 +22,6 @@ namespace usacv20 {
 namespace {
 
 double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
-
-/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. It
-grows to that if it is less than two thirds of it, and shrinks to it where it is too wide by a half, which costs more
-time than accuracy. Half: errors +5 to +9 %; double: nine tenths of H and a fifth of F and E fail, as the wider
-threshold shows more noise and grows again. */
-constexpr double REACH = 5;
-//! Growing by 1.25 or 2, shrinking by 0.85 or 0.4 change errors by 2 % at most.
-constexpr double GROWS = 1.5, SHRINKS = 0.7;
-
-/** Points of another motion, or of a second plane, may look like noise that is wide. But with such noise the errors
-fill the threshold. So the reach does not grow where so many of the inliers of the wide noise are in a core within the
-threshold whose own noise is small. */
-constexpr double CORE = 1. / 3;
 
 //! The noise is looked at first when one in so many of Params::maxIterations samples have been drawn. 4 and 1 change
 //! errors by 2 % at most.
@@ -182,15 +169,15 @@ private:
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
         {
             const bool ended = ransac.run(pause);
-            const double reach = reachOf(context, state, least);
+            const double reach = suitableReach(context, state, least);
             if (context.watch && context.watch->stopped())
                 return;
-            if (reach > GROWS * params.reach)
+            if (reach > REACH_GROWS * params.reach)
                 setReach(reach, ransac);
             else if (ended)
                 break;
         }
-        for (double reach; (reach = reachOf(context, state, least)) < SHRINKS * params.reach;)
+        for (double reach; (reach = suitableReach(context, state, least)) < REACH_SHRINKS * params.reach;)
         {
             setReach(reach, ransac);
             if (!(state.bestQuality.cost <= DBL_MAX))  // a check has refused the model
@@ -203,39 +190,6 @@ private:
         data.scaleReach(reach / params.reach);
         params.reach = reach;
         ransac.thresholdChanged();
-    }
-
-    //! The reach that suits the errors of the best model, between `least` and the widest; the present one if there is
-    //! none.
-    double reachOf(const Context& context, const State& state, double least)
-    {
-        const Correspondences& p = context.points;
-        if (!(state.bestQuality.cost <= DBL_MAX))
-            return params.reach;
-        const int size = std::min<int>(p.size, SignificantScale::MOST), m = parts.minimalSolver->sampleSize();
-        Arena::Scope scope(context.arena);
-        float* const errors = scope.take<float>(size);
-        parts.residual->squaredErrors(p, state.best, 0, size, errors);
-        const double chance = p.problem->randomInlierRatio(p);
-        const int degrees = p.problem->errorDimension();
-        const SignificantScale::Found all = SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance, degrees,
-                                                                       m);
-        double sigma = all.sigma;
-        const double widest = GROWS * p.threshold / REACH;
-        if (sigma > widest)
-        {
-            const SignificantScale::Found near = SignificantScale::estimate(errors, size, 0, 0, p.threshold, chance,
-                                                                            degrees, m, 1);
-            float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);
-            if (near.sigma > 0 && near.sigma <= widest && near.inliers >= CORE * all.inliers)
-                sigma = near.sigma;
-            else  // only then does it matter what points of other matches have
-                sigma = SignificantScale::estimate(errors, size, wrong,
-                                                   wrongErrors(*parts.residual, state.best, p, size, wrong, arena),
-                                                   p.threshold, chance, degrees, m)
-                            .sigma;
-        }
-        return std::min(std::max(sigma / p.threshold * params.reach * REACH, least), params.widestReach);
     }
 
     //! Could random matches have given this model? @return false if it is to be refused

@@ -95,7 +95,7 @@ TEST_P(Usac_FindAffine, eachArgument)
 TEST_P(Usac_FindAffine, argumentsMatter)
 {
     const Scene s = hardScene(problem());
-    const UsacV20Method flag = USACV20_MAGSAC;
+    const UsacV20Method flag = USACV20;
     const Mat model = estimate(s, paramsOf(flag, 2, 1000, 0.98, 10));
     const Params others[] = {paramsOf(flag, 1, 1000, 0.98, 10), paramsOf(flag, 2, 3, 0.98, 10),
                              paramsOf(flag, 2, 1000, 1e-15, 10), paramsOf(flag, 2, 1000, 0.98, 1),

@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_REACH_HPP
+#define OPENCV_USACV20_REACH_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Growing by 1.25 or 2, shrinking by 0.85 or 0.4 change errors by 2 % at most.
+constexpr double REACH_GROWS = 1.5, REACH_SHRINKS = 0.7;
+
+//! Params::reach that suits the errors of the best model, between `least` and Params::widestReach; the present one if
+//! there is no model.
+double suitableReach(const Context& context, const State& state, double least);
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
