@@ -15,6 +15,30 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacArguments, testing::ValuesIn(TWO_VIEW_PROBLEMS
 const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 const double INFINITE = std::numeric_limits<double>::infinity();
 
+//! What calib3d's function calls an argument.
+std::string nameIn(ProblemType problem, const std::string& name)
+{
+    const bool map = problem == AFFINITY || problem == SIMILARITY;
+    if (name == "points1")
+        return problem == HOMOGRAPHY ? "srcPoints" : map ? "from" : name;
+    if (name == "points2")
+        return problem == HOMOGRAPHY ? "dstPoints" : map ? "to" : name;
+    if (name == "threshold")
+        return problem == ESSENTIAL ? name : "ransacReprojThreshold";
+    if (name == "maxIterations")
+        return "maxIters";
+    return name == "confidence" && problem == ESSENTIAL ? "prob" : name;
+}
+
+std::string inWordsOf(ProblemType problem, const std::string& words)
+{
+    std::istringstream in(words);
+    std::string result, word;
+    while (in >> word)
+        result += (result.empty() ? "" : " ") + nameIn(problem, word);
+    return result;
+}
+
 //! One call with something wrong in it, through the estimate or the find function of the problem.
 struct WrongCall
 {
@@ -44,14 +68,15 @@ struct WrongCall
                              mask);
     }
 
-    //! Both ways raise an exception with the words.
+    //! Both ways raise an exception with the words, of which the names of arguments are those of calib3d's function
+    //! where that is called.
     void expect(const std::string& words)
     {
         for (int i = 0; i < 2; ++i)
         {
             SCOPED_TRACE(i ? "by a flag" : "by parameters");
             viaFlag = i == 1;
-            expectException(*this, words);
+            expectException(*this, viaFlag ? inWordsOf(problem, words) : words);
         }
     }
 
