@@ -196,8 +196,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     ends when no sample is left to be drawn, or when none of the first million gave a model. */
     CV_PROP_RW int maxIterations;
     /** Milliseconds of the clock after which a run ends with what it has found, polished in two more; 0..1e9, 0: no
-    limit. Late by the step in progress that takes all points: 5 ms for 10 000, up to 1 s for a million. The only option
-    by which the result depends on the machine; Report::stop is then #STOP_TIME. See also ProgressScope. Default 0. */
+    limit. Steps that would end later are not begun. LATENESS The only option by which the result
+    depends on the machine; Report::stop is then #STOP_TIME. See also ProgressScope. Default 0. */
     CV_PROP_RW double maxTime;
     //! Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.
     CV_PROP_RW int seed;

@@ -183,10 +183,13 @@ def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
     if len(some) < _ROWS or some.min() < 0 or some[:, 2].min() <= 0:
         return False
     some = some[(some > 0).all(1)]
+    if len(some) < _ROWS:
+        return False
+    some /= some.max(0)  # no square is infinite
     centered = some - some.mean(0)
     w = centered[:, 2]
     solution = np.linalg.lstsq(centered[:, :2], w, rcond=None)[0]
-    if len(some) < _ROWS or np.square(w - centered[:, :2] @ solution).sum() <= (1 - _EXPLAINED) * np.square(w).sum():
+    if np.square(w - centered[:, :2] @ solution).sum() <= (1 - _EXPLAINED) * np.square(w).sum():
         return False  # also one w for all
     logs = np.log(some)
     logs -= logs.mean(0)
