@@ -168,9 +168,10 @@ class StopTest(unittest.TestCase):
 
 MODULE = "import cv2; usacv20 = cv2.usacv20" if IN_TREE else "import usacv20"
 CHILD = """
-import time, sys
+import signal
 import numpy as np
 {module}
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a background job of a shell ignores
 rng = np.random.RandomState(3)
 a, b = rng.uniform(0, 640, (2000, 2)), rng.uniform(0, 640, (2000, 2))
 params = usacv20.Params(maxIterations=2**31 - 1, termination=0)

@@ -61,8 +61,9 @@ class Native:
             if control is not None and control.cancelled():
                 return self._functions.notBegun()
             try:
-                return self._functions.entered(
-                    control, lambda: self._one(problem, points1[i], points2[i], *(entries[i] for entries in each))) + ("",)
+                found: Tuple[Any, Any, Any] = self._functions.entered(
+                    control, lambda: self._one(problem, points1[i], points2[i], *(entries[i] for entries in each)))
+                return found + ("",)
             except self._cv2.error as mistake:
                 return None, None, self.Report(), str(getattr(mistake, "err", "") or mistake)
 
