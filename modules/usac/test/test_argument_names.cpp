@@ -133,7 +133,7 @@ TEST(Usac_ArgumentNames, solvePnPRansac)
 TEST(Usac_ArgumentNames, other_messages_stay)
 {
     const ArgumentName names[] = {{"points1", "from"}, {"threshold", "ransacReprojThreshold"}};
-    for (const std::string text : {"points1", "my threshold: it is odd", ": points1", "points1 or threshold: both",
+    for (const char* const text : {"points1", "my threshold: it is odd", ": points1", "points1 or threshold: both",
                                    "points1, : none", "", "threshold of points1: 3", "points2: points1", "points1:"})
         EXPECT_NO_THROW(throwInWordsOf(names, 2, Exception(Error::StsError, text, "f", "file", 7))) << text;
     expectBegin(
