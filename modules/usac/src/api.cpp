@@ -3,10 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "argument_names.hpp"
 
 namespace cv {
 
 namespace usacv20 {
+
+static const ArgumentName ONE_CAMERA[] = {{"cameraMatrix1", "cameraMatrix"}};
 
 Mat estimateHomography(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
 {
@@ -59,13 +62,15 @@ Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraM
 Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix, const Params& params,
                       OutputArray mask)
 {
-    return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask);
+    return calling(ONE_CAMERA,
+                   [&] { return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask); });
 }
 
 Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix, const Params& params,
                       OutputArray mask, Report& report)
 {
-    return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask, &report);
+    return calling(ONE_CAMERA,
+                   [&] { return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask, &report); });
 }
 
 Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,

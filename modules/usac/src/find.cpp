@@ -3,12 +3,35 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "argument_names.hpp"
 #include "find_method.hpp"
 
 namespace cv {
 
+using usacv20::ArgumentName;
+using usacv20::calling;
 using usacv20::Params;
 using usacv20::paramsOf;
+
+// The arguments of calib3d's functions; of those with a Params, whose fields keep their names, only the arrays.
+static const ArgumentName HOMOGRAPHY_NAMES[] = {{"points1", "srcPoints"},
+                                                {"points2", "dstPoints"},
+                                                {"threshold", "ransacReprojThreshold"},
+                                                {"maxIterations", "maxIters"}};
+static const ArgumentName HOMOGRAPHY_ARRAYS[] = {{"points1", "srcPoints"}, {"points2", "dstPoints"}};
+static const ArgumentName FUNDAMENTAL_NAMES[] = {{"threshold", "ransacReprojThreshold"}, {"maxIterations", "maxIters"}};
+static const ArgumentName ESSENTIAL_NAMES[] = {{"confidence", "prob"}, {"maxIterations", "maxIters"}};
+static const ArgumentName FOCAL[] = {{"cameraMatrix", "focal, pp"}};
+static const ArgumentName CAMERAS_OF_PARAMS[] = {{"distCoeffs1", "dist_coeff1"}, {"distCoeffs2", "dist_coeff2"}};
+
+//! E of two cameras.
+static Mat estimate(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray cameraMatrix2,
+                    InputArray distCoeffs1, InputArray distCoeffs2, OutputArray mask, const Params& params)
+{
+    return usacv20::Usac::create(usacv20::ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                                 distCoeffs1, distCoeffs2)
+        ->run(mask);
+}
 
 static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1); }
 
@@ -17,8 +40,8 @@ static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method, double ransacReprojThreshold,
                    OutputArray mask, const int maxIters, const double confidence)
 {
-    return usacv20::estimateHomography(srcPoints, dstPoints,
-                                       paramsOf(method, ransacReprojThreshold, confidence, maxIters), mask);
+    const Params params = paramsOf(method, ransacReprojThreshold, confidence, maxIters);
+    return calling(HOMOGRAPHY_NAMES, [&] { return usacv20::estimateHomography(srcPoints, dstPoints, params, mask); });
 }
 
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, UsacV20Method method,
@@ -29,14 +52,14 @@ Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
 
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, const Params& params)
 {
-    return usacv20::estimateHomography(srcPoints, dstPoints, params, mask);
+    return calling(HOMOGRAPHY_ARRAYS, [&] { return usacv20::estimateHomography(srcPoints, dstPoints, params, mask); });
 }
 
 Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method, double ransacReprojThreshold,
                        double confidence, int maxIters, OutputArray mask)
 {
-    return usacv20::estimateFundamental(points1, points2, paramsOf(method, ransacReprojThreshold, confidence, maxIters),
-                                        mask);
+    const Params params = paramsOf(method, ransacReprojThreshold, confidence, maxIters);
+    return calling(FUNDAMENTAL_NAMES, [&] { return usacv20::estimateFundamental(points1, points2, params, mask); });
 }
 
 Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method, double ransacReprojThreshold,
@@ -59,8 +82,9 @@ Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method, double prob,
                      double threshold, int maxIters, OutputArray mask)
 {
-    return usacv20::estimateEssential(points1, points2, cameraMatrix, paramsOf(method, threshold, prob, maxIters),
-                                      mask);
+    const Params params = paramsOf(method, threshold, prob, maxIters);
+    return calling(ESSENTIAL_NAMES,
+                   [&] { return usacv20::estimateEssential(points1, points2, cameraMatrix, params, mask); });
 }
 
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method, double prob,
@@ -72,29 +96,33 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
 Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method,
                      double prob, double threshold, int maxIters, OutputArray mask)
 {
-    return findEssentialMat(points1, points2, cameraOf(focal, pp), method, prob, threshold, maxIters, mask);
+    const Matx33d camera = cameraOf(focal, pp);
+    return calling(FOCAL,
+                   [&] { return findEssentialMat(points1, points2, camera, method, prob, threshold, maxIters, mask); });
 }
 
 Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method,
                      double prob, double threshold, OutputArray mask)
 {
-    return findEssentialMat(points1, points2, cameraOf(focal, pp), method, prob, threshold, 1000, mask);
+    return findEssentialMat(points1, points2, focal, pp, method, prob, threshold, 1000, mask);
 }
 
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray distCoeffs1,
                      InputArray cameraMatrix2, InputArray distCoeffs2, UsacV20Method method, double prob,
                      double threshold, OutputArray mask)
 {
-    return findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, mask,
-                            paramsOf(method, threshold, prob, 1000));
+    const Params params = paramsOf(method, threshold, prob, 1000);
+    return calling(ESSENTIAL_NAMES, [&] {
+        return estimate(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, mask, params);
+    });
 }
 
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray cameraMatrix2,
-                     InputArray distCoeffs1, InputArray distCoeffs2, OutputArray mask, const Params& params)
+                     InputArray dist_coeff1, InputArray dist_coeff2, OutputArray mask, const Params& params)
 {
-    return usacv20::Usac::create(usacv20::ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2,
-                                 distCoeffs1, distCoeffs2)
-        ->run(mask);
+    return calling(CAMERAS_OF_PARAMS, [&] {
+        return estimate(points1, points2, cameraMatrix1, cameraMatrix2, dist_coeff1, dist_coeff2, mask, params);
+    });
 }
 
 namespace usacv20 {

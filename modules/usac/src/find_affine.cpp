@@ -3,13 +3,24 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "argument_names.hpp"
 #include "find_method.hpp"
 
 #include <climits>
 
 namespace cv {
 
+using usacv20::ArgumentName;
+using usacv20::calling;
 using usacv20::Params;
+
+// The arguments of calib3d's functions; the fields of a Params keep their names.
+static const ArgumentName NAMES[] = {{"points1", "from"},
+                                     {"points2", "to"},
+                                     {"threshold", "ransacReprojThreshold"},
+                                     {"maxIterations", "maxIters"},
+                                     {"polishingSteps", "refineIters"}};
+static const ArgumentName ARRAYS_OF_PARAMS[] = {{"points1", "pts1"}, {"points2", "pts2"}};
 
 //! A count of calib3d's functions; negative ones are huge as a `size_t`.
 static int countOf(const char* name, size_t count)
@@ -22,9 +33,8 @@ static int countOf(const char* name, size_t count)
 
 static Params paramsOf(UsacV20Method method, double threshold, size_t maxIters, double confidence, size_t refineIters)
 {
-    Params params = usacv20::paramsOf(method, threshold, confidence,
-                                      countOf("maxIters, Params::maxIterations", maxIters));
-    const int steps = countOf("refineIters, Params::polishingSteps", refineIters);
+    Params params = usacv20::paramsOf(method, threshold, confidence, countOf("maxIters", maxIters));
+    const int steps = countOf("refineIters", refineIters);
     if (steps == 0)
         params.polishing = usacv20::POLISHING_NONE;
     else
@@ -35,25 +45,25 @@ static Params paramsOf(UsacV20Method method, double threshold, size_t maxIters, 
 Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
                      double ransacReprojThreshold, size_t maxIters, double confidence, size_t refineIters)
 {
-    return usacv20::estimateAffinity2D(
-        from, to, paramsOf(method, ransacReprojThreshold, maxIters, confidence, refineIters), inliers);
+    const Params params = paramsOf(method, ransacReprojThreshold, maxIters, confidence, refineIters);
+    return calling(NAMES, [&] { return usacv20::estimateAffinity2D(from, to, params, inliers); });
 }
 
-Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, const Params& params)
+Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers, const Params& params)
 {
-    return usacv20::estimateAffinity2D(from, to, params, inliers);
+    return calling(ARRAYS_OF_PARAMS, [&] { return usacv20::estimateAffinity2D(pts1, pts2, params, inliers); });
 }
 
 Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
                             double ransacReprojThreshold, size_t maxIters, double confidence, size_t refineIters)
 {
-    return usacv20::estimateSimilarity2D(
-        from, to, paramsOf(method, ransacReprojThreshold, maxIters, confidence, refineIters), inliers);
+    const Params params = paramsOf(method, ransacReprojThreshold, maxIters, confidence, refineIters);
+    return calling(NAMES, [&] { return usacv20::estimateSimilarity2D(from, to, params, inliers); });
 }
 
-Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, const Params& params)
+Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers, const Params& params)
 {
-    return usacv20::estimateSimilarity2D(from, to, params, inliers);
+    return calling(ARRAYS_OF_PARAMS, [&] { return usacv20::estimateSimilarity2D(pts1, pts2, params, inliers); });
 }
 
 namespace usacv20 {

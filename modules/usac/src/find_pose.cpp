@@ -3,11 +3,15 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "argument_names.hpp"
 #include "find_method.hpp"
 
 namespace cv {
 
 using usacv20::Params;
+
+//! The arguments of calib3d's function; the arrays have their names everywhere.
+static const usacv20::ArgumentName NAMES[] = {{"threshold", "reprojectionError"}, {"maxIterations", "iterationsCount"}};
 
 //! Three numbers of the caller's, in a row, a column or one element.
 static Vec3d readVector(InputArray array, const char* name)
@@ -70,7 +74,9 @@ bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray 
     Params params = usacv20::paramsOf(flags, reprojectionError, confidence, iterationsCount, "flags");
     if (useExtrinsicGuess)
         setGuess(rvec, tvec, params);
-    return solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, inliers, params);
+    return usacv20::calling(NAMES, [&] {
+        return solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, inliers, params);
+    });
 }
 
 namespace usacv20 {

@@ -13,6 +13,7 @@
 #include "watch.hpp"
 #include "significance/significance.hpp"
 #include "core/chi_square.hpp"
+#include "core/repetitions.hpp"
 #include "polishing/restarts.hpp"
 #include "termination/termination.hpp"
 
@@ -193,7 +194,7 @@ private:
     }
 
     //! Could random matches have given this model? @return false if it is to be refused
-    bool significant(const Model& model, Report& learned)
+    bool significant(const Context& context, const Model& model, Report& learned)
     {
         const bool automatic = params.significance == 0;
         const double limit = automatic ? LIMIT : params.significance;
@@ -202,7 +203,7 @@ private:
                                      params.quality == QUALITY_INLIERS && parts.localOptimizer,
                                      params.quality == QUALITY_LMEDS};
         const double grown = std::max(params.reach / givenReach, 1.);  // as far as the threshold is below the noise
-        Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown, effort, arena);
+        Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown, effort, arena, &context);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
         return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
     }
@@ -263,6 +264,13 @@ private:
         rows.assign(row, row + size);
     }
 
+    //! The time was over while polishing, say.
+    static void tellStop(const Context& context, Report& learned)
+    {
+        if (context.watch && context.watch->stopped() && learned.stop != STOP_CANCELLED)
+            learned.stop = context.watch->stopReason();
+    }
+
     //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
     Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
     {
@@ -292,13 +300,12 @@ private:
                     result.release();
             }
         }
-        if (context.watch && context.watch->stopped() &&
-            learned.stop != STOP_CANCELLED)  // while polishing, at the latest
-            learned.stop = context.watch->stopReason();
+        tellStop(context, learned);
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS && learned.stop < STOP_TIME)
             learned.stop = STOP_NO_MODEL;
-        if (!result.empty() && (report || params.significance < 1) && !significant(state.best, learned))
+        if (!result.empty() && (report || params.significance < 1) && !significant(context, state.best, learned))
         {
+            tellStop(context, learned);
             learned.stop = learned.stop < STOP_TIME ? (int)STOP_NOT_SIGNIFICANT : learned.stop;
             learned.inliers = 0;
             std::fill(inliers, inliers + rows, (uchar)0);
@@ -306,7 +313,9 @@ private:
         }
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);
-        data.tell(inliers, report && !result.empty(), arena, learned);
+        const bool timely = learned.inliers <= ENOUGH || !context.stopBefore(learned.inliers * REPETITION_WORK);
+        tellStop(context, learned);
+        data.tell(inliers, timely && report && !result.empty(), arena, learned);
         learned.polishMs = milliseconds(start);
         if (report)
         {

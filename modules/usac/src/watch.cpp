@@ -14,6 +14,9 @@ namespace {
 
 //! Milliseconds between two questions: a third of a frame of a display. Half, double: the result is the same.
 constexpr double PERIOD = 5;
+//! Milliseconds that a test of a point takes. Half, double: a step that cannot be left makes a run end by half of its
+//! time later, or as much earlier.
+constexpr double TEST = 2e-6;
 //! Milliseconds that polishing may take after the end of a run that was stopped: a thousand points take a third of one.
 //! Half, double: a run of 10 000 points or more ends as much earlier or later.
 constexpr double GRACE = 2;
@@ -38,6 +41,13 @@ void Watch::begin(const State& state_, int points_)
 {
     state = &state_;
     points = points_;
+}
+
+bool Watch::lacks(double work)
+{
+    if (work >= WORK && deadline != INT64_MAX && getTickCount() + ticks(work * TEST) > deadline)
+        reason = STOP_TIME;
+    return stopped();
 }
 
 bool Watch::look()

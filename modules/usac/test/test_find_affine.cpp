@@ -212,8 +212,9 @@ TEST_P(Usac_FindAffine, wrongArguments)
         expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, count); },
                         "refineIters");
     }
-    expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, 0, 0.99, 10); }, "maxIterations");
-    expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 0, 10, 0.99, 10); }, "threshold");
+    expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, 0, 0.99, 10); }, "maxIters: ");
+    expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 0, 10, 0.99, 10); },
+                    "ransacReprojThreshold: ");
     EXPECT_NO_THROW(call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, INT_MAX));
 }
 

@@ -7,6 +7,11 @@
 
 // Only the Python bindings see this file.
 
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
 #include "opencv2/usac.hpp"
 
 namespace cv {
@@ -25,6 +30,50 @@ enum UsacV20Method {
 #endif
 
 namespace usacv20 {
+
+/** @brief What usacv20.progress does in Python: another thread sees how far the runs are, and stops them.
+
+OpenCV's generator binds no functions as arguments: the threads that run enter it, and the one that waits for them asks. */
+class CV_EXPORTS_W RunControl
+{
+public:
+    CV_WRAP RunControl() : stopped(false) {}
+
+    //! The runs of this thread, until it leaves.
+    CV_WRAP void enter()
+    {
+        std::unique_ptr<ProgressScope> scope(new ProgressScope([this](const Report& report) {
+            const std::lock_guard<std::mutex> lock(mutex);
+            latest = report;
+            return !stopped;
+        }));
+        const std::lock_guard<std::mutex> lock(mutex);
+        scopes[std::this_thread::get_id()].swap(scope);
+    }
+
+    CV_WRAP void leave()
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        scopes.erase(std::this_thread::get_id());
+    }
+
+    //! All runs end, with what they have found.
+    CV_WRAP void cancel() { stopped = true; }
+    CV_WRAP bool cancelled() const { return stopped; }
+
+    //! Of the run that was asked last; that of no run before.
+    CV_WRAP Report report() const
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        return latest;
+    }
+
+private:
+    mutable std::mutex mutex;
+    std::map<std::thread::id, std::unique_ptr<ProgressScope>> scopes;
+    Report latest;
+    std::atomic<bool> stopped;
+};
 
 // The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in the place of the flag. In C++ they are in
 // the namespace cv alone: a second set would make a call below `using namespace cv` ambiguous, as the class Params

@@ -24,7 +24,8 @@ public:
         double* const errors = scope.take<double>(p.size);
         int* const inliers = scope.take<int>(p.size);
         Quality quality = context.rate(model);
-        for (int i = 0; i < context.params.polishingSteps && !(i > 0 && context.stop()); ++i)
+        const double work = context.points.size * FIT_WORK;
+        for (int i = 0; i < context.params.polishingSteps && !(i > 0 ? context.stop() : context.stopBefore(work)); ++i)
         {
             parts.residual->squaredErrors(model, p.exact, p.size, errors);
             int count = 0;

@@ -28,7 +28,8 @@ public:
         reweighted.allocate(scope, context.points.size);
         const double threshold = context.components.score->threshold(context, model);
         double loss = reweighted.weigh(context, threshold, model);
-        for (int i = 0; i < context.params.polishingSteps && !(i > 0 && context.stop()); ++i)
+        const double work = context.points.size * FIT_WORK;
+        for (int i = 0; i < context.params.polishingSteps && !(i > 0 ? context.stop() : context.stopBefore(work)); ++i)
         {
             Model fitted = model;
             if (!reweighted.fit(context, fitted))

@@ -6,6 +6,7 @@
 #include "significance/significance.hpp"
 #include "core/beta_binomial.hpp"
 #include "core/repetitions.hpp"
+#include "watch.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -19,6 +20,10 @@ namespace {
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
 //! Wider thresholds that are looked at, in units of the given one.
 constexpr double WIDE[] = {4, 16};
+//! Tests of a point, as Watch counts them, that a look takes for each: 90 ns of a million.
+constexpr double LOOK_WORK = 45;
+//! Looks at all points, decisive() included.
+constexpr int LOOKS = 4;
 
 //! T, see Significance.
 double trialsOf(const SearchEffort& effort, int points)
@@ -36,25 +41,34 @@ double trialsOf(const SearchEffort& effort, int points)
 const double Significance::MAIN_SHARE = 0.8, Significance::WIDE_SHARE = 0.1;
 
 Significance::Significance(const Residual& residual_, const Model& model_, const Correspondences& points_,
-                           double threshold_, const SearchEffort& effort, Arena& arena_)
+                           double threshold_, const SearchEffort& effort, Arena& arena_, const Context* context_)
     : residual(residual_), model(model_), points(points_), threshold(threshold_), sampleSize(effort.sampleSize),
-      trials(trialsOf(effort, points_.size)), arena(arena_), last()
+      trials(trialsOf(effort, points_.size)), arena(arena_), context(context_), size(points_.size), last()
 {}
+
+bool Significance::shorten(double count)
+{
+    if (!context || count <= ENOUGH || size <= ENOUGH || !context->stopBefore(count * LOOK_WORK))
+        return false;
+    size = ENOUGH;
+    return true;
+}
 
 double Significance::chance(int inliers, double clear)
 {
     const double first = std::ceil((sampleSize + FIRST_INLIERS) * (double)points.size / std::max(inliers, 1));
-    for (double count = first; count < MORE * points.size; count *= MORE)
+    for (double count = first; count < MORE * size && !shorten(count); count *= MORE)
     {
-        last = look((int)std::min<double>(count, points.size), 1, 0);
+        last = look((int)std::min<double>(count, size), 1, 0);
         const double bound = chanceOf(last);
         if (bound <= clear)
             return bound;
     }
-    last = look(points.size, 1, PAIRS);
+    shorten(LOOKS * (double)size);
+    last = look(size, 1, PAIRS);
     double least = chanceOf(last);
     for (int i = 0; i < 2 && least > clear; ++i)
-        least = std::min(least, chanceOf(look(points.size, WIDE[i], PAIRS), WIDE_SHARE));
+        least = std::min(least, chanceOf(look(size, WIDE[i], PAIRS), WIDE_SHARE));
     return least;
 }
 
@@ -62,15 +76,14 @@ bool Significance::decisive(double inlierRatio, double limit) const
 {
     // where inliers are there several times the other matches are, too; but a model that takes everything to one place
     // has few independent inliers, however many independent points there are
-    const double inliers = points.size - last.points + last.inliers,
-                 different = inliers > 0 ? last.inliers / inliers : 1;
+    const double inliers = size - last.points + last.inliers, different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);
-    uchar *const all = scope.take<uchar>(points.size), *const repeated = scope.take<uchar>(points.size);
-    std::fill(all, all + points.size, (uchar)1);
-    std::fill(repeated, repeated + points.size, (uchar)0);
+    uchar *const all = scope.take<uchar>(size), *const repeated = scope.take<uchar>(size);
+    std::fill(all, all + size, (uchar)1);
+    std::fill(repeated, repeated + size, (uchar)0);
     Agreement few = last;
-    few.points = std::max(points.size - markRepeated(points, 0, all, points.size, threshold, repeated, arena),
-                          (int)(different * points.size));
+    few.points = std::max(size - markRepeated(points, 0, all, size, threshold, repeated, arena),
+                          (int)(different * size));
     few.inliers = (int)(inlierRatio * few.points);
     return chanceOf(few) <= limit;
 }

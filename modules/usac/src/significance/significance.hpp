@@ -43,9 +43,12 @@ O(n); where a few points settle it, O(1): they are a random sample of all, so wh
 class Significance
 {
 public:
-    //! @param threshold in the coordinates of `points` @param arena memory
+    /** @param threshold in the coordinates of `points`
+    @param arena memory
+    @param context of the run, which may have to end meanwhile: then only some of the points are looked at; null: it has
+    not */
     Significance(const Residual& residual, const Model& model, const Correspondences& points, double threshold,
-                 const SearchEffort& effort, Arena& arena);
+                 const SearchEffort& effort, Arena& arena, const Context* context = 0);
 
     /** Probability that the search finds such a model in random matches.
     @param inliers about as many inliers has the model
@@ -58,6 +61,8 @@ public:
 
 private:
     Agreement look(int count, double scale, int pairs) const;
+    //! Is there no time to look at so many points? Then all that follows looks at less.
+    bool shorten(double count);
     //! @param share of the allowed error that a look at one of several thresholds has
     double chanceOf(const Agreement& found, double share = MAIN_SHARE) const;
 
@@ -71,6 +76,8 @@ private:
     const int sampleSize;
     const double trials;
     Arena& arena;
+    const Context* const context;
+    int size;        //!< so many points are looked at
     Agreement last;  //!< with the threshold itself
 };
 

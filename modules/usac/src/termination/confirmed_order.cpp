@@ -159,7 +159,7 @@ private:
         for (int i = size - size / LATE_PART; i < size; ++i)
             late += inliers[i];
         std::fill(repeated, repeated + size, (uchar)0);
-        if (orderEvidence(inliers, repeated, size, m) < CONFIRMED)
+        if (orderEvidence(inliers, repeated, size, m) < CONFIRMED || context.stopBefore(size * REPETITION_WORK))
             return;
         manyRepeated = markRepeated(p, state.order, inliers, size, context.inlierThreshold(), repeated, context.arena) >
                        MOST_REPEATED * state.bestQuality.inliers;
@@ -170,7 +170,7 @@ private:
         int length;
         orderedNeeded = prosacSamples(inliers, repeated, size, m, kept, randomRatio,
                                       std::log(1 - context.params.confidence),
-                                      (context.params.termination & TERMINATION_EXACT) != 0, length);
+                                      (context.params.termination & TERMINATION_EXACT) != 0, length, &context);
     }
 
     //! Uniform samples that lack for the standard criterion.

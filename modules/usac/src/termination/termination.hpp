@@ -64,9 +64,10 @@ As all points are drawn from once the set has grown to them, the samples that T_
 @param randomRatio probability that a point is an inlier of a wrong model
 @param logFailure logarithm of 1 - confidence
 @param exact points are drawn without repetition, see goodSampleProbability
-@param length output: n*, 0 if there is none; the result is then INT_MAX */
+@param length output: n*, 0 if there is none; the result is then INT_MAX
+@param context of the run, which may have to end meanwhile: the result is then INT_MAX, too; null: it has not */
 int prosacSamples(const uchar* inliers, const uchar* repeated, int size, int m, double kept, double randomRatio,
-                  double logFailure, bool exact, int& length);
+                  double logFailure, bool exact, int& length, const Context* context = 0);
 
 }  // namespace usacv20
 }  // namespace cv

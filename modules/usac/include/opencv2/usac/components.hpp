@@ -116,6 +116,12 @@ struct CV_EXPORTS Context
     //! Has the run to end at once (Params::maxTime, ProgressScope)? For loops of components that take all points in
     //! each turn: they leave with the best that they have. For the thread that began the run.
     bool stop() const { return watch && mustStop(); }
+    //! The same in a loop of which a turn is less. @param work since the question before, in tests of a point, 2 ns
+    //! each
+    bool stop(double work) const { return watch && mustStop(work); }
+    //! The same before a step that cannot be left: also if Params::maxTime would be over before so much more work is
+    //! done. The run ends then; the step is left out.
+    bool stopBefore(double work) const { return watch && mustStopBefore(work); }
 
     const Correspondences& points;
     const Components& components;
@@ -125,6 +131,8 @@ struct CV_EXPORTS Context
 
 private:
     bool mustStop() const;
+    bool mustStop(double work) const;
+    bool mustStopBefore(double work) const;
 };
 
 //! What all components have in common.

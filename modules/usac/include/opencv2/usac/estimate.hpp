@@ -19,8 +19,9 @@ namespace usacv20 {
 @param points1 N points of image 1 in any layout and depth that OpenCV takes with one flag or another: a matrix with 2
 channels (Nx1, 1xN, any), or with 1 channel, Nx2 or 2xN; vector<Point>, vector<Point2f>, vector<Point2d> etc. 3 in the
 place of 2 (vector<Point3f>, Nx3, 3xN): homogeneous coordinates; a third one of 0 is a point at infinity and never an
-inlier. 4 or more: the first two count. With 1 channel the longer side counts the points, with equal sides the rows do;
-one row or column is one point.
+inlier. (x, y, size) and (x, y, confidence) cannot be told from these for certain, and are divided, too. 4 or more: the
+first two count. With 1 channel the longer side counts the points, with equal sides the rows do; one row or column is
+one point.
 @param points2 their N counterparts in image 2; layout and depth may differ.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the threshold, else 0.

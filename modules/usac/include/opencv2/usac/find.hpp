@@ -21,6 +21,9 @@ that may hold a flag of this module is for usacv20::findHomography, usacv20::fin
 usacv20::findEssentialMat. Results are those of usacv20::estimateHomography, usacv20::estimateFundamental and
 usacv20::estimateEssential. A flag does not tell whether `maxIters` ended the search: one of these three functions does,
 called with the flag's options (usacv20::Params::fromMethod), by usacv20::Report::stop == usacv20::STOP_MAX_ITERATIONS.
+
+A mistake raises a cv::Exception whose message begins with the name of the argument in these signatures; a field of a
+Params has the name that it has there.
 @{ */
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method,
                               double ransacReprojThreshold = 3, OutputArray mask = noArray(), const int maxIters = 2000,
@@ -68,14 +71,14 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArr
                                 UsacV20Method method, double prob = 0.999, double threshold = 1.0,
                                 OutputArray mask = noArray());
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1,
-                                InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
+                                InputArray cameraMatrix2, InputArray dist_coeff1, InputArray dist_coeff2,
                                 OutputArray mask, const usacv20::Params& params);
 //! The same, in the order of Python.
 inline Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray cameraMatrix2,
-                            InputArray distCoeffs1, InputArray distCoeffs2, const usacv20::Params& params,
+                            InputArray dist_coeff1, InputArray dist_coeff2, const usacv20::Params& params,
                             OutputArray mask = noArray())
 {
-    return findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, mask, params);
+    return findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, dist_coeff1, dist_coeff2, mask, params);
 }
 //! @}
 

@@ -28,24 +28,24 @@ return with 0. A negative number (of which `size_t` makes a huge one) is refused
 CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
                                 double ransacReprojThreshold = 3, size_t maxIters = 2000, double confidence = 0.99,
                                 size_t refineIters = 10);
-CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, const usacv20::Params& params);
+CV_EXPORTS Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers, const usacv20::Params& params);
 //! The same, in the order of Python.
-inline Mat estimateAffine2D(InputArray from, InputArray to, const usacv20::Params& params,
+inline Mat estimateAffine2D(InputArray pts1, InputArray pts2, const usacv20::Params& params,
                             OutputArray inliers = noArray())
 {
-    return estimateAffine2D(from, to, inliers, params);
+    return estimateAffine2D(pts1, pts2, inliers, params);
 }
 
 CV_EXPORTS Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
                                        double ransacReprojThreshold = 3, size_t maxIters = 2000,
                                        double confidence = 0.99, size_t refineIters = 10);
-CV_EXPORTS Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers,
+CV_EXPORTS Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers,
                                        const usacv20::Params& params);
 //! The same, in the order of Python.
-inline Mat estimateAffinePartial2D(InputArray from, InputArray to, const usacv20::Params& params,
+inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, const usacv20::Params& params,
                                    OutputArray inliers = noArray())
 {
-    return estimateAffinePartial2D(from, to, inliers, params);
+    return estimateAffinePartial2D(pts1, pts2, inliers, params);
 }
 //! @}
 

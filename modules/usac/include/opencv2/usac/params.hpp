@@ -195,9 +195,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Upper bound of the number of minimal samples; >= 1. Default 5000. With any criterion of `termination` a run also
     ends when no sample is left to be drawn, or when none of the first million gave a model. */
     CV_PROP_RW int maxIterations;
-    /** Milliseconds of the clock after which a run ends with what it has found, polished in two more; 0..1e9, 0: no
-    limit. Late by the step in progress that takes all points: 5 ms for 10 000, up to 1 s for a million. The only option
-    by which the result depends on the machine; Report::stop is then #STOP_TIME. See also ProgressScope. Default 0. */
+    /** Milliseconds after which a run ends with what it has found; 0..1e9, 0: no limit. Late by 5 ms for 10 000 points
+    and 0.1 s for a million (to read these takes 0.08 s, the mask 0.007 s; #Report tells what is less exact then). The
+    only option by which the result depends on the machine, see Report::stop and ProgressScope. Default 0. */
     CV_PROP_RW double maxTime;
     //! Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.
     CV_PROP_RW int seed;

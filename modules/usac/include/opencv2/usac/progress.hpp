@@ -31,7 +31,8 @@ It holds for whatever estimates: the functions with a flag, #estimateHomography 
 @endcode
 The function is called by the thread that began the estimation, also if others help (Params::threads, #estimateBatch),
 and never before 5 milliseconds have passed; #estimateBatch asks it between two tasks, too, with an empty report.
-Between two calls is at most one step that takes all points: up to a second with a million.
+Between two calls is at most one step that takes all points: 0.15 s with a million, 0.4 s with a kd-tree
+(#NEIGHBORHOOD_KNN, #NEIGHBORHOOD_RADIUS); what follows a no takes up to 0.1 s.
 A function that returns true changes no bit of the result. An exception of it ends the run and comes out of the call; a
 Usac can be run again afterwards. Scopes may be nested: each is asked, the innermost first, until one says no. Destroy
 them in reverse order, by the thread that made them. */

@@ -68,12 +68,13 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW std::vector<int> sample;
     //! `inliers` as a part of all rows of the mask, 0..1.
     CV_PROP_RW double inlierRatio;
-    //! Inliers that are more than a threshold apart from each other in both images: repeated matches count once.
+    //! Inliers that are more than a threshold apart from each other in both images: repeated matches count once. 0 if
+    //! the run had to end (Params::maxTime, ProgressScope) and has more than 50 000.
     CV_PROP_RW int independentInliers;
     /** Probability that the same search finds a model with as many independent inliers (at the threshold, or at 4 or 16
     times of it) in random matches of the same points, 0..1: an upper bound, after @cite moisan2004probabilistic. Values
-    below a millionth, and below a hundredth of Params::significance, may come from a part of the points. Kept if the
-    model was refused; 1 if there was none. */
+    below a millionth, and below a hundredth of Params::significance, may come from a part of the points, as any of a
+    run that had to end: from 50 000. Kept if the model was refused; 1 if there was none. */
     CV_PROP_RW double chance;
     //! Threshold of the mask in pixels, that of Params; #QUALITY_LMEDS: found from the data.
     CV_PROP_RW double threshold;

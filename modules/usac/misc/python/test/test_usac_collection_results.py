@@ -240,6 +240,8 @@ class ResultsTest(Files):
             self.write("text" + extension, "text")
             self.assertMistake("text" + extension, list, readResults(self.path("text" + extension)))
             self.assertMistake("text" + extension, self.open, "text" + extension, True)
+        with mock.patch.dict(sys.modules, {"h5py": None}):  # as if it were missing, which is not what is wrong here
+            self.assertMistake("text.sqlite: no results", list, readResults(self.path("text.sqlite")))
         with sqlite3.connect(self.path("other.db")) as connection:
             connection.execute("CREATE TABLE images (a)")
         connection.close()

@@ -6,6 +6,7 @@
 """A run that is stopped: Params.maxTime, usacv20.progress, Ctrl-C."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -15,7 +16,7 @@ import unittest
 
 import numpy as np
 
-from usac_common import package, usac
+from usac_common import ERRORS, IN_TREE, package, usac
 
 SLACK = 0.5  # seconds that a machine with other work may take the processor away for
 ENDLESS = dict(maxIterations=2**31 - 1, termination=0)
@@ -29,6 +30,10 @@ def hard(count=2000):
     return points1, points2
 
 
+def without_times(text):
+    return re.sub(r"\w+Ms=[^,)]*", "", text)
+
+
 class StopTest(unittest.TestCase):
     def test_maxTime(self):
         for estimate in (usac.estimateHomography, usac.estimateFundamental):
@@ -39,11 +44,10 @@ class StopTest(unittest.TestCase):
                 self.assertEqual(report.stop, usac.STOP_TIME)
                 self.assertEqual(report.inliers, np.count_nonzero(mask))
                 self.assertIn("maxTime", report.describe())
-        with self.assertRaisesRegex(usac.error, "maxTime"):
+        with self.assertRaisesRegex(ERRORS, "maxTime"):
             usac.estimateHomography(*hard(), usac.Params(maxTime=-1))
         self.assertIn("maxTime=50", repr(usac.Params(maxTime=50)))
 
-    @package
     def test_function_sees_the_search_go_on(self):
         seen = []
 
@@ -64,18 +68,39 @@ class StopTest(unittest.TestCase):
         self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the block it is asked no more
         self.assertEqual(len(seen), 5)
 
-    @package
     def test_flags_batches_and_objects(self):
         params = usac.Params(**ENDLESS)
         with usac.progress(lambda report: False):
             start = time.monotonic()
             H, mask = usac.findHomography(*hard(), params)
             found = usac.estimateHomographies([hard()[0]] * 4, [hard()[1]] * 4, params)
-            _, _, report = usac.Usac.create(usac.HOMOGRAPHY, *hard(), params).run()
+            few = usac.estimateHomographies([hard()[0]] * 4, [hard()[1]] * 4, params, threads=1)
             self.assertLess(time.monotonic() - start, 1 + SLACK)
-        self.assertEqual([one[2].stop for one in found] + [report.stop], [usac.STOP_CANCELLED] * 5)
+        self.assertEqual([one[2].stop for one in found + few], [usac.STOP_CANCELLED] * 8)
+        self.assertEqual(mask.shape, (2000, 1))
 
     @package
+    def test_object(self):
+        with usac.progress(lambda report: False):
+            _, _, report = usac.Usac.create(usac.HOMOGRAPHY, *hard(), usac.Params(**ENDLESS)).run()
+        self.assertEqual(report.stop, usac.STOP_CANCELLED)
+
+    def test_arguments_and_errors_are_as_without(self):
+        K = np.array([[600, 0, 320], [0, 600, 240], [0, 0, 1.]])
+        points1, points2 = hard(200)
+        space = np.hstack([points1 / 100, np.arange(200).reshape(-1, 1) % 7 + 4.0])
+        calls = (lambda: usac.findHomography(points1, points2, usac.USACV20, 3.0), lambda: usac.estimateAffine2D(points1, points2),
+                 lambda: usac.findEssentialMat(points1, points2, K), lambda: usac.solvePnPRansac(space, points2, K, None),
+                 lambda: usac.estimateHomographies([points1] * 3, [points2] * 3),
+                 lambda: usac.estimateRelativePose(points1, points2, K, None, K, None), lambda: usac.fitModel(usac.HOMOGRAPHY, points1, points2))
+        for call in calls:
+            expected = call()
+            with usac.progress(lambda report: True):
+                found = call()
+            self.assertEqual(without_times(repr(found)), without_times(repr(expected)))
+        with usac.progress(lambda report: True), self.assertRaisesRegex(ERRORS, "ransacReprojThreshold"):
+            usac.findHomography(points1, points2, usac.USACV20, -1.0)
+
     def test_exceptions_come_out(self):
         class Enough(Exception):
             pass
@@ -83,27 +108,29 @@ class StopTest(unittest.TestCase):
         def ask(report):
             raise Enough
 
-        estimator = usac.Usac.create(usac.HOMOGRAPHY, *hard(), usac.Params(**ENDLESS))
-        for run in (lambda: usac.estimateHomography(*hard(), usac.Params(**ENDLESS)), estimator.run, estimator.run,
-                    lambda: usac.estimateHomographies([hard()[0]] * 4, [hard()[1]] * 4, usac.Params(**ENDLESS))):
+        runs = [lambda: usac.estimateHomography(*hard(), usac.Params(**ENDLESS)),
+                lambda: usac.estimateHomographies([hard()[0]] * 4, [hard()[1]] * 4, usac.Params(**ENDLESS))]
+        if not IN_TREE:
+            estimator = usac.Usac.create(usac.HOMOGRAPHY, *hard(), usac.Params(**ENDLESS))
+            runs += [estimator.run, estimator.run]
+        for run in runs:
             with usac.progress(ask), self.assertRaises(Enough):
                 run()
-        with usac.progress(lambda report: False):
-            self.assertEqual(estimator.run()[2].stop, usac.STOP_CANCELLED)
+        if not IN_TREE:
+            with usac.progress(lambda report: False):
+                self.assertEqual(estimator.run()[2].stop, usac.STOP_CANCELLED)
 
-    @package
     def test_mistakes(self):
-        with self.assertRaisesRegex(usac.error, "function"):
+        with self.assertRaisesRegex(ERRORS, "function"):
             usac.progress(1)
-        with usac.progress(lambda report: None), self.assertRaisesRegex(usac.error, "function"):
+        with usac.progress(lambda report: None), self.assertRaisesRegex(ERRORS, "function"):
             usac.estimateHomography(*hard(), usac.Params(**ENDLESS))
         scope = usac.progress(lambda report: True)
-        with scope, self.assertRaisesRegex(usac.error, "progress"), scope:
+        with scope, self.assertRaisesRegex(ERRORS, "progress"), scope:
             pass
         with scope:  # it can be used again
             pass
 
-    @package
     def test_same_bits(self):
         points1, points2 = hard()
         points2[:1000] = points1[:1000] * [0.9, 1.1] + [20, -10]
@@ -114,7 +141,6 @@ class StopTest(unittest.TestCase):
         np.testing.assert_array_equal(expected[1], found[1])
         self.assertEqual(expected[2].iterations, found[2].iterations)
 
-    @package
     def test_another_thread_cancels(self):
         cancelled = threading.Event()
         timer = threading.Timer(0.05, cancelled.set)
@@ -126,7 +152,6 @@ class StopTest(unittest.TestCase):
         self.assertEqual(report.stop, usac.STOP_CANCELLED)
         timer.join()
 
-    @package
     def test_in_another_thread(self):
         reports = []
 
@@ -141,28 +166,31 @@ class StopTest(unittest.TestCase):
         self.assertEqual(reports[0].stop, usac.STOP_CANCELLED)
 
 
+MODULE = "import cv2; usacv20 = cv2.usacv20" if IN_TREE else "import usacv20"
 CHILD = """
-import time, sys
+import signal, sys
 import numpy as np
-import usacv20
+{module}
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a background job of a shell ignores
 rng = np.random.RandomState(3)
 a, b = rng.uniform(0, 640, (2000, 2)), rng.uniform(0, 640, (2000, 2))
 params = usacv20.Params(maxIterations=2**31 - 1, termination=0)
 threads = usacv20.Params(maxIterations=2**31 - 1, termination=0, threads=0)
 print("ready", flush=True)
 try:
-    {}
+    {call}
 except KeyboardInterrupt:
     print("interrupted", flush=True)
     F, mask, report = usacv20.estimateHomography(a, a + 1)
-    print("usable", report.inliers)
+    print("usable", report.inliers, "cv2" in sys.modules)
 """
 
 
-@package
 class InterruptTest(unittest.TestCase):
     def check(self, call):
-        child = subprocess.Popen([sys.executable, "-c", CHILD.format(call)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        if IN_TREE:  # there it comes within usacv20.progress
+            call = "with usacv20.progress(lambda report: True): " + call
+        child = subprocess.Popen([sys.executable, "-c", CHILD.format(call=call, module=MODULE)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                  universal_newlines=True, env=dict(os.environ))
         try:
             self.assertEqual(child.stdout.readline(), "ready\n")
@@ -171,7 +199,8 @@ class InterruptTest(unittest.TestCase):
             child.send_signal(signal.SIGINT)
             self.assertEqual(child.stdout.readline(), "interrupted\n")
             self.assertLess(time.monotonic() - start, 1)
-            self.assertEqual(child.stdout.readline(), "usable 2000\n")
+            # the class of the package's errors, which needs cv2, is not asked for
+            self.assertEqual(child.stdout.readline(), "usable 2000 {}\n".format(IN_TREE))
             self.assertEqual(child.wait(), 0)
         finally:
             child.kill()
@@ -182,7 +211,8 @@ class InterruptTest(unittest.TestCase):
         self.check("usacv20.estimateFundamental(a, b, params)")
         self.check("usacv20.estimateFundamental(a, b, threads)")
         self.check("usacv20.findHomography(a, b, params)")
-        self.check("usacv20.Usac.create(usacv20.HOMOGRAPHY, a, b, params).run()")
+        if not IN_TREE:
+            self.check("usacv20.Usac.create(usacv20.HOMOGRAPHY, a, b, params).run()")
 
     def test_batch(self):
         self.check("usacv20.estimateHomographies([a] * 100, [b] * 100, params)")

@@ -26,7 +26,7 @@ others only C++.
 
 What is known already needs no search: fitModel (OpenCV's method 0), refineModel and modelErrors. The motion of a camera between two
 views, points in front, is estimateRelativePose. A run ends after Params.maxTime milliseconds, by the function of usacv20.progress,
-or by Ctrl-C.
+or by Ctrl-C (of cv2.usacv20 within usacv20.progress).
 
 Where there is no model the model is None, the mask zero, and report.stop says why; report.chance bounds the probability that random
 matches give as good a model. Mistakes raise usacv20.error, a subclass of cv2.error where there is a cv2, which names the argument.
@@ -77,6 +77,7 @@ from ._enumerations import (
     ScoreOrder as ScoreOrder, StopReason as StopReason, TerminationFlags as TerminationFlags,
     UsacV20Method as UsacV20Method, VerificationType as VerificationType)
 from ._params import UsacParams as UsacParams
+from ._progress import progress as progress
 from ._version import __version__
 
 __all__ = [
@@ -136,7 +137,5 @@ if not TYPE_CHECKING and _IN_TREE:
 
     _patch = _Patch(_cv2, permanent=True)
 else:
-    from ._progress import progress as progress
-
     from ._components import (Components as Components, Correspondences as Correspondences, Rng as Rng, Sampler as Sampler,
                               Score as Score, Usac as Usac)

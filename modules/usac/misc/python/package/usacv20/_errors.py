@@ -57,7 +57,9 @@ def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args
     """Calls a function of the compiled part. Its errors begin with the argument, in words of C++: `names` has the caller's."""
     try:
         return function(*args)
-    except errorClass() as mistake:
+    except Exception as mistake:  # Ctrl-C is none, and need not wait for the import of cv2
+        if not isinstance(mistake, errorClass()):
+            raise
         old = str(getattr(mistake, "err", ""))
         new = inWordsOf(names, old)
         if new == old:

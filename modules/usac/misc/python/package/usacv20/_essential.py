@@ -13,7 +13,7 @@ import numpy as np
 from ._arguments import array, bind, checkMask, integer, isReal, optionalArray, points, real, shown, signed
 from ._backend import native
 from ._enumerations import USACV20, ProblemType, UsacV20Method
-from ._errors import calling, fail
+from ._errors import fail
 from ._estimate import NAMES, estimate
 from ._find import flag, found, refuseBesideParams
 from ._params import Params
@@ -29,7 +29,6 @@ _ONE = ("points1", "points2", "cameraMatrix", "method", "prob", "threshold", "ma
 _FOCAL = ("points1", "points2", "focal", "pp", "method", "prob", "threshold", "maxIters", "mask")
 _TWO = ("points1", "points2", "cameraMatrix1", "distCoeffs1", "cameraMatrix2", "distCoeffs2", "method", "prob", "threshold", "mask")
 _PARAMS = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "dist_coeff1", "dist_coeff2", "params", "mask")
-_NAMES = dict(confidence="prob", maxIterations="maxIters")  # the caller's words for those of C++
 _DEFAULTS: Dict[str, Any] = dict(method=USACV20, prob=0.999, threshold=1.0, maxIters=1000, mask=None)
 
 
@@ -157,14 +156,13 @@ def _withFlag(form: Tuple[str, ...], v: Dict[str, Any]) -> Any:
     method, prob, threshold = flag(v["method"]), real(v["prob"], "prob", 0.999), real(v["threshold"], "threshold", 1.0)
     maxIters = integer(v["maxIters"], "maxIters", 1000)
     if form is _ONE:
-        result = calling(dict(_NAMES, cameraMatrix1="cameraMatrix"), native.findEssentialMat, points1, points2,
-                         array(v["cameraMatrix"], "cameraMatrix"), method, prob, threshold, maxIters)
+        result = native.findEssentialMat(points1, points2, array(v["cameraMatrix"], "cameraMatrix"), method, prob, threshold, maxIters)
     elif form is _FOCAL:
-        result = calling(dict(_NAMES, cameraMatrix1="focal, pp"), native.findEssentialMatOfFocal, points1, points2,
-                         real(v["focal"], "focal", 1.0), _principalPoint((0.0, 0.0) if v["pp"] is None else v["pp"]), method, prob,
-                         threshold, maxIters)
+        result = native.findEssentialMatOfFocal(
+            points1, points2, real(v["focal"], "focal", 1.0), _principalPoint((0.0, 0.0) if v["pp"] is None else v["pp"]), method,
+            prob, threshold, maxIters)
     else:
-        result = calling(
-            _NAMES, native.findEssentialMatOfCameras, points1, points2, array(v["cameraMatrix1"], "cameraMatrix1"), optionalArray(v["distCoeffs1"], "distCoeffs1"),
+        result = native.findEssentialMatOfCameras(
+            points1, points2, array(v["cameraMatrix1"], "cameraMatrix1"), optionalArray(v["distCoeffs1"], "distCoeffs1"),
             array(v["cameraMatrix2"], "cameraMatrix2"), optionalArray(v["distCoeffs2"], "distCoeffs2"), method, prob, threshold)
     return found(result, v["mask"])

@@ -71,9 +71,6 @@ _HOMOGRAPHY = ("srcPoints", "dstPoints", "method", "ransacReprojThreshold", "mas
 _HOMOGRAPHY_OF_PARAMS = ("srcPoints", "dstPoints", "params", "mask")
 _HOMOGRAPHY_DEFAULTS: Dict[str, Any] = dict(method=USACV20, ransacReprojThreshold=3.0, mask=None, maxIters=2000, confidence=0.995)
 
-# The caller's words for those of C++.
-_HOMOGRAPHY_NAMES = dict(points1="srcPoints", points2="dstPoints", threshold="ransacReprojThreshold", maxIterations="maxIters")
-
 
 @overload
 def findHomography(srcPoints: npt.ArrayLike, dstPoints: npt.ArrayLike, method: int = ..., ransacReprojThreshold: float = ...,
@@ -111,15 +108,14 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
         return estimate(ProblemType.HOMOGRAPHY, v["srcPoints"], v["dstPoints"], v["params"], v["mask"],
                         names=("srcPoints", "dstPoints", "", "", "", ""))[:2]
     checkMask(v["mask"], "mask")
-    return found(calling(
-        _HOMOGRAPHY_NAMES, native.findHomography, points(v["srcPoints"], "srcPoints"), points(v["dstPoints"], "dstPoints"), flag(v["method"]),
+    return found(native.findHomography(
+        points(v["srcPoints"], "srcPoints"), points(v["dstPoints"], "dstPoints"), flag(v["method"]),
         real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), integer(v["maxIters"], "maxIters", 2000),
         real(v["confidence"], "confidence", 0.995)), v["mask"])
 
 
 _FUNDAMENTAL = ("points1", "points2", "method", "ransacReprojThreshold", "confidence", "maxIters", "mask")
 _FUNDAMENTAL_OF_PARAMS = ("points1", "points2", "params", "mask")
-_FUNDAMENTAL_NAMES = dict(threshold="ransacReprojThreshold", maxIterations="maxIters")
 _FUNDAMENTAL_DEFAULTS: Dict[str, Any] = dict(method=USACV20, ransacReprojThreshold=3.0, confidence=0.99, maxIters=1000, mask=None)
 
 
@@ -165,16 +161,15 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     if "params" in v:
         return estimate(ProblemType.FUNDAMENTAL, v["points1"], v["points2"], v["params"], v["mask"])[:2]
     checkMask(v["mask"], "mask")
-    return found(calling(
-        _FUNDAMENTAL_NAMES, native.findFundamentalMat, points(v["points1"], "points1"), points(v["points2"], "points2"), flag(v["method"]),
+    return found(native.findFundamentalMat(
+        points(v["points1"], "points1"), points(v["points2"], "points2"), flag(v["method"]),
         real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), real(v["confidence"], "confidence", 0.99),
         integer(v["maxIters"], "maxIters", 1000)), v["mask"])
 
 
 _MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
 _MAP_OF_PARAMS = ("pts1", "pts2", "params", "inliers")
-_MAP_NAMES = dict(points1="from_", points2="to", threshold="ransacReprojThreshold", maxIterations="maxIters",
-                  polishingSteps="refineIters")
+_MAP_NAMES = {"from": "from_"}  # in C++, and here, where it is a keyword
 _MAP_DEFAULTS: Dict[str, Any] = dict(inliers=None, method=USACV20, ransacReprojThreshold=3.0, maxIters=2000, confidence=0.99,
                                      refineIters=10)
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Dict, List, Tuple
 
+from ._intree_progress import Progress, Runs
+
 
 class Native:
     """The functions of _native.pyi made of cv2._native.usacv20. OpenCV's code releases the interpreter's lock around each."""
@@ -18,7 +20,9 @@ class Native:
         if native is None:
             raise ImportError("cv2 was built without the module usac")
         self._cv2 = cv2
-        self._functions = native
+        self._native = native
+        self._functions = Runs(native)
+        self.Progress = Progress
         self._constants = {name: value for name, value in vars(cv2._native).items() if name.startswith("USACV20")}
         self.Params = native.Params
         self.Report = native.Report
@@ -27,8 +31,8 @@ class Native:
         names = ("Homography", "Fundamental", "Essential", "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D")
         self._estimate = [getattr(native, "estimate" + name, None) for name in names]
 
-    def estimate(self, problem: int, points1: Any, points2: Any, params: Any, cameraMatrix1: Any = None,
-                 cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None) -> Tuple[Any, Any, Any]:
+    def _one(self, problem: int, points1: Any, points2: Any, params: Any, cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any,
+             distCoeffs2: Any) -> Tuple[Any, Any, Any]:
         function: Any = self._estimate[problem]
         if problem == 2:
             result = function(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, params)
@@ -39,6 +43,13 @@ class Native:
         model, mask, report = result
         return model, mask, report
 
+    def estimate(self, problem: int, points1: Any, points2: Any, params: Any, cameraMatrix1: Any = None,
+                 cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None) -> Tuple[Any, Any, Any]:
+        arguments = (problem, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)
+        result: Tuple[Any, Any, Any] = self._functions.watched(
+            lambda control: self._functions.entered(control, lambda: self._one(*arguments)))
+        return result
+
     def estimateBatch(self, problem: int, points1: List[Any], points2: List[Any], params: List[Any], cameraMatrices1: List[Any],
                       cameraMatrices2: List[Any], distCoeffs1: List[Any], distCoeffs2: List[Any],
                       threads: int) -> List[Tuple[Any, Any, Any, str]]:
@@ -46,18 +57,27 @@ class Native:
         each = [entries * len(points1) if len(entries) == 1 else entries or [None] * len(points1)
                 for entries in (params, cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2)]
 
-        def one(i: int) -> Tuple[Any, Any, Any, str]:
+        def one(i: int, control: Any) -> Tuple[Any, Any, Any, str]:
+            if control is not None and control.cancelled():
+                return self._functions.notBegun()
             try:
-                return self.estimate(problem, points1[i], points2[i], *(entries[i] for entries in each)) + ("",)
+                found: Tuple[Any, Any, Any] = self._functions.entered(
+                    control, lambda: self._one(problem, points1[i], points2[i], *(entries[i] for entries in each)))
+                return found + ("",)
             except self._cv2.error as mistake:
                 return None, None, self.Report(), str(getattr(mistake, "err", "") or mistake)
 
         most = self._cv2.getNumThreads()
         workers = min(threads or most, most, len(points1))
-        if workers < 2:
-            return [one(i) for i in range(len(points1))]
-        with ThreadPoolExecutor(workers) as pool:
-            return list(pool.map(one, range(len(points1))))
+
+        def all(control: Any) -> List[Tuple[Any, Any, Any, str]]:
+            if workers < 2:
+                return [one(i, control) for i in range(len(points1))]
+            with ThreadPoolExecutor(workers) as pool:
+                return list(pool.map(lambda i: one(i, control), range(len(points1))))
+
+        result: List[Tuple[Any, Any, Any, str]] = self._functions.watched(all)
+        return result
 
     def fitModel(self, problem: int, points1: Any, points2: Any, params: Any, weights: Any, chosen: Any, cameraMatrix1: Any,
                  cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any) -> Any:
@@ -122,6 +142,6 @@ class Native:
 
     def enumerators(self) -> Dict[str, int]:
         """Name and value of all enumerators."""
-        result = {name: value for name, value in vars(self._functions).items() if name.isupper() and isinstance(value, int)}
+        result = {name: value for name, value in vars(self._native).items() if name.isupper() and isinstance(value, int)}
         result.update(self._constants)
         return result

@@ -13,7 +13,7 @@ import numpy as np
 from ._arguments import array, bind, checkOutput, integer, isInteger, optionalArray, output, points, real, shown, signed
 from ._backend import native
 from ._enumerations import USACV20
-from ._errors import calling, fail
+from ._errors import fail
 from ._find import flag, isOptions, refuseBesideParams
 from ._params import Params, optionsOf
 
@@ -27,9 +27,6 @@ _NAME = "solvePnPRansac"
 _FLAG = ("objectPoints", "imagePoints", "cameraMatrix", "distCoeffs", "rvec", "tvec", "useExtrinsicGuess", "iterationsCount",
          "reprojectionError", "confidence", "inliers", "flags")
 _PARAMS = ("objectPoints", "imagePoints", "cameraMatrix", "distCoeffs", "rvec", "tvec", "inliers", "params")
-# The caller's words for those of C++.
-_ARRAYS = dict(points1="objectPoints", points2="imagePoints", cameraMatrix1="cameraMatrix", distCoeffs1="distCoeffs")
-_NAMES = dict(_ARRAYS, threshold="reprojectionError", maxIterations="iterationsCount")
 _DEFAULTS: Dict[str, Any] = dict(rvec=None, tvec=None, useExtrinsicGuess=False, iterationsCount=100, reprojectionError=8.0,
                                  confidence=0.99, inliers=None, flags=USACV20)
 
@@ -98,9 +95,8 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
             refuseBesideParams(_NAME, v, _DEFAULTS, ("useExtrinsicGuess", "iterationsCount", "reprojectionError", "confidence"))
         params = optionsOf(v["params" if options else "flags"])
         camera = array(v["cameraMatrix"], "cameraMatrix")
-        result = calling(
-            _ARRAYS, native.solvePnPRansacOfParams, points(v["objectPoints"], "objectPoints", False),
-            points(v["imagePoints"], "imagePoints"), camera,
+        result = native.solvePnPRansacOfParams(
+            points(v["objectPoints"], "objectPoints", False), points(v["imagePoints"], "imagePoints"), camera,
             optionalArray(v["distCoeffs"], "distCoeffs"), params)
         retval, rvec, tvec, inliers = _results(result, v)
         return (retval, camera, rvec, tvec, inliers) if options else (retval, rvec, tvec, inliers)
@@ -112,8 +108,8 @@ def _withFlag(v: Dict[str, Any]) -> Any:
     # Copies: what is written to them must not reach the caller's arrays if there is no pose.
     rvec = array(v["rvec"], "rvec").copy() if guess and v["rvec"] is not None else None
     tvec = array(v["tvec"], "tvec").copy() if guess and v["tvec"] is not None else None
-    return calling(
-        _NAMES, native.solvePnPRansac, points(v["objectPoints"], "objectPoints", False), points(v["imagePoints"], "imagePoints"),
+    return native.solvePnPRansac(
+        points(v["objectPoints"], "objectPoints", False), points(v["imagePoints"], "imagePoints"),
         array(v["cameraMatrix"], "cameraMatrix"), optionalArray(v["distCoeffs"], "distCoeffs"), rvec, tvec, guess,
         integer(v["iterationsCount"], "iterationsCount", 100), real(v["reprojectionError"], "reprojectionError", 8.0),
         real(v["confidence"], "confidence", 0.99), flag(v["flags"], "flags"))

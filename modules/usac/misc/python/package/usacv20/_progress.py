@@ -30,7 +30,8 @@ class progress:
     It holds for all functions of the package that estimate, many at once, too, and for Usac.run, in the thread that enters it.
     An exception in the function ends the run and comes out of the call. A run that is shorter than 5 milliseconds does not ask. A
     function that returns True changes no bit of the result. Another thread cancels by what the function reads, a
-    threading.Event, say. Ctrl-C raises a KeyboardInterrupt with or without it. Not in cv2.usacv20."""
+    threading.Event, say. Ctrl-C raises a KeyboardInterrupt with or without it; of cv2.usacv20 only with it, where it starts a thread
+    for each call: progress(lambda report: True)."""
 
     def __init__(self, function: typing.Callable[[Report], bool]) -> None:
         if not callable(function):

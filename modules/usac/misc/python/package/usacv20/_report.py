@@ -52,7 +52,7 @@ class Report:
         model, or it came from Params.initialModel or from a fit of all points.""")
     inlierRatio = Field[float]("inliers as a part of all rows of the mask, 0..1.")
     independentInliers = Field[int]("""Inliers that are more than a threshold apart from each other in both images:
-        repeated matches count once.""")
+        repeated matches count once. 0 for more than 50 000 inliers of a run that had to end.""")
     chance = Field[float]("""Probability, an upper bound, that the same search finds a model with as many independent
         inliers in random matches of the same points, 0..1. Kept if the model was refused; 1 if there was none.""")
     threshold = Field[float]("Threshold of the mask in pixels, that of Params; QUALITY_LMEDS: found from the data.")

@@ -223,13 +223,15 @@ def _arrays(path: str) -> typing.Iterator[Callable[[str], Any]]:
     """What opens an array of the file by its name."""
     try:
         with open(path, "rb") as file:
-            isZip = file.read(2) == b"PK"
-        if isZip:
+            start = file.read(8)
+        if start.startswith(b"PK"):
             with zipfile.ZipFile(path) as members:
                 yield lambda name: _NpzArray(members.open(name + ".npy"))
-        else:
+        elif start == b"\x89HDF\r\n\x1a\n":
             with openFile(path) as group:
                 yield lambda name: _Hdf5Array(group[name])
+        else:
+            raise ValueError
     except UNREADABLE + (IndexError, TypeError) as error:
         if isinstance(error, OSError) and error.strerror:
             fail("{}: {}".format(path, error.strerror))
