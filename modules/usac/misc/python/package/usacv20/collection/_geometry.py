@@ -44,7 +44,7 @@ from .._params import Params
 from .._report import Report
 from ._distances import area, mapDistances, sampsonDistances
 from ._pair import Configuration, Pair, TwoView, View
-from ._poses import directions, motionOfEssential, quaternion, rotation
+from ._poses import directions, essentialOf, motionOfEssential, quaternion, rotation, rotationsOfPlane
 from ._settings import LEAST_ITERATIONS, Settings
 
 if TYPE_CHECKING:
@@ -262,12 +262,26 @@ def _result(work: _Work, settings: Settings) -> TwoView:
             pose = pose if turn is None else (turn, np.zeros(3))
     if settings.watermarks and _isWatermark(base.mask, pair, settings.threshold):
         configuration = Configuration.WATERMARK
+    rotations = _rotations(configuration, base, H, pose, pair) if work.calibrated else None
     return TwoView(
         pair.key, configuration, np.ascontiguousarray(pair.matches[base.mask], np.uint32),
         _fundamental(base.matrix, pair) if calibrated else None if F is None else F.matrix,
         base.matrix if calibrated else None, None if H is None else H.matrix,
         None if pose is None else quaternion(pose[0]), None if pose is None else pose[1], "", len(pair.matches),
-        work.iterations, base.report.chance, work.milliseconds)
+        work.iterations, base.report.chance, work.milliseconds, rotations)
+
+
+def _rotations(configuration: Configuration, base: _Model, H: Optional[_Model], pose: Optional[Tuple[_Array, _Array]],
+               pair: Pair) -> Optional[_Array]:
+    """Those that are possible, one of which is right if the pair is."""
+    if configuration == Configuration.WATERMARK:
+        return None
+    found = [] if pose is None else [pose[0]]
+    if configuration == Configuration.PLANAR and H is not None:
+        found += rotationsOfPlane(np.linalg.inv(pair.second.matrix) @ H.matrix @ pair.first.matrix)
+    elif configuration == Configuration.UNCALIBRATED:
+        found = [motionOfEssential(essentialOf(base.matrix, pair.first.matrix, pair.second.matrix), *_views(pair, base.mask))[0]]
+    return np.array([quaternion(R) for R in found]) if found else None
 
 
 def _refused(work: _Work, settings: Settings) -> TwoView:
