@@ -6,7 +6,7 @@
 """Collections of photographs of streets and courts whose windows repeat, with known cameras: which pairs are kept.
 
     streets.py --seeds 3 --layout street court
-    streets.py --database street.db --seeds 1 --layout street
+    streets.py --significance 1e-4 1e-8 1e-12
 
 Facades have windows of one or two kinds in a grid, and points that are there once. All windows of a kind have the same parts
 (before and behind the plane of the facade) and nearly the same descriptors; what is seen obliquely looks otherwise. Matches are
@@ -15,8 +15,9 @@ have matches from window to window, many of which agree with a motion that no ca
 are those of the surface with the noise of photographs (COLMAP's SIFT on eleven surveyed ones: 0.13 octaves and 3.5 degrees,
 normal part).
 
-Columns: pairs with matches; with overlap (30 points or more that both see): all, of them kept; without (no such point); the
-same for CALIBRATED pairs without overlap, whose pose a mapper believes; CPU milliseconds a pair with and without."""
+Columns: --significance; whether pairs are refused that others contradict (--no-loops: no); pairs with overlap (matches, and 30
+points or more that both see), of them kept; pairs without (no such point), of them kept, of these CALIBRATED, whose pose a mapper
+believes; kept pairs of which half of the inliers or more are right, and those of them that are lost by the loops; CPU seconds."""
 
 from __future__ import annotations
 
@@ -35,7 +36,9 @@ import numpy.typing as npt
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 sys.path.insert(0, os.path.join(ROOT, "modules", "usac", "misc", "python", "test"))
 
+import usac_colmap as uc  # noqa: E402
 from usac_collection import MAX_IMAGES, SCHEMA, lookAt  # noqa: E402
+from usacv20.collection import verify  # noqa: E402
 
 Floats = npt.NDArray[np.float64]
 
@@ -225,3 +228,70 @@ class Street:
             database.executemany("INSERT INTO matches VALUES (?, ?, 2, ?)",
                                  [(key, len(rows), rows.tobytes()) for key, rows in self.matches.items()])
         database.close()
+
+
+class Count(NamedTuple):
+    """Of a verified table."""
+
+    overlap: int  # pairs with matches and OVERLAP common points
+    kept: int  # of those
+    lone: int  # without a common point
+    loneKept: int
+    loneCalibrated: int
+    right: int  # kept pairs, half of whose inliers or more are of the same points
+    cpu: float  # seconds
+
+
+def verified(street: Street, path: str, options: Dict[str, Any]) -> Tuple[Count, List[int]]:
+    """What is kept; with the keys of the right pairs."""
+    begin = time.process_time()
+    verify(path, threads=1, **options)
+    cpu = time.process_time() - begin
+    kept = {key: row for key, row in uc.verified(path).items() if len(row.inliers)}
+    right = []
+    for key, row in kept.items():
+        i, j = divmod(key, MAX_IMAGES)
+        a, b = street.images[i - 1].points[row.inliers[:, 0]], street.images[j - 1].points[row.inliers[:, 1]]
+        if np.mean((a == b) & (a >= 0)) >= 0.5:
+            right.append(key)
+    overlap = {key for key, common in street.common.items() if common >= OVERLAP}
+    lone = {key for key, common in street.common.items() if common == 0}
+    loneKept = lone & set(kept)
+    return Count(len(overlap), len(overlap & set(kept)), len(lone), len(loneKept),
+                 sum(kept[key].configuration == 2 for key in loneKept), len(right), cpu), right
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Pairs of streets and courts with repeated windows: which are kept.")
+    parser.add_argument("--layout", nargs="+", choices=("street", "alike", "court"), default=["street", "alike", "court"])
+    parser.add_argument("--images", type=int, default=24)
+    parser.add_argument("--seeds", type=int, default=3, help="collections of each layout (default %(default)s)")
+    parser.add_argument("--unknown", action="store_true", help="the focal lengths are not known")
+    parser.add_argument("--significance", type=float, nargs="+", default=[1e-4])
+    parser.add_argument("--keep", metavar="FOLDER", help="for the databases; default: they are removed")
+    options = parser.parse_args()
+    print("{:<8}{:>8}{:>7}{:>9}{:>7}{:>8}{:>7}{:>12}{:>7}{:>6}{:>8}".format(
+        "layout", "chance", "loops", "overlap", "kept", "without", "kept", "calibrated", "right", "lost", "CPU s"))
+    with tempfile.TemporaryDirectory() as folder:
+        for layout in options.layout:
+            counts: Dict[Tuple[float, bool], List[Tuple[int, ...]]] = {}
+            for seed in range(options.seeds):
+                street = Street(Options(layout, options.images, known=not options.unknown, seed=seed))
+                path = os.path.join(options.keep or folder, "{}{}.db".format(layout, seed))
+                if not os.path.exists(path):
+                    street.write(path)
+                for chance in options.significance:
+                    before: List[int] = []
+                    for loops in (False, True):
+                        count, right = verified(street, path, dict(significance=chance, loops=loops))
+                        counts.setdefault((chance, loops), []).append((*count, len(set(before) - set(right))))
+                        before = right
+            for (chance, loops), rows in counts.items():
+                total = np.sum(rows, axis=0)
+                print("{:<8}{:8.0e}{:>7}{:9.0f}{:7.0f}{:8.0f}{:7.0f}{:12.0f}{:7.0f}{:6.0f}{:8.1f}".format(
+                    layout, chance, "yes" if loops else "no", *total[[0, 1, 2, 3, 4, 5, 7, 6]]), flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -30,7 +30,7 @@ _Rotation = Tuple[float, float, float, float]  # w, x, y, z; takes directions of
 
 STRONGER = 2.0  # inliers of a link, in terms of those of the pair that is judged
 LARGEST = 20.0  # degrees
-LONGEST = 16  # links in a path: the errors of many add up
+LONGEST = 32  # links in a path: the errors of many add up
 
 _NONE: _Rotation = (1.0, 0.0, 0.0, 0.0)
 
