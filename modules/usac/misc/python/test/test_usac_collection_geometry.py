@@ -152,7 +152,7 @@ class GeometryTest(unittest.TestCase):
             Settings(ratios=(0.5, 0.0))
 
     def test_samples_of_many_right_matches(self):
-        """The local optimization needs less of them than luck does: as many pairs are found as by five times as many samples."""
+        """The local optimization needs less of them than luck does: as many pairs are found as by ten times as many samples."""
         settings = Settings(threshold=1)
         full = math.log(0.001) / math.log1p(-settings._rightSamples(5, 200, 0.25))
         self.assertLess(settings.needed(5, 200), full / 3.9)
@@ -163,10 +163,12 @@ class GeometryTest(unittest.TestCase):
             pair = Scene(1000 + seed, count=200, wrong=0).pair
             pair.second.points[50:] = np.random.RandomState(seed).uniform(0, SIZE, (150, 2))  # a quarter is right
             pairs.append(pair)
-        found = [[result.configuration == Configuration.CALIBRATED for result in verifyPairs(pairs, Settings(threshold=1, **options))]
-                 for options in ({}, {"maxIterations": 10000, "inlierRatio": 0.18})]
-        self.assertGreater(sum(found[1]), 90)
-        self.assertGreaterEqual(sum(found[0]), sum(found[1]))
+        found = [[result.configuration for result in verifyPairs(pairs, Settings(threshold=1, **options))]
+                 for options in ({}, {"maxIterations": 10000, "inlierRatio": 0.18}, {"maxIterations": 1000})]
+        for configurations in found:
+            self.assertNotIn(Configuration.DEGENERATE, configurations)
+            # With 1000 samples E alone stays behind F in 6 of them; it starts from F then.
+            self.assertGreaterEqual(configurations.count(Configuration.CALIBRATED), 99)
 
     def test_fundamental_matrix_alone(self):
         """Where E was refused F is searched for in few samples, and more is asked of it."""

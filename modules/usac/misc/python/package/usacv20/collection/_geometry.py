@@ -18,7 +18,7 @@ The rules are COLMAP's, with differences that are marked (*).
 3. CALIBRATED: E has at least `calibrationRatio` of the inliers of F, but for the two matches that F's two degrees of freedom
    more can win from any points, or H has more than `planarRatio` of E's (*): with a plane F can choose an epipole that suits
    wrong matches, and its surplus tells nothing of the focal lengths. UNCALIBRATED: F has at least `minInliers`, and E has not,
-   or too few.
+   or too few, even one that starts from F (*).
    PLANAR_OR_PANORAMIC: H explains as much as said in 2. Of cameras whose focal lengths are known a rotation is fitted to H's
    inliers (*): PANORAMIC if it has more than `planarRatio` of E's, else PLANAR.
 4. WATERMARK: at least 0.7 of the inliers lie in the border of both images, a tenth of the diagonal wide, and have one and the
@@ -141,6 +141,7 @@ def verifyPairs(pairs: typing.Sequence[Pair], settings: Settings) -> List[TwoVie
     enough = [work for work in works if len(work.pair.matches) >= settings.leastMatches]
     _estimateEpipolar("E", [work for work in enough if work.calibrated], settings)
     _estimateEpipolar("F", enough, settings)
+    _improveEssentials(enough, settings)
     _estimateHomographies(enough, settings)
     return [_result(work, settings) for work in works]
 
@@ -156,6 +157,25 @@ def _estimateEpipolar(name: str, works: List[_Work], settings: Settings) -> None
         results = estimateFundamentals(points1, points2, params, threads=1, returnExceptions=True)
     for work, result in zip(works, results):
         work.take(name, result, settings)
+
+
+def _improveEssentials(works: List[_Work], settings: Settings) -> None:
+    """Where F would tell that the focal lengths are wrong, the search of E may have missed what F has found: E starts from it."""
+    chosen = [work for work in works if work.calibrated and "F" in work.models and _base(work, settings) is work.models["F"]]
+    options = []
+    for work in chosen:
+        params = settings.params(work.pair)
+        params.maxIterations = min(settings.maxIterations, _ITERATIONS_FROM_E)
+        params.setInitialModel(essentialOf(work.models["F"].matrix, work.pair.first.matrix, work.pair.second.matrix))
+        options.append(params)
+    results = estimateEssentials([work.pair.first.points for work in chosen], [work.pair.second.points for work in chosen],
+                                 [work.pair.first.matrix for work in chosen], [work.pair.second.matrix for work in chosen],
+                                 params=options, threads=1, returnExceptions=True) if chosen else []
+    for work, result in zip(chosen, results):
+        before = work.models.get("E")
+        found = None if isinstance(result, Exception) or result[0] is None else np.count_nonzero(result[1])
+        if found is not None and (before is None or found > before.inliers):
+            work.take("E", result, settings)
 
 
 def _estimateHomographies(works: List[_Work], settings: Settings) -> None:
