@@ -399,7 +399,8 @@ class MistakesTest(Reports):
         for repeats in (10, 60):
             change(self.path("a.db"), "DELETE FROM usacv20_pairs")
             change(self.path("a.db"), """WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < ?)
-INSERT INTO usacv20_pairs SELECT {} + i, 1, 2, '', 100, 50, i, 0, i / 100.0 FROM n""".format(pairId(1, 1)), 1000 * repeats)
+INSERT INTO usacv20_pairs (pair_id, run_id, configuration, reason, matches, inliers, iterations, chance,
+milliseconds) SELECT {} + i, 1, 2, '', 100, 50, i, 0, i / 100.0 FROM n""".format(pairId(1, 1)), 1000 * repeats)
             tracemalloc.start()
             with Results(self.path("a.db")) as opened:
                 self.assertEqual(summarize(opened)["verified"], 1000 * repeats)

@@ -60,7 +60,9 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--min-inliers", type=_count, default=default.minInliers, metavar="N",
                        help="of a pair that is kept (default %(default)s)")
     group.add_argument("--significance", type=float, default=default.significance, metavar="CHANCE",
-                       help="of pairs without overlap at most this part is kept (default %(default)s)")
+                       help="chance with which random matches would give as good a pair: of pairs without overlap whose matches are "
+                            "random at most this part is kept, more of those whose wrong matches agree, as repeated structure has "
+                            "them (default %(default)s)")
     group.add_argument("--no-watermarks", action="store_true", help="do not look for pairs that share a mark or frame only")
     group.add_argument("--seed", type=int, default=default.seed, help="of the pseudo-random samples (default %(default)s)")
 
@@ -97,6 +99,8 @@ def _parser() -> argparse.ArgumentParser:
     scores.add_argument("--scores", metavar="FILE", help="of the matches, as hloc writes them (HDF5)")
     scores.add_argument("--scores-column", metavar="NAME", help="of the table matches, with a float32 or float64 for each match")
     verify.add_argument("--lower-is-better", action="store_true", help="of the numbers in --scores-column (default: higher)")
+    verify.add_argument("--no-loops", action="store_false", dest="loops",
+                        help="keep pairs, too, whose rotation contradicts that of pairs with more matches (repeated structure)")
     _addEstimation(verify)
     _addEngine(verify)
     verify.set_defaults(function=_verify)
@@ -149,7 +153,7 @@ def _verify(options: argparse.Namespace) -> int:
     elif options.scores_column:
         scores = ColumnScores(options.scores_column, not options.lower_is_better)
     return _exitCode(verifyDatabase(options.database, options.output, options.threshold, options.pairs, options.resume, scores,
-                                    _settings(options), say, **_engine(options)))
+                                    options.loops, _settings(options), say, **_engine(options)))
 
 
 def _pairs(options: argparse.Namespace) -> int:

@@ -15,10 +15,13 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
+from ._database import IMAGES
+from ._loops import Edge
 from ._pair import CollectionError, Configuration, Key, TwoView
 from ._sqlite import checkInput, columns, connect, explained
 
-VERSION = 2  # of our own tables and of what is in a row; 1: zeros for matrices that are not known
+# Of our own tables and of what is in a row; 1: zeros for matrices that are not known; 2: no rotations.
+VERSION = 3
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
 
@@ -30,10 +33,13 @@ _OWN = (
 state TEXT NOT NULL, started TEXT NOT NULL, updated TEXT NOT NULL)""".format(RUNS),
     """CREATE TABLE IF NOT EXISTS {} (pair_id INTEGER PRIMARY KEY NOT NULL, run_id INTEGER NOT NULL,
 configuration INTEGER NOT NULL, reason TEXT NOT NULL, matches INTEGER NOT NULL, inliers INTEGER NOT NULL,
-iterations INTEGER NOT NULL, chance REAL, milliseconds REAL)""".format(PAIRS),
+iterations INTEGER NOT NULL, chance REAL, milliseconds REAL, rotations BLOB)""".format(PAIRS),
 )
 _NEEDED = ("pair_id", "rows", "cols", "data", "config")
+_LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # whose rotation is one and well determined
 _MATRICES = ("F", "E", "H", "qvec", "tvec")  # versions before 3.8 have some of them
+# How the reasons of pairs begin that others contradict: not all of those are known until a run has ended, so --resume begins anew.
+CONTRADICTED = "loop: "
 _SIZES = {"F": 9, "E": 9, "H": 9, "qvec": 4, "tvec": 3}
 
 
@@ -84,19 +90,49 @@ class DatabaseSink:
         return self._resumed
 
     def done(self, key: Key) -> bool:
-        """Faults, which have no row, are not: the database may have been repaired meanwhile."""
+        """Faults, which have no row, are not: the database may have been repaired meanwhile. Neither are pairs that others have
+        contradicted: new pairs may be on their side."""
         if not self._resumed:
             return False
         with explained(self.path):
             return bool(self._connection.execute(
-                "SELECT 1 FROM {} JOIN two_view_geometries USING (pair_id) WHERE pair_id = ? AND run_id IN ({})".format(
-                    PAIRS, self._same), (int(key),)).fetchall())
+                "SELECT 1 FROM {} JOIN two_view_geometries USING (pair_id) WHERE pair_id = ? AND run_id IN ({}) "
+                "AND reason NOT GLOB '{}*'".format(PAIRS, self._same, CONTRADICTED), (int(key),)).fetchall())
 
     def commit(self, results: typing.Sequence[TwoView]) -> None:
         if self._closed:
             raise CollectionError("{}: results come after the database was closed".format(self.path))
         with explained(self.path):
             self._transaction(lambda: self._write(results))
+
+    def edges(self) -> List[Edge]:
+        """The pairs that are kept, of this run and of those that it goes on."""
+        runs = ", ".join(filter(None, [self._same, "" if self._run is None else str(self._run)]))
+        with explained(self.path):
+            if not runs or not columns(self._connection, PAIRS):
+                return []
+            return [Edge(key, *divmod(key, IMAGES), inliers, np.frombuffer(rotations, "<f8").reshape(-1, 4), configuration in _LINKS)
+                    for key, inliers, configuration, rotations in self._connection.execute(
+                        "SELECT pair_id, inliers, configuration, rotations FROM {} WHERE inliers > 0 AND rotations IS NOT NULL "
+                        "AND run_id IN ({})".format(PAIRS, runs))]
+
+    def refuse(self, pairs: typing.Mapping[Key, str]) -> int:
+        """Pairs that were committed, for the reasons given; returns how many of them this run has committed."""
+        def own() -> int:
+            kept = self._connection.execute("SELECT count(*) FROM {} WHERE run_id = ? AND inliers > 0".format(PAIRS), (self._run,))
+            return int(kept.fetchone()[0])
+        with explained(self.path):
+            before = own()
+            self._transaction(lambda: self._refuse(pairs))
+            return before - own()
+
+    def _refuse(self, pairs: typing.Mapping[Key, str]) -> None:
+        self._begin()
+        self._connection.executemany("UPDATE two_view_geometries SET rows = 0, data = NULL, config = {:d}{} WHERE pair_id = ?".format(
+            Configuration.DEGENERATE, "".join(", {} = NULL".format(name) for name in self._matrices)), ((key,) for key in pairs))
+        self._connection.executemany("UPDATE {} SET configuration = {:d}, reason = ?, inliers = 0, rotations = NULL WHERE pair_id = ?"
+                                     .format(PAIRS, Configuration.DEGENERATE),
+                                     ((CONTRADICTED + reason, key) for key, reason in pairs.items()))
 
     def close(self, finished: bool = True) -> None:
         """finished -- False: pairs are left for --resume."""
@@ -179,9 +215,9 @@ class DatabaseSink:
             (self._row(result) for result in results if result.configuration != Configuration.UNDEFINED))
         self._connection.executemany(
             "INSERT OR REPLACE INTO {} (pair_id, run_id, configuration, reason, matches, inliers, iterations, chance, "
-            "milliseconds) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
+            "milliseconds, rotations) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
             ((result.key, self._run, int(result.configuration), result.reason, int(result.matches), len(result.inliers),
-              int(result.iterations), float(result.chance), float(result.milliseconds)) for result in results))
+              int(result.iterations), float(result.chance), float(result.milliseconds), _rotations(result)) for result in results))
         self._connection.execute("UPDATE {} SET state = ?, updated = ? WHERE run_id = ?".format(RUNS),
                                  (RUNNING, _now(), self._run))
 
@@ -191,6 +227,8 @@ class DatabaseSink:
         begun = self._resumed or self._keep
         for statement in (_GEOMETRIES,) + (() if begun else ("DROP TABLE IF EXISTS {}".format(PAIRS),)) + _OWN:
             self._connection.execute(statement)
+        if "rotations" not in columns(self._connection, PAIRS):  # of version 2
+            self._connection.execute("ALTER TABLE {} ADD COLUMN rotations BLOB".format(PAIRS))
         if not begun:
             self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
         self._newest = self._run = self._connection.execute(
@@ -213,6 +251,10 @@ class DatabaseSink:
         data = np.ascontiguousarray(result.inliers, "<u4").tobytes() if count else None
         matrices = [_blob(given[name], _SIZES[name]) if count else None for name in self._matrices]
         return (result.key, count, 2, data, int(result.configuration), *matrices)
+
+
+def _rotations(result: TwoView) -> Optional[bytes]:
+    return None if result.rotations is None else np.ascontiguousarray(result.rotations, "<f8").tobytes()
 
 
 def _blob(values: Any, size: int) -> Optional[bytes]:

@@ -36,6 +36,7 @@ class Summary:
         self.pairs = 0  # results stored by this run, faults among them
         self.skipped = 0  # pairs that an earlier run has stored
         self.refused = 0
+        self.contradicted = 0  # of all pairs of the table: those that are refused as others contradict them
         self.faults = 0
         self.interrupted = False
         self.threshold = float("nan")  # pixels
@@ -57,6 +58,8 @@ class Summary:
             self.pairs, self.elapsed, self.pairs / max(self.elapsed, 1e-9), self.verified, self.refused)
         if self.faults:
             text += ", {} cannot be read".format(self.faults)
+        if self.contradicted:
+            text += "; {} pairs are refused as others with more matches contradict them".format(self.contradicted)
         if self.skipped:
             text += "; {} were done before".format(self.skipped)
         return text + ("; interrupted" if self.interrupted else "")

@@ -18,7 +18,7 @@ The rules are COLMAP's, with differences that are marked (*).
 3. CALIBRATED: E has at least `calibrationRatio` of the inliers of F, but for the two matches that F's two degrees of freedom
    more can win from any points, or H has more than `planarRatio` of E's (*): with a plane F can choose an epipole that suits
    wrong matches, and its surplus tells nothing of the focal lengths. UNCALIBRATED: F has at least `minInliers`, and E has not,
-   or too few.
+   or too few, even one that starts from F (*).
    PLANAR_OR_PANORAMIC: H explains as much as said in 2. Of cameras whose focal lengths are known a rotation is fitted to H's
    inliers (*): PANORAMIC if it has more than `planarRatio` of E's, else PLANAR.
 4. WATERMARK: at least 0.7 of the inliers lie in the border of both images, a tenth of the diagonal wide, and have one and the
@@ -44,7 +44,7 @@ from .._params import Params
 from .._report import Report
 from ._distances import area, mapDistances, sampsonDistances
 from ._pair import Configuration, Pair, TwoView, View
-from ._poses import directions, motionOfEssential, quaternion, rotation
+from ._poses import directions, essentialOf, motionOfEssential, quaternion, rotation, rotationsOfPlane
 from ._settings import LEAST_ITERATIONS, Settings
 
 if TYPE_CHECKING:
@@ -141,6 +141,7 @@ def verifyPairs(pairs: typing.Sequence[Pair], settings: Settings) -> List[TwoVie
     enough = [work for work in works if len(work.pair.matches) >= settings.leastMatches]
     _estimateEpipolar("E", [work for work in enough if work.calibrated], settings)
     _estimateEpipolar("F", enough, settings)
+    _improveEssentials(enough, settings)
     _estimateHomographies(enough, settings)
     return [_result(work, settings) for work in works]
 
@@ -156,6 +157,25 @@ def _estimateEpipolar(name: str, works: List[_Work], settings: Settings) -> None
         results = estimateFundamentals(points1, points2, params, threads=1, returnExceptions=True)
     for work, result in zip(works, results):
         work.take(name, result, settings)
+
+
+def _improveEssentials(works: List[_Work], settings: Settings) -> None:
+    """Where F would tell that the focal lengths are wrong, the search of E may have missed what F has found: E starts from it."""
+    chosen = [work for work in works if work.calibrated and "F" in work.models and _base(work, settings) is work.models["F"]]
+    options = []
+    for work in chosen:
+        params = settings.params(work.pair)
+        params.maxIterations = min(settings.maxIterations, _ITERATIONS_FROM_E)
+        params.setInitialModel(essentialOf(work.models["F"].matrix, work.pair.first.matrix, work.pair.second.matrix))
+        options.append(params)
+    results = estimateEssentials([work.pair.first.points for work in chosen], [work.pair.second.points for work in chosen],
+                                 [work.pair.first.matrix for work in chosen], [work.pair.second.matrix for work in chosen],
+                                 params=options, threads=1, returnExceptions=True) if chosen else []
+    for work, result in zip(chosen, results):
+        before = work.models.get("E")
+        found = None if isinstance(result, Exception) or result[0] is None else np.count_nonzero(result[1])
+        if found is not None and (before is None or found > before.inliers):
+            work.take("E", result, settings)
 
 
 def _estimateHomographies(works: List[_Work], settings: Settings) -> None:
@@ -262,12 +282,26 @@ def _result(work: _Work, settings: Settings) -> TwoView:
             pose = pose if turn is None else (turn, np.zeros(3))
     if settings.watermarks and _isWatermark(base.mask, pair, settings.threshold):
         configuration = Configuration.WATERMARK
+    rotations = _rotations(configuration, base, H, pose, pair) if work.calibrated else None
     return TwoView(
         pair.key, configuration, np.ascontiguousarray(pair.matches[base.mask], np.uint32),
         _fundamental(base.matrix, pair) if calibrated else None if F is None else F.matrix,
         base.matrix if calibrated else None, None if H is None else H.matrix,
         None if pose is None else quaternion(pose[0]), None if pose is None else pose[1], "", len(pair.matches),
-        work.iterations, base.report.chance, work.milliseconds)
+        work.iterations, base.report.chance, work.milliseconds, rotations)
+
+
+def _rotations(configuration: Configuration, base: _Model, H: Optional[_Model], pose: Optional[Tuple[_Array, _Array]],
+               pair: Pair) -> Optional[_Array]:
+    """Those that are possible, one of which is right if the pair is."""
+    if configuration == Configuration.WATERMARK:
+        return None
+    found = [] if pose is None else [pose[0]]
+    if configuration == Configuration.PLANAR and H is not None:
+        found += rotationsOfPlane(np.linalg.inv(pair.second.matrix) @ H.matrix @ pair.first.matrix)
+    elif configuration == Configuration.UNCALIBRATED:
+        found = [motionOfEssential(essentialOf(base.matrix, pair.first.matrix, pair.second.matrix), *_views(pair, base.mask))[0]]
+    return np.array([quaternion(R) for R in found]) if found else None
 
 
 def _refused(work: _Work, settings: Settings) -> TwoView:

@@ -83,6 +83,8 @@ class TwoView(typing.NamedTuple):
     iterations: int  # samples drawn, of all models
     chance: float  # Report.chance of the model that was taken
     milliseconds: float
+    # k x 4, as `quaternion`: those that the matches allow, one of which is right. None: the focal lengths are not known
+    rotations: Optional[npt.NDArray[np.float64]] = None
 
 
 class Source(typing.Protocol):

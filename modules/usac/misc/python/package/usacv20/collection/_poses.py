@@ -8,6 +8,7 @@ Directions are N x 3 with z = 1: K^-1 (x, y, 1). A motion takes a point X of the
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Tuple
 
 import numpy as np
@@ -64,6 +65,39 @@ def rotation(first: _Array, second: _Array) -> _Array:
     U[:, 2] *= np.linalg.det(U) * np.linalg.det(V)
     result: _Array = U @ V
     return result
+
+
+def essentialOf(F: _Array, matrix1: _Array, matrix2: _Array) -> _Array:
+    """The essential matrix nearest to a fundamental matrix of two cameras."""
+    U, _, V = np.linalg.svd(matrix2.T @ F @ matrix1)
+    U[:, 2] = 0
+    E: _Array = U @ V
+    return E
+
+
+def rotationsOfPlane(H: _Array) -> Tuple[_Array, _Array]:
+    """The two rotations with which cameras can see a plane so that H takes directions of the first to those of the second, the
+    same twice if H is a rotation (Ma, Soatto, Kosecka, Sastry: An invitation to 3-D vision, algorithm 5.2)."""
+    H = H / np.linalg.svd(H, compute_uv=False)[1] * (1 if np.linalg.det(H) > 0 else -1)
+    values, vectors = np.linalg.eigh(H.T @ H)
+    low, middle, high = np.maximum(values, 0)
+    v3, v2, v1 = vectors.T
+    a, b = math.sqrt(max(1 - low, 0)), math.sqrt(max(high - 1, 0))
+    if high - low < 1e-12:
+        return _nearest(H), _nearest(H)
+    result = []
+    for sign in (1, -1):
+        u = (a * v1 + sign * b * v3) / math.sqrt(high - low)
+        U, W = np.column_stack([v2, u, np.cross(v2, u)]), np.column_stack([H @ v2, H @ u, np.cross(H @ v2, H @ u)])
+        result.append(_nearest(W @ U.T))
+    return result[0], result[1]
+
+
+def _nearest(matrix: _Array) -> _Array:
+    U, _, V = np.linalg.svd(matrix)
+    U[:, 2] *= np.linalg.det(U) * np.linalg.det(V)
+    R: _Array = U @ V
+    return R
 
 
 def quaternion(R: _Array) -> _Array:

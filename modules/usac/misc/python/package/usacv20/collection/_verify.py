@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import time
 import typing
 from typing import Any, Callable, Dict, Optional, Union
 
@@ -15,6 +16,7 @@ from ._database import DatabaseSource
 from ._database_sink import DatabaseSink, lastRun
 from ._engine import CHUNK, Summary, run
 from ._geometry import verifyPairs
+from ._loops import contradicted
 from ._pair import CollectionError, Source
 from ._scores import ColumnScores, HlocScores
 from ._selection import Selection
@@ -26,7 +28,7 @@ Say = Callable[[str], Any]
 
 
 def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float] = None, pairs: Optional[str] = None,
-           resume: bool = False, scores: Union[HlocScores, ColumnScores, None] = None, threads: int = 0, workers: int = 0,
+           resume: bool = False, scores: Union[HlocScores, ColumnScores, None] = None, loops: bool = True, threads: int = 0, workers: int = 0,
            scheduler: str = "", chunk: int = CHUNK, progress: Optional[bool] = False, say: Optional[Say] = None,
            **settings: Any) -> Summary:
     """The two-view geometry of all pairs of a COLMAP database: what `usacv20-collection verify` does.
@@ -37,6 +39,7 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     pairs -- file with the names of two images on a line: only those pairs are verified, rows of others stay as they are
     resume -- True: pairs that a run with the same settings has done are skipped, pairs that are new are done
     scores -- of the matches
+    loops -- False: pairs are kept, too, whose rotation contradicts that of pairs with more matches
     threads, workers, scheduler -- 0: a thread for each core; of Dask: processes, or tcp://HOST:PORT
     chunk -- pairs that are handed out and stored together
     progress -- a bar on stderr: True, False, or None: if that is a terminal
@@ -45,7 +48,7 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
 
     Pairs that cannot be read are named on stderr and counted in the summary. Raises CollectionError if nothing can be done, and
     KeyboardInterrupt, after what is under way was stored, if the run was interrupted."""
-    summary = verifyDatabase(path, output, threshold, pairs, resume, scores, settings, say or _silent, threads=threads,
+    summary = verifyDatabase(path, output, threshold, pairs, resume, scores, loops, settings, say or _silent, threads=threads,
                              workers=workers, scheduler=scheduler, chunk=chunk, progress=progress)
     if summary.interrupted:
         raise KeyboardInterrupt
@@ -56,7 +59,7 @@ def _silent(line: str) -> None:
     pass
 
 
-def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float], pairs: Optional[str], resume: bool, scores: Any,
+def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float], pairs: Optional[str], resume: bool, scores: Any, loops: bool,
                    options: Dict[str, Any], say: Say, **engine: Any) -> Summary:
     """As `verify`; an interruption is in the summary."""
     with contextlib.closing(DatabaseSource(path, scores)) as source:
@@ -72,9 +75,9 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
         settings = settle(source, threshold, options, _stored(target) if resume else None, say)
         if output and not (resume and os.path.exists(output)):
             copyDatabase(path, output)
-        used = dict(settings.asDict(), scores=scores.describe() if scores else None)
+        used = dict(settings.asDict(), scores=scores.describe() if scores else None, loops=loops)
         sink = DatabaseSink(target, used, resume, keep=pairs is not None)
-        summary = go(chosen, sink, settings, say, **engine)
+        summary = go(chosen, sink, settings, say, sink if loops else None, **engine)
     summary.threshold = settings.threshold
     if sink.removed:
         say("{} rows that were in two_view_geometries are replaced".format(sink.removed))
@@ -102,17 +105,31 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
     return Settings(threshold=estimate.threshold, ratios=estimate.ratios, **options)
 
 
-def go(source: Source, sink: Any, settings: Settings, say: Say, **engine: Any) -> Summary:
-    """The run itself; the sink is closed."""
+def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, **engine: Any) -> Summary:
+    """The run itself; the sink is closed.
+
+    graph -- the sink, if pairs are refused that others contradict"""
     finished = False
     try:
         summary = run(source, sink, settings, verifyPairs, **engine)
         finished = not summary.interrupted
+        if finished and graph is not None:
+            _refuseContradicted(graph, summary)
     finally:
         sink.close(finished)
     say(summary.line())
     say(summary.times())
     return summary
+
+
+def _refuseContradicted(graph: DatabaseSink, summary: Summary) -> None:
+    start = time.perf_counter()
+    wrong = contradicted(graph.edges())
+    if wrong:
+        summary.refused += graph.refuse({key: "turned by {:.0f} degrees against a path of pairs with more matches".format(degrees)
+                                         for key, degrees in wrong.items()})
+    summary.contradicted = len(wrong)
+    summary.writing += time.perf_counter() - start
 
 
 def _stored(path: str) -> Optional[Dict[str, Any]]:

@@ -1,0 +1,217 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Pairs that are refused as pairs with more matches contradict them."""
+
+import os
+import shutil
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+from usac_camera import rotation as rotationOf
+from usac_collection_database import DatabaseCase, change, dump, pairId, rows, smallDatabase
+from usac_common import IN_TREE, once, package
+
+if not IN_TREE:
+    from usacv20.collection import verify
+    from usacv20.collection._database_sink import DatabaseSink
+    from usacv20.collection._loops import LONGEST, Edge, contradicted
+    from usacv20.collection._pair import CollectionError, Configuration, TwoView
+    from usacv20.collection._poses import essentialOf, motionOfEssential, quaternion, rotationsOfPlane
+
+SAMPLES = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..", "..", "samples",
+                                        "benchmark", "collection"))
+RESULTS = ("two_view_geometries", "usacv20_pairs")
+
+
+class Ring(object):
+    """Images whose true rotations are known."""
+
+    def __init__(self, count, seed=0):
+        rng = np.random.RandomState(seed)
+        self.rng = rng
+        self.rotations = [rotationOf([0, 2 * np.pi * i / count, 0]).dot(rotationOf(rng.normal(0, 0.1, 3))) for i in range(count)]
+
+    def edge(self, first, second, inliers, degrees=0.0, link=True, noise=0.5):
+        """A pair whose rotation is wrong by so many degrees, and by some noise."""
+        wrong = rotationOf(np.radians(degrees) * np.array([0, 0.6, 0.8])).dot(rotationOf(np.radians(self.rng.normal(0, noise, 3))))
+        R = wrong.dot(self.rotations[second]).dot(self.rotations[first].T)
+        return Edge((first, second), first, second, inliers, quaternion(R)[None], link)
+
+
+def chain(ring, inliers=100):
+    return [ring.edge(i, i + 1, inliers) for i in range(len(ring.rotations) - 1)]
+
+
+@once
+@package
+class LoopsTest(unittest.TestCase):
+
+    def test_wrong_pairs(self):
+        ring = Ring(12)
+        wrong = [ring.edge(0, 6, 40, 180), ring.edge(11, 3, 30, 50), ring.edge(2, 4, 49, -60)]
+        edges = chain(ring) + [ring.edge(i, i + 2, 45) for i in range(10)] + wrong
+        for _ in range(5):
+            found = contradicted([edges[i] for i in ring.rng.permutation(len(edges))])
+            self.assertEqual(set(found), {edge.key for edge in wrong})
+            for edge, degrees in zip(wrong, (180, 50, 60)):
+                self.assertLess(abs(found[edge.key] - degrees), 5)
+        self.assertEqual(contradicted([]), {})
+
+    def test_what_is_asked_of_links(self):
+        """Twice the inliers, one rotation of calibrated cameras, and not many of them."""
+        ring = Ring(12)
+        wrong = ring.edge(0, 4, 51, 90)
+        self.assertEqual(contradicted(chain(ring) + [wrong]), {})
+        self.assertEqual(list(contradicted(chain(ring, 102) + [wrong])), [(0, 4)])
+        self.assertEqual(contradicted([edge._replace(link=False) for edge in chain(ring, 102)] + [wrong]), {})
+        cut = chain(ring, 102)
+        del cut[2]
+        self.assertEqual(contradicted(cut + [wrong]), {})
+        ring = Ring(2 * LONGEST)
+        for distance, count in ((LONGEST, 1), (LONGEST + 1, 0)):
+            self.assertEqual(len(contradicted(chain(ring) + [ring.edge(3, 3 + distance, 20, 90)])), count)
+
+    def test_wrong_links_are_none(self):
+        """A pair that was found wrong does not speak against others."""
+        ring = Ring(8)
+        links = [ring.edge(0, 1, 1000), ring.edge(1, 2, 1000), ring.edge(4, 3, 1000)]
+        wrong = ring.edge(0, 2, 400, 90)
+        right = ring.edge(0, 3, 300), ring.edge(2, 4, 90)
+        self.assertEqual(list(contradicted(links + [wrong, *right])), [(0, 2)])
+        self.assertEqual(list(contradicted(links[1:] + [wrong, right[0], ring.edge(1, 4, 90)])), [(1, 4)])  # nobody knows
+
+    def test_one_of_two_rotations(self):
+        ring = Ring(8)
+        plane = ring.edge(0, 4, 30, 90)
+        self.assertEqual(list(contradicted(chain(ring) + [plane])), [(0, 4)])
+        both = np.concatenate([plane.rotations, -ring.edge(0, 4, 30).rotations])  # q and -q are one rotation
+        self.assertEqual(contradicted(chain(ring) + [plane._replace(rotations=both)]), {})
+
+    def test_rotations_of_a_plane(self):
+        rng = np.random.RandomState(3)
+        for trial in range(50):
+            R, t, normal = rotationOf(rng.normal(0, 0.4, 3)), rng.normal(0, 0.3, 3), np.array([*rng.normal(0, 0.3, 2), 1])
+            if trial % 5 == 0:
+                t = 1e-9 * t
+            H = rng.choice([-3, 0.2]) * (R + np.outer(t, normal / np.linalg.norm(normal)))
+            found = rotationsOfPlane(H)
+            self.assertLess(min(np.abs(other - R).max() for other in found), 1e-6)
+            for other in found:
+                np.testing.assert_allclose(other.dot(other.T), np.eye(3), atol=1e-9)
+                self.assertGreater(np.linalg.det(other), 0)
+
+    def test_essential_matrix_of_a_fundamental_one(self):
+        rng = np.random.RandomState(4)
+        K1, K2 = np.array([[900., 0, 500], [0, 905, 400], [0, 0, 1]]), np.array([[700., 0, 300], [0, 700, 200], [0, 0, 1]])
+        R, t = rotationOf([0.1, -0.3, 0.2]), np.array([1, 0.2, -0.1])
+        X = rng.uniform([-2, -2, 4], [2, 2, 8], (50, 3))
+        E = np.cross(np.eye(3), t).T.dot(R)
+        F = np.linalg.inv(K2).T.dot(E).dot(np.linalg.inv(K1))
+        found = motionOfEssential(essentialOf(F, K1, K2), X / X[:, 2:], (X.dot(R.T) + t) / (X.dot(R.T) + t)[:, 2:])
+        np.testing.assert_allclose(found[0], R, atol=1e-9)
+        np.testing.assert_allclose(found[1], t / np.linalg.norm(t), atol=1e-9)
+
+
+@once
+@package
+class LoopsOfDatabaseTest(DatabaseCase):
+
+    def setUp(self):
+        super().setUp()
+        smallDatabase(self.path)
+
+    def result(self, first, second, inliers, R, configuration=2):
+        none = inliers == 0
+        return TwoView(pairId(first, second), Configuration(configuration), np.zeros((inliers, 2), np.uint32), None if none else np.eye(3),
+                       None, None, None, None, "none" if none else "", 60, 10, 1e-9, 0.1, None if none else quaternion(R)[None])
+
+    def test_table(self):
+        sink = DatabaseSink(self.path, {})
+        self.assertEqual(sink.edges(), [])
+        turn = rotationOf([0, 1, 0])
+        sink.commit([self.result(1, 2, 50, turn), self.result(1, 3, 20, turn, 3), self.result(2, 3, 0, turn),
+                     self.result(2, 4, 30, turn, 7)._replace(rotations=None)])
+        edges = sink.edges()
+        self.assertEqual([(edge.first, edge.second, edge.inliers, edge.link) for edge in edges], [(1, 2, 50, True), (1, 3, 20, False)])
+        np.testing.assert_array_equal(edges[0].rotations, quaternion(turn)[None])
+        self.assertEqual(sink.refuse({pairId(1, 3): "so"}), 1)
+        sink.close()
+        key = pairId(1, 3)
+        self.assertEqual(rows(self.path, "SELECT rows, data, config, F FROM two_view_geometries WHERE pair_id = ?", key),
+                         [(0, None, 1, None)])
+        self.assertEqual(rows(self.path, "SELECT configuration, reason, inliers, rotations FROM usacv20_pairs WHERE pair_id = ?", key),
+                         [(1, "loop: so", 0, None)])
+        sink = DatabaseSink(self.path, {}, resume=True)
+        self.addCleanup(sink.close)
+        self.assertEqual([sink.done(pairId(*pair)) for pair in ((1, 2), (1, 3), (2, 3))], [True, False, True])
+        self.assertEqual(len(sink.edges()), 1)
+
+    def test_table_of_another_version(self):
+        sink = DatabaseSink(self.path, {})
+        sink.close()
+        change(self.path, "ALTER TABLE usacv20_pairs DROP COLUMN rotations")
+        change(self.path, "UPDATE usacv20_runs SET version = 2")
+        with self.assertRaisesRegex(CollectionError, "another version"):
+            DatabaseSink(self.path, {}, resume=True)
+        sink = DatabaseSink(self.path, {}, keep=True)
+        sink.commit([self.result(1, 2, 50, np.eye(3))])
+        self.assertEqual(len(sink.edges()), 1)
+        sink.close()
+
+
+@once
+@package
+@unittest.skipUnless(os.path.exists(SAMPLES), "the samples are not here")
+class CourtTest(unittest.TestCase):
+    """A court whose opposite sides have the same windows."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp()
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        sys.path.insert(0, SAMPLES)
+        cls.addClassCleanup(sys.path.remove, SAMPLES)
+        from streets import Options, Street
+        cls.street = Street(Options("court", 16, seed=1))
+
+    def verified(self, name, **options):
+        """Pairs that are kept, with and without overlap."""
+        path = os.path.join(self.folder, name)
+        if not os.path.exists(path):
+            self.street.write(path)
+        self.summary = verify(path, threshold=0.9, threads=1, **options)
+        kept = [key for key, in rows(path, "SELECT pair_id FROM two_view_geometries WHERE rows > 0")]
+        return [sum(condition(self.street.common[key]) for key in kept) for condition in (lambda n: n >= 30, lambda n: n == 0)]
+
+    def test_pairs_without_overlap(self):
+        right, wrong = self.verified("all.db", loops=False)
+        self.assertGreater(wrong, 5)
+        self.assertEqual(self.summary.contradicted, 0)
+        before = self.summary.verified
+        self.assertEqual(self.verified("all.db"), [right, 0])
+        self.assertEqual(self.summary.contradicted, wrong)
+        self.assertEqual(self.summary.verified, before - wrong)
+        self.assertIn("{} pairs are refused as others".format(wrong), self.summary.line())
+
+    def test_some_pairs_first(self):
+        """What is added later has a say in what was done before: the table is that of one run."""
+        self.verified("one.db")
+        names = os.path.join(self.folder, "pairs.txt")
+        with open(names, "w") as file:
+            for i in range(1, 11):
+                file.writelines("{:03}.png {:03}.png\n".format(i, j) for j in range(i + 1, 11))
+        self.verified("two.db", pairs=names)
+        self.verified("two.db", resume=True)
+        self.assertGreater(self.summary.skipped, 20)
+        one, two = (dump(os.path.join(self.folder, name), RESULTS[0]) for name in ("one.db", "two.db"))
+        self.assertEqual(one, two)
+
+
+if __name__ == "__main__":
+    unittest.main()
