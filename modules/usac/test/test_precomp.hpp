@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_PRECOMP_HPP
 #define OPENCV_USACV20_TEST_PRECOMP_HPP
 
-#include "opencv2/ts.hpp"
+#include "framework.hpp"
 #include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
 #include "scenes.hpp"
