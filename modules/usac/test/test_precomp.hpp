@@ -12,6 +12,13 @@
 
 namespace opencv_test {
 using namespace cv::usacv20;
+
+//! A list as a matrix with one element a row. Mat(list) is that with OpenCV 4, and has one dimension with OpenCV 5.
+template <typename Element>
+Mat column(const std::vector<Element>& list)
+{
+    return Mat((int)list.size(), 1, traits::Type<Element>::value, (void*)list.data());
+}
 }
 
 #endif
