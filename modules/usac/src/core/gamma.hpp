@@ -12,6 +12,8 @@ namespace usacv20 {
 @cite press2007numerical; relative error about 1e-14. */
 
 //! Integral of t^(a-1) exp(-t) over 0 .. x; a > 0, x >= 0.
+//! Of a multiple of 1/2; that of libm differs in the last bit between the versions of glibc.
+double gammaFunction(double a);
 double lowerGamma(double a, double x);
 //! The same over x .. infinity; a >= 0, x >= 0. For a = 0 this is the exponential integral, infinite at x = 0.
 double upperGamma(double a, double x);
