@@ -41,7 +41,8 @@ void projectOnTangents(const NormalEquationsOf<SIZE>& sums, const Eigen::Matrix<
     for (int j = 0; j < DIMENSION; ++j)
         for (int i = j; i < DIMENSION; ++i)
             A(i, j) = A(j, i) = innerProduct(basis.col(i), image.col(j));
-    b = basis.transpose().lazyProduct(sums.Jtr);
+    for (int i = 0; i < DIMENSION; ++i)
+        b[i] = innerProduct(basis.col(i), sums.Jtr);
 }
 
 }  // namespace usacv20
