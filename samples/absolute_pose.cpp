@@ -42,8 +42,8 @@ Camera readCamera(const cv::CommandLineParser& parser, cv::Size size)
     {
         const double focal = parser.get<double>("focal"),
                      f = focal > 0 ? focal : 1.2 * std::max(size.width, size.height);
-        camera.matrix = (cv::Mat_<double>(3, 3) << f, 0, 0.5 * (size.width - 1), 0, f, 0.5 * (size.height - 1), 0, 0,
-                         1);
+        const double cx = 0.5 * (size.width - 1), cy = 0.5 * (size.height - 1);
+        camera.matrix = cv::Mat_<double>({3, 3}, {f, 0, cx, 0, f, cy, 0, 0, 1});
         return camera;
     }
     const cv::FileStorage fs(tools::findFile(file), cv::FileStorage::READ);

@@ -8,10 +8,12 @@
 # tests with this module's flags in the place of OpenCV's, and C++ once more with AddressSanitizer and
 # UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo); the last line is "<N> passed, <M> failed".
 #
-# usage: run_tests.sh [opencv]
+# usage: run_tests.sh [opencv | --installed]
 #
-#   opencv  only OpenCV's own tests with this module's flags; the list of what may differ is for OpenCV 4.6 and 4.10:
-#           OPENCV_SUITE=trixie sh run_tests.sh opencv
+#   opencv       only OpenCV's own tests with this module's flags; the list of what may differ is for OpenCV 4.6 and 4.10:
+#                OPENCV_SUITE=trixie sh run_tests.sh opencv
+#   --installed  without OpenCV's source: library, C++ tests, Python package and consumer against the OpenCV of the system
+#                (libopencv-dev), all but the performance tests and OpenCV's own
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
 #   OPENCV_SUITE       of Debian, whose source package that is; default: the one of this system
@@ -19,8 +21,8 @@
 
 set -eu
 case "$*" in
-    "" | opencv) ;;
-    *) echo "usage: run_tests.sh [opencv]" >&2; exit 2 ;;
+    "" | opencv | --installed) ;;
+    *) echo "usage: run_tests.sh [opencv | --installed]" >&2; exit 2 ;;
 esac
 . "$(dirname "$0")/common.sh"
 
@@ -85,6 +87,65 @@ sanitized_tests()
     OPENCV_SOURCE_DIR="$source" OPENCV_BUILD_DIR="$build" USAC_TEST_OBJECTS="$build/usac_test_objects.txt" \
         USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
 }
+
+# A program of GoogleTest, its tests shared by as many processes as there are processors.
+in_shards() # program
+{
+    shards=$(nproc) shard=0 processes=
+    while [ $shard -lt "$shards" ]; do
+        GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard "$@" > "$work/shard.$shard.log" 2>&1 &
+        processes="$processes $!" shard=$((shard + 1))
+    done
+    rc=0
+    for process in $processes; do wait "$process" || rc=1; done
+    cat "$work"/shard.*.log
+    p=$(cat "$work"/shard.*.log | sed -n "s/$gtest_passed/\1/p" | awk '{ n += $1 } END { print n + 0 }')
+    f=$(cat "$work"/shard.*.log | sed -n "s/$gtest_failed/\1/p" | awk '{ n += $1 } END { print n + 0 }')
+    rm "$work"/shard.*.log
+    echo "$p passed, $f failed"
+    return $rc
+}
+
+# The build of the consumer checks with the C++ tests: the library is compiled once.
+installed_tests()
+{
+    cmake --build "$built" --target opencv_test_usac &&
+    cd "$built" && in_shards bin/opencv_test_usac
+}
+
+installed_package_tests() # with | none
+{
+    cd "$module/misc/python/test" &&
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
+        /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
+}
+
+# The two runs of the package's tests at the same time; each has one busy process.
+installed_python()
+{
+    rm -rf "$work/site" && mkdir "$work/site" &&
+    cp -r "$module/misc/python/package/usacv20" "$work/site" && cp "$built"/_native.* "$work/site/usacv20" || return 1
+    installed_package_tests none > "$work/python_package_alone.part" 2>&1 &
+    alone=$!
+    installed_package_tests with && rc=0 || rc=1
+    wait $alone || rc=1
+    return $rc
+}
+
+if [ "$*" = --installed ]; then
+    install_packages libgtest-dev
+    folder=$work/installed-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
+    built=$folder/build
+    failed=0
+    run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
+    export USAC_CONSUMER_OPTIONS=-DBUILD_TESTS=ON
+    run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$folder"
+    run cpp "$count_passed" "$count_failed" installed_tests
+    run python_package "$count_passed" "$count_failed" installed_python
+    run python_package_alone "$count_passed" "$count_failed" cat "$work/python_package_alone.part"
+    [ "$failed" = 0 ]
+    exit
+fi
 
 install_packages
 [ -f "$source/CMakeLists.txt" ] || fetch_opencv

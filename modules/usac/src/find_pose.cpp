@@ -49,7 +49,7 @@ static void writeInliers(const Mat& mask, OutputArray inliers)
     if (indices.empty())
         inliers.release();
     else
-        Mat(indices).copyTo(inliers);
+        Mat((int)indices.size(), 1, CV_32S, indices.data()).copyTo(inliers);
 }
 
 bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,

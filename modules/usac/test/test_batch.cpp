@@ -143,8 +143,8 @@ TEST(Usac_Batch, mixedAndWrongTasks)
     const Scenes H(HOMOGRAPHY), F(FUNDAMENTAL);
     std::vector<Task> tasks;
     for (int i = 0; i < COUNT; ++i)
-        tasks.push_back(i % 2 ? Task(HOMOGRAPHY, Mat(H.points1[i]), Mat(H.points2[i]))
-                              : Task(FUNDAMENTAL, Mat(F.points1[i]), Mat(F.points2[i])));
+        tasks.push_back(i % 2 ? Task(HOMOGRAPHY, column(H.points1[i]), column(H.points2[i]))
+                              : Task(FUNDAMENTAL, column(F.points1[i]), column(F.points2[i])));
     tasks[2].points2 = tasks[2].points2.rowRange(1, tasks[2].points2.rows);
     tasks[5].params.threshold = -1;
     tasks[6].points1 = tasks[6].points2 = Mat();

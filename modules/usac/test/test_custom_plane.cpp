@@ -213,7 +213,7 @@ TEST(Usac_CustomPlane, nearestNeighbors)
 TEST(Usac_CustomPlane, layoutsOfPoints)
 {
     const std::vector<Point3d> points = scene(30, 0, 0.01);
-    const Mat rows = Mat(points).reshape(1), columns = rows.t();
+    const Mat rows = column(points).reshape(1), columns = rows.t();
     Mat floats, one[5];
     rows.convertTo(floats, CV_32F);
     const Mat layouts[] = {Mat(points), rows, columns, Mat(points).reshape(3, 1), floats};

@@ -48,7 +48,7 @@ TEST(Usac_Lens, is_the_inverse_of_projectPoints)
         const Mat found = removeDistortion(taken, K, distortion);
         ASSERT_EQ(Size(2, (int)taken.size()), found.size());
         ASSERT_EQ(CV_64F, found.type());
-        EXPECT_LT(cvtest::norm(found, Mat(ideal).reshape(1), NORM_INF), 1e-9) << coefficients;
+        EXPECT_LT(cvtest::norm(found, column(ideal).reshape(1), NORM_INF), 1e-9) << coefficients;
     }
 }
 
@@ -86,7 +86,7 @@ TEST(Usac_Lens, layouts)
     const Mat distortion = lens(5);
     std::vector<Point2d> ideal, taken;
     makePoints(distortion, ideal, taken);
-    const Mat found = removeDistortion(taken, K, distortion), rows = Mat(taken).reshape(1);
+    const Mat found = removeDistortion(taken, K, distortion), rows = column(taken).reshape(1);
     EXPECT_TRUE(sameBits(found, removeDistortion(rows, Mat(K), distortion.t())));
     EXPECT_TRUE(sameBits(found, removeDistortion(rows.t(), Mat(K) * 2, distortion)));
     std::vector<Point3d> homogeneous;

@@ -4,4 +4,32 @@
 
 #include "test_precomp.hpp"
 
+#ifndef USAC_SYSTEM_GTEST
+
 CV_TEST_MAIN("cv")
+
+#else
+
+namespace cvtest {
+
+int debugLevel = 0;
+
+namespace {
+bool veryLong = false;
+}
+
+bool runsVeryLong() { return veryLong; }
+
+}  // namespace cvtest
+
+//! The options of `ts` that the tests know, beside GoogleTest's.
+int main(int argc, char** argv)
+{
+    testing::InitGoogleTest(&argc, argv);
+    const cv::CommandLineParser options(argc, argv, "{test_debug|0|}{test_tag_enable||}");
+    cvtest::debugLevel = options.get<int>("test_debug");
+    cvtest::veryLong = options.get<std::string>("test_tag_enable") == CV_TEST_TAG_VERYLONG;
+    return RUN_ALL_TESTS();
+}
+
+#endif

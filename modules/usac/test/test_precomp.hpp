@@ -5,13 +5,20 @@
 #ifndef OPENCV_USACV20_TEST_PRECOMP_HPP
 #define OPENCV_USACV20_TEST_PRECOMP_HPP
 
-#include "opencv2/ts.hpp"
+#include "framework.hpp"
 #include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
 #include "scenes.hpp"
 
 namespace opencv_test {
 using namespace cv::usacv20;
+
+//! A list as a matrix with one element a row. Mat(list) is that with OpenCV 4, and has one dimension with OpenCV 5.
+template <typename Element>
+Mat column(const std::vector<Element>& list)
+{
+    return Mat((int)list.size(), 1, traits::Type<Element>::value, (void*)list.data());
+}
 }
 
 #endif

@@ -199,8 +199,7 @@ TEST(Usac_RelativePose, points_at_infinity)
     Scene scene = makeScene(ESSENTIAL, options);
     RNG rng(7);
     const Matx33d H = scene.K * scene.R * scene.K.inv();
-    int far = 0;
-    for (int i = 0; i < scene.size(); i += 2, ++far)
+    for (int i = 0; i < scene.size(); i += 2)
     {
         const Vec3d x2 = H * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
         scene.points2[i] = Point2d(x2[0] / x2[2] + rng.gaussian(0.2), x2[1] / x2[2] + rng.gaussian(0.2));

@@ -9,11 +9,15 @@
 # that, too: its build tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the Debian
 # packages and what is in them; and README's line for the Python package where another python3 comes first. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
+#
+#   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build
 
 here=$(cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../../../.." && pwd)
 work=${1:-${TMPDIR:-/tmp}/opencv_usac_consumer}
 opencv=${2:-}
+installed=opencv$(pkg-config --exists opencv5 && echo 5 || echo 4)  # as pkg-config and the folder of headers name the system's
+[ "$installed" = opencv4 ] && oldest=c++11 || oldest=c++17  # that OpenCV's headers take
 version=$(sed -n 's/^set(USAC_VERSION \(.*\))$/\1/p' "$project/modules/usac/cmake/usac_version.cmake")
 passed=0
 failed=0
@@ -32,10 +36,12 @@ check() # name, command
     fi
 }
 
+# Configured anew each time; what is compiled already stays.
 install_library()
 {
+    rm -f "$work/build/CMakeCache.txt" "$work"/build/*.deb
     PATH="$work/other_python:$PATH" cmake -S "$project" -B "$work/build" -DUSAC_WERROR=ON -DCMAKE_INSTALL_PREFIX=/usr \
-        -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_PYTHON=ON -DUSAC_PRECOMPILED_HEADERS=ON &&
+        -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_PYTHON=ON -DUSAC_PRECOMPILED_HEADERS=ON ${USAC_CONSUMER_OPTIONS:-} &&
     cmake --build "$work/build" -j "$(nproc)" &&
     cmake --install "$work/build" --prefix "$work/uninstalled" &&
     cmake --build "$work/build" --target uninstall &&
@@ -71,16 +77,16 @@ install_opencv()
 by_pkg_config()
 {
     flags=$(PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" pkg-config --cflags --libs opencv_usac) &&
-    c++ -std=c++11 "$here/main.cpp" $flags -o "$work/by_pkg_config" &&
+    c++ -std=$oldest "$here/main.cpp" $flags -o "$work/by_pkg_config" &&
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/by_pkg_config"
 }
 
 # The samples of components of one's own, against the installed library.
 custom_components()
 {
-    flags=$(PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" pkg-config --cflags --libs opencv_usac opencv4) &&
-    c++ -std=c++11 "$project/samples/custom_sampler.cpp" $flags -o "$work/custom_sampler" &&
-    c++ -std=c++11 "$project/samples/custom_quality.cpp" $flags -o "$work/custom_quality" &&
+    flags=$(PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" pkg-config --cflags --libs opencv_usac $installed) &&
+    c++ -std=$oldest "$project/samples/custom_sampler.cpp" $flags -o "$work/custom_sampler" &&
+    c++ -std=$oldest "$project/samples/custom_quality.cpp" $flags -o "$work/custom_quality" &&
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_sampler" --help &&
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_quality" "$project/test_data/graf.txt"
 }
@@ -102,21 +108,23 @@ uninstalled()
     [ -d "$work/uninstalled" ] && ! find "$work/uninstalled" -type f -o -name '*usac*' | grep .
 }
 
-# The newcomer's two ways. The build type is none, so nothing is optimized: the warnings are those of C++20 (GCC has those of 23, too).
+# The newcomer's two ways, each configured anew. The build type is none, so nothing is optimized: the warnings are those of C++20 (GCC
+# has those of 23, too). The second finds the library of the first, which has the same options: the compiler is not called again.
 parent() # name, option of CMake
 {
-    cmake -S "$here/parent" -B "$work/$1" "$2" -DUSAC_WERROR=ON &&
-    cmake --build "$work/$1" -j "$(nproc)" &&
-    "$work/$1/parent" &&
-    cmake --install "$work/$1" --prefix "$work/$1/prefix" &&
-    [ "$(find "$work/$1/prefix" -type f)" = "$work/$1/prefix/bin/parent" ]
+    rm -rf "$work/parent/CMakeCache.txt" "$work/parent/prefix" "$work/parent/parent"
+    cmake -S "$here/parent" -B "$work/parent" "$2" -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON &&
+    cmake --build "$work/parent" -j "$(nproc)" &&
+    "$work/parent/parent" &&
+    cmake --install "$work/parent" --prefix "$work/parent/prefix" &&
+    [ "$(find "$work/parent/prefix" -type f)" = "$work/parent/prefix/bin/parent" ]
 }
 
 # The headers alone, and the sample of a component of one's own.
 standard() # of C++
 {
     for source in "$here/main.cpp" "$project/samples/custom_sampler.cpp"; do
-        c++ "-std=$1" -fsyntax-only -Wall -Wextra -Wshadow -Werror -isystem /usr/include/opencv4 \
+        c++ "-std=$1" -fsyntax-only -Wall -Wextra -Wshadow -Werror -isystem "/usr/include/$installed" \
             -I"$project/modules/usac/include" "$source" || return 1
     done
 }
@@ -184,8 +192,8 @@ readme_python()
 }
 
 mkdir -p "$work"
-for directory in build staging prefix opencv_staging opencv by_prefix by_build in_tree_by_prefix in_tree_by_dir in_tree_by_build \
-    by_pkg_config flags uninstalled parent fetch debian readme other_python
+for directory in staging prefix opencv_staging opencv by_prefix by_build in_tree_by_prefix in_tree_by_dir in_tree_by_build \
+    by_pkg_config flags uninstalled debian readme other_python
 do
     rm -rf "${work:?}/$directory"
 done
@@ -202,10 +210,11 @@ if [ -n "$opencv" ]; then
     check in_tree_install install_opencv
     libraries=$(echo "$work"/opencv/lib*)
     packages=$libraries/cmake
+    package=$(echo "$packages"/opencv[0-9])
     check in_tree_prefix consumer in_tree_by_prefix "-DCMAKE_PREFIX_PATH=$work/opencv" "$packages/opencv_usac" \
-        "$packages/opencv4" "$libraries"
-    check in_tree_dir consumer in_tree_by_dir "-DOpenCV_DIR=$packages/opencv4" "$packages/opencv4" \
-        "$packages/opencv4" "$libraries"
+        "$package" "$libraries"
+    check in_tree_dir consumer in_tree_by_dir "-DOpenCV_DIR=$package" "$package" \
+        "$package" "$libraries"
     check in_tree_build_tree consumer in_tree_by_build "-DOpenCV_DIR=$opencv" "$opencv" "$opencv"
 fi
 check pkg-config by_pkg_config

@@ -9,7 +9,7 @@
 int main()
 {
     // 300 points under a known homography, every third one replaced by a random point.
-    const cv::Mat truth = (cv::Mat_<double>(3, 3) << 1.1, 0.1, 20, -0.05, 0.9, 10, 1e-4, -5e-5, 1);
+    const cv::Mat truth = cv::Mat_<double>({3, 3}, {1.1, 0.1, 20, -0.05, 0.9, 10, 1e-4, -5e-5, 1});
     cv::RNG rng(1);
     std::vector<cv::Point2d> src(300), dst;
     for (cv::Point2d& p : src)

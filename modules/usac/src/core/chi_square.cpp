@@ -14,7 +14,7 @@ constexpr double QUANTILE = 0.99;
 
 double chiSquareDistribution(double x, int degrees)
 {
-    return lowerGamma(0.5 * degrees, 0.5 * x) / std::tgamma(0.5 * degrees);
+    return lowerGamma(0.5 * degrees, 0.5 * x) / gammaFunction(0.5 * degrees);
 }
 
 //! By bisection, down to neighboring numbers.

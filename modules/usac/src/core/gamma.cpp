@@ -55,11 +55,21 @@ double upperFraction(double a, double x)
 
 }  // namespace
 
+double gammaFunction(double a)
+{
+    const bool whole = a == std::floor(a);
+    CV_Assert(a > 0 && 2 * a == std::floor(2 * a));
+    double product = whole ? 1 : 1.7724538509055160273;  // sqrt(pi)
+    for (double k = whole ? 1 : 0.5; k < a; ++k)
+        product *= k;
+    return product;
+}
+
 double lowerGamma(double a, double x)
 {
     if (!(x > 0))
         return 0;
-    return x < a + 1 ? lowerSeries(a, x) : std::tgamma(a) - upperFraction(a, x);
+    return x < a + 1 ? lowerSeries(a, x) : gammaFunction(a) - upperFraction(a, x);
 }
 
 double upperGamma(double a, double x)
@@ -67,7 +77,7 @@ double upperGamma(double a, double x)
     if (x >= a + 1)
         return upperFraction(a, x);
     if (a > 0)
-        return std::tgamma(a) - lowerGamma(a, x);
+        return gammaFunction(a) - lowerGamma(a, x);
     return x > 0 ? exponentialSeries(x) : std::numeric_limits<double>::infinity();
 }
 

@@ -6,6 +6,7 @@
 #define OPENCV_USACV20_LEAST_SQUARES_HPP
 
 #include <Eigen/Cholesky>
+#include "optimization/inner_product.hpp"
 #include "optimization/normal_equations.hpp"
 
 namespace cv {
@@ -117,7 +118,7 @@ private:
         if (llt.info() != Eigen::Success)
             return false;
         step = -llt.solve(b);
-        gain = added.dot(step.cwiseAbs2()) - b.dot(step);
+        gain = innerProduct(added, step.cwiseAbs2()) - innerProduct(b, step);
         return step.allFinite();
     }
 

@@ -6,6 +6,7 @@
 #define OPENCV_USACV20_TANGENT_SPACE_HPP
 
 #include <Eigen/Geometry>
+#include "optimization/inner_product.hpp"
 #include "optimization/normal_equations.hpp"
 
 namespace cv {
@@ -39,8 +40,9 @@ void projectOnTangents(const NormalEquationsOf<SIZE>& sums, const Eigen::Matrix<
     const Eigen::Matrix<double, SIZE, DIMENSION> image = sums.JtJ.lazyProduct(basis);
     for (int j = 0; j < DIMENSION; ++j)
         for (int i = j; i < DIMENSION; ++i)
-            A(i, j) = A(j, i) = basis.col(i).dot(image.col(j));
-    b = basis.transpose().lazyProduct(sums.Jtr);
+            A(i, j) = A(j, i) = innerProduct(basis.col(i), image.col(j));
+    for (int i = 0; i < DIMENSION; ++i)
+        b[i] = innerProduct(basis.col(i), sums.Jtr);
 }
 
 }  // namespace usacv20

@@ -54,13 +54,23 @@ inline Mat threeDimensional(const Mat& points, int first, int second)
     return points.clone().reshape(1, 3, sizes).clone();
 }
 
+//! Every depth that holds the integers 0 .. 127; OpenCV 5 has more than OpenCV 4.
+inline std::vector<int> depthsOfIntegers()
+{
+    std::vector<int> depths = {CV_8U, CV_8S, CV_16U, CV_16S, CV_32S, CV_32F, CV_64F, CV_16F};
+#ifdef CV_Bool
+    depths.insert(depths.end(), {CV_16BF, CV_32U, CV_64U, CV_64S});
+#endif
+    return depths;
+}
+
 //! A scene whose coordinates are integers 0 .. 127, so that every depth holds them; Nx2, CV_64F. K is scaled with them.
 inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
 {
     const double scale = 0.19;
     const Scene scene = makeScene(problem);
-    Mat(scene.points1).reshape(1).convertTo(points1, CV_32S, scale);
-    Mat(scene.points2).reshape(1).convertTo(points2, CV_32S, scale);
+    column(scene.points1).reshape(1).convertTo(points1, CV_32S, scale);
+    column(scene.points2).reshape(1).convertTo(points2, CV_32S, scale);
     points1 = cv::min(cv::max(points1, 0), 127);
     points2 = cv::min(cv::max(points2, 0), 127);
     points1.convertTo(points1, CV_64F);

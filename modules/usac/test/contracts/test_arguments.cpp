@@ -90,7 +90,7 @@ class Arguments
 {
 public:
     explicit Arguments(ProblemType problem_)
-        : scene(makeScene(problem_)), points1(Mat(scene.points1).clone()), points2(Mat(scene.points2).clone())
+        : scene(makeScene(problem_)), points1(column(scene.points1).clone()), points2(column(scene.points2).clone())
     {}
 
     WrongCall call() const { return call(points1, points2); }

@@ -75,7 +75,7 @@ TEST(Usac_Cameras, every_form_of_distortion)
 {
     const Scene scene = makeScene(ESSENTIAL);
     const float values[] = {-0.125f, 0.0625f, 0.f, 0.f, 0.5f};
-    const Mat plain = (Mat_<double>(1, 5) << values[0], values[1], values[2], values[3], values[4]);
+    const Mat plain = Mat_<double>({1, 5}, {values[0], values[1], values[2], values[3], values[4]});
     Mat mask, other;
     const Mat E = essentialOf(scene, scene.K, plain, mask);
     ASSERT_FALSE(E.empty());
@@ -118,7 +118,7 @@ TEST(Usac_Cameras, distortion_is_removed_exactly)
     for (int lens = 0; lens < 2; ++lens)
     {
         Scene scene = makeScene(ESSENTIAL, options);
-        const Mat distortion = (Mat_<double>(1, 5) << first[lens], second[lens], 1e-3, -2e-3, 0);
+        const Mat distortion = Mat_<double>({1, 5}, {first[lens], second[lens], 1e-3, -2e-3, 0});
         scene.points1 = taken(scene.points1, scene.K, distortion);
         scene.points2 = taken(scene.points2, scene.K, distortion);
         Params params;
@@ -136,7 +136,7 @@ TEST(Usac_Cameras, distortion_is_removed_exactly)
 TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
 {
     Scene scene = makeScene(ESSENTIAL);
-    const Mat distortion = (Mat_<double>(1, 4) << -0.25, 0, 0, 0);
+    const Mat distortion = Mat_<double>({1, 4}, {-0.25, 0, 0, 0});
     scene.points1 = taken(scene.points1, scene.K, distortion);
     scene.points2 = taken(scene.points2, scene.K, distortion);
     const double f = scene.K(0, 0);

@@ -64,7 +64,7 @@ TEST_P(UsacContracts, true_matches_are_found)
 TEST_P(UsacContracts, input_is_not_modified)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = Mat(scene.points1).clone(), points2 = Mat(scene.points2).clone();
+    const Mat points1 = column(scene.points1).clone(), points2 = column(scene.points2).clone();
     Mat used1 = points1.clone(), used2 = points2.clone(), K = Mat(sceneCamera()), mask;
     Report report;
     Params params;

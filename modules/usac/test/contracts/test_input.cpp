@@ -20,7 +20,7 @@ TEST_P(UsacInput, every_depth)
     Matx33d K;
     makeIntegers(problem(), points1, points2, K);
     const ExpectedAnswer expected(problem(), points1, points2, K);
-    for (int depth = CV_8U; depth <= CV_16F; ++depth)
+    for (int depth : depthsOfIntegers())
     {
         Mat a, b;
         points1.convertTo(a, depth);
@@ -64,7 +64,7 @@ TEST_P(UsacInput, every_vector)
 TEST_P(UsacInput, every_layout)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     const int count = points1.rows;
     expected.compare("Nx1, 2 channels", points1.reshape(2), points2.reshape(2));
@@ -96,7 +96,7 @@ TEST_P(UsacInput, every_layout)
 TEST_P(UsacInput, homogeneous_points)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     std::vector<Point3d> ones1, ones2, powers1, powers2;
     for (int i = 0; i < scene.size(); ++i)
@@ -109,7 +109,7 @@ TEST_P(UsacInput, homogeneous_points)
         powers2.push_back(Point3d(-w * q.x, -w * q.y, -w));
     }
     expected.compare("vector<Point3d>, w = 1", ones1, ones2);
-    expected.compare("Nx3, w = 1", Mat(ones1).reshape(1), Mat(ones2).reshape(1));
+    expected.compare("Nx3, w = 1", column(ones1).reshape(1), column(ones2).reshape(1));
     expected.compare("vector<Point3d>", powers1, powers2);
     expected.compare("1xN, 3 channels", Mat(powers1).reshape(3, 1), Mat(powers2).reshape(3, 1));
     expected.compare("with plain points", powers1, points2);
@@ -132,7 +132,7 @@ TEST_P(UsacInput, every_mask)
     Mat wrongSize(7, 9, CV_32FC3, Scalar::all(4)), full(count, 1, CV_8U, Scalar(255)), row(1, count, CV_8U, Scalar(9));
     Mat_<uchar> typed;
     estimatePoints(problem(), scene.points1, scene.points2, Params(), bytes, report);
-    EXPECT_TRUE(sameBits(values, Mat(bytes)));
+    EXPECT_TRUE(sameBits(values, column(bytes)));
     estimatePoints(problem(), scene.points1, scene.points2, Params(), chars, report);
     ASSERT_EQ((size_t)count, chars.size());
     EXPECT_EQ(0, std::memcmp(values.data, chars.data(), count));

@@ -39,7 +39,7 @@ Mat withMore(const Mat& points)
 TEST_P(UsacLayouts, a_point_in_each_column)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     const Mat across1 = points1.t(), across2 = points2.t();
     expected.compare("2xN", across1, across2);
@@ -67,7 +67,7 @@ TEST_P(UsacLayouts, every_depth)
     Mat ones1, ones2;
     hconcat(points1, weights, ones1);
     hconcat(points2, weights, ones2);
-    for (int depth = CV_8U; depth <= CV_16F; ++depth)
+    for (int depth : depthsOfIntegers())
     {
         SCOPED_TRACE(cv::format("depth %d", depth));
         Mat a, b;
@@ -85,7 +85,7 @@ TEST_P(UsacLayouts, every_depth)
 TEST_P(UsacLayouts, elements_of_any_matrix)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     const Mat weighted1 = homogeneous(points1, 4), weighted2 = homogeneous(points2, 3);
     ASSERT_EQ(300, points1.rows);
@@ -115,7 +115,7 @@ TEST_P(UsacLayouts, elements_of_any_matrix)
 TEST_P(UsacLayouts, what_stands_behind_more_than_three_coordinates)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = Mat(scene.points1).reshape(1).clone(), points2 = Mat(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     const Mat more1 = withMore(points1), more2 = withMore(points2);
     expected.compare("Nx4", more1, more2);
@@ -151,8 +151,8 @@ TEST_P(UsacLayouts, both_readings_possible)
     const Scene scene = makeScene(problem(), options);
     for (int count = 4; count <= 7; ++count)
     {
-        const Mat points1 = Mat(scene.points1).reshape(1).rowRange(0, count).clone();
-        const Mat points2 = Mat(scene.points2).reshape(1).rowRange(0, count).clone();
+        const Mat points1 = column(scene.points1).reshape(1).rowRange(0, count).clone();
+        const Mat points2 = column(scene.points2).reshape(1).rowRange(0, count).clone();
         const Mat square1 = withMore(withMore(withMore(points1))).colRange(0, count);
         const Mat square2 = withMore(withMore(withMore(points2))).colRange(0, count);
         Report report;

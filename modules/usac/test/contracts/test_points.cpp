@@ -91,7 +91,7 @@ TEST_P(UsacPoints, collinear)
     }
     else if (problem() == SIMILARITY)
     {
-        const Mat moved = (Mat_<double>(2, 3) << 1, 0, 10, 0, 1, 0);
+        const Mat moved = Mat_<double>({2, 3}, {1, 0, 10, 0, 1, 0});
         EXPECT_LT(cvtest::norm(model, moved, NORM_INF), 1e-9) << "but a similarity";
     }
 }

@@ -53,7 +53,7 @@ PoseScene sceneOf(int coefficients)
 
 PoseArrays arraysOf(const PoseScene& scene)
 {
-    const PoseArrays arrays = {Mat(scene.object).reshape(1).clone(), Mat(scene.image).reshape(1).clone()};
+    const PoseArrays arrays = {column(scene.object).reshape(1).clone(), column(scene.image).reshape(1).clone()};
     return arrays;
 }
 
@@ -117,7 +117,7 @@ TEST(Usac_PoseLayouts, every_depth)
     a.object = cv::min(a.object, 127);
     a.image = cv::min(a.image, 127);
     const ExpectedPose expected(scene, a);
-    for (int depth = CV_8U; depth <= CV_16F; ++depth)
+    for (int depth : depthsOfIntegers())
     {
         SCOPED_TRACE(cv::format("depth %d", depth));
         Mat object, image;

@@ -18,7 +18,7 @@ struct SpaceArrays
 
 SpaceArrays arraysOf(const RigidScene& scene)
 {
-    const SpaceArrays arrays = {Mat(scene.points1).reshape(1).clone(), Mat(scene.points2).reshape(1).clone()};
+    const SpaceArrays arrays = {column(scene.points1).reshape(1).clone(), column(scene.points2).reshape(1).clone()};
     return arrays;
 }
 
@@ -114,7 +114,7 @@ TEST_P(Usac_RigidLayouts, every_depth)
         *points = cv::min(*points, 127);
     }
     const ExpectedMotion expected(problem(), a, scene.threshold + 1);
-    for (int depth = CV_8U; depth <= CV_16F; ++depth)
+    for (int depth : depthsOfIntegers())
     {
         SCOPED_TRACE(cv::format("depth %d", depth));
         Mat p1, p2;

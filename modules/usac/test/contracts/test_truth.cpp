@@ -130,8 +130,8 @@ TEST_P(UsacTruth, all_input_is_unchanged_to_the_bit)
     for (int d = 0; d < 4; ++d)
     {
         Mat wide(count, 6, depths[d], Scalar(7)), points1 = wide.colRange(1, 3), points2 = wide.colRange(3, 5);
-        Mat(scene.points1).reshape(1).convertTo(points1, depths[d]);
-        Mat(scene.points2).reshape(1).convertTo(points2, depths[d]);
+        column(scene.points1).reshape(1).convertTo(points1, depths[d]);
+        column(scene.points2).reshape(1).convertTo(points2, depths[d]);
         Mat K(4, 5, CV_32F, Scalar(3)), view = K(Rect(1, 1, 3, 3)), distortion(5, 1, CV_64F, Scalar(1e-5));
         Mat(scene.K).convertTo(view, CV_32F);
         const Mat wideBefore = wide.clone(), KBefore = K.clone(), distortionBefore = distortion.clone();

@@ -39,6 +39,10 @@ TEST(Usac_Statistics, gammaAgainstIntegration)
 TEST(Usac_Statistics, gammaKnownValues)
 {
     EXPECT_NEAR(0.219383934395520, upperGamma(0, 1), 1e-14);
+    for (double a = 0.5; a <= 10; a += 0.5)
+        EXPECT_NEAR(1, gammaFunction(a) / std::tgamma(a), 1e-14) << a;
+    for (double wrong : {0., -1.5, 0.3})
+        EXPECT_THROW(gammaFunction(wrong), cv::Exception);
     EXPECT_NEAR(1.822923958419391, upperGamma(0, 0.1), 1e-14);
     EXPECT_EQ(0, lowerGamma(1, 0));
     EXPECT_EQ(1, upperGamma(1, 0));

@@ -155,7 +155,7 @@ TEST_P(UsacScale, work_is_linear)
 TEST_P(UsacScale, memory_of_every_neighborhood)
 {
     if (!memoryIsMeasurable())
-        throw SkipTestException("the memory of the process is not measurable");
+        USAC_SKIP("the memory of the process is not measurable");
     const Scene scene = largeScene(problem(), 30000);
     for (int type = NEIGHBORHOOD_GRID; type <= NEIGHBORHOOD_RADIUS; ++type)
     {
@@ -170,7 +170,7 @@ TEST_P(UsacScale, memory_of_every_neighborhood)
 void manyCalls(int count)
 {
     if (!memoryIsMeasurable())
-        throw SkipTestException("the memory of the process is not measurable");
+        USAC_SKIP("the memory of the process is not measurable");
     std::vector<Scene> scenes;
     SceneOptions options;
     options.inliers = 40;

@@ -15,7 +15,7 @@ static void raise(const cv::Exception& exception)
     {
         using namespace py::literals;
         const py::object error = py::module_::import("usacv20._errors")
-                                     .attr("fromNative")(exception.what(), "code"_a = exception.code,
+                                     .attr("fromNative")(exception.what(), "code"_a = (int)exception.code,
                                                          "err"_a = exception.err, "file"_a = exception.file,
                                                          "func"_a = exception.func, "line"_a = exception.line,
                                                          "msg"_a = exception.msg);

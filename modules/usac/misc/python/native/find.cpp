@@ -124,6 +124,20 @@ py::tuple solveOfParams(const py::object& objectPoints, const py::object& imageP
     return pose(found, rvec, tvec, inliers);
 }
 
+//! Numbers of the flags of cv::solvePnPRansac by their names: they differ between OpenCV 4 and 5.
+py::dict solvePnPFlags()
+{
+    py::dict flags;
+    flags["SOLVEPNP_ITERATIVE"] = (int)SOLVEPNP_ITERATIVE;
+    flags["SOLVEPNP_EPNP"] = (int)SOLVEPNP_EPNP;
+    flags["SOLVEPNP_P3P"] = (int)SOLVEPNP_P3P;
+    flags["SOLVEPNP_AP3P"] = (int)SOLVEPNP_AP3P;
+    flags["SOLVEPNP_IPPE"] = (int)SOLVEPNP_IPPE;
+    flags["SOLVEPNP_IPPE_SQUARE"] = (int)SOLVEPNP_IPPE_SQUARE;
+    flags["SOLVEPNP_SQPNP"] = (int)SOLVEPNP_SQPNP;
+    return flags;
+}
+
 }  // namespace
 
 void addFind(py::module_& module)
@@ -137,6 +151,7 @@ void addFind(py::module_& module)
     module.def("estimateAffinePartial2D", &map<&usacv20::estimateAffinePartial2D>);
     module.def("solvePnPRansac", &solve);
     module.def("solvePnPRansacOfParams", &solveOfParams);
+    module.attr("solvePnPFlags") = solvePnPFlags();
 }
 
 }  // namespace python

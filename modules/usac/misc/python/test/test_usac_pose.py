@@ -5,13 +5,16 @@
 
 """cv2.solvePnPRansac with the flags of the module, estimateAbsolutePose, and a model to begin with."""
 
+import sys
+import types
 import unittest
+from unittest import mock
 
 import numpy as np
 
 from usac_common import (FINDER, FLAGS, IN_TREE, MOVED, NATIVE, PLANE, SOLVEPNP_AP3P, SOLVEPNP_EPNP, SOLVEPNP_ITERATIVE,
                          SOLVEPNP_P3P, SOLVEPNP_SQPNP, THRESHOLD, USAC_ACCURATE, USAC_DEFAULT, USAC_FAST, USAC_MAGSAC,
-                         USAC_PROSAC, bits, cv, estimate, needsCv2, outcome, usac)
+                         USAC_PROSAC, bits, cv, estimate, needsCv2, outcome, package, usac)
 from usac_camera import rotation
 from usac_pose import FEW, POSE, formsOfPose, paramsFormsOfPose
 
@@ -134,6 +137,39 @@ class OpencvFlagTest(unittest.TestCase):
             with self.assertRaises(usac.error) as context:
                 usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, flags=flag)
             self.assertIn("flags", str(context.exception))
+
+
+@package
+class FlagsOfAnotherOpencvTest(unittest.TestCase):
+    """SOLVEPNP_* have other numbers in OpenCV 5: those of the cv2 that has been imported are handed on by their names."""
+
+    V4 = dict(ITERATIVE=0, EPNP=1, P3P=2, DLS=3, UPNP=4, AP3P=5, IPPE=6, IPPE_SQUARE=7, SQPNP=8, MAX_COUNT=9)
+    V5 = dict(ITERATIVE=0, EPNP=1, P3P=2, AP3P=3, IPPE=4, IPPE_SQUARE=5, SQPNP=6, MAX_COUNT=7)
+
+    def outcomes(self, cv2, flags):
+        with mock.patch.dict(sys.modules, cv2=cv2):
+            return [outcome(usac.solvePnPRansac, (POSE.X, POSE.x, POSE.K, POSE.d), dict(flags=flag)) for flag in flags]
+
+    def test_by_name(self):
+        native = sys.modules[usac.__name__ + "._native"].solvePnPFlags
+        names = sorted(native)
+        expected = self.outcomes(None, [native[name] for name in names])
+        byName = dict(zip(names, expected))  # a flag that is mistaken for another is seen
+        self.assertNotEqual(byName["SOLVEPNP_SQPNP"], byName["SOLVEPNP_IPPE"])
+        self.assertNotEqual(byName["SOLVEPNP_AP3P"], byName["SOLVEPNP_IPPE_SQUARE"])
+        for version, theirs in (("4.10.0", self.V4), ("5.0.0", self.V5)):
+            cv2 = types.SimpleNamespace(__version__=version, **{"SOLVEPNP_" + name: flag for name, flag in theirs.items()})
+            self.assertEqual(self.outcomes(cv2, [getattr(cv2, name) for name in names]), expected, version)
+            others = [USAC_DEFAULT, USAC_MAGSAC, usac.USACV20]
+            self.assertEqual(self.outcomes(cv2, others), self.outcomes(None, others), version)
+
+    def test_refused(self):
+        own = sys.modules[usac.__name__ + "._native"].solvePnPFlags
+        theirs, wrong, word = ((self.V5, 7, "no flag") if own["SOLVEPNP_SQPNP"] == 8 else (self.V4, 3, "SOLVEPNP_DLS"))
+        cv2 = types.SimpleNamespace(__version__="x.y", **{"SOLVEPNP_" + name: flag for name, flag in theirs.items()})
+        with mock.patch.dict(sys.modules, cv2=cv2):
+            with self.assertRaisesRegex(usac.error, "flags: {} is {} of the imported cv2 x.y".format(wrong, word)):
+                solve(POSE, flags=wrong)
 
 
 class BeginTest(unittest.TestCase):

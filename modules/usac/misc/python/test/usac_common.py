@@ -48,7 +48,9 @@ FLAGS = {flag.name: int(flag) for flag in usac.UsacV20Method}
 # Flags of OpenCV, which the package takes where there is no cv2, too.
 FM_7POINT, FM_8POINT, LMEDS, RANSAC, RHO = 1, 2, 4, 8, 16
 USAC_DEFAULT, USAC_PARALLEL, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC = range(32, 39)
-SOLVEPNP_ITERATIVE, SOLVEPNP_EPNP, SOLVEPNP_P3P, SOLVEPNP_AP3P, SOLVEPNP_SQPNP = 0, 1, 2, 5, 8
+# OpenCV 5 has other numbers than OpenCV 4.
+SOLVEPNP_ITERATIVE, SOLVEPNP_EPNP, SOLVEPNP_P3P, SOLVEPNP_AP3P, SOLVEPNP_SQPNP = (
+    0, 1, 2, getattr(cv, "SOLVEPNP_AP3P", 5), getattr(cv, "SOLVEPNP_SQPNP", 8))
 THRESHOLD = 2.0
 
 

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "problems/homography/homography_parameterization.hpp"
+#include "optimization/inner_product.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -38,11 +39,11 @@ void HomographyParameterization::project(const NormalEquations& sums, Matrix& A,
     Eigen::Matrix<double, 9, 1> v;
     const double factor = reflection(v);
     const Eigen::Matrix<double, 9, 1> image = sums.JtJ.lazyProduct(v);
-    const Eigen::Matrix<double, 9, 1> r = factor * image - (0.5 * factor * factor * v.dot(image)) * v;
+    const Eigen::Matrix<double, 9, 1> r = factor * image - (0.5 * factor * factor * innerProduct(v, image)) * v;
     for (int j = 0; j < DIMENSION; ++j)
         for (int i = 0; i < DIMENSION; ++i)
             A(i, j) = sums.JtJ(j, i) - (v[i] * r[j] + r[i] * v[j]);
-    b = (sums.Jtr - (factor * v.dot(sums.Jtr)) * v).head<DIMENSION>();
+    b = (sums.Jtr - (factor * innerProduct(v, sums.Jtr)) * v).head<DIMENSION>();
 }
 
 HomographyParameterization HomographyParameterization::plus(const Step& step) const
@@ -50,7 +51,7 @@ HomographyParameterization HomographyParameterization::plus(const Step& step) co
     HomographyParameterization result(*this);
     Eigen::Matrix<double, 9, 1> v;
     const double factor = reflection(v);
-    result.h = h - (factor * v.head<DIMENSION>().dot(step)) * v;
+    result.h = h - (factor * innerProduct(v.head<DIMENSION>(), step)) * v;
     result.h.head<DIMENSION>() += step;
     result.h.normalize();
     return result;

@@ -277,7 +277,7 @@ TEST(Usac_AbsolutePose, threads_and_layouts_give_the_same_bits)
         EXPECT_EQ(0, cvtest::norm(first.model, other.model, NORM_INF));
         EXPECT_EQ(0, cvtest::norm(first.mask, other.mask, NORM_INF));
     }
-    const Mat rows = Mat(scene.object).reshape(1), image = Mat(scene.image).reshape(1);
+    const Mat rows = column(scene.object).reshape(1), image = column(scene.image).reshape(1);
     const Mat layouts[][2] = {{rows, image}, {rows.t(), image.t()}, {rows.reshape(3, 1), image.reshape(2, 1)}};
     for (const Mat(&points)[2] : layouts)
     {
@@ -291,7 +291,7 @@ TEST(Usac_AbsolutePose, threads_and_layouts_give_the_same_bits)
 TEST(Usac_AbsolutePose, wrong_arguments_are_named)
 {
     const PoseScene s = makePoseScene();
-    const Mat object = Mat(s.object).reshape(1), image = Mat(s.image).reshape(1), K(s.K), none;
+    const Mat object = column(s.object).reshape(1), image = column(s.image).reshape(1), K(s.K), none;
     const Params params;
     Params symmetric, degensac;
     symmetric.residual = RESIDUAL_SYMMETRIC;

@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "pose_scenes.hpp"
+#include "opencv2/imgproc.hpp"
 
 // The synthetic scenes of absolute pose keep what their options promise: other tests rely on it.
 

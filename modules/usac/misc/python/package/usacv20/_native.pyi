@@ -121,6 +121,8 @@ class Report(metaclass=_Class):
     def __init__(self) -> None: ...
     def describe(self) -> str: ...
 
+solvePnPFlags: Dict[str, int]
+
 class Rng(metaclass=_Class):
     """Pseudo-random numbers: those of a seed and a stream, the same ones each time."""
 

@@ -6,12 +6,13 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, overload
 
 import numpy as np
 
 from ._arguments import array, bind, checkOutput, integer, isInteger, optionalArray, output, points, real, shown, signed
-from ._backend import native
+from ._backend import IN_TREE, native
 from ._enumerations import USACV20
 from ._errors import fail
 from ._find import flag, isOptions, refuseBesideParams
@@ -29,6 +30,25 @@ _FLAG = ("objectPoints", "imagePoints", "cameraMatrix", "distCoeffs", "rvec", "t
 _PARAMS = ("objectPoints", "imagePoints", "cameraMatrix", "distCoeffs", "rvec", "tvec", "inliers", "params")
 _DEFAULTS: Dict[str, Any] = dict(rvec=None, tvec=None, useExtrinsicGuess=False, iterationsCount=100, reprojectionError=8.0,
                                  confidence=0.99, inliers=None, flags=USACV20)
+
+
+def _opencvFlag(value: int) -> int:
+    """A flag as the OpenCV of this package has it. SOLVEPNP_* have other numbers in OpenCV 5 than in 4: where a cv2 of the other
+    version has been imported, the number is that cv2's, and is handed on by its name."""
+    cv2 = sys.modules.get("cv2")
+    own: Dict[str, int] = {} if IN_TREE else native.solvePnPFlags
+    theirs: Dict[str, int] = {name: int(getattr(cv2, name)) for name in dir(cv2)
+                              if name.startswith("SOLVEPNP_") and name != "SOLVEPNP_MAX_COUNT"}
+    if all(theirs.get(name, number) == number for name, number in own.items()):
+        return value
+    if not 0 <= value <= max(max(own.values()), max(theirs.values())):
+        return value  # of the flags that are the same in all versions, or none at all
+    names = sorted(name for name, number in theirs.items() if number == value)
+    for name in names:
+        if name in own:
+            return own[name]
+    raise fail("flags: {} is {} of the imported cv2 {}, which the OpenCV of this package does not have".format(
+        value, names[0] if names else "no flag", getattr(cv2, "__version__", "")))
 
 
 def _truth(value: Any, name: str) -> bool:
@@ -75,7 +95,8 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
     reprojectionError -- inlier threshold in pixels of the image as it was taken; default 8
     confidence -- probability that the result is the best model; default 0.99
     inliers -- array of int32 that receives the indices of the inliers if it has their number, or None
-    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV; SOLVEPNP_* are those of the cv2
+        that has been imported, if there is one, by their names: their numbers differ between OpenCV 4 and 5
     params -- Params; the form has five results, as OpenCV has it; flags=params gives four
     retval -- False if there is no pose; rvec and tvec are then those given
     rvec, tvec -- 3x1 arrays of float64
@@ -112,7 +133,7 @@ def _withFlag(v: Dict[str, Any]) -> Any:
         points(v["objectPoints"], "objectPoints", False), points(v["imagePoints"], "imagePoints"),
         array(v["cameraMatrix"], "cameraMatrix"), optionalArray(v["distCoeffs"], "distCoeffs"), rvec, tvec, guess,
         integer(v["iterationsCount"], "iterationsCount", 100), real(v["reprojectionError"], "reprojectionError", 8.0),
-        real(v["confidence"], "confidence", 0.99), flag(v["flags"], "flags"))
+        real(v["confidence"], "confidence", 0.99), _opencvFlag(flag(v["flags"], "flags")))
 
 
 def _results(result: Any, v: Dict[str, Any]) -> Tuple[Any, Any, Any, Any]:
