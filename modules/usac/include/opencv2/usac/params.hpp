@@ -290,9 +290,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     one round, with four runners-up and three steps of polishing. */
     CV_WRAP static Params fast();
     /** @brief What UsacV20Method::USACV20_ACCURATE uses: usacV20() with three times the samples that the standard
-    termination asks for, up to ten alternations of ten inner samples in the local optimization, 24 runners-up, 20 steps
-    of polishing.
-  */
+    termination asks for, up to ten alternations of ten inner samples in the local optimization, 24 runners-up, 20
+    polishing steps. */
     CV_WRAP static Params accurate();
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first (`scores`, where
     given, are the order, as in all presets of sorted points): one sample in eight (`orderedEvery`), the others are
