@@ -255,7 +255,7 @@ public:
     virtual bool homogeneous() const;
 };
 
-/** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over Correspondences::column.
+/** Computes errors and accumulates the quality of the points begin to end-1 in one pass over Correspondences::column.
 `model` are the Model::size() numbers as float, see Residual::homogeneous. It is worth its while if it becomes
 vector code, also for blocks of 32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model, float squaredThreshold, int begin,

@@ -208,7 +208,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int sampler;
     //! @ref OrderingType. Default #ORDERING_AUTO.
     CV_PROP_RW int ordering;
-    //! Score of each correspondence, N values or none; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
+    //! One for each correspondence, N values or none; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** A model to begin with, that of the frame before, say: numbers row by row, as the estimator returns them, or no
     model; see setInitialModel(). It is rated and optimized before the first sample, as if it came from one; what is
