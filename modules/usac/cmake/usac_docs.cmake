@@ -14,6 +14,11 @@ if(NOT DOXYGEN_FOUND OR NOT USAC_BIBTEX OR NOT USAC_PERL)
 endif()
 
 set(USAC_DOCS_MODULE "${PROJECT_SOURCE_DIR}/modules/usac")
+file(GLOB files doc/benchmark/*.png)
+set(USAC_DOCS_FILES "")
+foreach(file ${files} "${PROJECT_SOURCE_DIR}/doc/CITATION.cff" "${PROJECT_SOURCE_DIR}/LICENSE")
+  string(APPEND USAC_DOCS_FILES " \"${file}\"")
+endforeach()
 configure_file(modules/usac/cmake/Doxyfile.in "${PROJECT_BINARY_DIR}/Doxyfile" @ONLY)
 
 # The pages begin anew: doxygen leaves those of symbols that are gone. Doxygen calls bibtex where its own style lies; bibtex looks
