@@ -44,6 +44,7 @@ function target_of(link, at, base)
 
 FNR == 1 { file = name_of(FILENAME); code = 0 }
 /^ *```/ { code = !code }
+!code && /^#+ / { gsub(/`/, "") }  # shown as tags
 !code && /^##+ / {
     id = $0
     sub(/^##+ +/, "", id)

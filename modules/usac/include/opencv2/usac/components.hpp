@@ -181,10 +181,11 @@ class CV_EXPORTS Sampler : public Component
 public:
     virtual ~Sampler();
     /** @brief Draws the next sample with `state.rng`.
+
+    Sets `state.counts` to false if the criteria of termination must not take the sample for one that is uniform among
+    all points: what is drawn from a part of the points may never meet the best model.
     @param context, state what does not change during the run, and what does
-    @param sample output, as many distinct point indices as the minimal solver needs.
-    Sets `state.counts` to false if the criteria of termination must not take the sample for one
-    that is uniform among all points: what is drawn from a part of the points may never meet the best model. */
+    @param sample output, as many distinct point indices as the minimal solver needs */
     virtual void sample(const Context& context, State& state, int* sample) = 0;
     //! The samples that are not uniform come from so many of the best points (State::bestFirst()) now. Default: all.
     virtual int subsetSize(const Context& context) const;
