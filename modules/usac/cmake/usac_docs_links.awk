@@ -10,7 +10,7 @@
 
 function name_of(path) # doc/file.md: file
 {
-    if (path ~ /\/modules\//)
+    if (path ~ /modules\/usac\/README\.md$/)
         return "module"
     sub(/\.md$/, "", path)
     sub(/.*\//, "", path)
