@@ -40,6 +40,15 @@ grep -ohE '`(src|test)/[A-Za-z0-9_/*.]+`' doc/paper_map.md doc/design.md | tr -d
     compgen -G "modules/usac/$path" > /dev/null || echo "$path"
 done > "$mistakes"
 report "files that doc/ names and that are not there"
+find README.md doc modules/usac -name '*.md' -o -name '*.markdown' | while read -r document; do
+    grep -noE '\]\([A-Za-z0-9_./-]+[)#]' "$document" | tr -d ')#' | while IFS=: read -r line link; do
+        [ -e "$(dirname "$document")/${link#](}" ] || echo "$document:$line: ${link#](}"
+    done
+done > "$mistakes"
+grep -noE '\brun: .*' .github/workflows/*.yml | sed -E 's/run: (sh )?//' | while IFS=: read -r workflow line command; do
+    [ -f "${command%% *}" ] || echo "$workflow:$line: ${command%% *}"
+done >> "$mistakes"
+report "links and scripts of workflows that are not there"
 # contracts: any input; fuzz: the fuzzer and its kept inputs; runs: what only whole estimations show
 (cd modules/usac/test && find . -mindepth 1 -type d | sed 's|^\./||') | grep -vE '^(contracts|fuzz|runs)$' | while read -r dir; do
     [ -d "$src/$dir" ] || echo "modules/usac/test/$dir"

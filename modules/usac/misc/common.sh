@@ -12,7 +12,7 @@ build=$work/build-$(printf %s "$source" | cksum | cut -d ' ' -f 1)
 packages="g++ cmake ninja-build ccache pkg-config xz-utils python3-dev python3-numpy libjpeg-dev libpng-dev zlib1g-dev
     libblas-dev liblapack-dev liblapacke-dev libeigen3-dev libopencv-dev pybind11-dev python3-opencv python3-build python3-pip
     python3-venv python3-setuptools python3-wheel mypy colmap python3-distributed python3-h5py python3-matplotlib python3-tqdm
-    binutils dpkg-dev file"
+    binutils dpkg-dev file doxygen texlive-binaries"
 mkdir -p "$work"
 export CMAKE_GENERATOR=Ninja CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
 export CCACHE_SLOPPINESS=pch_defines,time_macros  # what precompiled headers need

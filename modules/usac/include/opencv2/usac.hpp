@@ -6,8 +6,7 @@
 #define OPENCV_USACV20_USAC_HPP
 
 /**
-@defgroup usacv20 USACv20: robust estimation of homographies, affine maps, epipolar geometry, camera poses and motions
-of space
+@defgroup usacv20 USACv20: robust estimation
 
 The RANSAC framework of @cite ivashechkin2021usacv20 behind the functions of the module calib3d. Three levels of use:
 
@@ -23,6 +22,12 @@ usacv20::estimateSimilarity3D.
 3. A component of one's own: usacv20::Usac::create builds the default set, each can be replaced before
 usacv20::Usac::run.
 */
+
+/** @namespace cv
+OpenCV's namespace. Of this module it has cv::UsacV20Method and overloads of OpenCV's functions that take its flags. */
+
+/** @namespace cv::usacv20
+All else of this module, see @ref usacv20. */
 
 #include "opencv2/usac/params.hpp"
 #include "opencv2/usac/report.hpp"

@@ -6,8 +6,8 @@
 # Builds the library and its samples against the installed OpenCV, installs them into a temporary prefix, moves that, and
 # builds and runs the consumer project by the CMake package and by pkg-config, and looks whether programs that would lose a flag
 # are refused by the compiler. With a build of OpenCV that has the module inside, the same project is built and run against
-# that, too: its build tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the Debian
-# packages and what is in them; and README's line for the Python package where another python3 comes first. The last line is "<N> passed, <M> failed".
+# that, too: its build tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the pages of
+# the documentation; the Debian packages and what is in them; and README's line for the Python package where another python3 comes first. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
 #
 #   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build
@@ -89,6 +89,23 @@ custom_components()
     c++ -std=$oldest "$project/samples/custom_quality.cpp" $flags -o "$work/custom_quality" &&
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_sampler" --help &&
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_quality" "$project/test_data/graf.txt"
+}
+
+# Without a warning, and with all that was to be on them: citations resolved, pictures of the tutorials, no paths of the build, no link
+# that leads nowhere.
+documentation()
+{
+    cmake --build "$work/build" --target usac_docs &&
+    pages=$work/build/doc/html &&
+    grep -q 'USACv20: robust essential' "$pages/citelist.html" &&
+    for tutorial in "$project"/modules/usac/tutorials/*/; do
+        name=$(basename "$tutorial")
+        for picture in "$tutorial"images/*; do
+            grep -F "src=\"$(basename "$picture")\"" "$pages/tutorial_usac_$name.html" || return 1
+        done
+    done &&
+    ! grep -rlIF -e "$project" -e "$work" "$pages" &&
+    /usr/bin/python3 "$here/links.py" "$pages"
 }
 
 # Each case of flags/cases.cpp.
@@ -223,6 +240,7 @@ check parent parent parent -DFETCH=OFF
 check fetch parent fetch -DFETCH=ON
 check cxx20 standard c++20
 check cxx23 standard c++2b
+check documentation documentation
 check debian_packages debian_packages
 check debian_paths debian_paths
 check debian_stripped debian_stripped

@@ -47,14 +47,16 @@ public:
     //! more than 31 MB, those that there are stay, and others are added as they are needed.
     void reset(size_t bytes);
 
-    //! Blocks, and their bytes.
+    //! Number of blocks.
     int blocks() const;
+    //! Bytes of all blocks.
     size_t capacity() const;
 
     //! What it takes is free again when it ends. Scopes end in the reverse order of their making.
     class CV_EXPORTS Scope
     {
     public:
+        //! Begins: memory is taken from this arena.
         explicit Scope(Arena& arena);
         ~Scope();
         //! As Arena::take, until the scope ends.
@@ -102,6 +104,8 @@ class ArenaList
 public:
     ArenaList() : items(0), count(0), room(0) {}
 
+    //! Adds a copy of an element, which may be one of the list; a list that is full moves to a larger place of the
+    //! arena.
     void push(Arena& arena, const T& item)
     {
         const T copy = item;  // which may be one of the list
@@ -116,16 +120,16 @@ public:
         new (items + count++) T(copy);
     }
 
-    int size() const { return count; }
-    bool empty() const { return count == 0; }
+    int size() const { return count; }         //!< number of elements
+    bool empty() const { return count == 0; }  //!< no elements?
     //! Shortens the list.
     void resize(int size_) { count = std::min(count, size_); }
-    T& operator[](int i) { return items[i]; }
-    const T& operator[](int i) const { return items[i]; }
-    T& back() { return items[count - 1]; }
-    const T& back() const { return items[count - 1]; }
-    const T* begin() const { return items; }
-    const T* end() const { return items + count; }
+    T& operator[](int i) { return items[i]; }              //!< element 0 <= i < size(), unchecked
+    const T& operator[](int i) const { return items[i]; }  //!< the same
+    T& back() { return items[count - 1]; }                 //!< the last element; there must be one
+    const T& back() const { return items[count - 1]; }     //!< the same
+    const T* begin() const { return items; }               //!< the first element
+    const T* end() const { return items + count; }         //!< behind the last element
 
 private:
     enum { FIRST = 32 };

@@ -21,15 +21,19 @@ namespace usacv20 {
 struct CV_EXPORTS Task
 {
     Task() : problem(HOMOGRAPHY) {}
+    //! Of a problem without cameras; those are set afterwards.
     Task(ProblemType problem_, const Mat& points1_, const Mat& points2_, const Params& params_ = Params())
         : problem(problem_), points1(points1_), points2(points2_), params(params_)
     {}
 
-    ProblemType problem;
-    Mat points1, points2;              //!< #ABSOLUTE_POSE: object points and image points
-    Params params;                     //!< `scores` are those of these points
-    Mat cameraMatrix1, cameraMatrix2;  //!< #ESSENTIAL; the second one empty: as the first. #ABSOLUTE_POSE: the first
-    Mat distCoeffs1, distCoeffs2;      //!< the same; empty: none
+    ProblemType problem;  //!< what is estimated
+    Mat points1;          //!< of image 1; #ABSOLUTE_POSE: object points
+    Mat points2;          //!< their counterparts; #ABSOLUTE_POSE: image points
+    Params params;        //!< `scores` are those of these points
+    Mat cameraMatrix1;    //!< #ESSENTIAL, #ABSOLUTE_POSE
+    Mat cameraMatrix2;    //!< #ESSENTIAL; empty: as the first
+    Mat distCoeffs1;      //!< of camera 1; empty: none
+    Mat distCoeffs2;      //!< of camera 2; empty: none
 };
 
 //! @brief What has become of a Task.
@@ -57,11 +61,14 @@ CV_EXPORTS std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, i
 class CV_EXPORTS ParamsOfTasks
 {
 public:
+    //! One for all.
     ParamsOfTasks(const Params& params) : list(1, params) {}
+    //! One for each.
     ParamsOfTasks(const std::vector<Params>& params) : list(params) {}
 
     //! 1 or as many as there are tasks.
     size_t size() const { return list.size(); }
+    //! Those of a task.
     const Params& operator[](size_t task) const { return list[list.size() == 1 ? 0 : task]; }
 
 private:
@@ -77,27 +84,33 @@ Each is #estimateBatch of tasks of one problem.
 @return one Estimate for each pair, in this order.
 A mistake in an argument of one task is in its Estimate::error. Raises cv::Exception for lists of different lengths.
 @{ */
+//! As #estimateHomography.
 CV_EXPORTS std::vector<Estimate> estimateHomographies(InputArrayOfArrays points1, InputArrayOfArrays points2,
                                                       const ParamsOfTasks& params = Params(), int threads = 0);
+//! As #estimateAffinity2D.
 CV_EXPORTS std::vector<Estimate> estimateAffinities2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
                                                       const ParamsOfTasks& params = Params(), int threads = 0);
+//! As #estimateSimilarity2D.
 CV_EXPORTS std::vector<Estimate> estimateSimilarities2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
                                                         const ParamsOfTasks& params = Params(), int threads = 0);
+//! As #estimateFundamental.
 CV_EXPORTS std::vector<Estimate> estimateFundamentals(InputArrayOfArrays points1, InputArrayOfArrays points2,
                                                       const ParamsOfTasks& params = Params(), int threads = 0);
+//! As #estimateRigid3D.
 CV_EXPORTS std::vector<Estimate> estimateRigids3D(InputArrayOfArrays points1, InputArrayOfArrays points2,
                                                   const ParamsOfTasks& params = Params(), int threads = 0);
+//! As #estimateSimilarity3D.
 CV_EXPORTS std::vector<Estimate> estimateSimilarities3D(InputArrayOfArrays points1, InputArrayOfArrays points2,
                                                         const ParamsOfTasks& params = Params(), int threads = 0);
-/** Cameras and distortions are lists, too: with one entry a task, or a single one for all. `cameraMatrices2` empty: as
-the first; distortions empty: none. */
+/** As #estimateEssential. Cameras and distortions are lists, too: with one entry a task, or a single one for all.
+`cameraMatrices2` empty: as the first; distortions empty: none. */
 CV_EXPORTS std::vector<Estimate> estimateEssentials(InputArrayOfArrays points1, InputArrayOfArrays points2,
                                                     InputArrayOfArrays cameraMatrices1,
                                                     InputArrayOfArrays cameraMatrices2 = noArray(),
                                                     InputArrayOfArrays distCoeffs1 = noArray(),
                                                     InputArrayOfArrays distCoeffs2 = noArray(),
                                                     const ParamsOfTasks& params = Params(), int threads = 0);
-//! The same for poses.
+//! As #estimateAbsolutePose; cameras and distortions as of #estimateEssentials.
 CV_EXPORTS std::vector<Estimate> estimateAbsolutePoses(InputArrayOfArrays objectPoints, InputArrayOfArrays imagePoints,
                                                        InputArrayOfArrays cameraMatrices,
                                                        InputArrayOfArrays distCoeffs = noArray(),

@@ -80,7 +80,7 @@ struct CV_EXPORTS State
     Quality bestQuality;              //!< and what it is worth
     Quality sampleQuality;            //!< the best of a model as it came from its sample, before any optimization
     ArenaList<SequentialTest> tests;  //!< those of the verifier so far, the last one is in use
-    Report report;
+    Report report;                    //!< what the run has learned so far
 
 private:
     void sort(const Context& context);
@@ -94,19 +94,21 @@ class Watch;
 //! What does not change during a run; handed to the components that need more than their own data.
 struct CV_EXPORTS Context
 {
+    //! Keeps references: all must outlive it.
     Context(const Correspondences& points_, const Components& components_, const Params& params_, Arena& arena_,
             Watch* watch_ = 0)
         : points(points_), components(components_), params(params_), arena(arena_), watch(watch_)
     {}
 
     /** @brief Quality of a model over all points.
+    @param model what is rated
     @param bound stop as soon as the cost reaches it; the result is then only known not to be better.
     For one thread at a time, as it takes memory from the arena. */
     Quality rate(const Model& model, double bound = std::numeric_limits<double>::infinity()) const;
 
     //! Those of Components; raise cv::Exception that names what is missing.
     Neighborhood& neighborhood() const;
-    const NonMinimalSolver& nonMinimalSolver() const;
+    const NonMinimalSolver& nonMinimalSolver() const;  //!< the same
 
     //! Not squared: within it of a model a point is one of Quality::inliers. Without a score that of the points.
     double inlierThreshold() const;
@@ -116,18 +118,17 @@ struct CV_EXPORTS Context
     //! Has the run to end at once (Params::maxTime, ProgressScope)? For loops of components that take all points in
     //! each turn: they leave with the best that they have. For the thread that began the run.
     bool stop() const { return watch && mustStop(); }
-    //! The same in a loop of which a turn is less. @param work since the question before, in tests of a point, 2 ns
-    //! each
+    //! The same in a loop of short turns. @param work since the question before, in tests of a point, 2 ns each
     bool stop(double work) const { return watch && mustStop(work); }
     //! The same before a step that cannot be left: also if Params::maxTime would be over before so much more work is
     //! done. The run ends then; the step is left out.
     bool stopBefore(double work) const { return watch && mustStopBefore(work); }
 
-    const Correspondences& points;
-    const Components& components;
-    const Params& params;
-    Arena& arena;        //!< memory of the run
-    Watch* const watch;  //!< null: nothing ends the run before its criteria do
+    const Correspondences& points;  //!< those of the run
+    const Components& components;   //!< all parts of the estimator
+    const Params& params;           //!< its options
+    Arena& arena;                   //!< memory of the run
+    Watch* const watch;             //!< null: nothing ends the run before its criteria do
 
 private:
     bool mustStop() const;
@@ -180,9 +181,11 @@ class CV_EXPORTS Sampler : public Component
 public:
     virtual ~Sampler();
     /** @brief Draws the next sample with `state.rng`.
-    @param sample output, as many distinct point indices as the minimal solver needs.
-    Sets `state.counts` to false if the criteria of termination must not take the sample for one
-    that is uniform among all points: what is drawn from a part of the points may never meet the best model. */
+
+    Sets `state.counts` to false if the criteria of termination must not take the sample for one that is uniform among
+    all points: what is drawn from a part of the points may never meet the best model.
+    @param context, state what does not change during the run, and what does
+    @param sample output, as many distinct point indices as the minimal solver needs */
     virtual void sample(const Context& context, State& state, int* sample) = 0;
     //! The samples that are not uniform come from so many of the best points (State::bestFirst()) now. Default: all.
     virtual int subsetSize(const Context& context) const;
@@ -196,7 +199,7 @@ class CV_EXPORTS MinimalSolver : public Component
 {
 public:
     virtual ~MinimalSolver();
-    virtual int sampleSize() const = 0;
+    virtual int sampleSize() const = 0;  //!< points of a sample, at most #MAX_SAMPLE_SIZE
     //! Writes at most #MAX_MODELS models. @return their number; 0 for a degenerate sample.
     virtual int solve(const Correspondences& points, const int* sample, Model* models) const = 0;
 };
@@ -222,9 +225,9 @@ public:
 class CV_EXPORTS Residual : public Component
 {
 public:
+    //! Formulas of the built-in errors, see kind().
     enum Kind { TRANSFER, SAMPSON, SYMMETRIC_TRANSFER, SYMMETRIC_EPIPOLAR, REPROJECTION, SPACE_TRANSFER, CUSTOM };
-    //! Most components of an error.
-    enum { MAX_COMPONENTS = 4 };
+    enum { MAX_COMPONENTS = 4 /*!< most components of an error */ };
 
     virtual ~Residual();
     //! Squared errors of the points begin .. end-1. Where the error is not defined the value is NaN or infinite.
@@ -253,7 +256,7 @@ public:
     virtual bool homogeneous() const;
 };
 
-/** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over Correspondences::column.
+/** Computes errors and accumulates the quality of the points begin to end-1 in one pass over Correspondences::column.
 `model` are the Model::size() numbers as float, see Residual::homogeneous. It is worth its while if it becomes
 vector code, also for blocks of 32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model, float squaredThreshold, int begin,
@@ -371,18 +374,18 @@ struct CV_EXPORTS Components
     //! Component::start of all.
     void start(const Context& context) const;
 
-    Ptr<Residual> residual;                  //!< required
-    Ptr<Score> score;                        //!< required
-    Ptr<Ordering> ordering;                  //!< empty: State::order is 0, 1, 2, ...
-    Ptr<Neighborhood> neighborhood;          //!< required by P-NAPSAC and graph cut
-    Ptr<Sampler> sampler;                    //!< required
-    Ptr<MinimalSolver> minimalSolver;        //!< required
-    Ptr<NonMinimalSolver> nonMinimalSolver;  //!< required by graph cut and least squares
-    std::vector<Ptr<Degeneracy>> degeneracies;
-    Ptr<Verifier> verifier;              //!< empty: none
-    Ptr<LocalOptimizer> localOptimizer;  //!< empty: none
-    std::vector<Ptr<Termination>> terminations;
-    Ptr<Polisher> polisher;  //!< empty: none
+    Ptr<Residual> residual;                      //!< required
+    Ptr<Score> score;                            //!< required
+    Ptr<Ordering> ordering;                      //!< empty: State::order is 0, 1, 2, ...
+    Ptr<Neighborhood> neighborhood;              //!< required by P-NAPSAC and graph cut
+    Ptr<Sampler> sampler;                        //!< required
+    Ptr<MinimalSolver> minimalSolver;            //!< required
+    Ptr<NonMinimalSolver> nonMinimalSolver;      //!< required by graph cut and least squares
+    std::vector<Ptr<Degeneracy>> degeneracies;   //!< asked in this order
+    Ptr<Verifier> verifier;                      //!< empty: none
+    Ptr<LocalOptimizer> localOptimizer;          //!< empty: none
+    std::vector<Ptr<Termination>> terminations;  //!< the first that fires ends the run
+    Ptr<Polisher> polisher;                      //!< empty: none
 };
 
 //! @}

@@ -20,16 +20,20 @@ namespace usacv20 {
 /** @name What components work on
 @{ */
 
-//! Most points a minimal sample can have.
-enum { MAX_SAMPLE_SIZE = 8 };
-//! Most models a minimal solver can return.
-enum { MAX_MODELS = 10 };
-//! Most numbers of a model.
-enum { MAX_MODEL_SIZE = 12 };
-//! Most numbers of a datum.
-enum { MAX_COLUMNS = 6 };
+//! Bounds of arrays.
+enum {
+    MAX_SAMPLE_SIZE = 8,  //!< most points of a minimal sample
+    MAX_MODELS = 10,      //!< most models of a minimal solver
+    MAX_MODEL_SIZE = 12,  //!< most numbers of a model
+    MAX_COLUMNS = 6       //!< most numbers of a datum
+};
 //! Columns of two views, see Correspondences.
-enum TwoViewColumn { X1, Y1, X2, Y2 };
+enum TwoViewColumn {
+    X1,  //!< x of image 1
+    Y1,  //!< y of image 1
+    X2,  //!< x of image 2
+    Y2   //!< y of image 2
+};
 
 /** @brief A matrix of at most #MAX_MODEL_SIZE numbers, in the coordinates of Correspondences: a homography, fundamental
 or essential matrix, or what another Problem says. It is made of a Matx and turns into one of the same size. */
@@ -39,12 +43,14 @@ public:
     Model() : rows(0), cols(0), val() {}
     //! Zeros.
     Model(int rows_, int cols_) : rows(rows_), cols(cols_), val() { CV_Assert(size() <= MAX_MODEL_SIZE); }
+    //! The numbers of a Matx.
     template <int ROWS, int COLS>
     Model(const Matx<double, ROWS, COLS>& matrix) : rows(ROWS), cols(COLS), val()
     {
         CV_StaticAssert(ROWS * COLS <= MAX_MODEL_SIZE, "a model has at most MAX_MODEL_SIZE numbers");
         std::copy(matrix.val, matrix.val + ROWS * COLS, val);
     }
+    //! A Matx of the same size; another one raises cv::Exception.
     template <int ROWS, int COLS>
     operator Matx<double, ROWS, COLS>() const
     {
@@ -52,16 +58,20 @@ public:
         return Matx<double, ROWS, COLS>(val);
     }
 
+    //! How many numbers.
     int size() const { return rows * cols; }
+    //! The same shape and numbers?
     bool operator==(const Model& other) const
     {
         return rows == other.rows && cols == other.cols && std::equal(val, val + size(), other.val);
     }
+    //! Not operator==.
     bool operator!=(const Model& other) const { return !(*this == other); }
-    double& operator()(int row, int col) { return val[row * cols + col]; }
-    double operator()(int row, int col) const { return val[row * cols + col]; }
+    double& operator()(int row, int col) { return val[row * cols + col]; }       //!< an entry, unchecked
+    double operator()(int row, int col) const { return val[row * cols + col]; }  //!< the same
 
-    int rows, cols;
+    int rows;                    //!< of the matrix; 0: there is no model
+    int cols;                    //!< of the matrix
     double val[MAX_MODEL_SIZE];  //!< row by row, 0 beyond size()
 };
 
@@ -77,7 +87,8 @@ struct Frame
         return Matx33d(scale, 0, 0 - scale * center[0], 0, scale, 0 - scale * center[1], 0, 0, 1);
     }
 
-    double center[3], scale;
+    double center[3];  //!< in the caller's units
+    double scale;      //!< new units in one of the caller's
 };
 
 /** @brief The correspondences as the components see them: scaled, shuffled, structure of arrays.
@@ -102,14 +113,17 @@ struct Correspondences
     const float* scores;               //!< Params::scores in this order, lower is better; null if none were given
     double threshold;                  //!< Params::threshold times Params::reach in these coordinates, not squared
     Frame frame[2];                    //!< from the caller's (E: normalized) coordinates to these; a single one twice
-    float lower[MAX_COLUMNS], upper[MAX_COLUMNS];  //!< where nearly all of each column lies
+    float lower[MAX_COLUMNS];          //!< nearly all of each column lies above this
+    float upper[MAX_COLUMNS];          //!< and below this
 };
 
 //! What a model is worth: the lower the cost, the better.
 struct Quality
 {
     Quality() : cost(std::numeric_limits<double>::infinity()), inliers(0) {}
+    //! Of a sum that is known.
     Quality(double cost_, int inliers_) : cost(cost_), inliers(inliers_) {}
+    //! Costs less?
     bool betterThan(const Quality& other) const { return cost < other.cost; }
 
     double cost;  //!< sum over all points, each between 0 and 1

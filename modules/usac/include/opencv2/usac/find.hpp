@@ -25,11 +25,14 @@ called with the flag's options (usacv20::Params::fromMethod), by usacv20::Report
 A mistake raises a cv::Exception whose message begins with the name of the argument in these signatures; a field of a
 Params has the name that it has there.
 @{ */
+//! A homography; arguments and result as of usacv20::findHomography.
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method,
                               double ransacReprojThreshold = 3, OutputArray mask = noArray(), const int maxIters = 2000,
                               const double confidence = 0.995);
+//! @overload
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, UsacV20Method method,
                               double ransacReprojThreshold = 3);
+//! With all options, as usacv20::estimateHomography.
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
                               const usacv20::Params& params);
 //! The same, in the order of Python.
@@ -39,14 +42,18 @@ inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, const usac
     return findHomography(srcPoints, dstPoints, mask, params);
 }
 
+//! A fundamental matrix; arguments and result as of usacv20::findFundamentalMat.
 CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method,
                                   double ransacReprojThreshold, double confidence, int maxIters,
                                   OutputArray mask = noArray());
+//! @overload
 CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method,
                                   double ransacReprojThreshold = 3., double confidence = 0.99,
                                   OutputArray mask = noArray());
+//! @overload
 CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, UsacV20Method method,
                                   double ransacReprojThreshold = 3., double confidence = 0.99);
+//! With all options, as usacv20::estimateFundamental.
 CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
                                   const usacv20::Params& params);
 //! The same, in the order of Python.
@@ -56,20 +63,26 @@ inline Mat findFundamentalMat(InputArray points1, InputArray points2, const usac
     return findFundamentalMat(points1, points2, mask, params);
 }
 
+//! An essential matrix; arguments and result as of usacv20::findEssentialMat.
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method,
                                 double prob = 0.999, double threshold = 1.0, int maxIters = 1000,
                                 OutputArray mask = noArray());
+//! @overload
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method,
                                 double prob, double threshold, OutputArray mask);
+//! @overload
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method,
                                 double prob = 0.999, double threshold = 1.0, int maxIters = 1000,
                                 OutputArray mask = noArray());
+//! @overload
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method,
                                 double prob, double threshold, OutputArray mask);
+//! @overload
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1,
                                 InputArray distCoeffs1, InputArray cameraMatrix2, InputArray distCoeffs2,
                                 UsacV20Method method, double prob = 0.999, double threshold = 1.0,
                                 OutputArray mask = noArray());
+//! With all options, as usacv20::estimateEssential.
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1,
                                 InputArray cameraMatrix2, InputArray dist_coeff1, InputArray dist_coeff2,
                                 OutputArray mask, const usacv20::Params& params);
@@ -86,9 +99,10 @@ namespace usacv20 {
 
 /** @name The functions of calib3d with any flag, known only at run time
 Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat that has an `int method`, with
-the same meaning, order and defaults of the arguments, but #USACV20 for a `method` that is left out. The method is the
-value of a #UsacV20Method, and the result that of cv::findHomography and its kin with this flag; or it is one of
-OpenCV's own flags, and the call is handed on to calib3d as it is. A number that is neither (OpenCV's flags are among 0
+the same meaning, order and defaults of the arguments, but UsacV20Method::USACV20 for a `method` that is left out. The
+method is the value of a #UsacV20Method, and the result that of cv::findHomography and its kin with this flag; or it is
+one of OpenCV's own flags, and the call is handed on to calib3d as it is. A number that is neither (OpenCV's flags are
+among 0
 .. 63) raises a cv::Exception that names `method`.
 
 Below `using namespace cv` and `using namespace cv::usacv20` together, a call with an `int` has to name the namespace,
@@ -191,12 +205,14 @@ Mat findEssentialMat(InputArray points1, InputArray points2, int method) = delet
 They call cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat with the same arguments. They are
 templates, which keeps a call without a namespace below both using-directives from being ambiguous.
 @{ */
+//! cv::findHomography with the same arguments.
 template <typename... Others>
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method, Others&&... others)
 {
     return cv::findHomography(srcPoints, dstPoints, method, std::forward<Others>(others)...);
 }
 
+//! cv::findHomography with the same arguments.
 template <typename... Others>
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask, UsacV20Method method,
                    Others&&... others)
@@ -204,12 +220,14 @@ Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
     return cv::findHomography(srcPoints, dstPoints, mask, method, std::forward<Others>(others)...);
 }
 
+//! cv::findFundamentalMat with the same arguments.
 template <typename... Others>
 Mat findFundamentalMat(InputArray points1, InputArray points2, UsacV20Method method, Others&&... others)
 {
     return cv::findFundamentalMat(points1, points2, method, std::forward<Others>(others)...);
 }
 
+//! cv::findFundamentalMat with the same arguments.
 template <typename... Others>
 Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, UsacV20Method method,
                        Others&&... others)
@@ -217,6 +235,7 @@ Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
     return cv::findFundamentalMat(points1, points2, mask, method, std::forward<Others>(others)...);
 }
 
+//! cv::findEssentialMat with the same arguments.
 template <typename... Others>
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix, UsacV20Method method,
                      Others&&... others)
@@ -224,6 +243,7 @@ Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMa
     return cv::findEssentialMat(points1, points2, cameraMatrix, method, std::forward<Others>(others)...);
 }
 
+//! cv::findEssentialMat with the same arguments.
 template <typename... Others>
 Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, UsacV20Method method,
                      Others&&... others)
@@ -231,6 +251,7 @@ Mat findEssentialMat(InputArray points1, InputArray points2, double focal, Point
     return cv::findEssentialMat(points1, points2, focal, pp, method, std::forward<Others>(others)...);
 }
 
+//! cv::findEssentialMat with the same arguments.
 template <typename... Others>
 Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray distCoeffs1,
                      InputArray cameraMatrix2, InputArray distCoeffs2, UsacV20Method method, Others&&... others)

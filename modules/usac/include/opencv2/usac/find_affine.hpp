@@ -25,9 +25,11 @@ fewer keeps to its own number. 0 leaves the polish out (usacv20::POLISHING_NONE)
 found, which local optimization has fitted to its inliers already, unlike the sample's own model that OpenCV's flags
 return with 0. A negative number (of which `size_t` makes a huge one) is refused, as one of `maxIters` is.
 @{ */
+//! An affine map; arguments and result as of usacv20::estimateAffine2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
                                 double ransacReprojThreshold = 3, size_t maxIters = 2000, double confidence = 0.99,
                                 size_t refineIters = 10);
+//! With all options, as usacv20::estimateAffinity2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers, const usacv20::Params& params);
 //! The same, in the order of Python.
 inline Mat estimateAffine2D(InputArray pts1, InputArray pts2, const usacv20::Params& params,
@@ -36,9 +38,11 @@ inline Mat estimateAffine2D(InputArray pts1, InputArray pts2, const usacv20::Par
     return estimateAffine2D(pts1, pts2, inliers, params);
 }
 
+//! A similarity; arguments and result as of usacv20::estimateAffinePartial2D.
 CV_EXPORTS Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
                                        double ransacReprojThreshold = 3, size_t maxIters = 2000,
                                        double confidence = 0.99, size_t refineIters = 10);
+//! With all options, as usacv20::estimateSimilarity2D.
 CV_EXPORTS Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers,
                                        const usacv20::Params& params);
 //! The same, in the order of Python.
@@ -52,10 +56,10 @@ inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, const usacv
 namespace usacv20 {
 
 /** @name Maps of the plane with any flag, known only at run time
-The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D that have an `int method`, but #USACV20 for a
-`method` that is left out. What is said of usacv20::findHomography holds for them: one of OpenCV's own flags hands the
-call on to calib3d as it is, a number that is no flag raises a cv::Exception that names `method`, and below both
-using-directives the call has to name the namespace.
+The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D that have an `int method`, but
+UsacV20Method::USACV20 for a `method` that is left out. What is said of usacv20::findHomography holds for them: one of
+OpenCV's own flags hands the call on to calib3d as it is, a number that is no flag raises a cv::Exception that names
+`method`, and below both using-directives the call has to name the namespace.
 @{ */
 /** @brief cv::estimateAffine2D with a flag of this module or of OpenCV.
 @param from N points of image 1
@@ -91,12 +95,14 @@ CV_EXPORTS_W Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputA
 /** @name The same with a flag that is known when the program is compiled
 As the templates of find.hpp: they keep a call without a namespace below both using-directives from being ambiguous.
 @{ */
+//! cv::estimateAffine2D with the same arguments.
 template <typename... Others>
 Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method, Others&&... others)
 {
     return cv::estimateAffine2D(from, to, inliers, method, std::forward<Others>(others)...);
 }
 
+//! cv::estimateAffinePartial2D with the same arguments.
 template <typename... Others>
 Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
                             Others&&... others)

@@ -196,7 +196,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     ends when no sample is left to be drawn, or when none of the first million gave a model. */
     CV_PROP_RW int maxIterations;
     /** Milliseconds after which a run ends with what it has found; 0..1e9, 0: no limit. Late by 5 ms for 10 000 points
-    and 0.1 s for a million (to read these takes 0.08 s, the mask 0.007 s; #Report tells what is less exact then). The
+    and 0.1 s for a million (to read these takes 0.08 s, the mask 0.007 s; Report tells what is less exact then). The
     only option by which the result depends on the machine, see Report::stop and ProgressScope. Default 0. */
     CV_PROP_RW double maxTime;
     //! Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.
@@ -208,7 +208,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int sampler;
     //! @ref OrderingType. Default #ORDERING_AUTO.
     CV_PROP_RW int ordering;
-    //! Score of each correspondence, N values or none; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
+    //! One for each correspondence, N values or none; #SAMPLER_IMPORTANCE takes them as probabilities. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** A model to begin with, that of the frame before, say: numbers row by row, as the estimator returns them, or no
     model; see setInitialModel(). It is rated and optimized before the first sample, as if it came from one; what is
@@ -234,8 +234,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double reach;
     /** Where the errors of the best model show that the noise is larger than `threshold`, `reach` grows with it, up to
     this, a multiple of `threshold`; 1..1e6; what is not above `reach` changes nothing. The mask stays that of
-    `threshold` and may then be empty with a right model. The scale of the noise is found as in @cite
-    moisan2004probabilistic. Default 1; presets of MAGSAC 1000. */
+    `threshold` and may then be empty with a right model. The scale of the noise is found as in
+    @cite moisan2004probabilistic. Default 1; presets of MAGSAC 1000. */
     CV_PROP_RW double widestReach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;
@@ -278,30 +278,30 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Most fits of the polishing, each with the inliers or weights under the last one; fewer when they settle; 1..100.
     //! Default 6.
     CV_PROP_RW int polishingSteps;
-    /** The largest Report::chance with which a model is returned, a probability; 0..1, after @cite
-    moisan2004probabilistic. 1: a model is always returned. Default 0: 0.01 where there are enough independent points
-    for a quarter of them to be that significant, else 1. */
+    /** The largest Report::chance with which a model is returned, a probability; 0..1, after
+    @cite moisan2004probabilistic. 1: a model is always returned. Default 0: 0.01 where there are enough independent
+    points for a quarter of them to be that significant, else 1. */
     CV_PROP_RW double significance;
 
     /** @brief The configuration chosen in the paper, with robust polishing; the same as Params(). */
     CV_WRAP static Params usacV20();
-    /** @brief What #USACV20_FAST uses: usacV20() that stops when a model with half as many inliers more would have been
-    found, less of few (`relaxation`), whose local optimization has no graph cut, no inner samples and one round, with
-    four runners-up and three steps of polishing. */
+    /** @brief What UsacV20Method::USACV20_FAST uses: usacV20() that stops when a model with half as many inliers more
+    would have been found, less of few (`relaxation`), whose local optimization has no graph cut, no inner samples and
+    one round, with four runners-up and three steps of polishing. */
     CV_WRAP static Params fast();
-    /** @brief What #USACV20_ACCURATE uses: usacV20() with three times as many samples as the standard termination asks
-    for, up to ten alternations of ten inner samples in the local optimization, 24 runners-up and 20 steps of polishing.
-  */
+    /** @brief What UsacV20Method::USACV20_ACCURATE uses: usacV20() with three times the samples that the standard
+    termination asks for, up to ten alternations of ten inner samples in the local optimization, 24 runners-up, 20
+    polishing steps. */
     CV_WRAP static Params accurate();
     /** @brief As usacV20(), with PROSAC sampling of points that the caller has sorted, best first (`scores`, where
     given, are the order, as in all presets of sorted points): one sample in eight (`orderedEvery`), the others are
-    uniform, so that a wrong order breaks no promise. What #USACV20_PROSAC uses. */
+    uniform, so that a wrong order breaks no promise. What UsacV20Method::USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
     /** @brief As usacV20(), for who vouches for the order (`scores`, or #ORDERING_INPUT_ORDER): all samples are
     PROSAC's, and its criterion may end the search @cite chum2005matching. Where the order is wrong, it may miss the
     model. */
     CV_WRAP static Params trustedScores();
-    /** @brief As usacV20(), with all threads of OpenCV and the same result. What #USACV20_PARALLEL uses. */
+    /** @brief As usacV20(), with all threads of OpenCV, the same result. What UsacV20Method::USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares @cite fischler1981random. The number of
     samples, which the paper derives from a known part of inliers, follows from that of the best model so far, as has
@@ -337,17 +337,17 @@ struct CV_EXPORTS_W_SIMPLE Params
     the terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC stands for the paper's general test of
     degeneracy; H has a test of orientation only, E one of planes beside it. */
     CV_WRAP static Params usac2013();
-    /** @brief MAGSAC: uniform samples, marginalized quality, termination and fits (sigma-consensus) @cite
-    barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold` over the 0.99 quantile of
-    chi. The errors have one degree of freedom for F and E and two for H, the constraints that a match has to fulfil;
-    the paper has four, those of the coordinates, of which a model leaves the others free. The fit takes five parts of
-    the noise's range. Where the data show more noise, the range grows (`widestReach`); the paper asks for a bound that
-    is far too large instead. */
+    /** @brief MAGSAC: uniform samples, marginalized quality, termination and fits (sigma-consensus)
+    @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold` over the 0.99
+    quantile of chi. The errors have one degree of freedom for F and E and two for H, the constraints that a match has
+    to fulfil; the paper has four, those of the coordinates, of which a model leaves the others free. The fit takes five
+    parts of the noise's range. Where the data show more noise, the range grows (`widestReach`); the paper asks for a
+    bound that is far too large instead. */
     CV_WRAP static Params magsac();
-    /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++) @cite
-    barath2020magsac. What #USACV20_MAGSAC uses. The noise is marginalized up to `reach` times `threshold`, and further
-    where the data show more noise (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests
-    of degeneracy are those of usacV20(). */
+    /** @brief MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits (sigma-consensus++)
+    @cite barath2020magsac. What UsacV20Method::USACV20_MAGSAC uses. The noise is marginalized up to `reach` times
+    `threshold`, and further where the data show more noise (`widestReach`); degrees of freedom as in magsac().
+    Termination, runners-up and tests of degeneracy are those of usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
     //! The preset behind a flag; a number that is none, made one by a cast, raises cv::Exception.
     static Params fromMethod(UsacV20Method method);

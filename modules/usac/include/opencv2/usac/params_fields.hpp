@@ -32,10 +32,10 @@ enum FieldKind {
 //! Default and range of a field of Params; a `double` holds the integers exactly.
 struct FieldValues
 {
-    FieldKind kind;
-    double initial;    //!< the default; FIELD_SCORES, FIELD_MODEL: not used, there are none
-    double low, high;  //!< smallest and largest value; ends of an open interval for FIELD_PROBABILITY, the lower one
-                       //!< for FIELD_PIXELS, too; not used for FIELD_SCORES, FIELD_MODEL
+    FieldKind kind;  //!< of the value
+    double initial;  //!< the default; FIELD_SCORES, FIELD_MODEL: not used, there are none
+    double low;      //!< smallest value; FIELD_PIXELS, FIELD_PROBABILITY: all are larger; not used as `initial`
+    double high;     //!< largest value; FIELD_PROBABILITY: all are smaller; not used as `initial`
 
     //! Of FIELD_SCORES, FIELD_MODEL any value is right: what is depends on other fields and on the points.
     bool contain(double value) const
@@ -46,12 +46,19 @@ struct FieldValues
         return (openBelow ? value > low : value >= low) && (openAbove ? value < high : value <= high);  // NaN: never
     }
 
+    //! One of the enumerators from `low` to `high`.
     static FieldValues option(int initial, int low, int high) { return of(FIELD_OPTION, initial, low, high); }
+    //! Any of the bits of `all`.
     static FieldValues flags(int initial, int all) { return of(FIELD_FLAGS, initial, 0, all); }
+    //! A number from `low` to `high`.
     static FieldValues number(double initial, double low, double high) { return of(FIELD_NUMBER, initial, low, high); }
+    //! A positive and finite number.
     static FieldValues pixels(double initial) { return of(FIELD_PIXELS, initial, 0, DBL_MAX); }
+    //! Between 0 and 1.
     static FieldValues probability(double initial) { return of(FIELD_PROBABILITY, initial, 0, 1); }
+    //! Those of the matches.
     static FieldValues scores() { return of(FIELD_SCORES, 0, 0, 0); }
+    //! An initial one.
     static FieldValues model() { return of(FIELD_MODEL, 0, 0, 0); }
 
 private:

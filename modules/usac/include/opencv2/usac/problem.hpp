@@ -18,6 +18,7 @@ namespace usacv20 {
 //! What a sample takes, in units of the test of one point by the built-in kernels, about 2 nanoseconds.
 struct SampleCost
 {
+    //! Both numbers.
     SampleCost(double time_, double models_) : time(time_), models(models_) {}
 
     double time;    //!< to solve a sample and to check its models
@@ -102,6 +103,7 @@ public:
     @param residual that of the search, in the same units and of the same models
     @return default: empty, `residual` is as good. */
     virtual Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const;
+    //! The models of a minimal sample.
     virtual Ptr<MinimalSolver> createMinimalSolver() const = 0;
     //! Least squares of the errors of a residual. Asked again if the caller has brought another residual. Empty: none.
     virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const = 0;

@@ -39,6 +39,7 @@ them in reverse order, by the thread that made them. */
 class CV_EXPORTS ProgressScope
 {
 public:
+    //! Begins: `progress` is asked until the end of the scope.
     explicit ProgressScope(const Progress& progress);
     ~ProgressScope();
 

@@ -27,8 +27,10 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
     CV_PROP_RW int behind;
     //! Inliers on one plane, if these are most of them (more than 80 %); else 0.
     CV_PROP_RW int onPlane;
-    //! Of a plane: the other motion that it allows, 3x3 and 3x1, CV_64F; empty: there is none.
-    CV_PROP_RW Mat otherR, otherT;
+    //! Of a plane: the rotation of the other motion that it allows, 3x3, CV_64F; empty: there is none.
+    CV_PROP_RW Mat otherR;
+    //! And its translation, 3x1, CV_64F, unit length.
+    CV_PROP_RW Mat otherT;
     //! Points in front of both cameras that this other motion has within the threshold.
     CV_PROP_RW int otherInliers;
 };
@@ -50,9 +52,9 @@ in front of both cameras; points at infinity are
 @return true if there is a model.
 
 Of the four motions that an essential matrix stands for, the one with most inliers in front of both cameras is returned
-(@cite nister2004efficient), whatever their distance is. A plane has two motions @cite ma2004invitation: the points off
-it choose, by their errors; the other one is in `pose`, and where there are no points off the plane `pose.otherInliers`
-is about the number of inliers. */
+(@cite nister2004efficient), whatever their distance is. A plane has two motions (@cite ma2004invitation): the points
+off it choose, by their errors; the other one is in `pose`, and where there are no points off the plane
+`pose.otherInliers` is about the number of inliers. */
 CV_EXPORTS_W bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cameraMatrix1,
                                        InputArray distCoeffs1, InputArray cameraMatrix2, InputArray distCoeffs2,
                                        const Params& params, OutputArray R, OutputArray t, OutputArray mask,

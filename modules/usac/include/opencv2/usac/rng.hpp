@@ -23,6 +23,7 @@ so the samples do not depend on threads or on what was drawn elsewhere.
 class Rng
 {
 public:
+    //! A stream of a seed, at its beginning.
     explicit Rng(uint64 seed = 0, uint64 stream = 0) : key(mix(seed + mix(stream))), counter(0) {}
 
     //! 32 uniformly distributed bits.
