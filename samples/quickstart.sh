@@ -11,6 +11,7 @@
 #   OPENCV_SAMPLES_DATA_PATH  folder of OpenCV's sample images; default: the one of Debian's package opencv-doc
 
 set -eu
+[ $# = 0 ] || { echo "usage: quickstart.sh" >&2; exit 2; }
 project=$(cd "$(dirname "$0")/.." && pwd)
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac_quickstart}
 packages="g++ make cmake libeigen3-dev libopencv-dev pybind11-dev python3-dev python3-venv python3-setuptools python3-wheel

@@ -66,7 +66,11 @@ struct Settings
 inline std::string findFile(const std::string& name)
 {
     cv::samples::addSamplesDataSearchPath("/usr/share/doc/opencv-doc/examples/data");  // Debian's package opencv-doc
-    return cv::samples::findFile(name);
+    const std::string path = cv::samples::findFile(name, false, true);
+    if (path.empty())
+        CV_Error(cv::Error::StsObjectNotFound,
+                 name + ": not found; OPENCV_SAMPLES_DATA_PATH can name the folder of OpenCV's sample data");
+    return path;
 }
 
 inline cv::Mat readImage(const std::string& name)

@@ -18,7 +18,10 @@ import numpy.typing as npt
 try:
     import usacv20 as usacv20  # the package, beside any cv2
 except ImportError:
-    from cv2 import usacv20 as usacv20  # type: ignore[no-redef]  # the same, of an OpenCV that was built with the module
+    try:
+        from cv2 import usacv20 as usacv20  # type: ignore[no-redef]  # the same, of an OpenCV that was built with the module
+    except ImportError:
+        sys.exit("the package usacv20 is needed: env/bin/pip install --no-build-isolation ./modules/usac, and then env/bin/python3 " + sys.argv[0])
 
 Array = npt.NDArray[Any]
 Image = npt.NDArray[Any]  # height x width x 3 uint8

@@ -11,8 +11,9 @@ if(NOT USAC_BUILD_DIR)
   return()
 endif()
 
-file(GLOB manifests "${USAC_BUILD_DIR}/install_manifest*.txt")
-if(NOT manifests)
+# That of `cmake --install`: those that cpack writes, install_manifest_*.txt, list the files of packages.
+set(manifests "${USAC_BUILD_DIR}/install_manifest.txt")
+if(NOT EXISTS "${manifests}")
   message(FATAL_ERROR "${USAC_BUILD_DIR}: nothing has been installed from here")
 endif()
 foreach(manifest ${manifests})

@@ -157,7 +157,11 @@ needs()  # what the modes of the command line need beyond run_tests.sh
 for mode in "$@"; do
     case $mode in
     asan | tsan | assertions | valgrind | fuzz | python | lint | coverage | [0-9]*) ;;
-    *) echo "unknown mode: $mode"; exit 1 ;;
+    *)
+        echo "usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [python] [lint] [coverage]" >&2
+        trap - EXIT
+        exit 2
+        ;;
     esac
 done
 install_packages $(needs "$@")

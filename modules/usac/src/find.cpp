@@ -33,7 +33,12 @@ static Mat estimate(InputArray points1, InputArray points2, InputArray cameraMat
         ->run(mask);
 }
 
-static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1); }
+static Matx33d cameraOf(double focal, Point2d pp)
+{
+    if (!(std::abs(focal) > 0 && std::abs(focal) <= DBL_MAX))
+        CV_Error_(Error::StsOutOfRange, ("focal: a focal length in pixels is expected, not %g", focal));
+    return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
+}
 
 // Where a signature of calib3d has no maxIters, its default is used.
 

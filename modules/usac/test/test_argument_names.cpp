@@ -129,6 +129,20 @@ TEST(Usac_ArgumentNames, solvePnPRansac)
     expectBegin([&] { solve(l.b, K, 10, 8, 1.5); }, "confidence");
 }
 
+//! A pose calls the arguments of fits by other names, and the caller has given no matrix here.
+TEST(Usac_ArgumentNames, fits_and_focal_lengths)
+{
+    const Lists l;
+    Report report;
+    const Mat none, space = Mat::ones(20, 3, CV_64F), image = Mat::ones(20, 2, CV_64F);
+    expectBegin([&] { fitModel(ABSOLUTE_POSE, space, image, Params(), noArray(), report); }, "cameraMatrix1");
+    expectBegin([&] { modelErrors(ABSOLUTE_POSE, Mat::eye(3, 4, CV_64F), space, image, Params()); }, "cameraMatrix1");
+    expectBegin([&] { refineModel(HOMOGRAPHY, l.a, l.b, Mat::eye(3, 3, CV_64F), Params(), noArray(), report); },
+                "model");
+    for (double focal : {0., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        expectBegin([&] { cv::findEssentialMat(l.a, l.b, focal, Point2d(1, 1), USACV20); }, "focal");
+}
+
 //! What a component of the caller's says need not begin with a list of names.
 TEST(Usac_ArgumentNames, other_messages_stay)
 {

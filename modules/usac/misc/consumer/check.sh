@@ -158,6 +158,15 @@ debian_packages()
     done
 }
 
+# The lists that cpack leaves are not of what was installed from here.
+debian_uninstall()
+{
+    rm -f "$work/build/install_manifest.txt"
+    ls "$work"/build/install_manifest_*.txt &&
+    ! cmake --build "$work/build" --target uninstall > "$work/uninstall.log" 2>&1 &&
+    grep 'nothing has been installed' "$work/uninstall.log"
+}
+
 compiled()
 {
     find "$work/debian" -type f \( -name '*.so' -o -name '*.so.*' -o -path '*/bin/usac_*' \)
@@ -242,6 +251,7 @@ check cxx20 standard c++20
 check cxx23 standard c++2b
 check documentation documentation
 check debian_packages debian_packages
+check debian_uninstall debian_uninstall
 check debian_paths debian_paths
 check debian_stripped debian_stripped
 check debian_python debian_python

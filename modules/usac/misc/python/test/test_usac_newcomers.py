@@ -91,6 +91,38 @@ class ParamsTest(NewcomerCase):
         scores = np.ma.masked_array([1.0, 2.0], mask=[True, False])
         self.refused(ERRORS, ("scores", "mask"), usac.Params, scores=scores)
 
+    def test_fields_that_are_none(self):
+        for call, name, hint in ((usac.Params.fast, "treshold", "threshold"), (usac.Params().replace, "maxIters", "maxIterations"),
+                                 (usac.Params.accurate, "ransacReprojThreshold", "threshold"), (usac.Params.fast, "xyz", "help")):
+            with self.assertRaisesRegex(TypeError, "'{}'.*{}".format(name, hint)):
+                call(**{name: 2})
+
+
+class GivenTest(NewcomerCase):
+
+    def test_names_of_problems(self):
+        points = np.random.RandomState(1).uniform(0, 600, (20, 2))
+        same = usac.fitModel("homography", points, points + 5)
+        self.assertTrue(np.array_equal(usac.fitModel(usac.HOMOGRAPHY, points, points + 5)[0], same[0]))
+        for problem in ("H", usac.USACV20, 99, 3.0, points):
+            with self.assertRaisesRegex(Exception, "problem: a ProblemType is expected, HOMOGRAPHY"):
+                usac.fitModel(problem, points, points)
+
+    def test_arguments_of_a_pose(self):
+        space, image = np.random.RandomState(1).uniform(1, 2, (20, 3)), np.random.RandomState(2).uniform(0, 600, (20, 2))
+        with self.assertRaisesRegex(usac.error, "cameraMatrix1: "):
+            usac.fitModel(usac.ABSOLUTE_POSE, space, image)
+
+    def test_model_in_the_place_of_points(self):
+        points = np.random.RandomState(1).uniform(0, 600, (20, 2))
+        with self.assertRaisesRegex(usac.error, "model: "):
+            usac.refineModel(usac.HOMOGRAPHY, points, points, np.eye(3))
+
+    def test_no_points(self):
+        model, mask = usac.findHomography([], [], usac.USACV20)
+        self.assertIsNone(model)
+        self.assertEqual((0, 1), mask.shape)
+
 
 class ReportTest(NewcomerCase):
 
@@ -253,6 +285,11 @@ class WordTest(NewcomerCase):
             del bound.arguments["params"]
             function = getattr(usac, name)  # the defaults are those that it has
             self.assertEqual(bits(function(**bound.arguments)), bits(function(*args)), name)
+
+    def test_all(self):
+        names = {}
+        exec("from {} import *".format(usac.__name__), names)
+        self.assertIn("progress", names)
 
     def test_help(self):
         text = pydoc.plain(pydoc.render_doc(usac))

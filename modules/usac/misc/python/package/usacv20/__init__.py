@@ -12,7 +12,7 @@ The same package is cv2.usacv20 of an OpenCV that was built with the module, and
        H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
    The functions of cv2 take these flags, which are integers, too: those of an OpenCV that was built with the module (cv2.USACV20),
-   those of any other after usacv20.patch_cv2().
+   those of any other after usacv20.patch_cv2(). Before, cv2.findFundamentalMat and cv2.findEssentialMat run LMEDS without a word.
 
 2. All options in the place of the flag, and 3. with a report of what the estimator learned.
 
@@ -35,6 +35,7 @@ The interpreter's lock is released while an estimation runs; in cv2 no other thr
 More: help(usacv20.Params), help(usacv20.Report), and the enumerations by their names, help(usacv20.QualityType).
 """
 
+import importlib as _importlib
 from typing import TYPE_CHECKING, Any, List
 
 from ._backend import IN_TREE as _IN_TREE
@@ -100,7 +101,7 @@ __all__ = [
     "estimateAffinity2D", "estimateEssential", "estimateEssentials", "estimateFundamental", "estimateFundamentals",
     "estimateHomographies", "estimateHomography", "estimateRigid3D", "estimateRigids3D", "estimateSimilarities2D",
     "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D", "findEssentialMat",
-    "findFundamentalMat", "findHomography", "isUsacV20Method", "patch_cv2", "removeDistortion", "solvePnPRansac",
+    "findFundamentalMat", "findHomography", "isUsacV20Method", "patch_cv2", "progress", "removeDistortion", "solvePnPRansac",
     "unpatch_cv2"]
 
 if TYPE_CHECKING:
@@ -123,6 +124,8 @@ def isUsacV20Method(method: int) -> bool:
 def __getattr__(name: str) -> Any:
     if name == "error":  # made when it is needed first, as this may import cv2
         return _errorClass()
+    if name == "collection":  # usacv20.collection.verify(path) without an import of its own
+        return _importlib.import_module(__name__ + ".collection")
     raise AttributeError("module {!r} has no attribute {!r}".format(__name__, name))
 
 

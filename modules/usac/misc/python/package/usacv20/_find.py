@@ -16,7 +16,7 @@ from ._arguments import bind, checkMask, integer, isInteger, isOfAnother, output
 from ._backend import native
 from ._enumerations import USACV20, ProblemType, UsacV20Method
 from ._errors import calling, fail
-from ._estimate import estimate
+from ._estimate import NO_POINTS, estimate
 from ._params import Params
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def flag(value: Any, name: str = "method") -> int:
 def found(result: Any, given: Any) -> Any:
     """What the compiled part has found with a flag, the mask in the caller's array."""
     model, mask = result
-    return model, output(given, mask)
+    return model, output(given, NO_POINTS.copy() if mask is None else mask)
 
 
 _HOMOGRAPHY = ("srcPoints", "dstPoints", "method", "ransacReprojThreshold", "mask", "maxIters", "confidence")

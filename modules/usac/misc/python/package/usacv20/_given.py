@@ -6,13 +6,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
 
-from ._arguments import array, integer, optionalArray
+from ._arguments import array, isInteger, isOfAnother, optionalArray, shown
 from ._backend import native
 from ._enumerations import ProblemType
+from ._errors import fail
 from ._estimate import NO_POINTS
 from ._params import Params, optionsOf
 from ._report import Report
@@ -24,8 +25,12 @@ if TYPE_CHECKING:
     _Optional = Optional[npt.ArrayLike]
 
 
-def _problem(problem: int) -> int:
-    return integer(problem, "problem", None, 0, len(ProblemType) - 1)
+def _problem(problem: Union[int, str]) -> int:
+    if isinstance(problem, str) and problem.upper() in ProblemType.__members__:
+        return int(ProblemType[problem.upper()])
+    if not isInteger(problem) or isOfAnother(problem, ProblemType) or not 0 <= int(problem) < len(ProblemType):
+        raise fail("problem: a ProblemType is expected, {}, not {}".format(", ".join(ProblemType.__members__), shown(problem)))
+    return int(problem)
 
 
 def _cameras(cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any) -> Tuple[Any, Any, Any, Any]:
@@ -38,12 +43,12 @@ def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
     return model, NO_POINTS.copy() if mask is None else mask, Report._of(report)
 
 
-def fitModel(problem: int, points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,
+def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,
              params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
              distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
     """Least squares over all points, or some, without a search: what OpenCV calls method 0.
 
-    problem -- ProblemType: HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, ABSOLUTE_POSE (points1: of space, points2: of
+    problem -- ProblemType, or its name: HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, ABSOLUTE_POSE (points1: of space, points2: of
         the image), RIGID_3D, SIMILARITY_3D
     points1, points2 -- N points each, as the function estimate* of the problem has them
     weights -- N numbers of at least 0, of the squared errors; None: all 1
@@ -58,7 +63,7 @@ def fitModel(problem: int, points1: npt.ArrayLike, points2: npt.ArrayLike, weigh
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
 
-def refineModel(problem: int, model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike, chosen: _Optional = None,
+def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike, chosen: _Optional = None,
                 params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
                 distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
     """Makes a known model better.
@@ -73,7 +78,7 @@ def refineModel(problem: int, model: npt.ArrayLike, points1: npt.ArrayLike, poin
                                       *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
 
-def modelErrors(problem: int, model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike,
+def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike,
                 params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
                 distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> npt.NDArray[np.float64]:
     """The error of each point under a model, as the mask of an estimation sees it: that is 1 exactly where this is at most

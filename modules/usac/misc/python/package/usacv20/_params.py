@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import difflib
 import enum
 import typing
 from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Type, Union
@@ -24,6 +25,17 @@ if TYPE_CHECKING:
     _Name = Union[int, str, None]
 
 P = typing.TypeVar("P", bound="Params")
+
+
+# What OpenCV's functions call a field.
+_OPENCV = {"ransacReprojThreshold": "threshold", "reprojectionError": "threshold", "maxIters": "maxIterations",
+           "iterationsCount": "maxIterations", "prob": "confidence", "refineIters": "polishingSteps"}
+
+
+def _unknown(function: str, name: str) -> TypeError:
+    near = [_OPENCV[name]] if name in _OPENCV else difflib.get_close_matches(name, _FIELDS, 1)
+    return TypeError("{}() got an unexpected keyword argument '{}'; {}".format(
+        function, name, "did you mean {}?".format(near[0]) if near else "it has the fields of Params, see help(usacv20.Params)"))
 
 
 def _restored(type_: Type[P], values: Dict[str, Any]) -> P:
@@ -150,7 +162,7 @@ class Params:
         """With other values of these fields; None is that of the preset."""
         for name, value in fields.items():
             if name not in _FIELDS:
-                raise TypeError("Params.{}() got an unexpected keyword argument '{}'; it has the fields of Params".format(function, name))
+                raise _unknown("Params." + function, name)
             if value is not None:
                 setattr(self, name, value)
         return self
@@ -174,7 +186,7 @@ class Params:
         """A copy with other values of some fields, params.replace(threshold=3); None is the default, as in Params()."""
         unknown = [name for name in fields if name not in _FIELDS]
         if unknown:
-            raise TypeError("Params.replace() got an unexpected keyword argument '{}'; it has the fields of Params".format(unknown[0]))
+            raise _unknown("Params.replace", unknown[0])
         return type(self)(**dict(self._items(), **fields))
 
     def _prepared(self) -> Any:

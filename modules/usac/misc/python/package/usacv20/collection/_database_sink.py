@@ -111,7 +111,7 @@ class DatabaseSink:
         with explained(self.path):
             if not runs or not columns(self._connection, PAIRS):
                 return []
-            return [Edge(key, *divmod(key, IMAGES), inliers, np.frombuffer(rotations, "<f8").reshape(-1, 4), configuration in _LINKS)
+            return [Edge(key, key // IMAGES, key % IMAGES, inliers, np.frombuffer(rotations, "<f8").reshape(-1, 4), configuration in _LINKS)
                     for key, inliers, configuration, rotations in self._connection.execute(
                         "SELECT pair_id, inliers, configuration, rotations FROM {} WHERE inliers > 0 AND rotations IS NOT NULL "
                         "AND run_id IN ({})".format(PAIRS, runs))]

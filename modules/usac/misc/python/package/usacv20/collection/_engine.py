@@ -53,6 +53,9 @@ class Summary:
     def verified(self) -> int:
         return self.pairs - self.refused - self.faults
 
+    def __repr__(self) -> str:
+        return "<Summary: {}>".format(self.line())
+
     def line(self) -> str:
         text = "{} pairs in {:.1f} s ({:.0f} a second): {} verified, {} refused".format(
             self.pairs, self.elapsed, self.pairs / max(self.elapsed, 1e-9), self.verified, self.refused)
