@@ -246,7 +246,7 @@ class ScoreTest(unittest.TestCase):
             def accumulate(self, squaredErrors, squaredThreshold):
                 return super().accumulate(squaredErrors, squaredThreshold)[0], int((squaredErrors * 4 <= squaredThreshold).sum())
 
-        usac_ = create(usac.HOMOGRAPHY, PLANE, threshold=3)
+        usac_ = create(usac.HOMOGRAPHY, PLANE)
         usac_.components.score = Wide()
         self.assertLess(PLANE.error("Homography", usac_.run()[0]), 1.0)
         for part in (0, -1, 1.5, float("nan")):
