@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 import typing
-from typing import TYPE_CHECKING, Any, Dict, Hashable, List, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Tuple
 
 import numpy as np
 
@@ -39,8 +39,8 @@ class Edge(typing.NamedTuple):
     """A pair that is kept."""
 
     key: Any  # orders edges with as many inliers
-    first: Hashable  # images
-    second: Hashable
+    first: typing.Hashable  # images
+    second: typing.Hashable
     inliers: int
     rotations: npt.NDArray[np.float64]  # k x 4, w, x, y, z: those that are possible
     link: bool  # one rotation, of a calibrated pair, by which others are judged
@@ -69,11 +69,11 @@ class _Forest:
     tree."""
 
     def __init__(self) -> None:
-        self._toward: Dict[Hashable, Tuple[Hashable, _Rotation]] = {}  # R_image = rotation R_other
-        self._size: Dict[Hashable, int] = {}
-        self._links: Dict[Hashable, List[Hashable]] = {}
+        self._toward: Dict[typing.Hashable, Tuple[typing.Hashable, _Rotation]] = {}  # R_image = rotation R_other
+        self._size: Dict[typing.Hashable, int] = {}
+        self._links: Dict[typing.Hashable, List[typing.Hashable]] = {}
 
-    def add(self, first: Hashable, second: Hashable, rotation: _Rotation) -> None:
+    def add(self, first: typing.Hashable, second: typing.Hashable, rotation: _Rotation) -> None:
         """R_second = rotation R_first. Nothing happens if a path joins them."""
         (one, ofFirst), (other, ofSecond) = self._find(first), self._find(second)
         if one == other:
@@ -98,7 +98,7 @@ class _Forest:
         cosine = float(np.abs(edge.rotations @ expected).max())
         return math.degrees(2 * math.acos(min(cosine, 1.0)))
 
-    def near(self, first: Hashable, second: Hashable) -> bool:
+    def near(self, first: typing.Hashable, second: typing.Hashable) -> bool:
         """Whether the path has at most LONGEST links."""
         front, seen = [first], {first}
         for _ in range(LONGEST):
@@ -108,7 +108,7 @@ class _Forest:
             seen.update(front)
         return False
 
-    def _find(self, image: Hashable) -> Tuple[Hashable, _Rotation]:
+    def _find(self, image: typing.Hashable) -> Tuple[typing.Hashable, _Rotation]:
         """The representative, and R_image in terms of its rotation. The steps are at most as many as the logarithm of the images,
         as smaller trees are joined to larger ones."""
         rotation = _NONE
