@@ -36,7 +36,7 @@ static Mat estimate(InputArray points1, InputArray points2, InputArray cameraMat
 static Matx33d cameraOf(double focal, Point2d pp)
 {
     if (!(std::abs(focal) > 0 && std::abs(focal) <= DBL_MAX))
-        CV_Error_(Error::StsOutOfRange, ("focal: a focal length in pixels is expected, not %g", focal));
+        CV_Error_(Error::StsOutOfRange, ("focal, pp: a focal length in pixels is expected, not %g", focal));
     return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
 }
 

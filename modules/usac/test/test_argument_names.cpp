@@ -140,7 +140,7 @@ TEST(Usac_ArgumentNames, fits_and_focal_lengths)
     expectBegin([&] { refineModel(HOMOGRAPHY, l.a, l.b, Mat::eye(3, 3, CV_64F), Params(), noArray(), report); },
                 "model");
     for (double focal : {0., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-        expectBegin([&] { cv::findEssentialMat(l.a, l.b, focal, Point2d(1, 1), USACV20); }, "focal");
+        expectBegin([&] { cv::findEssentialMat(l.a, l.b, focal, Point2d(1, 1), USACV20); }, "focal, pp");
 }
 
 //! What a component of the caller's says need not begin with a list of names.
