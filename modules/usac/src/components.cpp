@@ -39,7 +39,10 @@ void State::sort(const Context& context)
     int* const sorted = context.arena.take<int>(size);
     for (int i = 0; i < size; ++i)
         sorted[i] = i;
-    if (context.components.ordering && !context.stopBefore(size * SORT_WORK))
+    const double work = size *
+                        SORT_WORK;  // without the time for it all samples are uniform: the points are in random order
+    const bool timely = !context.watch || (context.watch->fits(work) && !context.watch->stop(work));
+    if (context.components.ordering && timely)
         context.components.ordering->sort(context, sorted);
     order = sorted;
 }

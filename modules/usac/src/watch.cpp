@@ -43,9 +43,14 @@ void Watch::begin(const State& state_, int points_)
     points = points_;
 }
 
+bool Watch::fits(double work) const
+{
+    return work < WORK || deadline == INT64_MAX || getTickCount() + ticks(work * TEST) <= deadline;
+}
+
 bool Watch::lacks(double work)
 {
-    if (work >= WORK && deadline != INT64_MAX && getTickCount() + ticks(work * TEST) > deadline)
+    if (!fits(work))
         reason = STOP_TIME;
     return stopped();
 }

@@ -35,6 +35,8 @@ public:
     /** The same before a step that cannot be left: has the run to end, or would this step end after the limit?
     @param work of the step */
     bool stopBefore(double work) { return active && (reason != STOP_NOT_RUN || lacks(work) || stop(work)); }
+    //! Would a step that can be left out end before the limit? The run goes on in either case.
+    bool fits(double work) const;
     //! The last answer.
     bool stopped() const { return reason != STOP_NOT_RUN; }
     //! Can it ever say yes?

@@ -18,9 +18,9 @@ Ptr<Score> createMsacScore();
 Ptr<Score> createMlesacScore();
 //! See LmedsScore.
 Ptr<Score> createLmedsScore();
-//! See MagsacScore.
+//! See MagsacScore. @param reach Params::reach: inliers are the points within 1 / reach of the threshold of the cost
 Ptr<Score> createMagsacScore(int errorDimension, double reach);
-//! See MagsacPlusPlusScore.
+//! See MagsacPlusPlusScore. @param reach as above
 Ptr<Score> createMagsacPlusPlusScore(int errorDimension, double reach);
 
 //! What rating one model found out.

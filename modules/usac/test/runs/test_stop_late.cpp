@@ -4,6 +4,7 @@
 
 #include <ctime>
 #include "test_precomp.hpp"
+#include "watch.hpp"
 
 // How late a run of a million points ends that has to, by Params::maxTime or a ProgressScope.
 
@@ -50,6 +51,37 @@ TEST(Usac_StopLate, a_million_points)
                 EXPECT_TRUE(!model.empty() || report.stop == (int)STOP_TIME) << report.describe();
             }
         }
+}
+
+class CountingOrder : public Ordering
+{
+public:
+    CountingOrder() : calls(0) {}
+    void sort(const Context&, int*) CV_OVERRIDE { ++calls; }
+
+    int calls;
+};
+
+//! A step that can be left out does not end a run that has time for others: the order of a million points takes 130 ms.
+TEST(Usac_StopLate, no_time_for_the_order)
+{
+    Correspondences points = Correspondences();
+    points.size = 1000000;
+    const Ptr<CountingOrder> order = makePtr<CountingOrder>();
+    Components parts;
+    parts.ordering = order;
+    const Params params;
+    Arena arena;
+    for (int enough = 0; enough < 2; ++enough)
+    {
+        Watch watch(enough ? 1e6 : 100, 0);
+        State state;
+        const Context context(points, parts, params, arena, &watch);
+        const int* const sorted = state.bestFirst(context);
+        EXPECT_EQ(enough, order->calls);
+        EXPECT_EQ(999999, sorted[999999]);
+        EXPECT_FALSE(watch.stopped());
+    }
 }
 
 //! The same from the moment at which a function says no: no clock can tell these steps to be left out before.
