@@ -14,6 +14,7 @@
 #include "significance/significance.hpp"
 #include "core/chi_square.hpp"
 #include "core/repetitions.hpp"
+#include "polishing/leverage.hpp"
 #include "polishing/restarts.hpp"
 #include "termination/termination.hpp"
 
@@ -230,6 +231,8 @@ private:
             quality = before;
         }
         Restarts(search, context, state).improve(best, quality);
+        Leverage(search, context, context.points.threshold * data.maskThreshold() / search.points.threshold)
+            .improve(best, quality);
         return quality;
     }
 

@@ -17,7 +17,8 @@ enum Stream {
     STREAM_UNEXPLAINED,   //!< samples of the points that the best model leaves
     STREAM_PLANE,         //!< triples of points that show a plane
     STREAM_RESTARTS,      //!< of the polishing
-    STREAM_FIT            //!< samples that a fit without a search begins with
+    STREAM_FIT,           //!< samples that a fit without a search begins with
+    STREAM_LEVERAGE       //!< planes and samples of the inliers without those of high leverage
 };
 
 //! Stream of Rng, one of 2^40.

@@ -47,11 +47,37 @@ public:
     bool homogeneous() const CV_OVERRIDE { return false; }
 };
 
+//! With its sign, which the root of its square does not have, nor a derivative where it is 0.
+class SampsonResidual : public FormulaResidual<SampsonError, Residual::SAMPSON>
+{
+public:
+    int error(const Model& model, const double* datum, double* error) const CV_OVERRIDE
+    {
+        const EpipolarLines<double> l(model.val, datum[0], datum[1], datum[2], datum[3]);
+        *error = l.r / std::sqrt(l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e);
+        return 1;
+    }
+
+    int linearize(const Model& model, const double* datum, double* error, double* derivative) const CV_OVERRIDE
+    {
+        const EpipolarLines<double> l(model.val, datum[0], datum[1], datum[2], datum[3]);
+        const double square = l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e, inverse = 1 / std::sqrt(square);
+        const double x1[3] = {datum[0], datum[1], 1}, x2[3] = {datum[2], datum[3], 1};
+        const double line1[3] = {l.d, l.e, 0}, line2[3] = {l.a, l.b, 0};
+        const double factor = l.r / square;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                derivative[3 * i + j] = inverse * (x2[i] * x1[j] - factor * (line2[i] * x1[j] + line1[j] * x2[i]));
+        *error = l.r * inverse;
+        return 1;
+    }
+};
+
 }  // namespace
 
 Ptr<Residual> createTransferResidual() { return makePtr<FormulaResidual<TransferError, Residual::TRANSFER>>(); }
 
-Ptr<Residual> createSampsonResidual() { return makePtr<FormulaResidual<SampsonError, Residual::SAMPSON>>(); }
+Ptr<Residual> createSampsonResidual() { return makePtr<SampsonResidual>(); }
 
 Ptr<Residual> createSymmetricTransferResidual()
 {

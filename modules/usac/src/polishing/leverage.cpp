@@ -1,0 +1,294 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "core/streams.hpp"
+#include "optimization/normal_equations.hpp"
+#include "polishing/leverage.hpp"
+#include "problems/two_view/dominant_plane.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// What half and double of these do is in doc/constants.md.
+
+//! Part of the inliers that is fitted first, those with the lowest leverage.
+constexpr double BULK = 0.85;
+//! Leverage, at most 1, of a point that a parameter may hang on.
+constexpr double HIGH = 0.4;
+//! Points that come back: their error is at most so many standard deviations of what is predicted, and, in the first
+//! of two rounds, their leverage is at most that.
+constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
+/** By how much the sum of squared errors has to be less, in variances of the noise: that of the first fit, else nothing
+is to be expected, and that of the result. By chance two parameters gain 6 in one of 20 cases; then the result is as
+good as the model. */
+constexpr double HOPE = 3, GAIN = 6;
+/** The same where the inliers leave the epipole free: so many of them are on a plane. Another epipole then turns the
+direction in which all errors are measured, and the difference of two sums of n squares has a deviation of at most
+2 sqrt(n) variances. With GAIN alone 4 % of F with 95 % of the right matches on a plane lose those off it. */
+constexpr double PLANAR = 0.85, FREE_GAIN = 20, TURNED = 1.5;
+//! The noise is no less, in thresholds: there float errors end.
+constexpr double LEAST_NOISE = 1e-3;
+//! Steps of a fit; they need not be to its end, as the result is polished.
+constexpr int STEPS = 5;
+
+}  // namespace
+
+Leverage::Leverage(const Context& search_, const Context& polish, double threshold)
+    : search(search_), context(polish), parts(polish.components), limit(threshold * threshold), errors(0), looked(0),
+      inliers(), bulk(), all(0)
+{}
+
+void Leverage::improve(Model& model, Quality& quality)
+{
+    const int size = context.points.size;
+    if (!parts.nonMinimalSolver || context.points.problem->errorDimension() > 1 || context.stop())
+        return;
+    Arena::Scope scope(context.arena);
+    errors = scope.take<float>(size);
+    inliers.indices = scope.take<int>(MOST);
+    bulk.indices = scope.take<int>(MOST);
+    if (!look(model) || !findBulk(model))
+        return;
+    Model fitted = model;
+    if (!fit(bulk, 0, fitted))
+        return;
+    const double sum = sumOf(bulk, fitted);
+    if (sumOf(bulk, model) - sum < HOPE * variance(sum, bulk.count))
+        return;
+    looked = std::min(4 * looked, size);
+    Points near = {scope.take<int>(size), 0}, rest = {scope.take<int>(size), 0};
+    if (!agreeing(fitted, bulk, PREDICTED, near) || !fit(near, STARTS, fitted) ||
+        !agreeing(fitted, near, DBL_MAX, rest) ||
+        !parts.nonMinimalSolver->fit(context.points, rest.indices, rest.count, 0, fitted, STEPS) ||
+        !convinces(fitted, model, rest))
+        return;
+    parts.polisher->polish(context, fitted);
+    fitted = context.points.problem->closest(fitted);
+    if (!convinces(fitted, model, rest))
+        return;
+    model = fitted;
+    quality = context.rate(model);
+}
+
+bool Leverage::convinces(const Model& fitted, const Model& model, const Points& points) const
+{
+    Arena::Scope scope(context.arena);
+    Points common = {scope.take<int>(points.count), 0};
+    sumOf(points, model);
+    double before = 0;
+    for (int k = 0; k < points.count; ++k)
+    {
+        const int i = points.indices[k];
+        if (!(errors[i] <= (float)limit))
+            continue;
+        before += errors[i];
+        common.indices[common.count++] = i;
+    }
+    const double sum = sumOf(common, fitted), gain = (before - sum) / variance(sum, common.count);
+    if (!(gain >= GAIN) || (gain < std::max(FREE_GAIN, TURNED * std::sqrt((double)common.count)) && onPlane(fitted)))
+        return false;
+    const double against = surpriseOf(all - inliersOf(fitted));
+    return against <= gain / 2 && against <= byChance();
+}
+
+bool Leverage::onPlane(const Model& model) const
+{
+    if (context.points.columns() != 4)
+        return false;
+    DominantPlane plane;
+    Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE));
+    Matx33d H;
+    return plane.find(context, rng, model, PLANAR, H);
+}
+
+bool Leverage::look(const Model& model)
+{
+    const Correspondences& p = context.points;
+    parts.residual->squaredErrors(p, model, 0, p.size, errors);
+    all = inliers.count = 0;
+    for (int i = 0; i < p.size; ++i)
+    {
+        if (!(errors[i] <= (float)limit))  // or NaN
+            continue;
+        ++all;
+        if (inliers.count == MOST)
+            continue;
+        inliers.indices[inliers.count++] = i;
+        looked = i + 1;
+    }
+    if (BULK * inliers.count < 2 * p.problem->dimension() || all == p.size)
+        return false;
+    return surpriseOf(1) <= byChance();
+}
+
+double Leverage::surpriseOf(int lost) const
+{
+    const Correspondences& p = context.points;
+    const double chance = p.problem->randomInlierRatio(p) * std::sqrt(limit) / p.threshold;
+    if (lost <= 0 || chance >= 1)
+        return 0;
+    const double size = p.size - all + lost, part = lost / size;
+    if (part <= chance)
+        return 0;
+    return size * (part * std::log(part / chance) + (part < 1 ? (1 - part) * std::log((1 - part) / (1 - chance)) : 0));
+}
+
+double Leverage::byChance() const { return 2 * std::log((double)context.points.size - all); }
+
+bool Leverage::findBulk(const Model& model)
+{
+    double own[MOST];
+    int order[MOST];
+    const int count = inliers.count;
+    if (!leverages(model, inliers, inliers, own) || !(*std::max_element(own, own + count) >= HIGH))
+        return false;
+    for (int k = 0; k < count; ++k)
+        order[k] = k;
+    bulk.count = (int)(BULK * count);
+    std::nth_element(order, order + bulk.count, order + count,
+                     [&own](int a, int b) { return own[a] < own[b] || (own[a] == own[b] && a < b); });
+    std::sort(order, order + bulk.count);  // whatever order the library leaves
+    for (int k = 0; k < bulk.count; ++k)
+        bulk.indices[k] = inliers.indices[order[k]];
+    return true;
+}
+
+bool Leverage::fit(const Points& points, int first, Model& model) const
+{
+    const NonMinimalSolver& solver = *parts.nonMinimalSolver;
+    Model other = model;
+    const bool fits = solver.fit(context.points, points.indices, points.count, 0, model, STEPS);
+    if (sampled(points, first, other) && solver.fit(context.points, points.indices, points.count, 0, other, STEPS) &&
+        (!fits || sumOf(points, other) < sumOf(points, model)))
+    {
+        model = other;
+        return true;
+    }
+    return fits;
+}
+
+bool Leverage::sampled(const Points& points, int first, Model& model) const
+{
+    const int m = parts.minimalSolver->sampleSize();
+    double least = DBL_MAX;
+    for (int i = 0; i < STARTS; ++i)
+    {
+        Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE, 1 + first + i));
+        int sample[MAX_SAMPLE_SIZE];
+        rng.distinct(points.count, m, sample);
+        for (int k = 0; k < m; ++k)
+            sample[k] = points.indices[sample[k]];
+        Model models[MAX_MODELS];
+        const int found = parts.minimalSolver->solve(search.points, sample, models);
+        for (int k = 0; k < found; ++k)
+        {
+            const double sum = sumOf(points, models[k]);
+            if (!(sum < least))
+                continue;
+            least = sum;
+            model = models[k];
+        }
+    }
+    return least < DBL_MAX;
+}
+
+bool Leverage::agreeing(const Model& model, const Points& fitted, double most, Points& result) const
+{
+    if (fitted.count <= context.points.problem->dimension())
+        return false;
+    const double noise = DEVIATIONS * DEVIATIONS * variance(sumOf(fitted, model), fitted.count);
+    Arena::Scope scope(context.arena);
+    Points near = {scope.take<int>(looked), 0};
+    double* const own = scope.take<double>(looked);
+    const double widest = std::min(limit, noise * (1 + most));
+    result.count = 0;
+    for (int i = 0; i < looked; ++i)  // errors are those of sumOf
+    {
+        if (most == DBL_MAX && errors[i] <= noise)
+        {
+            result.indices[result.count++] = i;
+            continue;
+        }
+        near.indices[near.count] = i;
+        near.count += errors[i] <= widest;
+    }
+    if (!leverages(model, fitted, near, own))
+        return false;
+    for (int k = 0; k < near.count; ++k)
+        if (own[k] <= most && errors[near.indices[k]] <= noise * (1 + own[k]))
+            result.indices[result.count++] = near.indices[k];
+    return result.count > context.points.problem->dimension() && result.count > parts.minimalSolver->sampleSize();
+}
+
+//! In all entries of the model. It has fewer parameters, but that is the same for all points.
+template <int ENTRIES>
+bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points, double* result) const
+{
+    typedef Eigen::Matrix<double, ENTRIES, ENTRIES> Square;
+    typedef Eigen::Matrix<double, ENTRIES, 1> Row;
+    const Correspondences& p = context.points;
+    NormalEquationsOf<ENTRIES> sums;
+    sums.accumulate(*parts.residual, PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
+    // Errors do not depend on the scale of the model. A residual of a program may be undefined: then the trace is NaN.
+    const Row scale = Eigen::Map<const Row>(model.val);
+    Square A = sums.JtJ;
+    A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());
+    A.diagonal().array() += 1e-14 * A.trace();
+    const Eigen::LLT<Square> llt(A);
+    if (llt.info() != Eigen::Success)
+        return false;
+    const Square inverse = llt.matrixL().solve(Square::Identity());
+    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * ENTRIES];
+    for (int k = 0; k < points.count; ++k)
+    {
+        for (int c = 0; c < p.columns(); ++c)
+            datum[c] = p.exact[c][points.indices[k]];
+        parts.residual->linearize(model, datum, error, derivative);
+        result[k] = inverse.lazyProduct(Eigen::Map<const Row>(derivative)).squaredNorm();
+    }
+    return true;
+}
+
+bool Leverage::leverages(const Model& model, const Points& fitted, const Points& points, double* result) const
+{
+    return model.size() == 9    ? leveragesOf<9>(model, fitted, points, result)
+           : model.size() == 12 ? leveragesOf<12>(model, fitted, points, result)
+                                : false;
+}
+
+double Leverage::sumOf(const Points& points, const Model& model) const
+{
+    parts.residual->squaredErrors(context.points, model, 0, looked, errors);
+    double sum = 0;
+    for (int k = 0; k < points.count; ++k)
+    {
+        const double error = errors[points.indices[k]];
+        sum += error < limit ? error : limit;  // also for NaN
+    }
+    return sum;
+}
+
+double Leverage::variance(double sum, int count) const
+{
+    const int freedom = std::max(count - context.points.problem->dimension(), 1);
+    return std::max(sum / freedom, LEAST_NOISE * LEAST_NOISE * limit);
+}
+
+int Leverage::inliersOf(const Model& model) const
+{
+    const Correspondences& p = context.points;
+    parts.residual->squaredErrors(p, model, 0, p.size, errors);
+    int result = 0;
+    for (int i = 0; i < p.size; ++i)
+        result += errors[i] <= (float)limit;
+    return result;
+}
+
+}  // namespace usacv20
+}  // namespace cv
