@@ -9,20 +9,23 @@
 # with and without the system's cv2, programs against the installed library, the benchmark's. Does all its own set-up on Debian (as
 # root or with sudo). Each part ends with its time; the last line is "<N> passed, <M> failed".
 #
-# usage: run_tests.sh [opencv | --installed]
+# usage: run_tests.sh [opencv | --installed | --cpp]
 #
 #   opencv       only OpenCV's own tests with this module's flags; the list of what may differ is for OpenCV 4.6 and 4.10
 #   --installed  without OpenCV's source: library, C++ tests, Python package and consumer against the OpenCV of the system
-#                (libopencv-dev), all but the performance tests and OpenCV's own
+#                (libopencv-dev), all but the performance tests and OpenCV's own, and without a second build of the library inside
+#                another project (with it: USAC_CONSUMER_QUICK= in the environment)
+#   --cpp        of these library and C++ tests only, compiled and run as the variables USAC_CPP_* have it
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
 #   OPENCV_SUITE       of Debian, whose source package that is; default: trixie (4.10), on a newer system its own
+#   USAC_CPP_OPTIONS   for CMake; USAC_CPP_RUNNER  a command before the program of the tests, an emulator; USAC_CPP_FILTER  GoogleTest's
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
 
 set -eu
 case "$*" in
-    "" | opencv | --installed) ;;
-    *) echo "usage: run_tests.sh [opencv | --installed]" >&2; exit 2 ;;
+    "" | opencv | --installed | --cpp) ;;
+    *) echo "usage: run_tests.sh [opencv | --installed | --cpp]" >&2; exit 2 ;;
 esac
 . "$(dirname "$0")/common.sh"
 
@@ -112,13 +115,32 @@ installed_python()
     cp -r "$module/misc/python/package/usacv20" "$site" && cp "$built"/_native.* "$site/usacv20" && python_package_tests
 }
 
+# In a build for each set of options, with the samples where these ask for them.
+cpp_tests()
+{
+    folder=$work/cpp-$(printf %s "$project ${USAC_CPP_OPTIONS:-}" | cksum | cut -d ' ' -f 1)
+    cmake -S "$project" -B "$folder" -DBUILD_TESTS=ON -DBUILD_SAMPLES=OFF -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON \
+        ${USAC_CPP_OPTIONS:-} &&
+    cmake --build "$folder" --target all opencv_test_usac &&
+    cd "$folder" && in_shards ${USAC_CPP_RUNNER:-} bin/opencv_test_usac --gtest_filter="${USAC_CPP_FILTER:-*}"
+}
+
+if [ "$*" = --cpp ]; then
+    install_packages libgtest-dev
+    failed=0
+    run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
+    run cpp "$count_passed" "$count_failed" cpp_tests
+    [ "$failed" = 0 ]
+    exit
+fi
+
 if [ "$*" = --installed ]; then
     install_packages libgtest-dev
     folder=$work/installed-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
     built=$folder/build
     failed=0
     run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
-    export USAC_CONSUMER_OPTIONS=-DBUILD_TESTS=ON
+    export USAC_CONSUMER_OPTIONS=-DBUILD_TESTS=ON USAC_CONSUMER_QUICK=${USAC_CONSUMER_QUICK-1}  # the library is compiled once
     run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$folder"
     run cpp "$count_passed" "$count_failed" installed_tests
     run python_package "$count_passed" "$count_failed" installed_python

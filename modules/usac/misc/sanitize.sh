@@ -28,10 +28,6 @@ set -eu
 tools=$work/tools-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
 jobs=${JOBS:-$(nproc)}
 export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$tools"  # the tests, compiled in the same way for each tool, are compiled once
-# The code of these is reached by other tests, too; what they are for, a frequency over many seeds, or time and memory over many
-# calls, no tool can see better. Each takes 20 seconds to 5 minutes with -O0.
-slow_tests='Usac_Scale.*:UsacScale.work_is_linear*:Usac_Confidence.*:Usac_Degensac.dominantPlanes:Usac_Degensac.generalScenes*'
-slow_tests=$slow_tests:Usac_Hostile.most_points_of_one_image_on_a_line:Usac_StopLate.*
 # A test with one thread has no race to find.
 tsan_tests='*hread*:*arallel*:UsacContracts*:Usac_Fuzz.*'
 # Every contract of the input; a test is 20 to 50 times slower than without valgrind.
