@@ -12,6 +12,7 @@
 #   clang cxx17 cxx20 static debug    run_tests.sh --cpp on this system, compiled by clang++, as another C++, as a static library with
 #                          the samples, without optimization (less the long statistics). C++11 is the rows above but sid
 #   arm64                  the same on 64-bit ARM, bookworm's: cross-compiled, run by qemu, less the long statistics
+#   mingw                  the library's sources compiled for Windows by mingw-w64, with the headers of this system's OpenCV; a file is a test
 #
 # clang is with libstdc++: the OpenCV of Debian is, and a program has one of the two only. Needs root for the roots.
 #
@@ -23,17 +24,15 @@ set -eu
 trap - EXIT
 roots=${USAC_MATRIX_DIR:-${TMPDIR:-/tmp}/opencv_usac_matrix}
 mirror=${USAC_MATRIX_MIRROR:-http://deb.debian.org/debian}
-all="bookworm trixie sid clang cxx17 cxx20 static debug arm64"
+all="bookworm trixie sid clang cxx17 cxx20 static debug arm64 mingw"
 mounted=
 ccache=$(ccache --get-config cache_dir 2> /dev/null || echo "$HOME/.cache/ccache")
 
 unmount()
 {
-    for folder in $mounted; do umount "$folder"; done
+    for folder in $mounted; do umount "$folder" || umount -l "$folder"; done
     mounted=
 }
-trap unmount EXIT
-trap 'exit 1' INT TERM
 
 # At the same place within the root as outside.
 mount_into() # root, folder
@@ -148,6 +147,25 @@ END
         USAC_CPP_FILTER="-$slow_tests" sh "$module/misc/run_tests.sh" --cpp
 }
 
+# What is POSIX only does not compile: threads, files, memory. There is no OpenCV of Windows to link with.
+run_mingw()
+{
+    install_packages g++-mingw-w64-x86-64-posix
+    compiler=x86_64-w64-mingw32-g++-posix good=0 bad=0
+    echo "$(versions env | sed "s/, .*//"), g++ $($compiler -dumpversion), Windows" > "$roots/$row.versions"
+    mkdir -p "$roots/mingw"  # /usr/include itself has the headers of this system's C library
+    ln -sfn /usr/include/opencv4/opencv2 "$roots/mingw/opencv2"
+    for file in $(cd "$module" && find src -name '*.cpp' | sort); do
+        case $file in *_avx2.cpp) set="-mavx2" ;; *_avx512.cpp) set="-mavx512f -mavx512bw -mavx512dq -mavx512vl" ;; *) set= ;; esac
+        if $compiler -c -o "$roots/mingw/object.o" -std=c++11 -Wall -Wextra -Wshadow -Werror -D_USE_MATH_DEFINES -DCVAPI_EXPORTS \
+            -DUSACV20_HAVE_AVX2 -DUSACV20_HAVE_AVX512 -fno-math-errno -ffp-contract=off -fopenmp-simd $set -I"$module/include" \
+            -I"$module/src" -isystem "$roots/mingw" -isystem /usr/include/eigen3 "$module/$file"
+        then good=$((good + 1)); else bad=$((bad + 1)); echo "FAILED $file"; fi
+    done
+    echo "$good passed, $bad failed"
+    [ $bad = 0 ]
+}
+
 run_row()
 {
     case $1 in
@@ -156,7 +174,7 @@ run_row()
     cxx17 | cxx20) run_cpp "g++ $(g++ -dumpfullversion), C++${1#cxx}" "-DCMAKE_CXX_STANDARD=${1#cxx}" ;;
     static) run_cpp "g++ $(g++ -dumpfullversion), static" -DBUILD_SHARED_LIBS=OFF -DBUILD_SAMPLES=ON ;;
     debug) USAC_CPP_FILTER="-$slow_tests" run_cpp "g++ $(g++ -dumpfullversion), Debug" -DCMAKE_BUILD_TYPE=Debug ;;
-    arm64) run_arm64 ;;
+    arm64 | mingw) "run_$1" ;;
     esac
 }
 
@@ -176,7 +194,7 @@ for row in "$@"; do
     from=$(date +%s)
     # `set -e` holds within: a step that fails ends the row, not the script
     set +e
-    (set -e; trap unmount EXIT; run_row "$row"; echo 0 > "$roots/$row.rc") 2>&1 | tee "$roots/$row.log"
+    (set -e; trap unmount EXIT; trap 'exit 1' INT TERM; run_row "$row"; echo 0 > "$roots/$row.rc") 2>&1 | tee "$roots/$row.log"
     set -e
     p=$(sed -n "s/$count_passed/\1/p" "$roots/$row.log" | tail -n 1)
     f=$(sed -n "s/$count_failed/\1/p" "$roots/$row.log" | tail -n 1)
