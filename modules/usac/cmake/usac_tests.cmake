@@ -5,24 +5,58 @@
 # The C++ tests against an installed OpenCV: those that are built inside OpenCV with `ts`, here with GoogleTest of the system. They
 # look into components that a library does not export, so they are linked with the library's own objects in its place. The tests
 # themselves, whose speed is not tested, are compiled with little optimization, which takes half the time.
+#
+# Targets: opencv_test_usac; usac_fuzz (libFuzzer, needs clang) and usac_replay (the fuzzer's inputs without libFuzzer). For the tools of
+# misc/sanitize.sh, whose flags are in CMAKE_CXX_FLAGS_RELEASE (all files) or USAC_SOURCE_FLAGS (the library's) and in
+# CMAKE_EXE_LINKER_FLAGS.
 
 find_package(GTest REQUIRED)
 find_package(Threads REQUIRED)
 
+option(USAC_COUNT_ALLOCATIONS "The tests count calls of malloc; OFF where it belongs to a tool" ON)
+option(USAC_THREADS_BACKEND "The tests run parallel_for_ by misc/sanitize/threads_backend.cpp, not by the threads of OpenCV" OFF)
+
 set(_tests "${USAC_MODULE_DIR}/test")
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS "${_tests}/*.cpp")
-add_executable(opencv_test_usac EXCLUDE_FROM_ALL $<TARGET_OBJECTS:opencv_usac> ${_sources})
-usac_target_options(opencv_test_usac)
-target_compile_options(opencv_test_usac PRIVATE ${USAC_ARITHMETIC_FLAGS})
-if(NOT MSVC)
-  target_compile_options(opencv_test_usac PRIVATE -O1)
+if(NOT USAC_COUNT_ALLOCATIONS)
+  list(REMOVE_ITEM _sources "${_tests}/allocation_counter.cpp")
 endif()
-target_compile_definitions(opencv_test_usac PRIVATE
-  USAC_SYSTEM_GTEST USAC_TEST_DATA_DIR="${USAC_PROJECT_DIR}/test_data" ${USAC_DEFINITIONS})
-target_include_directories(opencv_test_usac PRIVATE "${USAC_MODULE_DIR}/include" "${USAC_MODULE_DIR}/src" "${_tests}")
-target_include_directories(opencv_test_usac SYSTEM PRIVATE $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
-target_link_libraries(opencv_test_usac PRIVATE
-  opencv_core opencv_${USAC_OPENCV_GEOMETRY} opencv_imgproc opencv_flann GTest::gtest Threads::Threads ${CMAKE_DL_LIBS})
+if(USAC_THREADS_BACKEND)
+  set(_backend "${USAC_MODULE_DIR}/misc/sanitize/threads_backend.cpp")
+  set_source_files_properties("${_backend}" PROPERTIES COMPILE_OPTIONS "${USAC_SOURCE_FLAGS}" SKIP_PRECOMPILE_HEADERS ON)
+  list(APPEND _sources "${_backend}")
+endif()
+
+# The library's objects come first: of a template that both instantiate, the linker takes theirs.
+function(usac_add_test_program name)
+  add_executable(${name} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:opencv_usac> ${ARGN})
+  usac_target_options(${name})
+  target_compile_options(${name} PRIVATE ${USAC_ARITHMETIC_FLAGS})
+  if(NOT MSVC)
+    target_compile_options(${name} PRIVATE -O1)
+  endif()
+  target_compile_definitions(${name} PRIVATE
+    USAC_SYSTEM_GTEST USAC_TEST_DATA_DIR="${USAC_PROJECT_DIR}/test_data" ${USAC_DEFINITIONS})
+  target_include_directories(${name} PRIVATE "${USAC_MODULE_DIR}/include" "${USAC_MODULE_DIR}/src" "${USAC_MODULE_DIR}/test")
+  target_include_directories(${name} SYSTEM PRIVATE $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
+  target_link_libraries(${name} PRIVATE
+    opencv_core opencv_${USAC_OPENCV_GEOMETRY} opencv_imgproc opencv_flann GTest::gtest Threads::Threads ${CMAKE_DL_LIBS})
+endfunction()
+
+usac_add_test_program(opencv_test_usac ${_sources})
 if(COMMAND target_precompile_headers)
   target_precompile_headers(opencv_test_usac PRIVATE "${_tests}/test_precomp.hpp")
+endif()
+
+set(_sources "${USAC_MODULE_DIR}/misc/fuzz/target.cpp")
+foreach(_name fuzz/fuzz_input fuzz/fuzz_pose fuzz/fuzz_rigid fuzz/fuzz_contracts result_oracle lens_oracle pose_oracle rigid_oracle
+    scenes scene_scores scene_geometry problems/absolute_pose/pose_scenes problems/rigid_motion/rigid_scenes)
+  list(APPEND _sources "${_tests}/${_name}.cpp")
+endforeach()
+usac_add_test_program(usac_replay ${_sources})
+target_compile_definitions(usac_replay PRIVATE USAC_FUZZ_REPLAY)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  usac_add_test_program(usac_fuzz ${_sources})
+  target_compile_options(usac_fuzz PRIVATE ${USAC_SOURCE_FLAGS})
+  target_link_libraries(usac_fuzz PRIVATE -fsanitize=fuzzer)
 endif()

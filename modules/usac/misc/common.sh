@@ -2,12 +2,15 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# What run_tests.sh and sanitize.sh share: packages, OpenCV's source and build, and the count of tests.
+# What run_tests.sh, sanitize.sh and matrix.sh share: packages, OpenCV's source and build, and the count of tests.
 
 project=$(cd "$(dirname "$0")/../../.." && pwd)
 module=$project/modules/usac
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac}
-source=${OPENCV_SOURCE_DIR:-$work/opencv${OPENCV_SUITE:+-$OPENCV_SUITE}}
+# The newest 4.x whose source Debian has is trixie's 4.10; a system that is newer or no Debian has its own.
+case $(. /etc/os-release && echo "${ID:-}-${VERSION_ID:-}") in debian-11 | debian-12) default_suite=trixie ;; *) default_suite= ;; esac
+suite=${OPENCV_SUITE:-$default_suite}
+source=${OPENCV_SOURCE_DIR:-$work/opencv${suite:+-$suite}}
 build=$work/build-$(printf %s "$source" | cksum | cut -d ' ' -f 1)
 packages="g++ cmake ninja-build ccache pkg-config xz-utils python3-dev python3-numpy libjpeg-dev libpng-dev zlib1g-dev
     libblas-dev liblapack-dev liblapacke-dev libeigen3-dev libopencv-dev pybind11-dev python3-opencv python3-build python3-pip
@@ -47,8 +50,8 @@ fetch_opencv()
     offers() { apt-cache policy libopencv-dev | awk '$NF == "Packages" { print $2, $3 }'; }
     [ -n "$(offers)" ] || as_root apt-get update
     offers | sort -u | sed "s|^|deb-src $signed |; s|/\([^/]*\)\$| \1|" > "$apt/sources.list"
-    if [ -n "${OPENCV_SUITE:-}" ]; then
-        sed -i "1!d; s|[^ ]* \([^ ]*\)\$|$OPENCV_SUITE \1|" "$apt/sources.list"
+    if [ -n "$suite" ]; then
+        sed -i "1!d; s|[^ ]* \([^ ]*\)\$|$suite \1|" "$apt/sources.list"
     fi
 
     options="-o Dir::Etc::SourceList=$apt/sources.list -o Dir::Etc::SourceParts=/dev/null -o APT::Sandbox::User=root
@@ -79,6 +82,13 @@ configure()
         -DWITH_OPENEXR=OFF -DWITH_JASPER=OFF -DWITH_OPENJPEG=OFF -DWITH_WEBP=OFF -DWITH_TIFF=OFF
 }
 
+# Seconds that the processors have worked on the step that has just ended.
+processor_seconds()
+{
+    cat "$work/$name.before" "$work/$name.after" | tr 'ms' '  ' |
+        awk '{ t[NR] = 60 * ($1 + $3) + $2 + $4 } END { printf "%d", t[4] - t[2] }'
+}
+
 # Runs a command, shows its output and adds up what the patterns (with one number each) find there. A command that fails
 # without a failed test, or ends well without any test, is one failure.
 run() # name, pattern of passed, pattern of failed, command
@@ -86,12 +96,34 @@ run() # name, pattern of passed, pattern of failed, command
     name=$1 p=$2 f=$3
     shift 3
     echo "== $name"
+    from=$(date +%s)
+    times > "$work/$name.before"
     { "$@" && rc=0 || rc=$?; echo $rc > "$work/rc"; } 2>&1 | tee "$work/$name.log"
     p=$(sed -n "s/$p/\1/p" "$work/$name.log" | tail -n 1)
     f=$(sed -n "s/$f/\1/p" "$work/$name.log" | tail -n 1)
     p=${p:-0} f=${f:-0}
     if [ "$f" = 0 ] && { [ "$(cat "$work/rc")" != 0 ] || [ "$p" = 0 ]; }; then f=1; fi
     passed=$((passed + p)) failed=$((failed + f))
+    times > "$work/$name.after"
+    echo "== $name: $p passed, $f failed, $(($(date +%s) - from)) s, $(processor_seconds) s of processor time"
+}
+
+# A program of GoogleTest, its tests shared by as many processes as there are processors.
+in_shards() # program
+{
+    shards=$(nproc) shard=0 processes=
+    while [ $shard -lt "$shards" ]; do
+        GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard "$@" > "$work/shard.$shard.log" 2>&1 &
+        processes="$processes $!" shard=$((shard + 1))
+    done
+    rc=0
+    for process in $processes; do wait "$process" || rc=1; done
+    cat "$work"/shard.*.log
+    p=$(cat "$work"/shard.*.log | sed -n "s/$gtest_passed/\1/p" | awk '{ n += $1 } END { print n + 0 }')
+    f=$(cat "$work"/shard.*.log | sed -n "s/$gtest_failed/\1/p" | awk '{ n += $1 } END { print n + 0 }')
+    rm "$work"/shard.*.log
+    echo "$p passed, $f failed"
+    return $rc
 }
 
 # For python3 -c: all unit tests of the folder in the files of a pattern.
@@ -102,6 +134,11 @@ result = unittest.TextTestRunner(verbosity=2).run(tests)
 bad = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses)
 print("%d passed, %d failed" % (max(result.testsRun - len(result.skipped) - bad, 0), bad))
 sys.exit(bad)'
+
+# The code of these is reached by other tests, too; what they are for, a frequency over many seeds, or time and memory over many
+# calls, no tool can see better. Each takes 20 seconds to 5 minutes with -O0.
+slow_tests='Usac_Scale.*:UsacScale.work_is_linear*:Usac_Confidence.*:Usac_Degensac.dominantPlanes:Usac_Degensac.generalScenes*'
+slow_tests=$slow_tests:Usac_Hostile.most_points_of_one_image_on_a_line:Usac_StopLate.*
 
 gtest_passed='^\[  PASSED  \] \([0-9]*\) test.*'
 gtest_failed='^\[  FAILED  \] \([0-9]*\) test.*listed below.*'

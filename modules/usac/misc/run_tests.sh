@@ -3,26 +3,29 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Builds the module inside OpenCV and runs all its tests: C++, a short pass of the performance tests, Python (cv2 of this build, and
-# the package with and without Debian's cv2), a program against this build and the stand-alone one, the benchmark's, OpenCV's own
-# tests with this module's flags in the place of OpenCV's, and C++ once more with AddressSanitizer and
-# UndefinedBehaviorSanitizer. Does all its own set-up on Debian (as root or with sudo); the last line is "<N> passed, <M> failed".
+# Runs all tests of the module, each version of OpenCV in one way: inside the newest OpenCV 4 whose source Debian has, C++, a short
+# pass of the performance tests, Python (cv2 of this build), a program against it, and OpenCV's own tests with this module's flags in
+# the place of OpenCV's; against the OpenCV of the system, C++ with AddressSanitizer and UndefinedBehaviorSanitizer, the Python package
+# with and without the system's cv2, programs against the installed library, the benchmark's. Does all its own set-up on Debian (as
+# root or with sudo). Each part ends with its time; the last line is "<N> passed, <M> failed".
 #
-# usage: run_tests.sh [opencv | --installed]
+# usage: run_tests.sh [opencv | --installed | --cpp]
 #
-#   opencv       only OpenCV's own tests with this module's flags; the list of what may differ is for OpenCV 4.6 and 4.10:
-#                OPENCV_SUITE=trixie sh run_tests.sh opencv
+#   opencv       only OpenCV's own tests with this module's flags; the list of what may differ is for OpenCV 4.6 and 4.10
 #   --installed  without OpenCV's source: library, C++ tests, Python package and consumer against the OpenCV of the system
-#                (libopencv-dev), all but the performance tests and OpenCV's own
+#                (libopencv-dev), all but the performance tests and OpenCV's own, and without a second build of the library inside
+#                another project (with it: USAC_CONSUMER_QUICK= in the environment)
+#   --cpp        of these library and C++ tests only, compiled and run as the variables USAC_CPP_* have it
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
-#   OPENCV_SUITE       of Debian, whose source package that is; default: the one of this system
+#   OPENCV_SUITE       of Debian, whose source package that is; default: trixie (4.10), on a newer system its own
+#   USAC_CPP_OPTIONS   for CMake; USAC_CPP_RUNNER  a command before the program of the tests, an emulator; USAC_CPP_FILTER  GoogleTest's
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
 
 set -eu
 case "$*" in
-    "" | opencv | --installed) ;;
-    *) echo "usage: run_tests.sh [opencv | --installed]" >&2; exit 2 ;;
+    "" | opencv | --installed | --cpp) ;;
+    *) echo "usage: run_tests.sh [opencv | --installed | --cpp]" >&2; exit 2 ;;
 esac
 . "$(dirname "$0")/common.sh"
 
@@ -34,8 +37,7 @@ in_build()  # where findDataFile looks for test data, and where the tests may le
 python_tests()
 {
     cd "$module/misc/python/test" &&
-    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" \
-        OPENCV_SAMPLES_DATA_PATH="$source/samples/data" /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
 }
 
 # The package as a user gets it: a source distribution, from it a wheel, which is installed in a virtual environment. All
@@ -51,16 +53,27 @@ build_python_package()
         --outdir "$folder/dist" "$folder/source" &&
     rm -r "$folder/source" &&
     /usr/bin/python3 -m venv --system-site-packages "$folder/venv" &&
+    python=$folder/venv/bin/python3 &&
     "$folder/venv/bin/pip" install --no-index "$folder"/dist/usacv20-*.whl &&
     [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # nothing is left beside the sources
 }
 
-# The same tests, beside Debian's cv2 and as if there were none.
-python_package_tests() # with | none
+# The same tests, beside the system's cv2 and as if there were none.
+package_tests() # with | none
 {
     cd "$module/misc/python/test" &&
-    PYTHONDONTWRITEBYTECODE=1 USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
-        OPENCV_SAMPLES_DATA_PATH="$source/samples/data" "$folder/venv/bin/python3" -c "$run_unittests" "test_usac*.py"
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="${site:-}" USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
+        "$python" -c "$run_unittests" "test_usac*.py"
+}
+
+# Both at the same time, as each has one busy process; what the second has shown is in python_package_alone.part.
+python_package_tests()
+{
+    package_tests none > "$work/python_package_alone.part" 2>&1 &
+    alone=$!
+    package_tests with && rc=0 || rc=1
+    wait $alone || rc=1
+    return $rc
 }
 
 # The readers of the data sets and the plots of the benchmark; without matplotlib and scipy some tests are skipped.
@@ -81,29 +94,10 @@ opencv_tests()
     in_build "$tests/usac_opencv_tests"
 }
 
-# In a build of their own, on this OpenCV, with the tests as they were compiled above.
+# Against the OpenCV of the system.
 sanitized_tests()
 {
-    OPENCV_SOURCE_DIR="$source" OPENCV_BUILD_DIR="$build" USAC_TEST_OBJECTS="$build/usac_test_objects.txt" \
-        USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
-}
-
-# A program of GoogleTest, its tests shared by as many processes as there are processors.
-in_shards() # program
-{
-    shards=$(nproc) shard=0 processes=
-    while [ $shard -lt "$shards" ]; do
-        GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard "$@" > "$work/shard.$shard.log" 2>&1 &
-        processes="$processes $!" shard=$((shard + 1))
-    done
-    rc=0
-    for process in $processes; do wait "$process" || rc=1; done
-    cat "$work"/shard.*.log
-    p=$(cat "$work"/shard.*.log | sed -n "s/$gtest_passed/\1/p" | awk '{ n += $1 } END { print n + 0 }')
-    f=$(cat "$work"/shard.*.log | sed -n "s/$gtest_failed/\1/p" | awk '{ n += $1 } END { print n + 0 }')
-    rm "$work"/shard.*.log
-    echo "$p passed, $f failed"
-    return $rc
+    USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
 }
 
 # The build of the consumer checks with the C++ tests: the library is compiled once.
@@ -113,24 +107,32 @@ installed_tests()
     cd "$built" && in_shards bin/opencv_test_usac
 }
 
-installed_package_tests() # with | none
-{
-    cd "$module/misc/python/test" &&
-    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
-        /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
-}
-
-# The two runs of the package's tests at the same time; each has one busy process.
+# The package of that build, which is linked with its library.
 installed_python()
 {
-    rm -rf "$work/site" && mkdir "$work/site" &&
-    cp -r "$module/misc/python/package/usacv20" "$work/site" && cp "$built"/_native.* "$work/site/usacv20" || return 1
-    installed_package_tests none > "$work/python_package_alone.part" 2>&1 &
-    alone=$!
-    installed_package_tests with && rc=0 || rc=1
-    wait $alone || rc=1
-    return $rc
+    site=$work/site python=/usr/bin/python3
+    rm -rf "$site" && mkdir "$site" &&
+    cp -r "$module/misc/python/package/usacv20" "$site" && cp "$built"/_native.* "$site/usacv20" && python_package_tests
 }
+
+# In a build for each set of options, with the samples where these ask for them.
+cpp_tests()
+{
+    folder=$work/cpp-$(printf %s "$project ${USAC_CPP_OPTIONS:-}" | cksum | cut -d ' ' -f 1)
+    cmake -S "$project" -B "$folder" -DBUILD_TESTS=ON -DBUILD_SAMPLES=OFF -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON \
+        ${USAC_CPP_OPTIONS:-} &&
+    cmake --build "$folder" --target all opencv_test_usac &&
+    cd "$folder" && in_shards ${USAC_CPP_RUNNER:-} bin/opencv_test_usac --gtest_filter="${USAC_CPP_FILTER:-*}"
+}
+
+if [ "$*" = --cpp ]; then
+    install_packages libgtest-dev
+    failed=0
+    run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
+    run cpp "$count_passed" "$count_failed" cpp_tests
+    [ "$failed" = 0 ]
+    exit
+fi
 
 if [ "$*" = --installed ]; then
     install_packages libgtest-dev
@@ -138,7 +140,7 @@ if [ "$*" = --installed ]; then
     built=$folder/build
     failed=0
     run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
-    export USAC_CONSUMER_OPTIONS=-DBUILD_TESTS=ON
+    export USAC_CONSUMER_OPTIONS=-DBUILD_TESTS=ON USAC_CONSUMER_QUICK=${USAC_CONSUMER_QUICK-1}  # the library is compiled once
     run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$folder"
     run cpp "$count_passed" "$count_failed" installed_tests
     run python_package "$count_passed" "$count_failed" installed_python
@@ -158,16 +160,17 @@ if [ "$*" = opencv ]; then
     exit
 fi
 cmake --build "$build" --target opencv_test_usac opencv_perf_usac opencv_python3
+export OPENCV_SAMPLES_DATA_PATH="$source/samples/data"
 
 failed=0
 run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
-run cpp "$gtest_passed" "$gtest_failed" in_build bin/opencv_test_usac
+run cpp "$count_passed" "$count_failed" in_build in_shards bin/opencv_test_usac
 run perf "$gtest_passed" "$gtest_failed" in_build bin/opencv_perf_usac --perf_min_samples=1 --perf_force_samples=1
 run python "$count_passed" "$count_failed" python_tests
-build_python_package
-run python_package "$count_passed" "$count_failed" python_package_tests with
-run python_package_alone "$count_passed" "$count_failed" python_package_tests none
 run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$work/consumer" "$build"
+build_python_package
+run python_package "$count_passed" "$count_failed" python_package_tests
+run python_package_alone "$count_passed" "$count_failed" cat "$work/python_package_alone.part"
 run benchmark "$count_passed" "$count_failed" benchmark_tests
 run opencv "$count_passed" "$count_failed" opencv_tests
 run sanitized "$count_passed" "$count_failed" sanitized_tests

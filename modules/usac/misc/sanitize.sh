@@ -8,7 +8,7 @@
 #
 # usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [python] [lint] [coverage]       default: all
 #
-#   asan        the tests with AddressSanitizer (leaks, too) and UndefinedBehaviorSanitizer
+#   asan        library and tests with AddressSanitizer (leaks, too) and UndefinedBehaviorSanitizer
 #   tsan        the tests with more than one thread (tsan_tests) with ThreadSanitizer
 #   assertions  the tests with the assertions of libstdc++
 #   valgrind    memcheck of the tests named in valgrind_tests
@@ -19,70 +19,65 @@
 #
 # "The tests" are all but slow_tests and those with the tag verylong.
 #
-#   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
-#   OPENCV_BUILD_DIR   a build of it with opencv_ts; default: the one of run_tests.sh, made here if it is missing
-#   USAC_TEST_OBJECTS  its usac_test_objects.txt, if it has the present tests; default: they are compiled here
+# The library is built for each tool against the OpenCV of the system (libopencv-dev), which is as it is, with GoogleTest's.
+#
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
 
 set -eu
 . "$(dirname "$0")/common.sh"
 tools=$work/tools-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
 jobs=${JOBS:-$(nproc)}
-export CCACHE_NOHASHDIR=1  # the tests, compiled in the same way for each tool, are compiled once
-# The code of these is reached by other tests, too; what they are for, a frequency over many seeds, or time and memory over many
-# calls, no tool can see better. Each takes 20 seconds to 5 minutes with -O0.
-slow_tests='Usac_Scale.*:UsacScale.work_is_linear*:Usac_Confidence.*:Usac_Degensac.dominantPlanes:Usac_Degensac.generalScenes*'
-slow_tests=$slow_tests:Usac_Hostile.most_points_of_one_image_on_a_line:Usac_StopLate.*
+export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$tools"  # the tests, compiled in the same way for each tool, are compiled once
 # A test with one thread has no race to find.
 tsan_tests='*hread*:*arallel*:UsacContracts*:Usac_Fuzz.*'
 # Every contract of the input; a test is 20 to 50 times slower than without valgrind.
 valgrind_tests='Usac_Input*:UsacInput*:UsacPoints*:Usac_Arguments*:Usac_Solvers.allF*:Usac_Fuzz.kept*:-*hundred_thousand*'
 
-# Configures the build of a tool and builds a target.
-build_with() # tool, target, compiler, flags, more options for CMake
+# Configures the build of a tool and builds a target. The assertions of OpenCV's and Eigen's headers count (no NDEBUG).
+build_with() # tool, target, compiler, flags of the library, more options for CMake
 {
-    tool=$1 target=$2 compiler=$3 flags=$4
+    tool=$1 target=$2 compiler=$3 flags="-O1 -g1 $4"
     shift 4
-    cmake -S "$module/misc/sanitize" -B "$tools/$tool" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="-O1 -g1" \
-        -DUSAC_TOOL_FLAGS="$flags" -DOPENCV_SOURCE="$source" -DOPENCV_BUILD="$build" \
-        -DUSAC_TEST_OBJECTS="${USAC_TEST_OBJECTS:-}" "$@" > "$tools/$tool.cmake.log" &&
+    cmake -S "$project" -B "$tools/$tool" -DBUILD_TESTS=ON -DBUILD_SAMPLES=OFF -DUSAC_COUNT_ALLOCATIONS=OFF -DCMAKE_BUILD_TYPE=Release \
+        -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_RELEASE=-g1 -DUSAC_SOURCE_FLAGS="$(echo $flags | tr ' ' ';')" \
+        -DCMAKE_EXE_LINKER_FLAGS="$flags" -DCMAKE_SHARED_LINKER_FLAGS="$flags" -DUSAC_PRECOMPILED_HEADERS=ON "$@" > "$tools/$tool.cmake.log" &&
     cmake --build "$tools/$tool" -j "$jobs" --target "$target"
 }
 
-# Where findDataFile looks for test data, and where the tests may leave files.
-tests_of() # tool, arguments of the tests
+# The tests in the build of a tool, where they may leave files.
+tests_of() # tool, command before the program or nothing, arguments of the tests
 {
-    tool=$1
+    folder=$tools/$1
     shift
-    cd "$tools/$tool" && "$@"
+    cd "$folder" && "$@"
 }
 
 sanitizers="-fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=address,undefined,float-cast-overflow"
 
 run_asan()
 {
-    build_with asan usac_tests g++ "$sanitizers" &&
+    build_with asan opencv_test_usac g++ "$sanitizers" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -g1 $sanitizers" &&
     ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1 \
-        UBSAN_OPTIONS=print_stacktrace=1 tests_of asan ./usac_tests --gtest_filter="-$slow_tests"
+        UBSAN_OPTIONS=print_stacktrace=1 tests_of asan in_shards bin/opencv_test_usac --gtest_filter="-$slow_tests"
 }
 
 run_tsan()
 {
-    build_with tsan usac_tests g++ -fsanitize=thread -DUSAC_THREADS_BACKEND=ON &&
-    tests_of tsan ./usac_tests --gtest_filter="$tsan_tests"
+    build_with tsan opencv_test_usac g++ -fsanitize=thread -DUSAC_THREADS_BACKEND=ON &&
+    tests_of tsan in_shards bin/opencv_test_usac --gtest_filter="$tsan_tests"
 }
 
 run_assertions()
 {
-    build_with assertions usac_tests g++ -D_GLIBCXX_ASSERTIONS &&
-    tests_of assertions ./usac_tests --gtest_filter="-$slow_tests"
+    build_with assertions opencv_test_usac g++ -D_GLIBCXX_ASSERTIONS &&
+    tests_of assertions in_shards bin/opencv_test_usac --gtest_filter="-$slow_tests"
 }
 
 run_valgrind()
 {
-    build_with assertions usac_tests g++ -D_GLIBCXX_ASSERTIONS &&
-    tests_of assertions valgrind --error-exitcode=1 --leak-check=full \
-        --errors-for-leak-kinds=definite ./usac_tests --gtest_filter="$valgrind_tests"
+    build_with assertions opencv_test_usac g++ -D_GLIBCXX_ASSERTIONS &&
+    tests_of assertions in_shards valgrind --error-exitcode=1 --leak-check=full \
+        --errors-for-leak-kinds=definite bin/opencv_test_usac --gtest_filter="$valgrind_tests"
 }
 
 # Once over the kept inputs, then new ones. The inputs that reach new code stay in `corpus` for the next time; one that breaks
@@ -91,7 +86,7 @@ run_fuzz() # seconds
 {
     mkdir -p "$tools/corpus" "$tools/findings"
     build_with fuzz usac_fuzz clang++ "-O2 $sanitizers,fuzzer-no-link" &&
-    if "$tools/fuzz/usac_fuzz" -max_total_time="$1" -len_control=0 -max_len=1024 -timeout=600 -print_final_stats=1 \
+    if "$tools/fuzz/bin/usac_fuzz" -max_total_time="$1" -len_control=0 -max_len=1024 -timeout=600 -print_final_stats=1 \
         -artifact_prefix="$tools/findings/" "$tools/corpus" "$project/test_data/fuzz" 2>&1
     then
         echo "1 passed, 0 failed"
@@ -121,7 +116,7 @@ run_python()
 # Every source file counts for each of the two.
 run_lint()
 {
-    build_with lint help clang++ "-Wunused-member-function" > /dev/null
+    build_with lint help clang++ "-Wunused-member-function" -DUSAC_PRECOMPILED_HEADERS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON > /dev/null
     cd "$module"
     good=0 bad=0
     check() { if "$@"; then good=$((good + 1)); else bad=$((bad + 1)); echo "FAILED $*"; fi; }
@@ -136,13 +131,13 @@ run_lint()
 # Nothing is counted outside the module, and no branch of an exception that any call may throw: there is one behind each allocation.
 run_coverage()
 {
-    build_with coverage usac_tests g++ "--coverage -O0 -fprofile-update=atomic -fprofile-exclude-files=/usr/.*" || return 1
+    build_with coverage opencv_test_usac g++ "--coverage -O0 -fprofile-update=atomic -fprofile-exclude-files=/usr/.*" || return 1
     cd "$tools/coverage"
     find . -name '*.gcda' -delete
-    ./usac_tests --gtest_filter="-$slow_tests" && rc=0 || rc=1
+    bin/opencv_test_usac --gtest_filter="-$slow_tests" && rc=0 || rc=1
     mkdir -p html &&
     gcovr --root "$module" --filter "$module/src/" --exclude-throw-branches --exclude-unreachable-branches \
-        --txt - --html-details html/index.html --print-summary CMakeFiles/usac_objects.dir && return $rc
+        --txt - --html-details html/index.html --print-summary CMakeFiles/opencv_usac.dir && return $rc
 }
 
 needs()  # what the modes of the command line need beyond run_tests.sh
@@ -164,24 +159,17 @@ for mode in "$@"; do
         ;;
     esac
 done
-install_packages $(needs "$@")
+install_packages libgtest-dev $(needs "$@")
 mkdir -p "$tools"
-if [ -n "${OPENCV_BUILD_DIR:-}" ]; then
-    build=$OPENCV_BUILD_DIR
-else
-    [ -f "$source/CMakeLists.txt" ] || fetch_opencv
-    configure
-    cmake --build "$build" --target opencv_ts opencv_calib3d
-fi
 
 failed=0
 while [ $# -gt 0 ]; do
     mode=$1
     shift
     case $mode in
-    asan | tsan | assertions | valgrind | coverage)
+    coverage)
         run "$mode" "$gtest_passed" "$gtest_failed" "run_$mode" ;;
-    lint | python)
+    asan | tsan | assertions | valgrind | lint | python)
         run "$mode" "$count_passed" "$count_failed" "run_$mode" ;;
     fuzz)
         seconds=60

@@ -72,7 +72,7 @@ const OutlierKind OUTLIERS[] = {
 
 //! The kind of that name; there being none raises std::runtime_error with the names of all.
 template <class Kind, size_t count>
-const Kind& find(const Kind (&kinds)[count], const std::string& name, const std::string& option)
+const Kind& find(const Kind (&kinds)[count], const std::string& name, const char* option)
 {
     std::string names;
     for (const Kind& kind : kinds)
@@ -81,7 +81,7 @@ const Kind& find(const Kind (&kinds)[count], const std::string& name, const std:
             return kind;
         names += (names.empty() ? "" : ", ") + std::string(kind.name);
     }
-    throw std::runtime_error("--" + option + ": expected one of " + names);
+    throw std::runtime_error(std::string("--") + option + ": expected one of " + names);
 }
 
 //! What the options of a kind of scene are for that kind alone.

@@ -11,6 +11,8 @@
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
 #
 #   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build
+#   USAC_CONSUMER_QUICK    if not empty, the projects around the library are configured, which checks that they keep their build type, targets
+#                          and package, but the library is not compiled once more as a part of them
 
 here=$(cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../../../.." && pwd)
@@ -131,6 +133,7 @@ parent() # name, option of CMake
 {
     rm -rf "$work/parent/CMakeCache.txt" "$work/parent/prefix" "$work/parent/parent"
     cmake -S "$here/parent" -B "$work/parent" "$2" -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON &&
+    { [ -z "${USAC_CONSUMER_QUICK:-}" ] || return 0; } &&
     cmake --build "$work/parent" -j "$(nproc)" &&
     "$work/parent/parent" &&
     cmake --install "$work/parent" --prefix "$work/parent/prefix" &&
