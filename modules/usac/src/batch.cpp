@@ -93,9 +93,8 @@ std::vector<Estimate> estimatePairs(ProblemType problem, InputArrayOfArrays poin
 std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads)
 {
     std::vector<Estimate> results(tasks.size());
-    forEachTask(
-        (int)tasks.size(), threads, [&](int i) { results[i] = estimate(tasks[i]); },
-        [&](int i) { results[i].report.stop = STOP_CANCELLED; });
+    forEachTask((int)tasks.size(), threads, [&](int i) { results[i] = estimate(tasks[i]); },
+                [&](int i) { results[i].report.stop = STOP_CANCELLED; });
     return results;
 }
 

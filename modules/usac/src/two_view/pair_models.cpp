@@ -11,12 +11,17 @@
 namespace cv {
 namespace usacv20 {
 
+//! What is told of a model, and points of a minimal sample.
+struct ModelKind
+{
+    const char* name;
+    int sampleSize;
+};
+
 namespace {
 
-//! Points of a minimal sample, by ProblemType: H, F, E.
-const int SAMPLES[] = {4, 7, 5};
-//! And the name of the model.
-const char* const NAMES[] = {"H", "F", "E"};
+const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
+
 //! F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
 constexpr double FREEDOM_MORE = 2;
 /* F where E was refused, though the focal lengths are known, tells that these are wrong: what is asked of it is the
@@ -63,14 +68,10 @@ String whyNot(const Report& report)
     {
     case STOP_NOT_SIGNIFICANT:
         return format("random matches would give as good a model with a chance of %.2g", report.chance);
-    case STOP_TOO_FEW_POINTS:
-        return "too few points";
-    case STOP_TIME:
-        return "time";
-    case STOP_CANCELLED:
-        return "cancelled";
-    default:
-        return "no model";
+    case STOP_TOO_FEW_POINTS: return "too few points";
+    case STOP_TIME: return "time";
+    case STOP_CANCELLED: return "cancelled";
+    default: return "no model";
     }
 }
 
@@ -87,13 +88,15 @@ PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const Two
         if (!cameras[k]->empty())
             (k ? camera2 : camera1) = readCamera(*cameras[k], k ? "cameraMatrix2" : "cameraMatrix1");
         else if (!lenses[k]->empty())
-            CV_Error_(Error::StsBadArg, ("distCoeffs%d: a distortion needs cameraMatrix%d, which is empty", k + 1, k + 1));
+            CV_Error_(Error::StsBadArg,
+                      ("distCoeffs%d: a distortion needs cameraMatrix%d, which is empty", k + 1, k + 1));
     }
     points1 = pointsOf(pair.points1, "points1", pair.cameraMatrix1, pair.distCoeffs1);
     points2 = pointsOf(pair.points2, "points2", pair.cameraMatrix2, pair.distCoeffs2);
     if (points1.size() != points2.size())
-        CV_Error_(Error::StsUnmatchedSizes, ("points1 and points2: lists of the same length are expected, not of %d and %d",
-                                             (int)points1.size(), (int)points2.size()));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("points1 and points2: lists of the same length are expected, not of %d and %d", (int)points1.size(),
+                   (int)points2.size()));
     checkTaken(pair.taken1, "taken1");
     checkTaken(pair.taken2, "taken2");
     if (scores.empty())
@@ -135,20 +138,17 @@ void PairModels::search()
     searchHomography();
 }
 
-Mat PairModels::run(ProblemType problem, const Params& given, Mat& mask, Report& report) const
+Ptr<Usac> PairModels::essential(const Params& given) const
 {
-    const Mat first(points1), second(points2);
-    if (problem == ESSENTIAL)
-        return Usac::create(problem, first, second, given, camera1, camera2)->run(mask, &report);
-    return Usac::create(problem, first, second, given)->run(mask, &report);
+    return Usac::create(ESSENTIAL, Mat(points1), Mat(points2), given, camera1, camera2);
 }
 
 void PairModels::searchEssential()
 {
     Mat mask;
     Report report;
-    const Mat found = run(ESSENTIAL, options(samples(SAMPLES[ESSENTIAL])), mask, report);
-    take(ESSENTIAL, found, mask, report, E);
+    const Mat found = essential(options(samples(OF_E.sampleSize)))->run(mask, &report);
+    take(OF_E, found, mask, report, E);
 }
 
 void PairModels::searchFundamental()
@@ -165,11 +165,11 @@ void PairModels::searchFundamental()
         given.significance = std::pow(given.significance, ALONE);
     }
     else
-        given = options(samples(SAMPLES[FUNDAMENTAL]));
+        given = options(samples(OF_F.sampleSize));
     Mat mask;
     Report report;
-    const Mat found = run(FUNDAMENTAL, given, mask, report);
-    take(FUNDAMENTAL, found, mask, report, F);
+    const Mat found = Usac::create(FUNDAMENTAL, Mat(points1), Mat(points2), given)->run(mask, &report);
+    take(OF_F, found, mask, report, F);
 }
 
 void PairModels::improveEssential()
@@ -178,9 +178,9 @@ void PairModels::improveEssential()
     given.initialModel = numbersOf(essentialOf(F.matrix, camera1, camera2));
     Mat mask;
     Report report;
-    const Mat found = run(ESSENTIAL, given, mask, report);
+    const Mat found = essential(given)->run(mask, &report);
     if (!found.empty() && countNonZero(mask) > E.inliers)
-        take(ESSENTIAL, found, mask, report, E);
+        take(OF_E, found, mask, report, E);
     else
         account(report);
 }
@@ -193,12 +193,12 @@ void PairModels::searchHomography()
         homographyOfInliers(explained);
         return;
     }
-    Params given = options(samples(SAMPLES[HOMOGRAPHY]));
+    Params given = options(samples(OF_H.sampleSize));
     given.threshold *= planarReach();
     Mat mask;
     Report report;
-    const Mat found = run(HOMOGRAPHY, given, mask, report);
-    take(HOMOGRAPHY, found, mask, report, H);
+    const Mat found = Usac::create(HOMOGRAPHY, Mat(points1), Mat(points2), given)->run(mask, &report);
+    take(OF_H, found, mask, report, H);
 }
 
 void PairModels::homographyOfInliers(const PairModel& explained)
@@ -246,13 +246,13 @@ void PairModels::account(const Report& report)
     cancelled = cancelled || report.stop == STOP_CANCELLED;
 }
 
-void PairModels::take(ProblemType problem, const Mat& matrix, const Mat& mask, const Report& report, PairModel& model)
+void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report, PairModel& model)
 {
     account(report);
     const int inliers = matrix.empty() ? 0 : countNonZero(mask);
     if (inliers < rules.minInliers)
     {
-        refuse(problem, matrix, inliers, report);
+        refuse(kind, matrix, inliers, report);
         return;
     }
     model.matrix = Matx33d(matrix.ptr<double>());
@@ -262,20 +262,20 @@ void PairModels::take(ProblemType problem, const Mat& matrix, const Mat& mask, c
 }
 
 //! Reason and chance are of the best model that was refused.
-void PairModels::refuse(ProblemType problem, const Mat& matrix, int inliers, const Report& report)
+void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report)
 {
     if (why.empty() || report.chance < refused.chance)
     {
-        why = String(NAMES[problem]) + ": " +
+        why = String(kind.name) + ": " +
               (matrix.empty() ? whyNot(report) : format("%d inliers, %d are needed", inliers, rules.minInliers));
         refused = report;
     }
-    const int sampleSize = SAMPLES[problem];
-    if (report.iterations < params.maxIterations || params.maxIterations >= rules.samples(params, sampleSize, size()))
+    if (report.iterations < params.maxIterations ||
+        params.maxIterations >= rules.samples(params, kind.sampleSize, size()))
         return;
     // Rounded down, so that it never looks like the one that was asked for.
-    const double reached = std::floor(1e4 * rules.reached(params, sampleSize, size())) / 1e4;
-    limited += format("%s%g for %s", limited.empty() ? "" : ", ", reached, NAMES[problem]);
+    const double reached = std::floor(1e4 * rules.reached(params, kind.sampleSize, size())) / 1e4;
+    limited += format("%s%g for %s", limited.empty() ? "" : ", ", reached, kind.name);
 }
 
 String PairModels::reason() const
@@ -327,8 +327,8 @@ bool PairModels::turn(const PairModel& explained, Matx33d& R) const
     std::vector<Vec3d> first, second;
     directions(H.mask, first, second);
     R = fitRotation(first, second);
-    const std::vector<double> errors =
-        mapDistances(camera2 * R * camera1.inv(), chosen(points1, explained.mask), chosen(points2, explained.mask));
+    const std::vector<double> errors = mapDistances(camera2 * R * camera1.inv(), chosen(points1, explained.mask),
+                                                    chosen(points2, explained.mask));
     return withinDistances(errors, planarDistance() * params.threshold) > rules.planarRatio * explained.inliers;
 }
 

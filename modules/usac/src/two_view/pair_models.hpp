@@ -5,11 +5,14 @@
 #ifndef OPENCV_USACV20_PAIR_MODELS_HPP
 #define OPENCV_USACV20_PAIR_MODELS_HPP
 
+#include "opencv2/usac/estimator.hpp"
 #include "opencv2/usac/two_view_geometry.hpp"
 #include "two_view/pixels.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+struct ModelKind;
 
 //! A model of a pair and what it explains.
 struct PairModel
@@ -76,13 +79,13 @@ private:
     //! Of the matches that E or F explains. @param result the outcome of the search on entry, of the caller's images on
     //! return
     void homographyOfInliers(const PairModel& explained);
-    Mat run(ProblemType problem, const Params& options, Mat& mask, Report& report) const;
+    Ptr<Usac> essential(const Params& options) const;
     Params options(int iterations) const;
     int samples(int sampleSize) const;
     //! What a search among all matches has found.
-    void take(ProblemType problem, const Mat& matrix, const Mat& mask, const Report& report, PairModel& model);
+    void take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report, PairModel& model);
     void account(const Report& report);
-    void refuse(ProblemType problem, const Mat& matrix, int inliers, const Report& report);
+    void refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report);
     int withinDistances(const std::vector<double>& errors, double limit) const;
 
     bool isCalibrated;

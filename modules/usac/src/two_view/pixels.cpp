@@ -35,7 +35,8 @@ double squaredDistance(const Matx33d& H, const Point2d& from, double w, const Po
     const double v = (H(1, 0) * from.x + H(1, 1) * from.y + H(1, 2)) / w;
     const double ux = (H(0, 0) - u * H(2, 0)) / w, uy = (H(0, 1) - u * H(2, 1)) / w;
     const double vx = (H(1, 0) - v * H(2, 0)) / w, vy = (H(1, 1) - v * H(2, 1)) / w;
-    const double a = 1 + ux * ux + uy * uy, b = ux * vx + uy * vy, c = 1 + vx * vx + vy * vy;  // covariance of the error
+    const double a = 1 + ux * ux + uy * uy, b = ux * vx + uy * vy,
+                 c = 1 + vx * vx + vy * vy;  // covariance of the error
     const double eu = to.x - u, ev = to.y - v;
     return (c * eu * eu - 2 * b * eu * ev + a * ev * ev) / (a * c - b * b);
 }

@@ -11,9 +11,9 @@ namespace usacv20 {
 namespace {
 
 /* The local optimization makes a model of a sample with a wrong point right, too, the more easily the more points are
-right. Of E, a sample counts as (right matches / EASY)^2 that have to be right, at most EASIEST. Measured with USACV20, 200
-scenes each, from what a quarter of the samples or less finds: 1.2 (18 right matches), 1.5 (20), 2.1 (24), more than 12
-(40 and 50). Of F and H and the other presets it was not measured, they count as 1. */
+right. Of E, a sample counts as (right matches / EASY)^2 that have to be right, at most EASIEST. Measured with USACV20,
+200 scenes each, from what a quarter of the samples or less finds: 1.2 (18 right matches), 1.5 (20), 2.1 (24), more than
+12 (40 and 50). Of F and H and the other presets it was not measured, they count as 1. */
 constexpr double EASY = 15, EASIEST = 4;
 //! Ratios that stand for those between the least of a collection and `inlierRatio`. 4: up to 25 % fewer samples; 16:
 //! within 11 %, 64: within 16 %.
@@ -120,8 +120,7 @@ void TwoViewRules::check() const
     checkRatio(calibrationRatio, "calibrationRatio");
     for (size_t i = 0; i < ratios.size(); ++i)
         if (!(ratios[i] > 0 && ratios[i] <= 1))
-            CV_Error_(Error::StsOutOfRange,
-                      ("ratios: numbers above 0 and up to 1 are expected, not %g", ratios[i]));
+            CV_Error_(Error::StsOutOfRange, ("ratios: numbers above 0 and up to 1 are expected, not %g", ratios[i]));
 }
 
 double TwoViewRules::samples(const Params& params, int sampleSize, int matches) const

@@ -23,8 +23,8 @@ Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
     std::vector<Vec3d> first, second;
     models.directions(mask, first, second);
-    const double focal =
-        (models.camera1(0, 0) + models.camera1(1, 1) + models.camera2(0, 0) + models.camera2(1, 1)) / 4;
+    const double focal = (models.camera1(0, 0) + models.camera1(1, 1) + models.camera2(0, 0) + models.camera2(1, 1)) /
+                         4;
     const size_t step = (first.size() + MOST_FOR_SIDES - 1) / MOST_FOR_SIDES;
     Motion motions[4];
     motionsOf(E, motions);
@@ -150,8 +150,7 @@ void check(const Params& params, const TwoViewRules& rules)
 
 TwoViewPair::TwoViewPair() {}
 
-TwoViewPair::TwoViewPair(const Mat& points1_, const Mat& points2_, const Mat& cameraMatrix1_,
-                         const Mat& cameraMatrix2_)
+TwoViewPair::TwoViewPair(const Mat& points1_, const Mat& points2_, const Mat& cameraMatrix1_, const Mat& cameraMatrix2_)
     : points1(points1_), points2(points2_), cameraMatrix1(cameraMatrix1_), cameraMatrix2(cameraMatrix2_)
 {}
 

@@ -17,12 +17,12 @@ namespace usacv20 {
 
 //! What two images are to each other: the names and numbers of COLMAP's table `two_view_geometries`.
 enum TwoViewConfiguration {
-    TWO_VIEW_UNDEFINED = 0,     //!< nothing is known: the arguments are wrong, or the estimation was cancelled
-    TWO_VIEW_DEGENERATE = 1,    //!< no model is good enough; TwoViewGeometry::reason says why
-    TWO_VIEW_CALIBRATED = 2,    //!< an essential matrix, and a pose
-    TWO_VIEW_UNCALIBRATED = 3,  //!< a fundamental matrix: the focal lengths are not known, or are wrong
-    TWO_VIEW_PLANAR = 4,        //!< a plane, seen by calibrated cameras that have moved
-    TWO_VIEW_PANORAMIC = 5,     //!< a calibrated camera that has only turned
+    TWO_VIEW_UNDEFINED = 0,            //!< nothing is known: the arguments are wrong, or the estimation was cancelled
+    TWO_VIEW_DEGENERATE = 1,           //!< no model is good enough; TwoViewGeometry::reason says why
+    TWO_VIEW_CALIBRATED = 2,           //!< an essential matrix, and a pose
+    TWO_VIEW_UNCALIBRATED = 3,         //!< a fundamental matrix: the focal lengths are not known, or are wrong
+    TWO_VIEW_PLANAR = 4,               //!< a plane, seen by calibrated cameras that have moved
+    TWO_VIEW_PANORAMIC = 5,            //!< a calibrated camera that has only turned
     TWO_VIEW_PLANAR_OR_PANORAMIC = 6,  //!< one of these two, of cameras whose focal lengths are not known
     TWO_VIEW_WATERMARK = 7             //!< matches in the border of both images that stay where they are
 };
@@ -54,10 +54,10 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     @return the samples, a whole number of at least 500.
 
     Samples are drawn without replacement: of I right ones among N matches the part C(I, m) / C(N, m) is right. I is
-    `inlierRatio` of N, but `minInliers` or more. With `ratios` the mean over those and one pair more has the confidence:
-    that one has any ratio between `inlierRatio` and the least of them, as a pair is worse than all of k others with a
-    chance of 1 / (k + 1). Of E a sample of #USACV20 counts as up to four, as its local optimization makes a model of one
-    with a wrong point, too. */
+    `inlierRatio` of N, but `minInliers` or more. With `ratios` the mean over those and one pair more has the
+    confidence: that one has any ratio between `inlierRatio` and the least of them, as a pair is worse than all of k
+    others with a chance of 1 / (k + 1). Of E a sample of #USACV20 counts as up to four, as its local optimization makes
+    a model of one with a wrong point, too. */
     CV_WRAP double samples(const Params& params, int sampleSize, int matches) const;
     //! The chance that one of these samples, but not more than Params::maxIterations, is right, if `inlierRatio` of the
     //! matches is; 0..1.
@@ -98,7 +98,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewPair
     CV_PROP_RW std::vector<float> scores;
 };
 
-//! What has become of a pair. Matrices are CV_64F and empty where they are not known; pixels are those without distortion.
+//! What has become of a pair. Matrices are CV_64F and empty where they are not known; pixels are those without
+//! distortion.
 struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 {
     CV_WRAP TwoViewGeometry();
@@ -115,8 +116,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     CV_PROP_RW Mat E;
     //! 3x3, pixels of image 1 to image 2, h33 = 1, of at least `minInliers` of the inliers.
     CV_PROP_RW Mat H;
-    //! 3x3, X2 = R X1 + t, where the configuration is #TWO_VIEW_CALIBRATED, #TWO_VIEW_PLANAR (one of two motions that see
-    //! a plane alike, unless matches off it decide) or #TWO_VIEW_PANORAMIC, or a watermark of calibrated cameras.
+    //! 3x3, X2 = R X1 + t, where the configuration is #TWO_VIEW_CALIBRATED, #TWO_VIEW_PLANAR (one of two motions that
+    //! see a plane alike, unless matches off it decide) or #TWO_VIEW_PANORAMIC, or a watermark of calibrated cameras.
     CV_PROP_RW Mat R;
     //! 3x1, unit length; 0 where the camera has only turned.
     CV_PROP_RW Mat t;
@@ -143,12 +144,12 @@ which that of H follows; `significance` 0: 10^-4; `maxTime` is that of each mode
 @param rules the rest
 @return the configuration with its models, inliers and pose.
 
-An essential matrix E is estimated where both focal lengths are known, else a fundamental matrix F; with E, F starts from
-it. Where E is refused F is searched for in 500 samples, and the square of the significance is asked of it. Where F tells
-that the focal lengths are wrong E is tried once more, from F. H is estimated of the inliers, else of all matches.
-CALIBRATED: E has `calibrationRatio` of F's inliers, but for what F wins by chance, or most are on a plane. The rules are
-COLMAP's with differences that doc/collections.md names; H's threshold is larger than that of E, as its error has two
-coordinates.
+An essential matrix E is estimated where both focal lengths are known, else a fundamental matrix F; with E, F starts
+from it. Where E is refused F is searched for in 500 samples, and the square of the significance is asked of it. Where F
+tells that the focal lengths are wrong E is tried once more, from F. H is estimated of the inliers, else of all matches.
+CALIBRATED: E has `calibrationRatio` of F's inliers, but for what F wins by chance, or most are on a plane. The rules
+are COLMAP's with differences that doc/collections.md names; H's threshold is larger than that of E, as its error has
+two coordinates.
 
 Raises cv::Exception for lists of different lengths, points of a wrong shape, what is no camera, a distortion without a
 camera, and wrong options. */
@@ -158,7 +159,8 @@ CV_EXPORTS_W TwoViewGeometry estimateTwoViewGeometry(const TwoViewPair& pair, co
 #ifndef OPENCV_BINDING_PARSER  // other languages have functions of their own for it
 
 //! @overload
-//! Of points as taken by cameras without distortion. `cameraMatrix1`, `cameraMatrix2`: empty: not known, each by itself.
+//! Of points as taken by cameras without distortion. `cameraMatrix1`, `cameraMatrix2`: empty: not known, each by
+//! itself.
 CV_EXPORTS TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArray points2,
                                                    InputArray cameraMatrix1 = noArray(),
                                                    InputArray cameraMatrix2 = noArray(),
@@ -170,8 +172,8 @@ CV_EXPORTS TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArra
 @param pairs of any sizes, with and without cameras, mixed
 @param params, rules as of #estimateTwoViewGeometry; the scores are those of the pairs
 @param threads how many pairs at once, at most cv::getNumThreads(); 0: as many as that
-@return one TwoViewGeometry for each pair, in this order: to the bit that of #estimateTwoViewGeometry, whatever `threads`
-is, but for `milliseconds` and the times of the report.
+@return one TwoViewGeometry for each pair, in this order: to the bit that of #estimateTwoViewGeometry, whatever
+`threads` is, but for `milliseconds` and the times of the report.
 
 A mistake in a pair ends that pair alone: its `error` says which. Raises cv::Exception for wrong options, and if
 `threads` is below 0. */

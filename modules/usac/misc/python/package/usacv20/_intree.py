@@ -84,7 +84,7 @@ class Native:
             if workers < 2:
                 return [one(i, control) for i in range(count)]
             with ThreadPoolExecutor(workers) as pool:
-                return list(pool.map(lambda i: one(i, control), range(count)))
+                return list(pool.map(one, range(count), [control] * count))
 
         result: List[Any] = self._functions.watched(all)
         return result

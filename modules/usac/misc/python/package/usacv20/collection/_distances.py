@@ -6,7 +6,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import typing
+from typing import TYPE_CHECKING, List
 
 import numpy as np
 
@@ -16,11 +17,18 @@ if TYPE_CHECKING:
     _Array = npt.NDArray[np.float64]
 
 
-def sampsonDistances(F: _Array, points1: _Array, points2: _Array) -> _Array:
-    """Of N x 2 pixels, in pixels: the error of a match under x2^T F x1 = 0 to first order @cite hartley2003multiple (11.4.3)."""
+def sampsonDistances(F: _Array, points1: _Array, points2: _Array, shifts: typing.Sequence[int] = (0,)) -> List[_Array]:
+    """Of N x 2 pixels, in pixels: the error of a match under x2^T F x1 = 0 to first order @cite hartley2003multiple (11.4.3).
+
+    shifts -- for each of them point i of the first image is matched with point i - shift of the second, around the end"""
     lines2 = points1 @ F[:, :2].T + F[:, 2]
-    lines1 = points2 @ F[:2] + F[2]
-    algebraic = np.einsum("ij,ij->i", points2, lines2[:, :2]) + lines2[:, 2]
-    with np.errstate(all="ignore"):
-        result: _Array = np.abs(algebraic) / np.sqrt((lines1[:, :2]**2).sum(axis=1) + (lines2[:, :2]**2).sum(axis=1))
+    lines1 = points2 @ F[:2, :2] + F[2, :2]
+    squares2 = lines2[:, 0]**2 + lines2[:, 1]**2
+    squares1 = lines1[:, 0]**2 + lines1[:, 1]**2
+    x, y = points2.T
+    result = []
+    for shift in shifts:
+        algebraic = np.roll(x, shift) * lines2[:, 0] + np.roll(y, shift) * lines2[:, 1] + lines2[:, 2]
+        with np.errstate(all="ignore"):
+            result.append(np.abs(algebraic) / np.sqrt(squares2 + np.roll(squares1, shift)))
     return result

@@ -23,7 +23,7 @@ def quaternion(R: _Array) -> _Array:
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R.tolist()
     columns = ((1 + xx + yy + zz, zy - yz, xz - zx, yx - xy), (zy - yz, 1 + xx - yy - zz, xy + yx, xz + zx),
                (xz - zx, xy + yx, 1 - xx + yy - zz, yz + zy), (yx - xy, xz + zx, yz + zy, 1 - xx - yy + zz))
-    column = max(range(4), key=lambda k: columns[k][k])
-    w, x, y, z = columns[column]
+    sizes = [columns[k][k] for k in range(4)]
+    w, x, y, z = columns[sizes.index(max(sizes))]
     norm = math.copysign(math.sqrt(w * w + x * x + y * y + z * z), w)
     return np.array([w / norm + 0.0, x / norm, y / norm, z / norm])

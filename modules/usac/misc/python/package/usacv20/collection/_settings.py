@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 import dataclasses
-import functools
 from typing import Any, Dict, Tuple
 
 from .._enumerations import ScoreOrder, UsacV20Method
@@ -48,6 +47,8 @@ class Settings:
     def __post_init__(self) -> None:
         if self.method not in METHODS:
             raise CollectionError("method: one of {} is expected, not {}".format(", ".join(METHODS), self.method))
+        if self.minInliers < 1:
+            raise CollectionError("min-inliers: a positive number is expected, not {}".format(self.minInliers))
         try:
             self.params().check()
             self.rules.check()
@@ -58,7 +59,7 @@ class Settings:
         """For a file: what two runs must have in common to be one."""
         return dict(dataclasses.asdict(self), ratios=list(self.ratios))
 
-    @functools.cached_property
+    @property
     def rules(self) -> TwoViewRules:
         return TwoViewRules(self.minInliers, self.inlierRatio, self.ratios, self.planarRatio, self.calibrationRatio)
 
