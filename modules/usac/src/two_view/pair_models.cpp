@@ -78,7 +78,7 @@ String whyNot(const Report& report)
 }  // namespace
 
 PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const TwoViewRules& rules_)
-    : params(params_), rules(rules_), iterations(0), milliseconds(0), cancelled(false),
+    : params(params_), rules(rules_), iterations(0), cancelled(false),
       isCalibrated(!pair.cameraMatrix1.empty() && !pair.cameraMatrix2.empty()), scores(pair.scores)
 {
     const Mat* const cameras[] = {&pair.cameraMatrix1, &pair.cameraMatrix2};
@@ -90,6 +90,7 @@ PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const Two
         else if (!lenses[k]->empty())
             CV_Error_(Error::StsBadArg,
                       ("distCoeffs%d: a distortion needs cameraMatrix%d, which is empty", k + 1, k + 1));
+        readDistortion(*lenses[k], k ? "distCoeffs2" : "distCoeffs1");
     }
     points1 = pointsOf(pair.points1, "points1", pair.cameraMatrix1, pair.distCoeffs1);
     points2 = pointsOf(pair.points2, "points2", pair.cameraMatrix2, pair.distCoeffs2);
@@ -140,7 +141,7 @@ void PairModels::search()
 
 Ptr<Usac> PairModels::essential(const Params& given) const
 {
-    return Usac::create(ESSENTIAL, Mat(points1), Mat(points2), given, camera1, camera2);
+    return Usac::create(ESSENTIAL, points1, points2, given, camera1, camera2);
 }
 
 void PairModels::searchEssential()
@@ -168,7 +169,7 @@ void PairModels::searchFundamental()
         given = options(samples(OF_F.sampleSize));
     Mat mask;
     Report report;
-    const Mat found = Usac::create(FUNDAMENTAL, Mat(points1), Mat(points2), given)->run(mask, &report);
+    const Mat found = Usac::create(FUNDAMENTAL, points1, points2, given)->run(mask, &report);
     take(OF_F, found, mask, report, F);
 }
 
@@ -197,7 +198,7 @@ void PairModels::searchHomography()
     given.threshold *= planarReach();
     Mat mask;
     Report report;
-    const Mat found = Usac::create(HOMOGRAPHY, Mat(points1), Mat(points2), given)->run(mask, &report);
+    const Mat found = Usac::create(HOMOGRAPHY, points1, points2, given)->run(mask, &report);
     take(OF_H, found, mask, report, H);
 }
 
@@ -216,11 +217,8 @@ void PairModels::homographyOfInliers(const PairModel& explained)
             if (explained.mask.at<uchar>(i))
                 given.scores.push_back(scores[i]);
     }
-    Mat among;
-    Report report;
-    const Mat found = Usac::create(HOMOGRAPHY, Mat(swapped ? second : first), Mat(swapped ? first : second), given)
-                          ->run(among, &report);
-    account(report);
+    // Without a report: its chance is not asked for.
+    const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second, given)->run();
     if (found.empty())
         return;
     Matx33d map(found.ptr<double>());
@@ -234,7 +232,6 @@ void PairModels::homographyOfInliers(const PairModel& explained)
             model.mask.at<uchar>(i) = errors[k++] <= planarDistance() * params.threshold;
     model.inliers = countNonZero(model.mask);
     model.matrix = map(2, 2) != 0 ? map * (1 / map(2, 2)) : map;
-    model.report = report;
     if (model.inliers >= rules.minInliers)
         H = model;
 }
@@ -242,7 +239,6 @@ void PairModels::homographyOfInliers(const PairModel& explained)
 void PairModels::account(const Report& report)
 {
     iterations += report.iterations;
-    milliseconds += report.setupMs + report.searchMs + report.localMs + report.polishMs;
     cancelled = cancelled || report.stop == STOP_CANCELLED;
 }
 

@@ -63,9 +63,8 @@ public:
     Matx33d camera1, camera2;
     const Params params;
     const TwoViewRules& rules;
-    int iterations;       //!< of all models
-    double milliseconds;  //!< theirs
-    Report refused;       //!< of the best model that was refused
+    int iterations;  //!< of all models but H of inliers
+    Report refused;  //!< of the best model that was refused
     bool cancelled;
 
 private:

@@ -118,22 +118,23 @@ void classify(const TwoViewPair& pair, const PairModels& models, const PairModel
 
 TwoViewGeometry geometryOf(const TwoViewPair& pair, const Params& params, const TwoViewRules& rules)
 {
+    const int64 start = getTickCount();
     TwoViewGeometry found;
     PairModels models(pair, params, rules);
     if (models.size() >= models.leastMatches())
         models.search();
     found.iterations = models.iterations;
-    found.milliseconds = models.milliseconds;
     found.report = models.refused;
     const PairModel* const base = models.cancelled ? 0 : models.base();
     if (base)
-    {
         classify(pair, models, *base, found);
-        return found;
+    else
+    {
+        found.configuration = models.cancelled ? TWO_VIEW_UNDEFINED : TWO_VIEW_DEGENERATE;
+        found.mask = Mat::zeros(models.size(), 1, CV_8U);
+        found.reason = models.cancelled ? String("cancelled") : models.reason();
     }
-    found.configuration = models.cancelled ? TWO_VIEW_UNDEFINED : TWO_VIEW_DEGENERATE;
-    found.mask = Mat::zeros(models.size(), 1, CV_8U);
-    found.reason = models.cancelled ? String("cancelled") : models.reason();
+    found.milliseconds = (getTickCount() - start) / getTickFrequency() * 1e3;
     return found;
 }
 

@@ -129,9 +129,9 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     CV_PROP_RW Mat rotations;
     //! Of the search for the model that tells the inliers, or for the best one that was refused.
     CV_PROP_RW Report report;
-    //! Samples drawn, of all models.
+    //! Samples drawn, but for those of H among inliers.
     CV_PROP_RW int iterations;
-    //! Of all models.
+    //! Of the clock.
     CV_PROP_RW double milliseconds;
     //! Why there are no inliers, one line without a period; empty: there are.
     CV_PROP_RW String reason;

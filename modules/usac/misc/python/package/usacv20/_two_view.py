@@ -115,8 +115,8 @@ class TwoViewGeometry(typing.NamedTuple):
     t: _Double  # 3x1, unit length; 0 where the camera has only turned
     rotations: _Double  # k x 3 x 3, of cameras whose focal lengths are given: those that the matches allow
     report: Report  # of the search for the model that tells the inliers, or for the best one that was refused
-    iterations: int  # samples drawn, of all models
-    milliseconds: float  # of all models
+    iterations: int  # samples drawn, but for those of H among inliers
+    milliseconds: float  # of the clock
     reason: str  # why there are no inliers, one line without a period; empty: there are
 
 
