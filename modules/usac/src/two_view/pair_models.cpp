@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "batch_progress.hpp"
 #include "problems/camera_arguments.hpp"
 #include "read_points.hpp"
 #include "two_view/pair_models.hpp"
@@ -217,8 +218,12 @@ void PairModels::homographyOfInliers(const PairModel& explained)
             if (explained.mask.at<uchar>(i))
                 given.scores.push_back(scores[i]);
     }
-    // Without a report: its chance is not asked for.
-    const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second, given)->run();
+    Report report;
+    // Its chance, which takes time, is of no use: a report is asked for only where the run may be cancelled.
+    Report* const asked = BatchProgress::isWatched() ? &report : 0;
+    const Mat found =
+        Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second, given)->run(noArray(), asked);
+    cancelled = cancelled || report.stop == STOP_CANCELLED;
     if (found.empty())
         return;
     Matx33d map(found.ptr<double>());

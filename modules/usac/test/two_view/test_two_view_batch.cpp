@@ -75,6 +75,38 @@ TEST(Usac_TwoViewBatch, a_mistake_is_that_of_its_pair)
     EXPECT_EQ("", found[3].error);
 }
 
+//! Whenever a pair is cancelled it is told, and a scope that never says no changes no bit.
+TEST(Usac_TwoViewBatch, cancelled_at_any_time)
+{
+    SceneOptions options;
+    options.inliers = 40000;
+    options.outliers = 20000;
+    options.planeFraction = 1;
+    const Scene scene = makeScene(ESSENTIAL, options);
+    const Mat K(scene.K);
+    const TwoViewPair pair(column(scene.points1).clone(), column(scene.points2).clone(), K, K);
+    const TwoViewGeometry whole = estimateTwoViewGeometry(pair);
+    ASSERT_EQ((int)TWO_VIEW_PLANAR, whole.configuration);
+    int cancelled = 0;
+    for (int last = 1; last < 40; ++last)
+    {
+        int asked = 0;
+        const ProgressScope scope([&asked, last](const Report&) { return ++asked != last; });  // one no
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair);
+        if (found.configuration == TWO_VIEW_UNDEFINED)
+        {
+            EXPECT_EQ("cancelled", found.reason);
+            ++cancelled;
+            continue;
+        }
+        EXPECT_GT(last, asked);
+        EXPECT_EQ(whole.configuration, found.configuration);
+        EXPECT_TRUE(sameBits(whole.mask, found.mask) && sameBits(whole.H, found.H));
+        break;
+    }
+    EXPECT_GT(cancelled, 3);
+}
+
 TEST(Usac_TwoViewBatch, cancelled)
 {
     int asked = 0;
