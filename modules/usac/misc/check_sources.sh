@@ -59,7 +59,8 @@ layers='core
 scoring
 optimization
 problems
-samplers ordering neighborhood verification local_optimization polishing termination significance'
+samplers ordering neighborhood verification local_optimization polishing termination significance
+two_view'
 grep -rnoE '#include "[a-z_]+/' --include='*.[ch]pp' "$src"/*/ | grep -v opencv2 | sed -E "s|^$src/||; s|:#include \"| |; s|/\$||" | while read -r place to; do
     from=${place%%/*}
     [ "$from" = "$to" ] && continue

@@ -3,9 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include <atomic>
 #include "opencv2/usac/batch.hpp"
-#include "batch_progress.hpp"
+#include "batch_tasks.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -15,21 +14,15 @@ namespace {
 Estimate estimate(const Task& task)
 {
     Estimate result;
-    try
-    {
+    const String mistake = mistakeOf([&] {
         result.model = Usac::create(task.problem, task.points1, task.points2, task.params, task.cameraMatrix1,
                                     task.cameraMatrix2, task.distCoeffs1, task.distCoeffs2)
                            ->run(result.mask, &result.report);
-    }
-    catch (const Exception& mistake)
+    });
+    if (!mistake.empty())
     {
         result = Estimate();
-        result.error = mistake.err;
-    }
-    catch (const std::exception& mistake)
-    {
-        result = Estimate();
-        result.error = mistake.what();
+        result.error = mistake;
     }
     return result;
 }
@@ -99,27 +92,9 @@ std::vector<Estimate> estimatePairs(ProblemType problem, InputArrayOfArrays poin
 
 std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads)
 {
-    if (threads < 0)
-        CV_Error_(Error::StsOutOfRange, ("threads: 0 or more are expected, not %d", threads));
-    const int count = (int)tasks.size(), all = std::max(getNumThreads(), 1);
-    const int workers = std::min(std::min(threads > 0 ? threads : all, all), count);
     std::vector<Estimate> results(tasks.size());
-    std::atomic<int> next(0);
-    BatchProgress progress;
-    const auto work = [&](const Range& range) {
-        const BatchProgress::Worker member(progress);
-        for (int worker = range.start; worker < range.end; ++worker)
-            for (int i = next++; i < count; i = next++)
-                if (progress.goesOn())
-                    results[i] = estimate(tasks[i]);
-                else
-                    results[i].report.stop = STOP_CANCELLED;
-    };
-    if (workers > 1)
-        parallel_for_(Range(0, workers), work, workers);
-    else
-        work(Range(0, 1));
-    progress.finish();
+    forEachTask((int)tasks.size(), threads, [&](int i) { results[i] = estimate(tasks[i]); },
+                [&](int i) { results[i].report.stop = STOP_CANCELLED; });
     return results;
 }
 

@@ -24,6 +24,8 @@ class BatchProgress
 {
 public:
     BatchProgress();
+    //! Has the calling thread a scope, so that an estimation of its may be cancelled?
+    static bool isWatched() { return ProgressScope::current() != 0; }
 
     //! A thread while it works for the batch.
     class Worker

@@ -19,6 +19,7 @@ cv::estimateAffinePartial2D, cv::findFundamentalMat, cv::findEssentialMat and cv
 usacv20::estimateFundamental, usacv20::estimateEssential, usacv20::estimateAbsolutePose, usacv20::estimateRigid3D,
 usacv20::estimateSimilarity3D.
    Many of them in one call, side by side: usacv20::estimateBatch, usacv20::estimateHomographies and so on.
+   What two images are to each other, by all of these: usacv20::estimateTwoViewGeometry.
 3. A component of one's own: usacv20::Usac::create builds the default set, each can be replaced before
 usacv20::Usac::run.
 */
@@ -43,5 +44,6 @@ All else of this module, see @ref usacv20. */
 #include "opencv2/usac/estimator.hpp"
 #include "opencv2/usac/given.hpp"
 #include "opencv2/usac/relative_pose.hpp"
+#include "opencv2/usac/two_view_geometry.hpp"
 
 #endif

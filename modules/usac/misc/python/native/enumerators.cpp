@@ -8,7 +8,7 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-//! Name and value of all enumerators of params.hpp and report.hpp.
+//! Name and value of all enumerators of params.hpp, report.hpp and two_view_geometry.hpp.
 static py::dict enumerators()
 {
     py::dict result;
@@ -88,6 +88,14 @@ static py::dict enumerators()
     USACV20_ENUMERATOR(STOP_TIME);
     USACV20_ENUMERATOR(STOP_CANCELLED);
     USACV20_ENUMERATOR(STOP_NO_SEARCH);
+    USACV20_ENUMERATOR(TWO_VIEW_UNDEFINED);
+    USACV20_ENUMERATOR(TWO_VIEW_DEGENERATE);
+    USACV20_ENUMERATOR(TWO_VIEW_CALIBRATED);
+    USACV20_ENUMERATOR(TWO_VIEW_UNCALIBRATED);
+    USACV20_ENUMERATOR(TWO_VIEW_PLANAR);
+    USACV20_ENUMERATOR(TWO_VIEW_PANORAMIC);
+    USACV20_ENUMERATOR(TWO_VIEW_PLANAR_OR_PANORAMIC);
+    USACV20_ENUMERATOR(TWO_VIEW_WATERMARK);
 #undef USACV20_ENUMERATOR
     return result;
 }

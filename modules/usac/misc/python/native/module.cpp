@@ -35,6 +35,7 @@ PYBIND11_MODULE(_native, module)
     addFind(module);
     addLens(module);
     addGiven(module);
+    addTwoView(module);
     addProgress(module);
     addRng(module);
     addUsac(module);

@@ -76,6 +76,20 @@ class Scene(object):
         return np.array([tuple(match) in inliers for match in self.matches.tolist()])
 
 
+def rightSamples(sample, matches, right):
+    """The part of the samples, drawn without replacement, whose points all are right."""
+    part = 1.0
+    for i in range(sample):
+        part *= (right - i) / (matches - i)
+    return part
+
+
+def missedBySample(sample, matches, ratio):
+    """Logarithm of the chance that one sample of E does not find a pair, with what the local optimization adds."""
+    easy = min(max((ratio * matches / 15)**2, 1), 4)
+    return easy * math.log1p(-rightSamples(sample, matches, math.ceil(ratio * matches - 1e-9)))
+
+
 def verified(scene, **settings):
     return verifyPairs([scene.pair], Settings(**dict({"threshold": 2.0}, **settings)))[0]
 
@@ -142,7 +156,7 @@ class GeometryTest(unittest.TestCase):
             needed = settings.needed(5, 80)
             self.assertLess(needed, before)
             tail = [0.25 + 0.2 * (i + 0.5) / 8 for i in range(8)]  # any ratio that is less, as many as one pair together
-            logs = np.array([settings._missedBySample(5, 80, ratio) for ratio in [0.45] * count + tail])
+            logs = np.array([missedBySample(5, 80, ratio) for ratio in [0.45] * count + tail])
             weights = np.array([1.] * count + [1 / 8] * 8) / (count + 1)
             self.assertLessEqual(weights @ np.exp(needed * logs), 0.001)
             self.assertTrue(needed == 500 or weights @ np.exp((needed - 2) * logs) > 0.001)
@@ -154,9 +168,9 @@ class GeometryTest(unittest.TestCase):
     def test_samples_of_many_right_matches(self):
         """The local optimization needs less of them than luck does: as many pairs are found as by ten times as many samples."""
         settings = Settings(threshold=1)
-        full = math.log(0.001) / math.log1p(-settings._rightSamples(5, 200, 0.25))
+        full = math.log(0.001) / math.log1p(-rightSamples(5, 200, 50))
         self.assertLess(settings.needed(5, 200), full / 3.9)
-        self.assertGreater(settings.needed(5, 60), 0.95 * math.log(0.001) / math.log1p(-settings._rightSamples(5, 60, 0.25)))
+        self.assertGreater(settings.needed(5, 60), 0.95 * math.log(0.001) / math.log1p(-rightSamples(5, 60, 15)))
         self.assertEqual(Settings(method="USACV20_FAST", threshold=1).needed(5, 200), math.ceil(full))
         pairs = []
         for seed in range(100):

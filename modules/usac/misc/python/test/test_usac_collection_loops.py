@@ -22,7 +22,7 @@ if not IN_TREE:
     from usacv20.collection._database_sink import DatabaseSink
     from usacv20.collection._loops import LONGEST, Edge, contradicted
     from usacv20.collection._pair import CollectionError, Configuration, TwoView
-    from usacv20.collection._poses import essentialOf, motionOfEssential, quaternion, rotationsOfPlane
+    from usacv20.collection._poses import quaternion
 
 SAMPLES = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..", "..", "samples",
                                         "benchmark", "collection"))
@@ -92,30 +92,6 @@ class LoopsTest(unittest.TestCase):
         self.assertEqual(list(contradicted(chain(ring) + [plane])), [(0, 4)])
         both = np.concatenate([plane.rotations, -ring.edge(0, 4, 30).rotations])  # q and -q are one rotation
         self.assertEqual(contradicted(chain(ring) + [plane._replace(rotations=both)]), {})
-
-    def test_rotations_of_a_plane(self):
-        rng = np.random.RandomState(3)
-        for trial in range(50):
-            R, t, normal = rotationOf(rng.normal(0, 0.4, 3)), rng.normal(0, 0.3, 3), np.array([*rng.normal(0, 0.3, 2), 1])
-            if trial % 5 == 0:
-                t = 1e-9 * t
-            H = rng.choice([-3, 0.2]) * (R + np.outer(t, normal / np.linalg.norm(normal)))
-            found = rotationsOfPlane(H)
-            self.assertLess(min(np.abs(other - R).max() for other in found), 1e-6)
-            for other in found:
-                np.testing.assert_allclose(other.dot(other.T), np.eye(3), atol=1e-9)
-                self.assertGreater(np.linalg.det(other), 0)
-
-    def test_essential_matrix_of_a_fundamental_one(self):
-        rng = np.random.RandomState(4)
-        K1, K2 = np.array([[900., 0, 500], [0, 905, 400], [0, 0, 1]]), np.array([[700., 0, 300], [0, 700, 200], [0, 0, 1]])
-        R, t = rotationOf([0.1, -0.3, 0.2]), np.array([1, 0.2, -0.1])
-        X = rng.uniform([-2, -2, 4], [2, 2, 8], (50, 3))
-        E = np.cross(np.eye(3), t).T.dot(R)
-        F = np.linalg.inv(K2).T.dot(E).dot(np.linalg.inv(K1))
-        found = motionOfEssential(essentialOf(F, K1, K2), X / X[:, 2:], (X.dot(R.T) + t) / (X.dot(R.T) + t)[:, 2:])
-        np.testing.assert_allclose(found[0], R, atol=1e-9)
-        np.testing.assert_allclose(found[1], t / np.linalg.norm(t), atol=1e-9)
 
 
 @once

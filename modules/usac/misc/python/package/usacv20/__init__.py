@@ -52,11 +52,12 @@ from ._enumerations import (
     POLISHING_REWEIGHTED, POLISHING_ROBUST, QUALITY_INLIERS, QUALITY_LMEDS, QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS,
     QUALITY_MLESAC, QUALITY_MSAC, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC, RIGID_3D, SAMPLER_IMPORTANCE, SAMPLER_NAPSAC,
     SAMPLER_PROSAC, SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SCORES_HIGHER_IS_BETTER, SCORES_LOWER_IS_BETTER, SIMILARITY,
-    SIMILARITY_3D, STOP_CANCELLED, STOP_CUSTOM, STOP_MAGSAC, STOP_MAX_ITERATIONS, STOP_NOT_RUN, STOP_NOT_SIGNIFICANT, STOP_NO_MODEL,
-    STOP_NO_SEARCH, STOP_TIME,
-    STOP_ORDER, STOP_PROSAC, STOP_P_NAPSAC, STOP_SPRT, STOP_STANDARD, STOP_TOO_FEW_POINTS, TERMINATION_EXACT,
-    TERMINATION_MAGSAC, TERMINATION_ORDER, TERMINATION_PROSAC, TERMINATION_P_NAPSAC, TERMINATION_SPRT,
-    TERMINATION_STANDARD, USACV20, USACV20_ACCURATE, USACV20_FAST, USACV20_MAGSAC, USACV20_PARALLEL, USACV20_PROSAC,
+    SIMILARITY_3D, STOP_CANCELLED, STOP_CUSTOM, STOP_MAGSAC, STOP_MAX_ITERATIONS, STOP_NOT_RUN, STOP_NOT_SIGNIFICANT,
+    STOP_NO_MODEL, STOP_NO_SEARCH, STOP_TIME, STOP_ORDER, STOP_PROSAC, STOP_P_NAPSAC, STOP_SPRT, STOP_STANDARD,
+    STOP_TOO_FEW_POINTS, TERMINATION_EXACT, TERMINATION_MAGSAC, TERMINATION_ORDER, TERMINATION_PROSAC,
+    TERMINATION_P_NAPSAC, TERMINATION_SPRT, TERMINATION_STANDARD, TWO_VIEW_CALIBRATED, TWO_VIEW_DEGENERATE,
+    TWO_VIEW_PANORAMIC, TWO_VIEW_PLANAR, TWO_VIEW_PLANAR_OR_PANORAMIC, TWO_VIEW_UNCALIBRATED, TWO_VIEW_UNDEFINED,
+    TWO_VIEW_WATERMARK, USACV20, USACV20_ACCURATE, USACV20_FAST, USACV20_MAGSAC, USACV20_PARALLEL, USACV20_PROSAC,
     VERIFICATION_NONE, VERIFICATION_SPRT, VERIFICATION_TDD)
 from ._errors import errorClass as _errorClass
 from ._essential import findEssentialMat
@@ -70,12 +71,13 @@ from ._params import Params
 from ._pose import solvePnPRansac
 from ._relative_pose import RelativePose, estimateRelativePose
 from ._report import Report
+from ._two_view import TwoViewGeometry, TwoViewPair, TwoViewRules, estimateTwoViewGeometries, estimateTwoViewGeometry
 # Not in __all__, whose names help() shows, but exported: under its own name a type checker takes it for that.
 from ._enumerations import (
     DegeneracyFlags as DegeneracyFlags, LocalOptimizationType as LocalOptimizationType,
     NeighborhoodType as NeighborhoodType, OrderingType as OrderingType, PolishingType as PolishingType,
     ProblemType as ProblemType, QualityType as QualityType, ResidualType as ResidualType, SamplerType as SamplerType,
-    ScoreOrder as ScoreOrder, StopReason as StopReason, TerminationFlags as TerminationFlags,
+    ScoreOrder as ScoreOrder, StopReason as StopReason, TerminationFlags as TerminationFlags, TwoViewConfiguration as TwoViewConfiguration,
     UsacV20Method as UsacV20Method, VerificationType as VerificationType)
 from ._params import UsacParams as UsacParams
 from ._progress import progress as progress
@@ -95,12 +97,16 @@ __all__ = [
     "STOP_CANCELLED", "STOP_NO_SEARCH", "STOP_TIME", "STOP_NOT_RUN", "STOP_NOT_SIGNIFICANT", "STOP_NO_MODEL", "STOP_ORDER", "STOP_PROSAC", "STOP_P_NAPSAC",
     "STOP_SPRT", "STOP_STANDARD", "STOP_TOO_FEW_POINTS", "TERMINATION_EXACT", "TERMINATION_MAGSAC",
     "TERMINATION_ORDER", "TERMINATION_PROSAC", "TERMINATION_P_NAPSAC", "TERMINATION_SPRT", "TERMINATION_STANDARD",
+    "TWO_VIEW_CALIBRATED", "TWO_VIEW_DEGENERATE", "TWO_VIEW_PANORAMIC", "TWO_VIEW_PLANAR",
+    "TWO_VIEW_PLANAR_OR_PANORAMIC", "TWO_VIEW_UNCALIBRATED", "TWO_VIEW_UNDEFINED", "TWO_VIEW_WATERMARK",
     "USACV20", "USACV20_ACCURATE", "USACV20_FAST", "USACV20_MAGSAC", "USACV20_PARALLEL", "USACV20_PROSAC",
-    "VERIFICATION_NONE", "VERIFICATION_SPRT", "VERIFICATION_TDD", "RelativePose", "draw_matches", "estimateRelativePose", "fitModel", "modelErrors", "refineModel", "estimateAbsolutePose",
+    "VERIFICATION_NONE", "VERIFICATION_SPRT", "VERIFICATION_TDD", "RelativePose", "TwoViewGeometry", "TwoViewPair",
+    "TwoViewRules", "draw_matches", "estimateRelativePose", "fitModel", "modelErrors", "refineModel", "estimateAbsolutePose",
     "estimateAbsolutePoses", "estimateAffine2D", "estimateAffinePartial2D", "estimateAffinities2D",
     "estimateAffinity2D", "estimateEssential", "estimateEssentials", "estimateFundamental", "estimateFundamentals",
     "estimateHomographies", "estimateHomography", "estimateRigid3D", "estimateRigids3D", "estimateSimilarities2D",
-    "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D", "findEssentialMat",
+    "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D", "estimateTwoViewGeometries",
+    "estimateTwoViewGeometry", "findEssentialMat",
     "findFundamentalMat", "findHomography", "isUsacV20Method", "patch_cv2", "progress", "removeDistortion", "solvePnPRansac",
     "unpatch_cv2"]
 

@@ -152,6 +152,19 @@ class StopReason(enum.IntEnum):
     STOP_NO_SEARCH = 14  # of fitModel and refineModel: nothing was searched
 
 
+class TwoViewConfiguration(enum.IntEnum):
+    """What two images are to each other, with COLMAP's numbers."""
+
+    TWO_VIEW_UNDEFINED = 0  # nothing is known: the arguments are wrong, or the estimation was cancelled
+    TWO_VIEW_DEGENERATE = 1  # no model is good enough
+    TWO_VIEW_CALIBRATED = 2  # an essential matrix, and a pose
+    TWO_VIEW_UNCALIBRATED = 3  # a fundamental matrix: the focal lengths are not known, or are wrong
+    TWO_VIEW_PLANAR = 4  # a plane, seen by calibrated cameras that have moved
+    TWO_VIEW_PANORAMIC = 5  # a calibrated camera that has only turned
+    TWO_VIEW_PLANAR_OR_PANORAMIC = 6  # one of these two, of cameras whose focal lengths are not known
+    TWO_VIEW_WATERMARK = 7  # matches in the border of both images that stay where they are
+
+
 USACV20 = UsacV20Method.USACV20
 USACV20_FAST = UsacV20Method.USACV20_FAST
 USACV20_ACCURATE = UsacV20Method.USACV20_ACCURATE
@@ -227,3 +240,11 @@ STOP_ORDER = StopReason.STOP_ORDER
 STOP_TIME = StopReason.STOP_TIME
 STOP_CANCELLED = StopReason.STOP_CANCELLED
 STOP_NO_SEARCH = StopReason.STOP_NO_SEARCH
+TWO_VIEW_UNDEFINED = TwoViewConfiguration.TWO_VIEW_UNDEFINED
+TWO_VIEW_DEGENERATE = TwoViewConfiguration.TWO_VIEW_DEGENERATE
+TWO_VIEW_CALIBRATED = TwoViewConfiguration.TWO_VIEW_CALIBRATED
+TWO_VIEW_UNCALIBRATED = TwoViewConfiguration.TWO_VIEW_UNCALIBRATED
+TWO_VIEW_PLANAR = TwoViewConfiguration.TWO_VIEW_PLANAR
+TWO_VIEW_PANORAMIC = TwoViewConfiguration.TWO_VIEW_PANORAMIC
+TWO_VIEW_PLANAR_OR_PANORAMIC = TwoViewConfiguration.TWO_VIEW_PLANAR_OR_PANORAMIC
+TWO_VIEW_WATERMARK = TwoViewConfiguration.TWO_VIEW_WATERMARK

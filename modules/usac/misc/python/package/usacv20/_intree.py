@@ -7,9 +7,14 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, Dict, List, Tuple
+from typing import Any, Callable, Dict, List, Tuple
 
 from ._intree_progress import Progress, Runs
+
+_PAIR = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2", "imageSize1", "imageSize2", "taken1",
+         "taken2", "scores")
+_GEOMETRY = ("configuration", "mask", "inliers", "F", "E", "H", "R", "t", "rotations", "report", "iterations", "milliseconds", "reason",
+             "error")
 
 
 class Native:
@@ -26,6 +31,7 @@ class Native:
         self._constants = {name: value for name, value in vars(cv2._native).items() if name.startswith("USACV20")}
         self.Params = native.Params
         self.Report = native.Report
+        self.TwoViewRules = native.TwoViewRules
         self.isUsacV20Method = native.isUsacV20Method
         self.removeDistortion = native.removeDistortion
         names = ("Homography", "Fundamental", "Essential", "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D")
@@ -67,17 +73,52 @@ class Native:
             except self._cv2.error as mistake:
                 return None, None, self.Report(), str(getattr(mistake, "err", "") or mistake)
 
+        return self._each(one, len(points1), threads)
+
+    def _each(self, one: Callable[[int, Any], Any], count: int, threads: int) -> List[Any]:
+        """The results of many calls with a number and what can stop them."""
         most = self._cv2.getNumThreads()
-        workers = min(threads or most, most, len(points1))
+        workers = min(threads or most, most, count)
 
-        def all(control: Any) -> List[Tuple[Any, Any, Any, str]]:
+        def all(control: Any) -> List[Any]:
             if workers < 2:
-                return [one(i, control) for i in range(len(points1))]
+                return [one(i, control) for i in range(count)]
             with ThreadPoolExecutor(workers) as pool:
-                return list(pool.map(lambda i: one(i, control), range(len(points1))))
+                return list(pool.map(one, range(count), [control] * count))
 
-        result: List[Tuple[Any, Any, Any, str]] = self._functions.watched(all)
+        result: List[Any] = self._functions.watched(all)
         return result
+
+    def _geometry(self, given: Tuple[Any, ...], params: Any, rules: Any) -> Tuple[Any, ...]:
+        pair = self._native.TwoViewPair()
+        for name, value in zip(_PAIR, given):
+            if value is not None:
+                setattr(pair, name, value)
+        found = self._native.estimateTwoViewGeometry(pair, params, rules)
+        return tuple(getattr(found, name) for name in _GEOMETRY)
+
+    def estimateTwoViewGeometry(self, pair: Tuple[Any, ...], params: Any, rules: Any) -> Any:
+        return self._functions.watched(
+            lambda control: self._functions.entered(control, lambda: self._geometry(pair, params, rules)))
+
+    def estimateTwoViewGeometries(self, pairs: List[Tuple[Any, ...]], params: Any, rules: Any,
+                                  threads: int) -> List[Tuple[Any, ...]]:
+        params.check()
+        rules.check()
+
+        def failed(report: Any, reason: str, error: str) -> Tuple[Any, ...]:
+            return 0, None, 0, None, None, None, None, None, None, report, 0, 0.0, reason, error
+
+        def one(i: int, control: Any) -> Tuple[Any, ...]:
+            if control is not None and control.cancelled():
+                return failed(self._functions.notBegun()[2], "cancelled", "")
+            try:
+                found: Tuple[Any, ...] = self._functions.entered(control, lambda: self._geometry(pairs[i], params, rules))
+                return found
+            except self._cv2.error as mistake:
+                return failed(self.Report(), "", str(getattr(mistake, "err", "") or mistake))
+
+        return self._each(one, len(pairs), threads)
 
     def fitModel(self, problem: int, points1: Any, points2: Any, params: Any, weights: Any, chosen: Any, cameraMatrix1: Any,
                  cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any) -> Any:

@@ -6,7 +6,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import typing
+from typing import TYPE_CHECKING, List
 
 import numpy as np
 
@@ -16,33 +17,22 @@ if TYPE_CHECKING:
     _Array = npt.NDArray[np.float64]
 
 
-def sampsonDistances(F: _Array, points1: _Array, points2: _Array) -> _Array:
-    """Of N x 2 pixels, in pixels: the error of a match under x2^T F x1 = 0 to first order @cite hartley2003multiple (11.4.3)."""
+def sampsonDistances(F: _Array, points1: _Array, points2: _Array, shifts: typing.Sequence[int] = (0,)) -> List[_Array]:
+    """Of N x 2 pixels, in pixels: the error of a match under x2^T F x1 = 0 to first order @cite hartley2003multiple (11.4.3).
+
+    shifts -- for each of them point i of the first image is matched with point i - shift of the second, around the end;
+        0 to the number of the points"""
     lines2 = points1 @ F[:, :2].T + F[:, 2]
-    lines1 = points2 @ F[:2] + F[2]
-    algebraic = np.einsum("ij,ij->i", points2, lines2[:, :2]) + lines2[:, 2]
-    with np.errstate(all="ignore"):
-        result: _Array = np.abs(algebraic) / np.sqrt((lines1[:, :2]**2).sum(axis=1) + (lines2[:, :2]**2).sum(axis=1))
+    lines1 = points2 @ F[:2, :2] + F[2, :2]
+    squares2 = lines2[:, 0]**2 + lines2[:, 1]**2
+    squares1 = lines1[:, 0]**2 + lines1[:, 1]**2
+    # Twice one after the other, of which slices are what np.roll would copy.
+    x, y, squares = np.tile(points2[:, 0], 2), np.tile(points2[:, 1], 2), np.tile(squares1, 2)
+    count = len(points2)
+    result = []
+    for shift in shifts:
+        part = slice(count - shift, 2 * count - shift)
+        algebraic = x[part] * lines2[:, 0] + y[part] * lines2[:, 1] + lines2[:, 2]
+        with np.errstate(all="ignore"):
+            result.append(np.abs(algebraic) / np.sqrt(squares2 + squares[part]))
     return result
-
-
-def area(points: _Array) -> float:
-    """The square of the area that the points cover, up to a factor; some of them tell it."""
-    x, y = (points[:: len(points) // 200 + 1] - points[0]).T
-    n = len(x)
-    xx, xy, yy = (a @ b / n - a.sum() * b.sum() / (n * n) for a, b in ((x, x), (x, y), (y, y)))
-    return float(xx * yy - xy * xy)
-
-
-def mapDistances(H: _Array, first: _Array, second: _Array) -> _Array:
-    """Sampson distances: to first order, of a match to the nearest one that H maps exactly, in both images. Infinite where H
-    takes the point to the other side of the camera than most of the points."""
-    x, y = first[:, 0], first[:, 1]
-    with np.errstate(all="ignore"):
-        w = H[2, 0] * x + H[2, 1] * y + H[2, 2]
-        u, v = (H[0, 0] * x + H[0, 1] * y + H[0, 2]) / w, (H[1, 0] * x + H[1, 1] * y + H[1, 2]) / w
-        ux, uy, vx, vy = ((row[k] - moved * H[2, k]) / w for row, moved in ((H[0], u), (H[1], v)) for k in (0, 1))
-        a, b, c = 1 + ux * ux + uy * uy, ux * vx + uy * vy, 1 + vx * vx + vy * vy  # the covariance of the error
-        eu, ev = second[:, 0] - u, second[:, 1] - v
-        squared = (c * eu * eu - 2 * b * eu * ev + a * ev * ev) / (a * c - b * b)
-        return np.where(w * np.median(w) > 0, np.sqrt(np.maximum(squared, 0)), np.inf)

@@ -25,6 +25,7 @@ The threshold is that within which `QUANTILE` of the right matches are."""
 
 from __future__ import annotations
 
+import copy
 import hashlib
 import heapq
 import math
@@ -57,7 +58,8 @@ IN_SIGMAS = 1.96  # what that is of a normal distribution with one degree of fre
 MEDIAN_IN_SIGMAS = 0.6745
 
 FIRST = 1.0  # pixels, threshold of the first round, whose search finds the scale by itself
-CONFIDENCE, ITERATIONS = 0.99, 2000  # pairs that need more are left out
+CONFIDENCE, ITERATIONS = 0.99, 500  # pairs that need more are left out
+AGAIN = 100  # samples of a round that starts from the models of the one before
 ROUNDS, SETTLED = 4, 0.05  # most rounds; relative change that ends them
 MOST = 1000  # matches of a pair that are looked at
 SHIFTS = 3  # wrong matches for each match
@@ -88,6 +90,7 @@ class ThresholdEstimate:
     asked: int  # pairs
     used: int  # pairs that tell the noise
     ratios: Tuple[float, ...] = ()  # of those pairs, in order: the part of the matches that is within the threshold
+    sizes: Tuple[int, ...] = ()  # matches of those pairs, in order
 
     def describe(self) -> str:
         """One sentence for a log."""
@@ -125,12 +128,13 @@ def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> Thres
     used."""
     params = Params.magsacPlusPlus()
     threshold = FIRST
-    left = list(pairs)
+    left: List[Tuple[Pair, Optional[_Model]]] = [(pair, None) for pair in pairs]
     for step in range(ROUNDS):
         params.threshold, params.seed = threshold, settings.seed
-        params.confidence, params.maxIterations = CONFIDENCE, ITERATIONS
-        found = [None if model is None else _errors(pair, model) for pair, model in zip(left, _models(left, params))]
-        left = [pair for pair, errors in zip(left, found) if errors is not None]
+        params.confidence, params.maxIterations = CONFIDENCE, ITERATIONS if step == 0 else AGAIN
+        models = _models(left, params)
+        found = [None if model is None else _errors(pair, model) for (pair, _), model in zip(left, models)]
+        left = [(pair, model) for (pair, _), model, errors in zip(left, models, found) if errors is not None]
         told = [errors for errors in found if errors is not None]
         if not told:
             return ThresholdEstimate(Settings().threshold, math.nan, math.nan, len(pairs), 0)
@@ -143,37 +147,52 @@ def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> Thres
     low, high = np.quantile(sigmas, [0.25, 0.75])
     ratios = sorted(round(float(np.mean(pair.errors <= threshold)), 2) for pair in told)
     return ThresholdEstimate(float("{:.3g}".format(threshold)), sigma, float(high - low) / 2 / sigma, len(pairs), len(left),
-                             tuple(ratios))
+                             tuple(ratios), tuple(sorted(len(pair.matches) for pair, _ in left)))
 
 
 class _Model(typing.NamedTuple):
     F: _Numbers
     parameters: int
+    estimated: _Numbers  # E or F
 
 
-def _models(pairs: typing.Sequence[Pair], params: Params) -> List[Optional[_Model]]:
-    """Of each pair; None: there is none that is significant."""
+def _models(pairs: typing.Sequence[Tuple[Pair, Optional[_Model]]], params: Params) -> List[Optional[_Model]]:
+    """Of each pair, from its model of the round before; None: there is none that is significant."""
     result: List[Optional[_Model]] = [None] * len(pairs)
     for calibrated in (False, True):
-        which = [i for i, pair in enumerate(pairs) if (pair.first.focalKnown and pair.second.focalKnown) == calibrated]
+        which = [i for i, (pair, _) in enumerate(pairs) if (pair.first.focalKnown and pair.second.focalKnown) == calibrated]
         if not which:
             continue
-        chosen = [pairs[i] for i in which]
-        first, second = [pair.first.points for pair in chosen], [pair.second.points for pair in chosen]
+        chosen = [pairs[i][0] for i in which]
+        first, second = [_some(pair.first.points) for pair in chosen], [_some(pair.second.points) for pair in chosen]
+        options = [_from(pairs[i][1], params) for i in which]
         outcomes: List[Any]
         if calibrated:
             outcomes = estimateEssentials(first, second, [pair.first.matrix for pair in chosen],
-                                          [pair.second.matrix for pair in chosen], params=params, returnExceptions=True)
+                                          [pair.second.matrix for pair in chosen], params=options, returnExceptions=True)
         else:
-            outcomes = estimateFundamentals(first, second, params, returnExceptions=True)
+            outcomes = estimateFundamentals(first, second, options, returnExceptions=True)
         for i, outcome in zip(which, outcomes):
             if isinstance(outcome, Exception) or outcome[0] is None:
                 continue
             F = outcome[0]
             if calibrated:
-                F = np.linalg.inv(pairs[i].second.matrix).T @ F @ np.linalg.inv(pairs[i].first.matrix)
-            result[i] = _Model(F, 5 if calibrated else 7)
+                F = np.linalg.inv(pairs[i][0].second.matrix).T @ F @ np.linalg.inv(pairs[i][0].first.matrix)
+            result[i] = _Model(F, 5 if calibrated else 7, outcome[0])
     return result
+
+
+def _from(before: Optional[_Model], params: Params) -> Params:
+    if before is None:
+        return params
+    result = copy.copy(params)
+    result.setInitialModel(before.estimated)
+    return result
+
+
+def _some(points: _Numbers) -> _Numbers:
+    """Of many points a part, spread evenly."""
+    return points[::-(-len(points) // MOST) or 1]
 
 
 class _Errors(typing.NamedTuple):
@@ -186,14 +205,12 @@ class _Errors(typing.NamedTuple):
 
 def _errors(pair: Pair, model: _Model) -> Optional[_Errors]:
     """None: the pair tells nothing."""
-    a, b = pair.first.points, pair.second.points
-    a, b = a[::-(-len(a) // MOST)], b[::-(-len(b) // MOST)]
+    a, b = _some(pair.first.points), _some(pair.second.points)
     count = len(a)
     if count <= LEAST_INLIERS + model.parameters:
         return None
-    errors = _sorted(sampsonDistances(model.F, a, b))
-    wrong = _sorted(np.concatenate([sampsonDistances(model.F, a, np.roll(b, count * k // (SHIFTS + 1), 0))
-                                    for k in range(1, SHIFTS + 1)]))
+    right, *others = sampsonDistances(model.F, a, b, [count * k // (SHIFTS + 1) for k in range(SHIFTS + 1)])
+    errors, wrong = _sorted(right), _sorted(np.concatenate(others))
     inliers, evidence = _inliers(errors, wrong, model.parameters)
     # A model with one more match than its parameters can be chosen in count^(parameters + 1) ways.
     if inliers < LEAST_INLIERS + model.parameters or evidence < max(

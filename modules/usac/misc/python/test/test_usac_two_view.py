@@ -1,0 +1,146 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What two images are to each other: configurations, many pairs, mistakes, rules."""
+
+import pickle
+import unittest
+
+import numpy as np
+
+from usac_camera import rotation
+from usac_common import ERRORS, bits, usac
+
+K = np.array([[900., 0, 640], [0, 900, 480], [0, 0, 1]])
+SIZE = (1280, 960)
+
+
+def scene(seed, kind="general", right=150, wrong=60):
+    """(points1, points2, R, t) of two cameras with K; the right matches come first."""
+    rng = np.random.RandomState(seed)
+    R, t = rotation(rng.normal(0, 0.1, 3)), np.array([1, 0.2, 0.1]) * (kind != "rotation")
+    X = rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (right, 3))
+    if kind == "plane":
+        X[:, 2] = 6 + 0.3 * X[:, 0]
+    first, second = X, X @ R.T + t
+    images = []
+    for points in (first, second):
+        x = points @ K.T
+        images.append(np.concatenate([x[:, :2] / x[:, 2:] + rng.normal(0, 0.4, (right, 2)), rng.uniform(0, SIZE, (wrong, 2))]))
+    return images[0], images[1], R, t
+
+
+def values(geometry):
+    """In a form that compares byte for byte, without times."""
+    return (geometry.configuration, geometry.inliers, geometry.iterations, geometry.reason, geometry.report.chance,
+            bits(tuple(getattr(geometry, name) for name in ("mask", "F", "E", "H", "R", "t", "rotations"))))
+
+
+class TwoViewTest(unittest.TestCase):
+
+    def test_calibrated(self):
+        for seed in range(5):
+            a, b, R, t = scene(seed)
+            found = usac.estimateTwoViewGeometry(a, b, K, K, params=usac.Params(threshold=1.5))
+            self.assertIs(found.configuration, usac.TWO_VIEW_CALIBRATED)
+            self.assertEqual((found.R.shape, found.t.shape, found.mask.shape), ((3, 3), (3, 1), (210, 1)))
+            np.testing.assert_allclose(found.R, R, atol=0.01)
+            np.testing.assert_allclose(found.t.ravel(), t / np.linalg.norm(t), atol=0.05)
+            self.assertEqual(found.inliers, found.mask.sum())
+            self.assertGreater(found.mask[:150].sum(), 140)
+            np.testing.assert_array_equal(found.rotations, found.R[None])
+            self.assertEqual((found.reason, found.report.inliers), ("", found.inliers))
+            F = np.linalg.inv(K).T @ found.E @ np.linalg.inv(K)
+            np.testing.assert_allclose(found.F, F / np.linalg.norm(F), atol=1e-12)
+
+    def test_other_configurations(self):
+        for seed in range(3):
+            a, b, _, _ = scene(seed)
+            for cameras in ((None, None), (K, None), (None, K)):
+                found = usac.estimateTwoViewGeometry(a, b, *cameras)
+                self.assertIs(found.configuration, usac.TWO_VIEW_UNCALIBRATED)
+                self.assertIsNone(found.E)
+                self.assertIsNone(found.rotations)
+            a, b, R, _ = scene(seed, "plane")
+            found = usac.estimateTwoViewGeometry(a, b, K, K)
+            self.assertIs(found.configuration, usac.TWO_VIEW_PLANAR)
+            self.assertLess(min(np.abs(other - R).max() for other in found.rotations), 0.02)
+            self.assertIs(usac.estimateTwoViewGeometry(a, b).configuration, usac.TWO_VIEW_PLANAR_OR_PANORAMIC)
+            a, b, R, _ = scene(seed, "rotation")
+            found = usac.estimateTwoViewGeometry(a, b, K, K)
+            self.assertIs(found.configuration, usac.TWO_VIEW_PANORAMIC)
+            np.testing.assert_allclose(found.R, R, atol=0.01)
+            self.assertFalse(found.t.any())
+            a, b, _, _ = scene(seed, right=0)
+            found = usac.estimateTwoViewGeometry(a, b, K, K)
+            self.assertIs(found.configuration, usac.TWO_VIEW_DEGENERATE)
+            self.assertEqual((found.inliers, found.mask.sum(), found.F), (0, 0, None))
+            self.assertRegex(found.reason, "^[EFH]: ")
+        few = usac.estimateTwoViewGeometry(np.zeros((3, 2)), np.zeros((3, 2)))
+        self.assertEqual(few.reason, "3 matches, 15 are needed")
+
+    def test_watermark(self):
+        rng = np.random.RandomState(1)
+        a = rng.uniform([10, 900], [300, 950], (60, 2))
+        b = a + [2, 0] + rng.normal(0, 0.3, a.shape)
+        self.assertIsNot(usac.estimateTwoViewGeometry(a, b).configuration, usac.TWO_VIEW_WATERMARK)
+        found = usac.estimateTwoViewGeometry(a, b, imageSize1=SIZE, imageSize2=SIZE)
+        self.assertIs(found.configuration, usac.TWO_VIEW_WATERMARK)
+        moved = usac.TwoViewPair(a, b, imageSize1=SIZE, imageSize2=SIZE, taken2=b - [0, 400])
+        self.assertIsNot(usac.estimateTwoViewGeometries([moved])[0].configuration, usac.TWO_VIEW_WATERMARK)
+
+    def test_same_as_one_by_one(self):
+        pairs = [usac.TwoViewPair(*scene(seed, kind, wrong=40 * seed)[:2], *cameras)
+                 for seed in range(4) for kind in ("general", "plane", "rotation") for cameras in ((), (K, K))]
+        expected = [values(usac.estimateTwoViewGeometry(*pair[:4])) for pair in pairs]
+        for threads in (0, 1, 2, 3):
+            self.assertEqual([values(found) for found in usac.estimateTwoViewGeometries(pairs, threads=threads)], expected)
+        self.assertEqual(usac.estimateTwoViewGeometries([]), [])
+
+    def test_scores(self):
+        a, b, _, _ = scene(1, right=40, wrong=960)
+        scores = np.where(np.arange(1000) < 40, 0.1, 0.9) + np.random.RandomState(1).uniform(-.05, .05, 1000)
+        params = usac.Params(maxIterations=60, threshold=1.5)
+        plain, ranked = usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b, K, K),
+                                                        usac.TwoViewPair(a, b, K, K, scores=scores)], params)
+        self.assertIs(plain.configuration, usac.TWO_VIEW_DEGENERATE)
+        self.assertIs(ranked.configuration, usac.TWO_VIEW_CALIBRATED)
+
+    def test_mistakes(self):
+        a, b, _, _ = scene(1)
+        for arguments, named in (((a, b[1:]), "points1 and points2"), ((a, b, np.zeros((3, 3))), "cameraMatrix1"),
+                                 ((a, b, None, K, [0.1, 0, 0, 0]), "distCoeffs1")):
+            with self.assertRaisesRegex(ERRORS, named):
+                usac.estimateTwoViewGeometry(*arguments)
+        for rules, named in ((usac.TwoViewRules(minInliers=0), "minInliers"), (usac.TwoViewRules(ratios=(2.,)), "ratios"),
+                             (usac.TwoViewRules(sizes=(0,)), "sizes"), (15, "rules")):
+            with self.assertRaisesRegex(ERRORS, named):
+                usac.estimateTwoViewGeometry(a, b, rules=rules)
+        with self.assertRaisesRegex(ERRORS, "imageSize1"):
+            usac.estimateTwoViewGeometry(a, b, imageSize1=640)
+        with self.assertRaisesRegex(ERRORS, "initialModel"):
+            usac.estimateTwoViewGeometry(a, b, params=usac.Params(initialModel=np.eye(3)))
+        pairs = [usac.TwoViewPair(a, b), usac.TwoViewPair(a, b[1:]), usac.TwoViewPair("no", b)]
+        found = usac.estimateTwoViewGeometries(pairs, returnExceptions=True)
+        self.assertIs(found[0].configuration, usac.TWO_VIEW_UNCALIBRATED)
+        self.assertRegex(str(found[1]), r"pairs\[1\]: points1 and points2")
+        self.assertRegex(str(found[2]), r"pairs\[2\]\.points1")
+        with self.assertRaisesRegex(ERRORS, r"pairs\[1\]"):
+            usac.estimateTwoViewGeometries(pairs[:2])
+
+    def test_rules(self):
+        params = usac.Params(confidence=0.999)
+        plain, known = usac.TwoViewRules(), usac.TwoViewRules(ratios=(0.5,) * 30)
+        sized = usac.TwoViewRules(ratios=(0.5,) * 30, sizes=(200,) * 30)
+        samples = [rules.samples(params, 5, 75) for rules in (plain, known, sized)]
+        self.assertEqual(samples, sorted(samples, reverse=True))
+        self.assertEqual(len(set(samples)), 3)
+        self.assertGreaterEqual(samples[-1], 500)
+        self.assertGreater(plain.reached(params.replace(maxIterations=10**6), 5, 75), 0.999)
+        self.assertEqual(pickle.loads(pickle.dumps(sized)), sized)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,337 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "batch_progress.hpp"
+#include "problems/camera_arguments.hpp"
+#include "read_points.hpp"
+#include "two_view/pair_models.hpp"
+#include "two_view/rules.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! What is told of a model, and points of a minimal sample.
+struct ModelKind
+{
+    const char* name;
+    int sampleSize;
+};
+
+namespace {
+
+const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
+
+//! F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
+constexpr double FREEDOM_MORE = 2;
+/* F where E was refused, though the focal lengths are known, tells that these are wrong: what is asked of it is the
+significance to this power, 10^-8 by default, and it is searched for in LEAST_SAMPLES only. */
+constexpr double ALONE = 2;
+//! Standard deviations of a count: one in a thousand is larger by chance.
+constexpr double DEVIATIONS = 3;
+//! F that starts from E draws as good as no samples of its own: its local optimization does the work.
+constexpr int SAMPLES_FROM_E = 10;
+//! An H with most of the points is found within 17 samples with a chance of 1 - 10^-4 (0.8^4 of the samples are right).
+constexpr int SAMPLES_IN_INLIERS = 100;
+//! The largest chance of a model, a probability, where Params::significance is 0. A hundredth of what is asked of a
+//! single estimation, as most pairs of a collection have no overlap.
+constexpr double SIGNIFICANCE = 1e-4;
+
+Points pointsOf(const Mat& given, const char* name, const Mat& camera, const Mat& distCoeffs)
+{
+    Arena arena;
+    Arena::Scope scope(arena);
+    Mat rows = readPoints(given, 2, name, scope);
+    if (!distCoeffs.empty())
+        rows = removeDistortion(rows, camera, distCoeffs);
+    Points points(rows.rows);
+    for (int i = 0; i < rows.rows; ++i)
+        points[i] = Point2d(rows.ptr<double>(i)[0], rows.ptr<double>(i)[1]);
+    return points;
+}
+
+Points chosen(const Points& points, const Mat& mask)
+{
+    Points result;
+    for (int i = 0; i < mask.rows; ++i)
+        if (mask.at<uchar>(i))
+            result.push_back(points[i]);
+    return result;
+}
+
+std::vector<double> numbersOf(const Matx33d& matrix) { return std::vector<double>(matrix.val, matrix.val + 9); }
+
+//! There is no model.
+String whyNot(const Report& report)
+{
+    switch (report.stop)
+    {
+    case STOP_NOT_SIGNIFICANT:
+        return format("random matches would give as good a model with a chance of %.2g", report.chance);
+    case STOP_TOO_FEW_POINTS: return "too few points";
+    case STOP_TIME: return "time";
+    case STOP_CANCELLED: return "cancelled";
+    default: return "no model";
+    }
+}
+
+}  // namespace
+
+PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const TwoViewRules& rules_)
+    : params(params_), rules(rules_), iterations(0), cancelled(false),
+      isCalibrated(!pair.cameraMatrix1.empty() && !pair.cameraMatrix2.empty()), scores(pair.scores)
+{
+    const Mat* const cameras[] = {&pair.cameraMatrix1, &pair.cameraMatrix2};
+    const Mat* const lenses[] = {&pair.distCoeffs1, &pair.distCoeffs2};
+    for (int k = 0; k < 2; ++k)
+    {
+        if (!cameras[k]->empty())
+            (k ? camera2 : camera1) = readCamera(*cameras[k], k ? "cameraMatrix2" : "cameraMatrix1");
+        else if (!lenses[k]->empty())
+            CV_Error_(Error::StsBadArg,
+                      ("distCoeffs%d: a distortion needs cameraMatrix%d, which is empty", k + 1, k + 1));
+        readDistortion(*lenses[k], k ? "distCoeffs2" : "distCoeffs1");
+    }
+    points1 = pointsOf(pair.points1, "points1", pair.cameraMatrix1, pair.distCoeffs1);
+    points2 = pointsOf(pair.points2, "points2", pair.cameraMatrix2, pair.distCoeffs2);
+    if (points1.size() != points2.size())
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("points1 and points2: lists of the same length are expected, not of %d and %d", (int)points1.size(),
+                   (int)points2.size()));
+    checkTaken(pair.taken1, "taken1");
+    checkTaken(pair.taken2, "taken2");
+    if (scores.empty())
+        scores = params.scores;
+    if (!scores.empty() && scores.size() != points1.size())
+        CV_Error_(Error::StsUnmatchedSizes, ("scores: 0 or %d are expected, not %d", size(), (int)scores.size()));
+}
+
+void PairModels::checkTaken(const Mat& given, const char* name) const
+{
+    Arena arena;
+    Arena::Scope scope(arena);
+    const int count = given.empty() ? size() : readPoints(given, 2, name, scope).rows;
+    if (count != size())
+        CV_Error_(Error::StsUnmatchedSizes, ("%s: 0 or %d points are expected, not %d", name, size(), count));
+}
+
+Params PairModels::options(int most) const
+{
+    Params result = params;
+    result.maxIterations = std::min(params.maxIterations, most);
+    result.significance = params.significance > 0 ? params.significance : SIGNIFICANCE;
+    result.scores = scores;
+    return result;
+}
+
+int PairModels::samples(int sampleSize) const
+{
+    return (int)std::min((double)params.maxIterations, rules.samples(params, sampleSize, size()));
+}
+
+void PairModels::search()
+{
+    if (isCalibrated)
+        searchEssential();
+    searchFundamental();
+    if (isCalibrated && F && base() == &F)
+        improveEssential();
+    searchHomography();
+}
+
+Ptr<Usac> PairModels::essential(const Params& given) const
+{
+    return Usac::create(ESSENTIAL, points1, points2, given, camera1, camera2);
+}
+
+void PairModels::searchEssential()
+{
+    Mat mask;
+    Report report;
+    const Mat found = essential(options(samples(OF_E.sampleSize)))->run(mask, &report);
+    take(OF_E, found, mask, report, E);
+}
+
+void PairModels::searchFundamental()
+{
+    Params given;
+    if (E)
+    {
+        given = options(SAMPLES_FROM_E);
+        given.initialModel = numbersOf(fundamental(E.matrix));
+    }
+    else if (isCalibrated)
+    {
+        given = options(LEAST_SAMPLES);
+        given.significance = std::pow(given.significance, ALONE);
+    }
+    else
+        given = options(samples(OF_F.sampleSize));
+    Mat mask;
+    Report report;
+    const Mat found = Usac::create(FUNDAMENTAL, points1, points2, given)->run(mask, &report);
+    take(OF_F, found, mask, report, F);
+}
+
+void PairModels::improveEssential()
+{
+    Params given = options(SAMPLES_FROM_E);
+    given.initialModel = numbersOf(essentialOf(F.matrix, camera1, camera2));
+    Mat mask;
+    Report report;
+    const Mat found = essential(given)->run(mask, &report);
+    if (!found.empty() && countNonZero(mask) > E.inliers)
+        take(OF_E, found, mask, report, E);
+    else
+        account(report);
+}
+
+void PairModels::searchHomography()
+{
+    const PairModel& explained = E ? E : F;
+    if (explained)
+    {
+        homographyOfInliers(explained);
+        return;
+    }
+    Params given = options(samples(OF_H.sampleSize));
+    given.threshold *= planarReach();
+    Mat mask;
+    Report report;
+    const Mat found = Usac::create(HOMOGRAPHY, points1, points2, given)->run(mask, &report);
+    take(OF_H, found, mask, report, H);
+}
+
+void PairModels::homographyOfInliers(const PairModel& explained)
+{
+    const Points first = chosen(points1, explained.mask), second = chosen(points2, explained.mask);
+    // H's error is measured in its second image: there the points are to be the nearer together.
+    const bool swapped = squaredArea(second) > squaredArea(first);
+    Params given = options(SAMPLES_IN_INLIERS);
+    given.threshold *= planarReach();
+    given.significance = 1;  // its part of the inliers is what counts
+    if (!scores.empty())
+    {
+        given.scores.clear();
+        for (int i = 0; i < size(); ++i)
+            if (explained.mask.at<uchar>(i))
+                given.scores.push_back(scores[i]);
+    }
+    Report report;
+    // Its chance, which takes time, is of no use: a report is asked for only where the run may be cancelled.
+    Report* const asked = BatchProgress::isWatched() ? &report : 0;
+    const Mat found =
+        Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second, given)->run(noArray(), asked);
+    cancelled = cancelled || report.stop == STOP_CANCELLED;
+    if (found.empty())
+        return;
+    Matx33d map(found.ptr<double>());
+    if (swapped)
+        map = map.inv();
+    const std::vector<double> errors = mapDistances(map, first, second);
+    PairModel model;
+    model.mask = Mat::zeros(size(), 1, CV_8U);
+    for (int i = 0, k = 0; i < size(); ++i)
+        if (explained.mask.at<uchar>(i))
+            model.mask.at<uchar>(i) = errors[k++] <= planarDistance() * params.threshold;
+    model.inliers = countNonZero(model.mask);
+    model.matrix = map(2, 2) != 0 ? map * (1 / map(2, 2)) : map;
+    if (model.inliers >= rules.minInliers)
+        H = model;
+}
+
+void PairModels::account(const Report& report)
+{
+    iterations += report.iterations;
+    cancelled = cancelled || report.stop == STOP_CANCELLED;
+}
+
+void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report, PairModel& model)
+{
+    account(report);
+    const int inliers = matrix.empty() ? 0 : countNonZero(mask);
+    if (inliers < rules.minInliers)
+    {
+        refuse(kind, matrix, inliers, report);
+        return;
+    }
+    model.matrix = Matx33d(matrix.ptr<double>());
+    model.mask = mask;
+    model.inliers = inliers;
+    model.report = report;
+}
+
+//! Reason and chance are of the best model that was refused.
+void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report)
+{
+    if (why.empty() || report.chance < refused.chance)
+    {
+        why = String(kind.name) + ": " +
+              (matrix.empty() ? whyNot(report) : format("%d inliers, %d are needed", inliers, rules.minInliers));
+        refused = report;
+    }
+    if (report.iterations < params.maxIterations ||
+        params.maxIterations >= rules.samples(params, kind.sampleSize, size()))
+        return;
+    // Rounded down, so that it never looks like the one that was asked for.
+    const double reached = std::floor(1e4 * rules.reached(params, kind.sampleSize, size())) / 1e4;
+    limited += format("%s%g for %s", limited.empty() ? "" : ", ", reached, kind.name);
+}
+
+String PairModels::reason() const
+{
+    if (size() < leastMatches())
+        return format("%d matches, %d are needed", size(), leastMatches());
+    if (limited.empty())
+        return why;
+    return why + format("; all %d samples drawn, confidence ", params.maxIterations) + limited;
+}
+
+const PairModel* PairModels::base() const
+{
+    if (!E || !F || mostlyOnPlane(E))
+        return E ? &E : F ? &F : H ? &H : 0;
+    const double surplus = rules.calibrationRatio * F.inliers - E.inliers - FREEDOM_MORE;
+    if (surplus <= 0)
+        return &E;
+    const std::vector<double> errors = sampsonDistances(fundamental(E.matrix), points1, points2);
+    // The band beside that of the inliers is twice as wide.
+    const int beside = withinDistances(errors, 3 * params.threshold) - withinDistances(errors, params.threshold);
+    return surplus <= DEVIATIONS * std::sqrt(beside / 2.) ? &E : &F;
+}
+
+int PairModels::withinDistances(const std::vector<double>& errors, double limit) const
+{
+    return (int)std::count_if(errors.begin(), errors.end(), [limit](double error) { return error <= limit; });
+}
+
+Matx33d PairModels::fundamental(const Matx33d& essential) const
+{
+    const Matx33d result = camera2.inv().t() * essential * camera1.inv();
+    return result * (1 / norm(result));
+}
+
+void PairModels::directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const
+{
+    const Matx33d inverse1 = camera1.inv(), inverse2 = camera2.inv();
+    for (int i = 0; i < mask.rows; ++i)
+        if (mask.at<uchar>(i))
+        {
+            first.push_back(inverse1 * Vec3d(points1[i].x, points1[i].y, 1));
+            second.push_back(inverse2 * Vec3d(points2[i].x, points2[i].y, 1));
+        }
+}
+
+bool PairModels::turn(const PairModel& explained, Matx33d& R) const
+{
+    std::vector<Vec3d> first, second;
+    directions(H.mask, first, second);
+    R = fitRotation(first, second);
+    const std::vector<double> errors = mapDistances(camera2 * R * camera1.inv(), chosen(points1, explained.mask),
+                                                    chosen(points2, explained.mask));
+    return withinDistances(errors, planarDistance() * params.threshold) > rules.planarRatio * explained.inliers;
+}
+
+}  // namespace usacv20
+}  // namespace cv

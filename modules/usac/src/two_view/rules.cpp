@@ -1,0 +1,168 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "two_view/rules.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/* The local optimization makes a model of a sample with a wrong point right, too, the more easily the more points are
+right. Of E, a sample counts as (right matches / EASY)^2 that have to be right, at most EASIEST. Measured with USACV20,
+200 scenes each, from what a quarter of the samples or less finds: 1.2 (18 right matches), 1.5 (20), 2.1 (24), more than
+12 (40 and 50). Of F and H and the other presets it was not measured, they count as 1. */
+constexpr double EASY = 15, EASIEST = 4;
+//! Ratios that stand for those between the least of a collection and `inlierRatio`. 4: up to 25 % fewer samples; 16:
+//! within 11 %, 64: within 16 %.
+constexpr int TAIL = 8;
+constexpr int E_SAMPLE = 5;
+//! Of pairs of a size of which there may be no right ones: a probability.
+constexpr double MOST_LOST = 0.5;
+
+//! Is the search that of USACV20, of which EASY was measured?
+bool isMeasured(const Params& params)
+{
+    const Params usual;
+    return params.localOptimization == usual.localOptimization && params.quality == usual.quality &&
+           params.sampler == usual.sampler && params.localIterations == usual.localIterations &&
+           params.localSamples == usual.localSamples && params.polishing == usual.polishing;
+}
+
+//! The part of the samples, drawn without replacement, whose points all are right. A model has at least a sample.
+double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, double ratio)
+{
+    double count = std::ceil(ratio * matches);
+    if (matches > 0 && (count - 1) / matches >= ratio)  // 0.07 * 100 is more than 7
+        --count;
+    count = std::max(count, (double)std::max(rules.minInliers, sampleSize));
+    double part = 1;
+    for (int i = 0; i < sampleSize; ++i)
+        part *= std::min((count - i) / std::max(matches - i, 1), 1.);
+    return part;
+}
+
+//! Logarithm of the chance that one sample does not find a pair.
+double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, int matches, double ratio)
+{
+    const double right = rightSamples(rules, sampleSize, matches, ratio);
+    if (right >= 1)
+        return -HUGE_VAL;
+    const double easy = std::max(ratio * matches, (double)rules.minInliers) / EASY;
+    return (sampleSize == E_SAMPLE && measured ? std::min(std::max(easy * easy, 1.), EASIEST) : 1) * std::log1p(-right);
+}
+
+//! Pairs of a collection as the samples see them.
+class Collection
+{
+public:
+    Collection(const TwoViewRules& rules, bool measured, int sampleSize, int matches) : slowest(-HUGE_VAL)
+    {
+        double least = 1;
+        for (size_t i = 0; i < rules.ratios.size(); ++i)
+        {
+            const double ratio = std::max(rules.ratios[i], rules.inlierRatio);
+            least = std::min(least, ratio);
+            add(missedBySample(rules, measured, sampleSize, matches, ratio), 1);
+        }
+        const double between = rules.ratios.empty() ? 0 : least - rules.inlierRatio;
+        for (int i = 0; i < TAIL; ++i)
+            add(missedBySample(rules, measured, sampleSize, matches, rules.inlierRatio + between * (i + 0.5) / TAIL),
+                1. / TAIL);
+        for (size_t i = 0; i < weights.size(); ++i)
+            weights[i] /= rules.ratios.size() + 1;
+    }
+
+    //! The part of the pairs that so many samples do not find.
+    double missed(double samples) const
+    {
+        double sum = 0;
+        for (size_t i = 0; i < weights.size(); ++i)
+            if (logarithms[i] > -HUGE_VAL)
+                sum += weights[i] * std::exp(samples * logarithms[i]);
+        return sum;
+    }
+
+    double slowest;  //!< the largest logarithm
+
+private:
+    void add(double logarithm, double weight)
+    {
+        slowest = std::max(slowest, logarithm);
+        if (!logarithms.empty() && logarithms.back() == logarithm)
+        {
+            weights.back() += weight;
+            return;
+        }
+        logarithms.push_back(logarithm);
+        weights.push_back(weight);
+    }
+
+    std::vector<double> logarithms, weights;  //!< of the chance that a sample misses one; of all pairs
+};
+
+/** How many times more often a pair with so many matches may be missed. Where G of the right pairs have as few, the
+mean of 1 / G over all k of them is the sum of 1 / i, H, so that the mean of this is at most 2. */
+double leniency(const std::vector<int>& sizes, int matches)
+{
+    const double pairs = (double)sizes.size() + 1;  // and one that has fewer matches than all of them
+    double harmonic = 0, fewer = 1;
+    for (size_t i = 1; i <= sizes.size() + 1; ++i)
+        harmonic += 1. / i;
+    for (int size : sizes)
+        fewer += size <= matches;
+    return std::max(1., pairs / (harmonic * fewer));
+}
+
+void checkRatio(double value, const char* name)
+{
+    if (!(value >= 0 && value <= 1))
+        CV_Error_(Error::StsOutOfRange, ("%s: a number from 0 to 1 is expected, not %g", name, value));
+}
+
+}  // namespace
+
+TwoViewRules::TwoViewRules() : minInliers(15), inlierRatio(0.25), planarRatio(0.8), calibrationRatio(0.95) {}
+
+void TwoViewRules::check() const
+{
+    if (minInliers < 1)
+        CV_Error_(Error::StsOutOfRange, ("minInliers: a positive number is expected, not %d", minInliers));
+    checkRatio(inlierRatio, "inlierRatio");
+    checkRatio(planarRatio, "planarRatio");
+    checkRatio(calibrationRatio, "calibrationRatio");
+    for (size_t i = 0; i < ratios.size(); ++i)
+        if (!(ratios[i] > 0 && ratios[i] <= 1))
+            CV_Error_(Error::StsOutOfRange, ("ratios: numbers above 0 and up to 1 are expected, not %g", ratios[i]));
+    for (size_t i = 0; i < sizes.size(); ++i)
+        if (sizes[i] < 1)
+            CV_Error_(Error::StsOutOfRange, ("sizes: positive numbers are expected, not %d", sizes[i]));
+}
+
+double TwoViewRules::samples(const Params& params, int sampleSize, int matches) const
+{
+    const double lost = std::min((1 - std::min(params.confidence, 1 - 1e-15)) * leniency(sizes, matches), MOST_LOST);
+    const Collection pairs(*this, isMeasured(params), sampleSize, matches);
+    if (pairs.slowest <= std::log(lost))
+        return LEAST_SAMPLES;
+    double low = 0, high = std::ceil(std::log(lost) / pairs.slowest);
+    while (high - low > 1)
+    {
+        const double middle = std::floor((low + high) / 2);
+        if (middle <= low || middle >= high)  // beyond 2^53
+            break;
+        (pairs.missed(middle) <= lost ? high : low) = middle;
+    }
+    return std::max((double)LEAST_SAMPLES, high);
+}
+
+double TwoViewRules::reached(const Params& params, int sampleSize, int matches) const
+{
+    const double drawn = std::min((double)params.maxIterations, samples(params, sampleSize, matches));
+    return -std::expm1(drawn * missedBySample(*this, isMeasured(params), sampleSize, matches, inlierRatio));
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,194 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "batch_tasks.hpp"
+#include "problems/essential/motions.hpp"
+#include "two_view/pair_models.hpp"
+#include "two_view/watermark.hpp"
+
+// The rules that turn E, F and H into a configuration.
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Only the sides of the points are asked for, and these many tell them; the same bound for every pair.
+constexpr int MOST_FOR_SIDES = 500;
+
+//! Of the four motions of an essential matrix the one with most of the matches in front of both cameras.
+Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
+{
+    std::vector<Vec3d> first, second;
+    models.directions(mask, first, second);
+    const double focal = (models.camera1(0, 0) + models.camera1(1, 1) + models.camera2(0, 0) + models.camera2(1, 1)) /
+                         4;
+    const size_t step = (first.size() + MOST_FOR_SIDES - 1) / MOST_FOR_SIDES;
+    Motion motions[4];
+    motionsOf(E, motions);
+    int best = 0, most = -1;
+    for (int k = 0; k < 4; ++k)
+    {
+        int count = 0;
+        for (size_t i = 0; i < first.size(); i += step)
+            count += inFront(motions[k], first[i], second[i], models.params.threshold / focal);
+        if (count > most)
+            best = k;
+        most = std::max(most, count);
+    }
+    return motions[best];
+}
+
+void addRotation(const Matx33d& R, Mat& rotations) { rotations.push_back(Mat(R)); }
+
+//! Those of a plane that H maps.
+void addRotationsOfPlane(const PairModels& models, Mat& rotations)
+{
+    const Matx33d H = models.camera2.inv() * models.H.matrix * models.camera1;
+    std::vector<Vec3d> first, second;
+    models.directions(models.H.mask, first, second);
+    Motion motions[2];
+    if (motionsOfPlane(H, first[0], motions))
+    {
+        addRotation(nearestRotation(motions[0].R), rotations);
+        addRotation(nearestRotation(motions[1].R), rotations);
+    }
+    else
+        addRotation(nearestRotation(determinant(H) > 0 ? H : H * -1.), rotations);
+}
+
+//! Those that are possible, one of which is right if the pair is.
+Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const PairModel& base)
+{
+    Mat result;
+    if (found.configuration == TWO_VIEW_WATERMARK)
+        return result;
+    if (!found.R.empty())
+        addRotation(found.R, result);
+    if (found.configuration == TWO_VIEW_PLANAR && models.H)
+        addRotationsOfPlane(models, result);
+    if (found.configuration == TWO_VIEW_UNCALIBRATED)
+        addRotation(motionOf(essentialOf(base.matrix, models.camera1, models.camera2), models, base.mask).R, result);
+    return result;
+}
+
+//! @param known E tells the inliers, or H of calibrated cameras
+void readPlane(const PairModels& models, const PairModel& base, bool known, TwoViewGeometry& found)
+{
+    found.configuration = TWO_VIEW_PLANAR_OR_PANORAMIC;
+    Matx33d R;
+    if (!known)
+        return;
+    const bool turned = models.turn(base, R);
+    found.configuration = turned ? TWO_VIEW_PANORAMIC : TWO_VIEW_PLANAR;
+    if (!turned)
+        return;
+    found.R = Mat(R).clone();
+    found.t = Mat::zeros(3, 1, CV_64F);
+}
+
+Mat matrixOf(const PairModel& model) { return model ? Mat(model.matrix).clone() : Mat(); }
+
+void classify(const TwoViewPair& pair, const PairModels& models, const PairModel& base, TwoViewGeometry& found)
+{
+    const bool byEssential = &base == &models.E;
+    found.configuration = byEssential ? TWO_VIEW_CALIBRATED : TWO_VIEW_UNCALIBRATED;
+    found.mask = base.mask;
+    found.inliers = base.inliers;
+    found.report = base.report;
+    found.H = matrixOf(models.H);
+    found.F = matrixOf(models.F);
+    if (byEssential)
+    {
+        found.E = matrixOf(models.E);
+        found.F = Mat(models.fundamental(models.E.matrix)).clone();
+        const Motion motion = motionOf(models.E.matrix, models, base.mask);
+        found.R = Mat(motion.R).clone();
+        found.t = Mat(motion.t).clone();
+    }
+    if (models.H && models.mostlyOnPlane(base))
+        readPlane(models, base, models.calibrated() && (byEssential || &base == &models.H), found);
+    if (isWatermark(pair, base.mask, PairModels::planarReach() * models.params.threshold))
+        found.configuration = TWO_VIEW_WATERMARK;
+    if (models.calibrated())
+        found.rotations = rotationsOf(found, models, base);
+}
+
+TwoViewGeometry geometryOf(const TwoViewPair& pair, const Params& params, const TwoViewRules& rules)
+{
+    const int64 start = getTickCount();
+    TwoViewGeometry found;
+    PairModels models(pair, params, rules);
+    if (models.size() >= models.leastMatches())
+        models.search();
+    found.iterations = models.iterations;
+    found.report = models.refused;
+    const PairModel* const base = models.cancelled ? 0 : models.base();
+    if (base)
+        classify(pair, models, *base, found);
+    else
+    {
+        found.configuration = models.cancelled ? TWO_VIEW_UNDEFINED : TWO_VIEW_DEGENERATE;
+        found.mask = Mat::zeros(models.size(), 1, CV_8U);
+        found.reason = models.cancelled ? String("cancelled") : models.reason();
+    }
+    found.milliseconds = (getTickCount() - start) / getTickFrequency() * 1e3;
+    return found;
+}
+
+void check(const Params& params, const TwoViewRules& rules)
+{
+    params.check();
+    rules.check();
+    if (!params.initialModel.empty())
+        CV_Error_(Error::StsBadArg, ("initialModel: none is expected, as E, F and H are estimated, not %d numbers",
+                                     (int)params.initialModel.size()));
+}
+
+}  // namespace
+
+TwoViewPair::TwoViewPair() {}
+
+TwoViewPair::TwoViewPair(const Mat& points1_, const Mat& points2_, const Mat& cameraMatrix1_, const Mat& cameraMatrix2_)
+    : points1(points1_), points2(points2_), cameraMatrix1(cameraMatrix1_), cameraMatrix2(cameraMatrix2_)
+{}
+
+TwoViewGeometry::TwoViewGeometry() : configuration(TWO_VIEW_UNDEFINED), inliers(0), iterations(0), milliseconds(0) {}
+
+TwoViewGeometry estimateTwoViewGeometry(const TwoViewPair& pair, const Params& params, const TwoViewRules& rules)
+{
+    check(params, rules);
+    return geometryOf(pair, params, rules);
+}
+
+TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+                                        InputArray cameraMatrix2, const Params& params, const TwoViewRules& rules)
+{
+    return estimateTwoViewGeometry(
+        TwoViewPair(points1.getMat(), points2.getMat(), cameraMatrix1.getMat(), cameraMatrix2.getMat()), params, rules);
+}
+
+std::vector<TwoViewGeometry> estimateTwoViewGeometries(const std::vector<TwoViewPair>& pairs, const Params& params,
+                                                       const TwoViewRules& rules, int threads)
+{
+    check(params, rules);
+    std::vector<TwoViewGeometry> results(pairs.size());
+    const auto estimate = [&](int i) {
+        const String mistake = mistakeOf([&] { results[i] = geometryOf(pairs[i], params, rules); });
+        if (mistake.empty())
+            return;
+        results[i] = TwoViewGeometry();
+        results[i].error = mistake;
+    };
+    const auto leave = [&](int i) {
+        results[i].report.stop = STOP_CANCELLED;
+        results[i].reason = "cancelled";
+    };
+    forEachTask((int)pairs.size(), threads, estimate, leave);
+    return results;
+}
+
+}  // namespace usacv20
+}  // namespace cv

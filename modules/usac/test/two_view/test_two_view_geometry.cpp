@@ -1,0 +1,290 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+// What two images are to each other: the configurations of estimateTwoViewGeometry.
+
+namespace opencv_test {
+namespace {
+
+const double DEGREE = CV_PI / 180;
+
+double angleBetween(const Mat& R, const Matx33d& truth)
+{
+    const Matx33d D = Matx33d(R.ptr<double>()) * truth.t();
+    return std::acos(std::max(-1., std::min(1., (cv::trace(D) - 1) / 2)));
+}
+
+Params twoPixels()
+{
+    Params params;
+    params.threshold = 2;
+    params.confidence = 0.999;
+    params.maxIterations = 10000;
+    return params;
+}
+
+Scene sceneOf(uint64 seed, double planeFraction = 0, int outliers = 100)
+{
+    SceneOptions options;
+    options.seed = seed;
+    options.planeFraction = planeFraction;
+    options.outliers = outliers;
+    return makeScene(ESSENTIAL, options);
+}
+
+TwoViewPair pairOf(const Scene& scene, bool known = true)
+{
+    const Mat K = known ? Mat(scene.K) : Mat();
+    return TwoViewPair(column(scene.points1).clone(), column(scene.points2).clone(), K.clone(), K.clone());
+}
+
+//! What is said of each result that has inliers.
+void checkFields(const TwoViewGeometry& found, const TwoViewPair& pair)
+{
+    EXPECT_EQ(pair.points1.rows, found.mask.rows);
+    EXPECT_EQ(countNonZero(found.mask), found.inliers);
+    EXPECT_GE(found.inliers, 15);
+    EXPECT_EQ("", found.reason);
+    EXPECT_EQ("", found.error);
+    EXPECT_GT(found.iterations, 0);
+    EXPECT_LE(found.report.chance, 1e-4);
+    EXPECT_TRUE(found.F.empty() || std::abs(cv::norm(found.F) - 1) < 1e-12);
+    EXPECT_EQ(found.R.empty(), found.t.empty());
+    EXPECT_TRUE(found.R.empty() || std::abs(determinant(found.R) - 1) < 1e-12);
+}
+
+TEST(Usac_TwoViewGeometry, calibrated)
+{
+    for (uint64 seed = 1; seed <= 20; ++seed)
+    {
+        const Scene scene = sceneOf(seed);
+        const TwoViewPair pair = pairOf(scene);
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
+        ASSERT_EQ((int)TWO_VIEW_CALIBRATED, found.configuration) << seed;
+        checkFields(found, pair);
+        EXPECT_LT(angleBetween(found.R, scene.R), 2 * DEGREE) << seed;
+        EXPECT_GT(Vec3d(found.t.ptr<double>()).dot(scene.t), std::cos(15 * DEGREE)) << seed;
+        EXPECT_NEAR(1, cv::norm(found.t), 1e-12);
+        const Vec3d t(found.t.ptr<double>());
+        const Matx33d cross(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0);
+        const Matx33d E = cross * Matx33d(found.R.ptr<double>()) * (1 / std::sqrt(2.)), own(found.E.ptr<double>());
+        EXPECT_LT(std::min(cv::norm(E - own), cv::norm(E + own)), 1e-9);
+        Matx33d F = scene.K.inv().t() * own * scene.K.inv();
+        F *= 1 / cv::norm(F);
+        EXPECT_LT(cv::norm(F - Matx33d(found.F.ptr<double>())), 1e-12);
+        ASSERT_EQ(3, found.rotations.rows);
+        EXPECT_EQ(0, cv::norm(found.rotations, found.R));
+        int right = 0, all = 0;
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            all += scene.truth[i];
+            right += scene.truth[i] && found.mask.at<uchar>(i);
+        }
+        EXPECT_GT(right, 0.9 * all) << seed;
+    }
+}
+
+//! The models are those of the functions of one problem, to the bit.
+TEST(Usac_TwoViewGeometry, as_the_functions_of_one_problem)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        const Scene scene = sceneOf(seed);
+        Params params = twoPixels();
+        const TwoViewGeometry calibrated = estimateTwoViewGeometry(pairOf(scene), params);
+        const TwoViewGeometry plain = estimateTwoViewGeometry(scene.points1, scene.points2, noArray(), noArray(),
+                                                              params);
+        ASSERT_EQ((int)TWO_VIEW_CALIBRATED, calibrated.configuration);
+        ASSERT_EQ((int)TWO_VIEW_UNCALIBRATED, plain.configuration);
+        params.significance = 1e-4;
+        Mat mask;
+        Report report;
+        params.maxIterations = (int)std::min(10000., TwoViewRules().samples(twoPixels(), 5, scene.size()));
+        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, params, mask, report);
+        EXPECT_EQ(0, cv::norm(E, calibrated.E));
+        EXPECT_EQ(0, cv::norm(mask, calibrated.mask));
+        EXPECT_EQ(report.chance, calibrated.report.chance);
+        params.maxIterations = (int)std::min(10000., TwoViewRules().samples(twoPixels(), 7, scene.size()));
+        const Mat F = estimateFundamental(scene.points1, scene.points2, params, mask, report);
+        EXPECT_EQ(0, cv::norm(F, plain.F));
+        EXPECT_EQ(0, cv::norm(mask, plain.mask));
+        EXPECT_EQ(report.iterations, plain.report.iterations);
+    }
+}
+
+TEST(Usac_TwoViewGeometry, focal_lengths_that_are_not_known)
+{
+    for (uint64 seed = 1; seed <= 5; ++seed)
+    {
+        const Scene scene = sceneOf(seed);
+        for (int known = 0; known < 3; ++known)
+        {
+            TwoViewPair pair = pairOf(scene);
+            if (known != 1)
+                pair.cameraMatrix1.release();
+            if (known != 2)
+                pair.cameraMatrix2.release();
+            const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
+            EXPECT_EQ((int)TWO_VIEW_UNCALIBRATED, found.configuration) << seed << " " << known;
+            checkFields(found, pair);
+            EXPECT_TRUE(found.E.empty() && found.R.empty() && found.t.empty() && found.rotations.empty());
+        }
+    }
+}
+
+//! F tells that a focal length is wrong; the rotation is that of the essential matrix nearest to F.
+TEST(Usac_TwoViewGeometry, wrong_focal_lengths)
+{
+    for (uint64 seed = 1; seed <= 5; ++seed)
+    {
+        TwoViewPair pair = pairOf(sceneOf(seed));
+        pair.cameraMatrix1.at<double>(0, 0) *= 4;
+        pair.cameraMatrix1.at<double>(1, 1) *= 4;
+        Params params = twoPixels();
+        params.threshold = 1;
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, params);
+        EXPECT_EQ((int)TWO_VIEW_UNCALIBRATED, found.configuration) << seed;
+        EXPECT_TRUE(found.E.empty() && found.R.empty());
+        EXPECT_EQ(3, found.rotations.rows);
+    }
+}
+
+TEST(Usac_TwoViewGeometry, plane)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        const Scene scene = sceneOf(seed, 1, 60);
+        const TwoViewPair pair = pairOf(scene);
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
+        ASSERT_EQ((int)TWO_VIEW_PLANAR, found.configuration) << seed;
+        checkFields(found, pair);
+        EXPECT_FALSE(found.H.empty() || found.R.empty());
+        double least = CV_PI;
+        for (int k = 0; k < found.rotations.rows / 3; ++k)
+            least = std::min(least, angleBetween(found.rotations.rowRange(3 * k, 3 * k + 3), scene.R));
+        EXPECT_LT(least, 3 * DEGREE) << seed;
+        const TwoViewGeometry unknown = estimateTwoViewGeometry(pairOf(scene, false), twoPixels());
+        EXPECT_EQ((int)TWO_VIEW_PLANAR_OR_PANORAMIC, unknown.configuration) << seed;
+        EXPECT_TRUE(unknown.R.empty());
+    }
+}
+
+TEST(Usac_TwoViewGeometry, rotation)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        Scene scene = sceneOf(seed, 0, 60);
+        RNG rng(seed);
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            const Vec3d x = scene.K * scene.R * scene.K.inv() * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
+            if (scene.truth[i])
+                scene.points2[i] = Point2d(x[0] / x[2] + rng.gaussian(0.5), x[1] / x[2] + rng.gaussian(0.5));
+        }
+        const TwoViewPair pair = pairOf(scene);
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
+        ASSERT_EQ((int)TWO_VIEW_PANORAMIC, found.configuration) << seed;
+        checkFields(found, pair);
+        EXPECT_LT(angleBetween(found.R, scene.R), 0.5 * DEGREE) << seed;
+        EXPECT_EQ(0, cv::norm(found.t));
+        EXPECT_EQ((int)TWO_VIEW_PLANAR_OR_PANORAMIC,
+                  estimateTwoViewGeometry(pairOf(scene, false), twoPixels()).configuration);
+    }
+}
+
+TEST(Usac_TwoViewGeometry, watermark)
+{
+    RNG rng(1);
+    Mat_<Point2d> first(60, 1), second(60, 1);
+    for (int i = 0; i < 60; ++i)  // a date in the corner, 3 pixels to the right in image 2
+    {
+        first(i) = Point2d(rng.uniform(10., 200.), rng.uniform(440., 475.));
+        second(i) = first(i) + Point2d(3 + rng.gaussian(0.3), rng.gaussian(0.3));
+    }
+    TwoViewPair pair(first, second);
+    EXPECT_NE((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);  // sizes not known
+    pair.imageSize1 = pair.imageSize2 = Size(SCENE_WIDTH, SCENE_HEIGHT);
+    EXPECT_EQ((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
+    pair.taken2 = second + Scalar(0, -200);  // where the points really were
+    EXPECT_NE((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
+}
+
+TEST(Usac_TwoViewGeometry, no_overlap)
+{
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        Scene scene = sceneOf(seed, 0, 100);
+        RNG rng(seed);
+        for (int i = 0; i < scene.size(); ++i)
+            scene.points2[i] = Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.));
+        const TwoViewGeometry found = estimateTwoViewGeometry(pairOf(scene), twoPixels());
+        EXPECT_EQ((int)TWO_VIEW_DEGENERATE, found.configuration) << seed;
+        EXPECT_EQ(0, found.inliers);
+        EXPECT_EQ(0, countNonZero(found.mask));
+        EXPECT_EQ(scene.size(), found.mask.rows);
+        EXPECT_NE("", found.reason);
+        EXPECT_TRUE(found.F.empty() && found.E.empty() && found.H.empty() && found.R.empty());
+        Params few = twoPixels();
+        few.maxIterations = 100;
+        const String reason = estimateTwoViewGeometry(pairOf(scene, false), few).reason;
+        EXPECT_NE(String::npos, reason.find("; all 100 samples drawn, confidence 0.")) << reason;
+    }
+}
+
+TEST(Usac_TwoViewGeometry, few_matches)
+{
+    const Scene scene = sceneOf(1);
+    for (int count : {0, 1, 7, 14})
+    {
+        const std::vector<Point2d> first(scene.points1.begin(), scene.points1.begin() + count),
+            second(scene.points2.begin(), scene.points2.begin() + count);
+        const TwoViewGeometry found = estimateTwoViewGeometry(first, second, scene.K, scene.K);
+        EXPECT_EQ((int)TWO_VIEW_DEGENERATE, found.configuration);
+        EXPECT_EQ(format("%d matches, 15 are needed", count), found.reason);
+        EXPECT_EQ(count, found.mask.rows);
+        EXPECT_EQ(0, found.iterations);
+    }
+}
+
+//! A lens is taken off as removeDistortion does it.
+TEST(Usac_TwoViewGeometry, lenses)
+{
+    const Scene scene = sceneOf(3);
+    TwoViewPair taken = pairOf(scene), ideal = pairOf(scene);
+    taken.distCoeffs1 = (Mat_<double>(4, 1) << -0.1, 0.02, 0.001, -0.001);
+    taken.distCoeffs2 = (Mat_<double>(4, 1) << 0.05, 0.01, 0, 0);
+    ideal.points1 = removeDistortion(taken.points1, scene.K, taken.distCoeffs1);
+    ideal.points2 = removeDistortion(taken.points2, scene.K, taken.distCoeffs2);
+    const TwoViewGeometry a = estimateTwoViewGeometry(taken, twoPixels()),
+                          b = estimateTwoViewGeometry(ideal, twoPixels());
+    EXPECT_EQ(b.configuration, a.configuration);
+    EXPECT_EQ(0, cv::norm(a.mask, b.mask));
+    EXPECT_EQ(0, cv::norm(a.F, b.F));
+    EXPECT_NE(0, cv::norm(a.F, estimateTwoViewGeometry(pairOf(scene), twoPixels()).F));
+}
+
+//! Scores of the pair stand in the place of those of the options.
+TEST(Usac_TwoViewGeometry, scores)
+{
+    SceneOptions options;
+    options.inliers = 40;
+    options.outliers = 960;
+    options.scoreInformation = 0.99;
+    const Scene scene = makeScene(ESSENTIAL, options);
+    Params params = twoPixels();
+    params.maxIterations = 100;
+    TwoViewPair pair = pairOf(scene);
+    EXPECT_EQ((int)TWO_VIEW_DEGENERATE, estimateTwoViewGeometry(pair, params).configuration);
+    pair.scores = scene.scores;
+    const TwoViewGeometry byPair = estimateTwoViewGeometry(pair, params);
+    EXPECT_EQ((int)TWO_VIEW_CALIBRATED, byPair.configuration);
+    pair.scores.clear();
+    params.scores = scene.scores;
+    EXPECT_EQ(0, cv::norm(byPair.E, estimateTwoViewGeometry(pair, params).E));
+}
+
+}  // namespace
+}  // namespace opencv_test
