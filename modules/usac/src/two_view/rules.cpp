@@ -19,8 +19,6 @@ constexpr double EASY = 15, EASIEST = 4;
 //! within 11 %, 64: within 16 %.
 constexpr int TAIL = 8;
 constexpr int E_SAMPLE = 5;
-//! Of pairs of a size of which there may be no right ones: a probability.
-constexpr double MOST_LOST = 0.5;
 
 //! Is the search that of USACV20, of which EASY was measured?
 bool isMeasured(const Params& params)
@@ -103,19 +101,6 @@ private:
     std::vector<double> logarithms, weights;  //!< of the chance that a sample misses one; of all pairs
 };
 
-/** How many times more often a pair with so many matches may be missed. Where G of the right pairs have as few, the
-mean of 1 / G over all k of them is the sum of 1 / i, H, so that the mean of this is at most 2. */
-double leniency(const std::vector<int>& sizes, int matches)
-{
-    const double pairs = (double)sizes.size() + 1;  // and one that has fewer matches than all of them
-    double harmonic = 0, fewer = 1;
-    for (size_t i = 1; i <= sizes.size() + 1; ++i)
-        harmonic += 1. / i;
-    for (int size : sizes)
-        fewer += size <= matches;
-    return std::max(1., pairs / (harmonic * fewer));
-}
-
 void checkRatio(double value, const char* name)
 {
     if (!(value >= 0 && value <= 1))
@@ -136,14 +121,11 @@ void TwoViewRules::check() const
     for (size_t i = 0; i < ratios.size(); ++i)
         if (!(ratios[i] > 0 && ratios[i] <= 1))
             CV_Error_(Error::StsOutOfRange, ("ratios: numbers above 0 and up to 1 are expected, not %g", ratios[i]));
-    for (size_t i = 0; i < sizes.size(); ++i)
-        if (sizes[i] < 1)
-            CV_Error_(Error::StsOutOfRange, ("sizes: positive numbers are expected, not %d", sizes[i]));
 }
 
 double TwoViewRules::samples(const Params& params, int sampleSize, int matches) const
 {
-    const double lost = std::min((1 - std::min(params.confidence, 1 - 1e-15)) * leniency(sizes, matches), MOST_LOST);
+    const double lost = 1 - std::min(params.confidence, 1 - 1e-15);
     const Collection pairs(*this, isMeasured(params), sampleSize, matches);
     if (pairs.slowest <= std::log(lost))
         return LEAST_SAMPLES;

@@ -41,9 +41,6 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     /** Parts of the matches that are right in some pairs of the same collection, each above 0 and up to 1: the
     confidence is then that of a right pair of this collection, see #samples. Default none: not known. */
     CV_PROP_RW std::vector<double> ratios;
-    /** Matches of right pairs of the same collection, each above 0: where few of these have as few matches as a pair,
-    few right pairs are lost by fewer samples, see #samples. Default none: not known. */
-    CV_PROP_RW std::vector<int> sizes;
     //! A homography with more than this part of the inliers makes the pair planar or panoramic; 0..1. Default 0.8.
     CV_PROP_RW double planarRatio;
     //! An essential matrix with less than this part of the inliers of F tells that the focal lengths are wrong; 0..1.

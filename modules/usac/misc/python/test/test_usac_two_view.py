@@ -115,7 +115,7 @@ class TwoViewTest(unittest.TestCase):
             with self.assertRaisesRegex(ERRORS, named):
                 usac.estimateTwoViewGeometry(*arguments)
         for rules, named in ((usac.TwoViewRules(minInliers=0), "minInliers"), (usac.TwoViewRules(ratios=(2.,)), "ratios"),
-                             (usac.TwoViewRules(sizes=(0,)), "sizes"), (15, "rules")):
+                             (15, "rules")):
             with self.assertRaisesRegex(ERRORS, named):
                 usac.estimateTwoViewGeometry(a, b, rules=rules)
         with self.assertRaisesRegex(ERRORS, "imageSize1"):
@@ -133,13 +133,10 @@ class TwoViewTest(unittest.TestCase):
     def test_rules(self):
         params = usac.Params(confidence=0.999)
         plain, known = usac.TwoViewRules(), usac.TwoViewRules(ratios=(0.5,) * 30)
-        sized = usac.TwoViewRules(ratios=(0.5,) * 30, sizes=(200,) * 30)
-        samples = [rules.samples(params, 5, 75) for rules in (plain, known, sized)]
-        self.assertEqual(samples, sorted(samples, reverse=True))
-        self.assertEqual(len(set(samples)), 3)
-        self.assertGreaterEqual(samples[-1], 500)
+        self.assertLess(known.samples(params, 5, 75), plain.samples(params, 5, 75))
+        self.assertGreaterEqual(known.samples(params, 5, 75), 500)
         self.assertGreater(plain.reached(params.replace(maxIterations=10**6), 5, 75), 0.999)
-        self.assertEqual(pickle.loads(pickle.dumps(sized)), sized)
+        self.assertEqual(pickle.loads(pickle.dumps(known)), known)
 
 
 if __name__ == "__main__":

@@ -145,7 +145,6 @@ class TwoViewRules(metaclass=_Class):
     minInliers: int
     inlierRatio: float
     ratios: List[float]
-    sizes: List[int]
     planarRatio: float
     calibrationRatio: float
     def __init__(self) -> None: ...

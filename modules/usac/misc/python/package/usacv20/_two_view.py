@@ -42,9 +42,6 @@ class TwoViewRules:
     # Parts of the matches that are right in some pairs of the same collection, each above 0 and up to 1: the confidence is then
     # that of a right pair of this collection, see samples(). None of them: not known.
     ratios: Tuple[float, ...] = ()
-    # Matches of right pairs of the same collection, each above 0: where few of these have as few matches as a pair, few right pairs
-    # are lost by fewer samples, see samples(). None of them: not known.
-    sizes: Tuple[int, ...] = ()
     planarRatio: float = 0.8  # 0..1, of the inliers; a homography with more of them makes the pair planar or panoramic
     calibrationRatio: float = 0.95  # 0..1; E with less of F's inliers tells that the focal lengths are wrong
 
@@ -62,9 +59,7 @@ class TwoViewRules:
         Samples are drawn without replacement: of I right ones among N matches the part C(I, m) / C(N, m) is right. I is
         inlierRatio of N, but minInliers or more. With ratios the mean over those and one pair more has the confidence: that one
         has any ratio between inlierRatio and the least of them, as a pair is worse than all of k others with a chance of
-        1 / (k + 1). With sizes a pair with N matches may be missed 1 / (H G) times as often, if that is more: G is the part of
-        those and one pair more that has N matches or fewer, H the sum of 1, 1/2, 1/3, ... of as many terms as pairs. So no more
-        than twice the right pairs of the collection are missed in the mean. Of E a sample of USACV20 counts as up to four, as its local optimization makes a model of one with a wrong
+        1 / (k + 1). Of E a sample of USACV20 counts as up to four, as its local optimization makes a model of one with a wrong
         point, too."""
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
 
@@ -80,7 +75,6 @@ class TwoViewRules:
         for name in ("inlierRatio", "planarRatio", "calibrationRatio"):
             setattr(rules, name, _arguments.real(getattr(self, name), name))
         rules.ratios = [_arguments.real(ratio, "ratios") for ratio in self.ratios]
-        rules.sizes = [_arguments.integer(size, "sizes") for size in self.sizes]
         return rules
 
 

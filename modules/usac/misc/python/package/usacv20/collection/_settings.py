@@ -35,7 +35,6 @@ class Settings:
     inlierRatio: float = 0.25
     # Inlier ratios of some pairs of the collection, those that tell its threshold (see `needed`); none: not known.
     ratios: Tuple[float, ...] = ()
-    sizes: Tuple[int, ...] = ()  # and their matches
     seed: int = 0
     minInliers: int = 15  # of a pair that is kept
     # Largest Report.chance of a pair that is kept: of pairs without overlap at most this part is taken for one with. A
@@ -58,14 +57,11 @@ class Settings:
 
     def asDict(self) -> Dict[str, Any]:
         """For a file: what two runs must have in common to be one."""
-        result = dict(dataclasses.asdict(self), ratios=list(self.ratios), sizes=list(self.sizes))
-        if not self.sizes:
-            del result["sizes"]  # which runs of earlier versions do not have
-        return result
+        return dict(dataclasses.asdict(self), ratios=list(self.ratios))
 
     @property
     def rules(self) -> TwoViewRules:
-        return TwoViewRules(self.minInliers, self.inlierRatio, self.ratios, self.sizes, self.planarRatio, self.calibrationRatio)
+        return TwoViewRules(self.minInliers, self.inlierRatio, self.ratios, self.planarRatio, self.calibrationRatio)
 
     def needed(self, sample: int, matches: int) -> int:
         """Samples of so many points that find a pair that is to be kept, with `confidence`, see TwoViewRules.samples. No limit."""

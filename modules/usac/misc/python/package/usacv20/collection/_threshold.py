@@ -90,7 +90,6 @@ class ThresholdEstimate:
     asked: int  # pairs
     used: int  # pairs that tell the noise
     ratios: Tuple[float, ...] = ()  # of those pairs, in order: the part of the matches that is within the threshold
-    sizes: Tuple[int, ...] = ()  # matches of those pairs, in order
 
     def describe(self) -> str:
         """One sentence for a log."""
@@ -147,7 +146,7 @@ def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> Thres
     low, high = np.quantile(sigmas, [0.25, 0.75])
     ratios = sorted(round(float(np.mean(pair.errors <= threshold)), 2) for pair in told)
     return ThresholdEstimate(float("{:.3g}".format(threshold)), sigma, float(high - low) / 2 / sigma, len(pairs), len(left),
-                             tuple(ratios), tuple(sorted(len(pair.matches) for pair, _ in left)))
+                             tuple(ratios))
 
 
 class _Model(typing.NamedTuple):

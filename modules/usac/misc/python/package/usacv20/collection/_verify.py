@@ -99,11 +99,10 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
     before = (stored or {}).get("threshold")
     if isinstance(before, (int, float)):
         say("threshold: {:g} px, that of the run that goes on".format(before))
-        ratios, sizes = (tuple((stored or {}).get(name) or ()) for name in ("ratios", "sizes"))
-        return Settings(threshold=float(before), ratios=ratios, sizes=sizes, **options)
+        return Settings(threshold=float(before), ratios=tuple((stored or {}).get("ratios") or ()), **options)
     estimate = estimateThreshold(samplePairs(source), Settings(**options))
     say("threshold: " + estimate.describe())
-    return Settings(threshold=estimate.threshold, ratios=estimate.ratios, sizes=estimate.sizes, **options)
+    return Settings(threshold=estimate.threshold, ratios=estimate.ratios, **options)
 
 
 def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, **engine: Any) -> Summary:
