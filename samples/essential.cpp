@@ -5,7 +5,12 @@
 // From two images of calibrated cameras to the essential matrix and the pose, with the flags of OpenCV and of this
 // module side by side. OpenCV's chessboard images calibrate the two cameras and tell the true pose.
 
+#include "opencv2/core/version.hpp"
 #include "tools.hpp"
+#if CV_VERSION_MAJOR >= 5  // modules of their own
+#include "opencv2/calib.hpp"
+#include "opencv2/objdetect.hpp"
+#endif
 
 namespace {
 

@@ -6,6 +6,7 @@
 #   [text](#heading), [text](file.md#heading)  doxygen before 1.9.7 does not name headings as other readers of Markdown do: "## Own method"
 #                                              of file.md gets the name file-own-method, one for all pages
 #   [text](folder/name.hpp)                    the page of the source
+#   [text](folder/name.markdown)               the page whose label is in the first line of that file
 #   [text](folder/name.png), .cff, LICENSE     HTML_EXTRA_FILES: beside the page
 
 function name_of(path) # doc/file.md: file
@@ -25,6 +26,13 @@ function slug(heading)
     return heading
 }
 
+function label_of(path, line)  # {#label}
+{
+    getline line < path
+    close(path)
+    return sub(/.*\{#/, "", line) && sub(/\}.*/, "", line) ? line : ""
+}
+
 function target_of(link, at, base)
 {
     at = index(link, "#")
@@ -32,6 +40,10 @@ function target_of(link, at, base)
         return "#" file "-" substr(link, 2)
     if (at > 1)
         return "#" name_of(substr(link, 1, at - 1)) "-" substr(link, at + 1)
+    base = FILENAME
+    sub(/[^\/]*$/, "", base)
+    if (link ~ /\.markdown$/ && label_of(base link) != "")
+        return "@ref " label_of(base link)
     base = link
     sub(/.*\//, "", base)
     if (base ~ /\.hpp$/) {
