@@ -15,6 +15,7 @@ function name_of(path) # doc/file.md: file
         return "module"
     sub(/\.md$/, "", path)
     sub(/.*\//, "", path)
+    gsub(/\./, "_", path)  # a dot ends a name
     return tolower(path)
 }
 

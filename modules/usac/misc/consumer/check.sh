@@ -210,12 +210,13 @@ debian_benchmark()
     LD_LIBRARY_PATH="$work/debian/usr/lib" "$work/debian/usr/bin/usac_benchmark" --help
 }
 
-# README's line; the library is built already.
+# README's line; the library is built already, and what has been compiled for a run before stays.
 readme_python()
 {
+    rm -f "$work/readme_build/CMakeCache.txt"
     line=$(sed -n '/^## Python/,/^## /s/^\([^ ]*python3 -m venv .*\)$/\1/p' "$project/README.md")
     [ -n "$line" ] && mkdir "$work/readme" && ln -s "$project/modules" "$work/readme/modules" && cd "$work/readme" &&
-    PATH="$work/other_python:$PATH" CMAKE_ARGS="-Dopencv_usac_DIR=$work/build -DUSAC_PRECOMPILED_HEADERS=ON" sh -exc "$line" &&
+    PATH="$work/other_python:$PATH" USACV20_BUILD_DIR="$work/readme_build" CMAKE_ARGS="-Dopencv_usac_DIR=$work/build -DUSAC_PRECOMPILED_HEADERS=ON" sh -exc "$line" &&
     env/bin/python3 -c "import usacv20; print(usacv20.__version__)" | grep -Fx "$version" &&
     [ -n "$(find env -path '*/usacv20-*.dist-info/*' -name LICENSE)" ]
 }
