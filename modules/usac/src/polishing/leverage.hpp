@@ -25,7 +25,8 @@ search @cite atkinson2000robust. The result is polished, and takes the place of 
 that came back and were inliers of the model are lower by more than chance explains, and if the inliers that are lost
 are no evidence against it: no more than the best of the models through two wrong matches meets among all of them by
 chance, and less improbable than those errors. (The right matches off a plane have a high leverage, too; but they are
-more than chance brings to one epipole, and where a plane has most inliers, the errors have to be lower by more.)
+more than chance brings to one epipole, and where a plane has most inliers, the errors have to be lower by more; E is
+left alone there.)
 
 For errors with one component: a wrong match is hardly within the threshold of a model by chance if there are more. At
 most #MOST inliers are looked at, so the time is bounded; that of the polishing is not. */

@@ -61,14 +61,14 @@ public:
     int linearize(const Model& model, const double* datum, double* error, double* derivative) const CV_OVERRIDE
     {
         const EpipolarLines<double> l(model.val, datum[0], datum[1], datum[2], datum[3]);
-        const double square = l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e, inverse = 1 / std::sqrt(square);
+        const double square = l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e, root = std::sqrt(square);
         const double x1[3] = {datum[0], datum[1], 1}, x2[3] = {datum[2], datum[3], 1};
         const double line1[3] = {l.d, l.e, 0}, line2[3] = {l.a, l.b, 0};
-        const double factor = l.r / square;
+        const double inverse = 1 / root, factor = l.r / square;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
                 derivative[3 * i + j] = inverse * (x2[i] * x1[j] - factor * (line2[i] * x1[j] + line1[j] * x2[i]));
-        *error = l.r * inverse;
+        *error = l.r / root;
         return 1;
     }
 };

@@ -51,10 +51,9 @@ TEST(Usac_Leverage, small_baselines)
         for (double baseline : {0.02, 0.05, 0.1})
         {
             const Errors few(preset, 200, baseline), many(preset, 1000, baseline);
-            EXPECT_LE(few.median, 0.11) << preset.quality << ", " << baseline;
-            EXPECT_LE(few.sextile, 0.16) << preset.quality << ", " << baseline;
+            EXPECT_LE(few.median, 0.13) << preset.quality << ", " << baseline;
             EXPECT_LE(many.median, 0.055) << preset.quality << ", " << baseline;
-            EXPECT_LE(many.sextile, 0.08) << preset.quality << ", " << baseline;
+            EXPECT_LE(many.sextile, 0.1) << preset.quality << ", " << baseline;
         }
 }
 
@@ -91,7 +90,7 @@ TEST(Usac_Leverage, derivative_of_Sampsons_distance)
         EXPECT_EQ(other, error);
         const double size = cv::norm(Mat(9, 1, CV_64F, derivative));
         for (int k = 0; k < 9; ++k)
-            EXPECT_NEAR(derivative[k], differences[k], 1e-4 * size) << i << ", " << k;
+            EXPECT_NEAR(derivative[k], differences[k], 1e-3 * size) << i << ", " << k;
     }
 }
 

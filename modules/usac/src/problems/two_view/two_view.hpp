@@ -23,11 +23,20 @@ void createChecksOfMaps(int flags, const String& problem, std::vector<Ptr<Degene
 //! F, E: see SharedPoints.
 Ptr<Degeneracy> createSharedPoints();
 
+//! Of Frobenius. cv::norm adds in another order since OpenCV 5; this is the one before.
+inline double frobeniusNorm(const Matx33d& m)
+{
+    const double* const v = m.val;
+    double sum = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
+    sum += v[4] * v[4] + v[5] * v[5] + v[6] * v[6] + v[7] * v[7];
+    return std::sqrt(sum + v[8] * v[8]);
+}
+
 //! A model of normalized points, as x2^T F x1 = 0 has it, in the coordinates before; unit norm, false if it is not
 //! finite.
 inline bool toUnitNorm(Matx33d& model)
 {
-    const double size = norm(model);
+    const double size = frobeniusNorm(model);
     if (!(size > 0 && size <= DBL_MAX))
         return false;
     model *= 1 / size;

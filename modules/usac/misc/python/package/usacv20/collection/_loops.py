@@ -120,7 +120,7 @@ class _Forest:
 
 def _asRotation(values: npt.NDArray[np.float64]) -> _Rotation:
     w, x, y, z = values.tolist()
-    return w, x, y, z
+    return float(w), float(x), float(y), float(z)
 
 
 def _times(a: _Rotation, b: _Rotation) -> _Rotation:
