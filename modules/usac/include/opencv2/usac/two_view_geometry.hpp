@@ -48,7 +48,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     CV_PROP_RW double calibrationRatio;
 
     /** @brief Samples that find a pair that is to be kept, whatever Params::maxIterations says.
-    @param params `confidence` counts, and whether the local optimization is that of #USACV20
+    @param params `confidence` counts, and whether the local optimization is that of `USACV20`
     @param sampleSize points of a sample: 5 for E, 7 for F, 4 for H
     @param matches of the pair
     @return the samples, a whole number of at least 500.
@@ -56,8 +56,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     Samples are drawn without replacement: of I right ones among N matches the part C(I, m) / C(N, m) is right. I is
     `inlierRatio` of N, but `minInliers` or more. With `ratios` the mean over those and one pair more has the
     confidence: that one has any ratio between `inlierRatio` and the least of them, as a pair is worse than all of k
-    others with a chance of 1 / (k + 1). Of E a sample of #USACV20 counts as up to four, as its local optimization makes
-    a model of one with a wrong point, too. */
+    others with a chance of 1 / (k + 1). Of E a sample of `USACV20` counts as up to four, as its local optimization
+    makes a model of one with a wrong point, too. */
     CV_WRAP double samples(const Params& params, int sampleSize, int matches) const;
     //! The chance that one of these samples, but not more than Params::maxIterations, is right, if `inlierRatio` of the
     //! matches is; 0..1.
