@@ -25,7 +25,7 @@
 
 set -eu
 . "$(dirname "$0")/common.sh"
-tools=$work/tools-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
+tools=$work/sanitized-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
 jobs=${JOBS:-$(nproc)}
 export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$tools"  # the tests, compiled in the same way for each tool, are compiled once
 # A test with one thread has no race to find.
