@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From images of a flat object to the pose of the camera: the object's own image gives points of space (Z = 0), their
-// matches in the scene are their images, cv::solvePnPRansac finds the pose, and its axes are drawn into the scene. The
-// pose of the first scene is the initial model of the second. Without images a board is made and photographed here, and
-// the true poses are known.
+// From images of a flat object to the pose of the camera: the object's own image gives points of
+// space (Z = 0), their matches in the scene are their images, cv::solvePnPRansac finds the pose,
+// and its axes are drawn into the scene. The pose of the first scene is the initial model of the
+// second. Without images a board is made and photographed here, and the true poses are known.
 
 #include <opencv2/usac/geometry.hpp>
 #include "tools.hpp"
@@ -23,7 +23,8 @@ struct Scene
     cv::Mat image, truth;
 };
 
-//! With the pictures' origin in the middle of the object, X to the right, Y up, Z to the viewer; the width is 1.
+//! With the pictures' origin in the middle of the object, X to the right, Y up, Z to the viewer;
+//! the width is 1.
 std::vector<cv::Point3f> placesInSpace(const std::vector<cv::Point2f>& pixels, cv::Size object)
 {
     std::vector<cv::Point3f> places;
@@ -87,14 +88,16 @@ cv::Mat distort(const cv::Mat& image, const Camera& camera)
     for (int y = 0; y < image.rows; ++y)
         for (int x = 0; x < image.cols; ++x)
             pixels.push_back(cv::Point2f((float)x, (float)y));
-    cv::undistortPoints(pixels, places, camera.matrix, camera.distortion, cv::noArray(), camera.matrix);
+    cv::undistortPoints(pixels, places, camera.matrix, camera.distortion, cv::noArray(),
+                        camera.matrix);
     cv::Mat result;
-    cv::remap(image, result, cv::Mat(places).reshape(2, image.rows), cv::noArray(), cv::INTER_LINEAR,
-              cv::BORDER_REFLECT);
+    cv::remap(image, result, cv::Mat(places).reshape(2, image.rows), cv::noArray(),
+              cv::INTER_LINEAR, cv::BORDER_REFLECT);
     return result;
 }
 
-//! The board as a camera of this pose sees it, partly behind something and in front of something else.
+//! The board as a camera of this pose sees it, partly behind something and in front of something
+//! else.
 Scene photograph(const cv::Mat& board, const cv::Vec3d& rvec, const cv::Vec3d& tvec, int seed,
                  const cv::CommandLineParser& parser)
 {
@@ -104,14 +107,16 @@ Scene photograph(const cv::Mat& board, const cv::Vec3d& rvec, const cv::Vec3d& t
                                               cv::Point2f((float)board.cols, (float)board.rows),
                                               cv::Point2f(0, (float)board.rows)};
     std::vector<cv::Point2f> seen;
-    cv::projectPoints(placesInSpace(corners, board.size()), rvec, tvec, camera.matrix, cv::noArray(), seen);
+    cv::projectPoints(placesInSpace(corners, board.size()), rvec, tvec, camera.matrix,
+                      cv::noArray(), seen);
     Scene scene;
     scene.truth = poseOf(cv::Mat(rvec), cv::Mat(tvec));
     scene.image = texture(size, seed);
-    cv::warpPerspective(board, scene.image, cv::getPerspectiveTransform(corners, seen), size, cv::INTER_LINEAR,
-                        cv::BORDER_TRANSPARENT);
+    cv::warpPerspective(board, scene.image, cv::getPerspectiveTransform(corners, seen), size,
+                        cv::INTER_LINEAR, cv::BORDER_TRANSPARENT);
     scene.image = distort(scene.image, camera);
-    board(cv::Rect(0, 0, 120, 160)).copyTo(scene.image(cv::Rect(20, 300, 120, 160)));  // wrong, but consistent matches
+    board(cv::Rect(0, 0, 120, 160))
+        .copyTo(scene.image(cv::Rect(20, 300, 120, 160)));  // wrong, but consistent matches
     texture(cv::Size(160, 140), seed + 1).copyTo(scene.image(cv::Rect(260, 150, 160, 140)));
     return scene;
 }
@@ -139,9 +144,9 @@ tools::Result estimate(const char* name, Flag flag, const Input& in, const tools
     return tools::measure(name, s.runs, [&](cv::Mat& mask) {
         cv::Mat rvec, tvec;
         std::vector<int> inliers;
-        const bool found = cv::solvePnPRansac(in.objectPoints, in.imagePoints, in.camera.matrix, in.camera.distortion,
-                                              rvec, tvec, false, s.maxIterations, (float)s.threshold, s.confidence,
-                                              inliers, flag);
+        const bool found = cv::solvePnPRansac(
+            in.objectPoints, in.imagePoints, in.camera.matrix, in.camera.distortion, rvec, tvec,
+            false, s.maxIterations, (float)s.threshold, s.confidence, inliers, flag);
         mask = cv::Mat((int)in.imagePoints.size(), 1, CV_8U, cv::Scalar(0));
         for (size_t i = 0; i < inliers.size(); ++i)
             mask.at<uchar>(inliers[i]) = 1;
@@ -149,9 +154,10 @@ tools::Result estimate(const char* name, Flag flag, const Input& in, const tools
     });
 }
 
-//! The same with all that a flag does not know: the scores of the matches and, unless it is empty, the pose before.
-tools::Result estimateWith(const char* name, const Input& in, const tools::Matches& matches, const cv::Mat& before,
-                           const tools::Settings& s)
+//! The same with all that a flag does not know: the scores of the matches and, unless it is empty,
+//! the pose before.
+tools::Result estimateWith(const char* name, const Input& in, const tools::Matches& matches,
+                           const cv::Mat& before, const tools::Settings& s)
 {
     cv::usacv20::Params params = s.params();
     params.scores.assign(matches.ratios.begin(), matches.ratios.end());
@@ -167,16 +173,18 @@ tools::Result estimateWith(const char* name, const Input& in, const tools::Match
 }
 
 //! Matches, axes and outline of the object.
-cv::Mat draw(const cv::Mat& object, const Scene& scene, const tools::Matches& matches, const tools::Result& result,
-             const Camera& camera)
+cv::Mat draw(const cv::Mat& object, const Scene& scene, const tools::Matches& matches,
+             const tools::Result& result, const Camera& camera)
 {
     cv::Mat canvas = tools::drawInliers(object, scene.image, matches, result.mask, 30);
     cv::Mat right = canvas(cv::Rect(cv::Point(object.cols, 0), scene.image.size())), rvec;
     const cv::Mat tvec = result.model.col(3);
     cv::Rodrigues(result.model.colRange(0, 3), rvec);
     const float w = (float)object.cols, h = (float)object.rows;
-    std::vector<cv::Point2f> corners = {cv::Point2f(0, 0), cv::Point2f(w, 0), cv::Point2f(w, h), cv::Point2f(0, h)};
-    cv::projectPoints(placesInSpace(corners, object.size()), rvec, tvec, camera.matrix, camera.distortion, corners);
+    std::vector<cv::Point2f> corners = {cv::Point2f(0, 0), cv::Point2f(w, 0), cv::Point2f(w, h),
+                                        cv::Point2f(0, h)};
+    cv::projectPoints(placesInSpace(corners, object.size()), rvec, tvec, camera.matrix,
+                      camera.distortion, corners);
     for (int k = 0; k < 4; ++k)
         cv::line(right, corners[k], corners[(k + 1) % 4], cv::Scalar(0, 140, 255), 2, cv::LINE_AA);
     cv::drawFrameAxes(right, camera.matrix, camera.distortion, rvec, tvec, 0.4f, 3);
@@ -186,8 +194,8 @@ cv::Mat draw(const cv::Mat& object, const Scene& scene, const tools::Matches& ma
 /** Prints the table of a scene and draws it.
 @param before pose in the scene before; empty: none; becomes that in this one
 @return the exit code */
-int findPose(const cv::Mat& object, const Scene& scene, const cv::CommandLineParser& parser, cv::Mat& before,
-             std::vector<cv::Mat>& pictures)
+int findPose(const cv::Mat& object, const Scene& scene, const cv::CommandLineParser& parser,
+             cv::Mat& before, std::vector<cv::Mat>& pictures)
 {
     const tools::Settings settings(parser, parser.get<int>("iterations"));
     const tools::Matches matches = tools::match(object, scene.image, parser);
@@ -206,8 +214,9 @@ int findPose(const cv::Mat& object, const Scene& scene, const cv::CommandLinePar
         if (!scene.truth.empty() && !results[i].model.empty())
         {
             results[i].error = angleBetween(results[i].model, scene.truth);
-            results[i].errorText = cv::format("%.2f deg, %.4f", results[i].error,
-                                              cv::norm(results[i].model.col(3), scene.truth.col(3)));
+            results[i].errorText = cv::format(
+                "%.2f deg, %.4f", results[i].error,
+                cv::norm(results[i].model.col(3), scene.truth.col(3)));
         }
     std::cout << "error: rotation, place of the object in its widths" << std::endl;
     tools::printTable(matches, results, settings.runs);
@@ -228,15 +237,18 @@ int sample(const cv::CommandLineParser& parser)
     if (parser.get<std::string>("@object").empty())
     {
         object = texture(cv::Size(400, 300), 1);
-        scenes.push_back(photograph(object, cv::Vec3d(2.7, 0.3, -0.5), cv::Vec3d(0.1, 0.02, 2), 2, parser));
-        scenes.push_back(photograph(object, cv::Vec3d(2.68, 0.34, -0.47), cv::Vec3d(0.13, 0, 2.05), 4, parser));
+        scenes.push_back(
+            photograph(object, cv::Vec3d(2.7, 0.3, -0.5), cv::Vec3d(0.1, 0.02, 2), 2, parser));
+        scenes.push_back(
+            photograph(object, cv::Vec3d(2.68, 0.34, -0.47), cv::Vec3d(0.13, 0, 2.05), 4, parser));
     }
     else
     {
         object = tools::readImage(parser.get<std::string>("@object"));
         scenes.resize(parser.get<std::string>("@next").empty() ? 1 : 2);
         for (size_t i = 0; i < scenes.size(); ++i)
-            scenes[i].image = tools::readImage(parser.get<std::string>(i == 0 ? "@scene" : "@next"));
+            scenes[i].image = tools::readImage(
+                parser.get<std::string>(i == 0 ? "@scene" : "@next"));
     }
     cv::Mat pose, picture;
     std::vector<cv::Mat> pictures;
@@ -247,12 +259,13 @@ int sample(const cv::CommandLineParser& parser)
     for (size_t i = 0; i < pictures.size(); ++i)
         width = std::max(width, pictures[i].cols);
     for (size_t i = 0; i < pictures.size(); ++i)
-        cv::copyMakeBorder(pictures[i], pictures[i], 0, 0, 0, width - pictures[i].cols, cv::BORDER_CONSTANT,
-                           cv::Scalar::all(255));
+        cv::copyMakeBorder(pictures[i], pictures[i], 0, 0, 0, width - pictures[i].cols,
+                           cv::BORDER_CONSTANT, cv::Scalar::all(255));
     if (!pictures.empty())
     {
         cv::vconcat(pictures, picture);
-        tools::writePicture(parser, picture, "green: inliers, some joined; axes: X red, Y green, Z blue");
+        tools::writePicture(parser, picture,
+                            "green: inliers, some joined; axes: X red, Y green, Z blue");
     }
     return code;
 }
@@ -261,20 +274,26 @@ int sample(const cv::CommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    const std::string keys =
-        "{help h usage ? |                   | print this help}"
-        "{@object        |                   | image of a flat object, as box.png; none: a board is made}"
-        "{@scene         | box_in_scene.png  | image with the object in it}"
-        "{@next          |                   | the scene a moment later, found from the pose before}"
-        "{camera         |                   | file with camera_matrix and distortion_coefficients; none: a guess}"
-        "{focal          | 0                 | focal length in pixels of the guess; 0: 1.2 times the longer side}"
-        "{threshold      | 2                 | inlier threshold in pixels}"
-        "{iterations     | 2000              | largest number of samples}"
-        "{ratio          | 0.8               | largest ratio of the distances of the best and the second best match}"
-        "{features       | 8000              | largest number of features of an image}"
-        "{confidence     | 0.99              | probability that the model is the best one}"
-        "{runs           | 11                | runs of which the median time is printed}"
-        "{width          | 1400              | largest width of the picture}"
-        "{output o       | absolute_pose.jpg | picture to write}";
-    return tools::runSample(argc, argv, keys, "Pose of a camera from the image of a flat object.", sample);
+    const std::string
+        keys = "{help h usage ? |                   | print this help}"
+               "{@object        |                   | image of a flat object, as box.png; none: a "
+               "board is made}"
+               "{@scene         | box_in_scene.png  | image with the object in it}"
+               "{@next          |                   | the scene a moment later, found from the "
+               "pose before}"
+               "{camera         |                   | file with camera_matrix and "
+               "distortion_coefficients; none: a guess}"
+               "{focal          | 0                 | focal length in pixels of the guess; 0: 1.2 "
+               "times the longer side}"
+               "{threshold      | 2                 | inlier threshold in pixels}"
+               "{iterations     | 2000              | largest number of samples}"
+               "{ratio          | 0.8               | largest ratio of the distances of the best "
+               "and the second best match}"
+               "{features       | 8000              | largest number of features of an image}"
+               "{confidence     | 0.99              | probability that the model is the best one}"
+               "{runs           | 11                | runs of which the median time is printed}"
+               "{width          | 1400              | largest width of the picture}"
+               "{output o       | absolute_pose.jpg | picture to write}";
+    return tools::runSample(argc, argv, keys, "Pose of a camera from the image of a flat object.",
+                            sample);
 }

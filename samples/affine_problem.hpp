@@ -25,13 +25,16 @@ using cv::usacv20::Y2;
 class AffineError : public Residual
 {
 public:
-    void squaredErrors(const Correspondences& p, const Model& A, int begin, int end, float* errors) const CV_OVERRIDE
+    void squaredErrors(const Correspondences& p, const Model& A, int begin, int end,
+                       float* errors) const CV_OVERRIDE
     {
         for (int i = begin; i < end; ++i)
-            errors[i - begin] = (float)squared(A, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]);
+            errors[i - begin] = (float)squared(A, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i],
+                                               p.exact[Y2][i]);
     }
 
-    void squaredErrors(const Model& A, const double* const* c, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& A, const double* const* c, int count,
+                       double* errors) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
             errors[i] = squared(A, c[X1][i], c[Y1][i], c[X2][i], c[Y2][i]);
@@ -40,13 +43,16 @@ public:
 private:
     static double squared(const Model& A, double x1, double y1, double x2, double y2)
     {
-        const double dx = A(0, 0) * x1 + A(0, 1) * y1 + A(0, 2) - x2, dy = A(1, 0) * x1 + A(1, 1) * y1 + A(1, 2) - y2;
+        const double dx = A(0, 0) * x1 + A(0, 1) * y1 + A(0, 2) - x2,
+                     dy = A(1, 0) * x1 + A(1, 1) * y1 + A(1, 2) - y2;
         return dx * dx + dy * dy;
     }
 };
 
-//! The map with the least (weighted) squares of the errors of some matches; false if these are on a line.
-inline bool fitAffine(const Correspondences& p, const int* indices, int count, const double* weights, Model& A)
+//! The map with the least (weighted) squares of the errors of some matches; false if these are on a
+//! line.
+inline bool fitAffine(const Correspondences& p, const int* indices, int count,
+                      const double* weights, Model& A)
 {
     cv::Matx33d N = cv::Matx33d::zeros();
     cv::Matx<double, 3, 2> r = cv::Matx<double, 3, 2>::zeros();
@@ -83,8 +89,8 @@ public:
 class AffineFit : public NonMinimalSolver
 {
 public:
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int) const CV_OVERRIDE
     {
         return fitAffine(points, indices, count, weights, model);
     }
@@ -111,7 +117,10 @@ public:
     }
 
     cv::Ptr<Residual> createResidual(int) const CV_OVERRIDE { return cv::makePtr<AffineError>(); }
-    cv::Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return cv::makePtr<AffineSolver>(); }
+    cv::Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
+    {
+        return cv::makePtr<AffineSolver>();
+    }
     cv::Ptr<NonMinimalSolver> createNonMinimalSolver(const cv::Ptr<Residual>&) const CV_OVERRIDE
     {
         return cv::makePtr<AffineFit>();

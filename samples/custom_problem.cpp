@@ -2,9 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A problem of one's own: the affine map between two images, from three matches. All of the machinery is there at once:
-// samplers, verification, graph cut, polishing, criteria of termination, threads, the report. The matches come from a
-// text file with a row "x1 y1 x2 y2" each, such as test_data/graf.txt.
+// A problem of one's own: the affine map between two images, from three matches. All of the
+// machinery is there at once: samplers, verification, graph cut, polishing, criteria of
+// termination, threads, the report. The matches come from a text file with a row "x1 y1 x2 y2"
+// each, such as test_data/graf.txt.
 
 #include <iostream>
 #include "affine_problem.hpp"
@@ -12,11 +13,12 @@
 
 int main(int argc, char** argv)
 {
-    cv::CommandLineParser parser(
-        argc, argv,
-        "{help h usage ? |     | print this help}"
-        "{@matches       |     | text file with a match x1 y1 x2 y2 a row, test_data/graf.txt for example}"
-        "{threshold      | 10  | inlier threshold in pixels: no affine map is exact where the camera has turned}");
+    cv::CommandLineParser parser(argc, argv,
+                                 "{help h usage ? |     | print this help}"
+                                 "{@matches       |     | text file with a match x1 y1 x2 y2 a "
+                                 "row, test_data/graf.txt for example}"
+                                 "{threshold      | 10  | inlier threshold in pixels: no affine "
+                                 "map is exact where the camera has turned}");
     parser.about("A problem of one's own: the affine map between two images.");
     if (parser.has("help") || !parser.has("@matches"))
     {
@@ -31,7 +33,8 @@ int main(int argc, char** argv)
         Params params;  // P-NAPSAC, SPRT, graph cut, robust polishing
         params.threshold = parser.get<double>("threshold");
         std::cout << points1.size() << " matches\n";
-        const cv::Ptr<Usac> usac = Usac::create(cv::makePtr<custom::AffineProblem>(), points1, points2, params);
+        const cv::Ptr<Usac> usac = Usac::create(cv::makePtr<custom::AffineProblem>(), points1,
+                                                points2, params);
         cv::Mat mask;
         Report report;
         const cv::Mat A = usac->run(mask, &report);

@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A component of one's own: another quality function takes the place of MSAC. The matches come from a text file with a
-// row "x1 y1 x2 y2" each (what follows in a row is ignored), such as test_data/graf.txt.
+// A component of one's own: another quality function takes the place of MSAC. The matches come from
+// a text file with a row "x1 y1 x2 y2" each (what follows in a row is ignored), such as
+// test_data/graf.txt.
 
 #include <iostream>
 #include "opencv2/core.hpp"
@@ -12,10 +13,11 @@
 
 namespace {
 
-//! Runs the estimator with the components of `params`, or with another quality function among them. @return the
-//! homography
-cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std::vector<cv::Point2d>& points2,
-            const cv::usacv20::Params& params, const cv::Ptr<cv::usacv20::Score>& score)
+//! Runs the estimator with the components of `params`, or with another quality function among them.
+//! @return the homography
+cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1,
+            const std::vector<cv::Point2d>& points2, const cv::usacv20::Params& params,
+            const cv::Ptr<cv::usacv20::Score>& score)
 {
     using namespace cv::usacv20;
     cv::Ptr<Usac> usac = Usac::create(HOMOGRAPHY, points1, points2, params);
@@ -31,11 +33,11 @@ cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std
 
 int main(int argc, char** argv)
 {
-    cv::CommandLineParser parser(
-        argc, argv,
-        "{help h usage ? |     | print this help}"
-        "{@matches       |     | text file with a match x1 y1 x2 y2 a row, test_data/graf.txt for example}"
-        "{threshold      | 2   | inlier threshold in pixels}");
+    cv::CommandLineParser parser(argc, argv,
+                                 "{help h usage ? |     | print this help}"
+                                 "{@matches       |     | text file with a match x1 y1 x2 y2 a "
+                                 "row, test_data/graf.txt for example}"
+                                 "{threshold      | 2   | inlier threshold in pixels}");
     parser.about("Homography with a quality function of one's own.");
     if (parser.has("help") || !parser.has("@matches"))
     {
@@ -50,7 +52,8 @@ int main(int argc, char** argv)
         params.threshold = parser.get<double>("threshold");
         std::cout << points1.size() << " matches\n";
         const cv::Mat H = run("MSAC", points1, points2, params, cv::Ptr<cv::usacv20::Score>());
-        const cv::Mat tukey = run("Tukey", points1, points2, params, cv::makePtr<custom::TukeyScore>());
+        const cv::Mat tukey = run("Tukey", points1, points2, params,
+                                  cv::makePtr<custom::TukeyScore>());
         return H.empty() || tukey.empty() ? 1 : 0;
     }
     catch (const cv::Exception& error)

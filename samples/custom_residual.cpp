@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A component of one's own: another error of a match under a fundamental matrix takes the place of Sampson's distance.
-// It is what models are rated by, fitted with, and what the mask says. The matches come from a text file with a row "x1
-// y1 x2 y2" each, such as test_data/office01_F.txt.
+// A component of one's own: another error of a match under a fundamental matrix takes the place of
+// Sampson's distance. It is what models are rated by, fitted with, and what the mask says. The
+// matches come from a text file with a row "x1 y1 x2 y2" each, such as test_data/office01_F.txt.
 
 #include <iostream>
 #include "line_distance.hpp"
@@ -12,9 +12,11 @@
 
 namespace {
 
-//! Runs the estimator with the residual of `params`, or with another one. @return the fundamental matrix
-cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std::vector<cv::Point2d>& points2,
-            const cv::usacv20::Params& params, const cv::Ptr<cv::usacv20::Residual>& residual)
+//! Runs the estimator with the residual of `params`, or with another one. @return the fundamental
+//! matrix
+cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1,
+            const std::vector<cv::Point2d>& points2, const cv::usacv20::Params& params,
+            const cv::Ptr<cv::usacv20::Residual>& residual)
 {
     using namespace cv::usacv20;
     cv::Ptr<Usac> usac = Usac::create(FUNDAMENTAL, points1, points2, params);
@@ -30,11 +32,11 @@ cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1, const std
 
 int main(int argc, char** argv)
 {
-    cv::CommandLineParser parser(
-        argc, argv,
-        "{help h usage ? |     | print this help}"
-        "{@matches       |     | text file with a match x1 y1 x2 y2 a row, test_data/office01_F.txt for example}"
-        "{threshold      | 1   | inlier threshold in pixels}");
+    cv::CommandLineParser parser(argc, argv,
+                                 "{help h usage ? |     | print this help}"
+                                 "{@matches       |     | text file with a match x1 y1 x2 y2 a "
+                                 "row, test_data/office01_F.txt for example}"
+                                 "{threshold      | 1   | inlier threshold in pixels}");
     parser.about("Fundamental matrix with an error of one's own.");
     if (parser.has("help") || !parser.has("@matches"))
     {
@@ -48,8 +50,10 @@ int main(int argc, char** argv)
         cv::usacv20::Params params;
         params.threshold = parser.get<double>("threshold");
         std::cout << points1.size() << " matches\n";
-        const cv::Mat F = run("Sampson", points1, points2, params, cv::Ptr<cv::usacv20::Residual>());
-        const cv::Mat own = run("line", points1, points2, params, cv::makePtr<custom::LineDistance>());
+        const cv::Mat F = run("Sampson", points1, points2, params,
+                              cv::Ptr<cv::usacv20::Residual>());
+        const cv::Mat own = run("line", points1, points2, params,
+                                cv::makePtr<custom::LineDistance>());
         return F.empty() || own.empty() ? 1 : 0;
     }
     catch (const cv::Exception& error)

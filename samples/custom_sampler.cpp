@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A component of one's own: a sampler that spreads its samples over image 1 takes the place of the default one.
+// A component of one's own: a sampler that spreads its samples over image 1 takes the place of the
+// default one.
 
 #include "spread_sampler.hpp"
 #include "tools.hpp"
@@ -43,14 +44,17 @@ int sample(const cv::CommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    const std::string keys =
-        "{help h usage ? |           | print this help}"
-        "{@image1        | graf1.png | image 1, a path or the name of one of OpenCV's sample images}"
-        "{@image2        | graf3.png | image 2}"
-        "{ratio          | 0.8       | largest ratio of the distances of the best and the second best match}"
-        "{features       | 8000      | largest number of features of an image}"
-        "{confidence     | 0.99      | probability that the model is the best one}"
-        "{threshold      | 2         | inlier threshold in pixels}"
-        "{iterations     | 10000     | largest number of samples}";
-    return tools::runSample(argc, argv, keys, "Homography of two images with a sampler of one's own.", sample);
+    const std::string
+        keys = "{help h usage ? |           | print this help}"
+               "{@image1        | graf1.png | image 1, a path or the name of one of OpenCV's "
+               "sample images}"
+               "{@image2        | graf3.png | image 2}"
+               "{ratio          | 0.8       | largest ratio of the distances of the best and the "
+               "second best match}"
+               "{features       | 8000      | largest number of features of an image}"
+               "{confidence     | 0.99      | probability that the model is the best one}"
+               "{threshold      | 2         | inlier threshold in pixels}"
+               "{iterations     | 10000     | largest number of samples}";
+    return tools::runSample(argc, argv, keys,
+                            "Homography of two images with a sampler of one's own.", sample);
 }

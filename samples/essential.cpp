@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From two images of calibrated cameras to the essential matrix and the pose, with the flags of OpenCV and of this
-// module side by side. OpenCV's chessboard images calibrate the two cameras and tell the true pose.
+// From two images of calibrated cameras to the essential matrix and the pose, with the flags of
+// OpenCV and of this module side by side. OpenCV's chessboard images calibrate the two cameras and
+// tell the true pose.
 
 #include "opencv2/core/version.hpp"
 #include "tools.hpp"
@@ -31,7 +32,8 @@ bool findCorners(const cv::Mat& image, cv::Size board, std::vector<cv::Point2f>&
     return true;
 }
 
-//! Calibrates both cameras and their relative pose from the pairs of chessboard images that a file lists.
+//! Calibrates both cameras and their relative pose from the pairs of chessboard images that a file
+//! lists.
 Stereo calibrate(const std::string& list, cv::Size board)
 {
     const cv::FileStorage fs(tools::findFile(list), cv::FileStorage::READ);
@@ -58,27 +60,33 @@ Stereo calibrate(const std::string& list, cv::Size board)
     cv::Mat E, F;
     s.K1 = cv::initCameraMatrix2D(object, corners1, size);
     s.K2 = cv::initCameraMatrix2D(object, corners2, size);
-    const double rms = cv::stereoCalibrate(object, corners1, corners2, s.K1, s.dist1, s.K2, s.dist2, size, s.R, s.t, E,
-                                           F, cv::CALIB_USE_INTRINSIC_GUESS);
-    std::cout << cv::format("calibrated from %d pairs of chessboard images, reprojection error %.2f px\n",
-                            (int)object.size(), rms);
+    const double rms = cv::stereoCalibrate(object, corners1, corners2, s.K1, s.dist1, s.K2, s.dist2,
+                                           size, s.R, s.t, E, F, cv::CALIB_USE_INTRINSIC_GUESS);
+    std::cout << cv::format(
+        "calibrated from %d pairs of chessboard images, reprojection error %.2f px\n",
+        (int)object.size(), rms);
     return s;
 }
 
 //! The call a user writes; `Method` is OpenCV's or this module's.
 template <class Method>
-tools::Result estimate(const char* name, Method method, const tools::Matches& matches, const Stereo& stereo,
-                       const tools::Settings& s)
+tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
+                       const Stereo& stereo, const tools::Settings& s)
 {
     return tools::measure(name, s.runs, [&](cv::Mat& mask) {
-        return cv::findEssentialMat(matches.points1, matches.points2, stereo.K1, stereo.dist1, stereo.K2, stereo.dist2,
-                                    method, s.confidence, s.threshold, mask);
+        return cv::findEssentialMat(matches.points1, matches.points2, stereo.K1, stereo.dist1,
+                                    stereo.K2, stereo.dist2, method, s.confidence, s.threshold,
+                                    mask);
     });
 }
 
-double degrees(double cosine) { return std::acos(std::max(-1., std::min(1., cosine))) * 180 / CV_PI; }
+double degrees(double cosine)
+{
+    return std::acos(std::max(-1., std::min(1., cosine))) * 180 / CV_PI;
+}
 
-//! Angles between the true and the estimated rotation and direction of translation; `error` is the larger one.
+//! Angles between the true and the estimated rotation and direction of translation; `error` is the
+//! larger one.
 void rate(tools::Result& result, const tools::Matches& matches, const Stereo& stereo)
 {
     std::vector<cv::Point2f> points1, points2;
@@ -93,15 +101,17 @@ void rate(tools::Result& result, const tools::Matches& matches, const Stereo& st
 }
 
 //! Epipolar lines are straight in images without distortion.
-cv::Mat draw(const cv::Mat& image1, const cv::Mat& image2, const tools::Matches& matches, const Stereo& stereo,
-             const tools::Result& result)
+cv::Mat draw(const cv::Mat& image1, const cv::Mat& image2, const tools::Matches& matches,
+             const Stereo& stereo, const tools::Result& result)
 {
     cv::Mat straight1, straight2;
     cv::undistort(image1, straight1, stereo.K1, stereo.dist1);
     cv::undistort(image2, straight2, stereo.K2, stereo.dist2);
     tools::Matches straight;
-    cv::undistortPoints(matches.points1, straight.points1, stereo.K1, stereo.dist1, cv::noArray(), stereo.K1);
-    cv::undistortPoints(matches.points2, straight.points2, stereo.K2, stereo.dist2, cv::noArray(), stereo.K2);
+    cv::undistortPoints(matches.points1, straight.points1, stereo.K1, stereo.dist1, cv::noArray(),
+                        stereo.K1);
+    cv::undistortPoints(matches.points2, straight.points2, stereo.K2, stereo.dist2, cv::noArray(),
+                        stereo.K2);
     const cv::Mat F = stereo.K2.inv().t() * result.model * stereo.K1.inv();
     return tools::drawEpipolarLines(straight1, straight2, straight, result.mask, F);
 }
@@ -125,16 +135,19 @@ int sample(const cv::CommandLineParser& parser)
 
     // The same estimation once more, for what a flag does not tell.
     cv::usacv20::Report report;
-    cv::usacv20::estimateEssential(matches.points1, matches.points2, stereo.K1, stereo.K2, stereo.dist1, stereo.dist2,
-                                   settings.params(), cv::noArray(), report);
+    cv::usacv20::estimateEssential(matches.points1, matches.points2, stereo.K1, stereo.K2,
+                                   stereo.dist1, stereo.dist2, settings.params(), cv::noArray(),
+                                   report);
     tools::Result& ours = results.back();
     ours.iterations = report.iterations;
     tools::printTable(matches, results, settings.runs);
     std::cout << "USACV20: " << report.describe() << std::endl;
     if (!ours.model.empty())
-        tools::writePicture(parser, draw(image1, image2, matches, stereo, ours),
-                            cv::format("USACV20: %d of %d matches are inliers; some of them with their epipolar lines",
-                                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
+        tools::writePicture(
+            parser, draw(image1, image2, matches, stereo, ours),
+            cv::format(
+                "USACV20: %d of %d matches are inliers; some of them with their epipolar lines",
+                cv::countNonZero(ours.mask), (int)ours.mask.total()));
     return tools::exitCode(ours, 10);  // degrees
 }
 
@@ -142,11 +155,13 @@ int sample(const cv::CommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    const std::string keys =
-        tools::keys("left01.jpg", "right01.jpg", "essential.jpg") +
-        "{chessboards    | stereo_calib.xml | list of pairs of chessboard images of the same two cameras}"
-        "{columns        | 9                | inner corners of the chessboard in a row}"
-        "{rows           | 6                | and in a column}"
-        "{threshold      | 1                | inlier threshold in pixels}";
-    return tools::runSample(argc, argv, keys, "Essential matrix of two images of calibrated cameras.", sample);
+    const std::string
+        keys = tools::keys("left01.jpg", "right01.jpg", "essential.jpg") +
+               "{chessboards    | stereo_calib.xml | list of pairs of chessboard images of the "
+               "same two cameras}"
+               "{columns        | 9                | inner corners of the chessboard in a row}"
+               "{rows           | 6                | and in a column}"
+               "{threshold      | 1                | inlier threshold in pixels}";
+    return tools::runSample(argc, argv, keys,
+                            "Essential matrix of two images of calibrated cameras.", sample);
 }

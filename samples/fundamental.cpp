@@ -2,14 +2,16 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From two images to the fundamental matrix between them, with the flags of OpenCV and of this module side by side.
+// From two images to the fundamental matrix between them, with the flags of OpenCV and of this
+// module side by side.
 
 #include "tools.hpp"
 
 namespace {
 
-/** True correspondences of a rectified stereo pair: x2 = x1 - disparity, 0: unknown. Disparities are rounded to a
-pixel, but the epipolar lines are the rows, so the rounding moves points along their lines and costs no accuracy. */
+/** True correspondences of a rectified stereo pair: x2 = x1 - disparity, 0: unknown. Disparities
+are rounded to a pixel, but the epipolar lines are the rows, so the rounding moves points along
+their lines and costs no accuracy. */
 tools::Matches readTruth(const std::string& name)
 {
     tools::Matches truth;
@@ -21,7 +23,8 @@ tools::Matches readTruth(const std::string& name)
             if (disparity.at<uchar>(y, x) > 0 && x >= disparity.at<uchar>(y, x))
             {
                 truth.points1.push_back(cv::Point2f((float)x, (float)y));
-                truth.points2.push_back(cv::Point2f((float)(x - disparity.at<uchar>(y, x)), (float)y));
+                truth.points2.push_back(
+                    cv::Point2f((float)(x - disparity.at<uchar>(y, x)), (float)y));
             }
     return truth;
 }
@@ -32,17 +35,19 @@ double meanDistance(const cv::Matx33d& F, const tools::Matches& truth)
     double sum = 0;
     for (size_t i = 0; i < truth.points1.size(); ++i)
         sum += std::sqrt(cv::sampsonDistance(cv::Vec3d(truth.points1[i].x, truth.points1[i].y, 1),
-                                             cv::Vec3d(truth.points2[i].x, truth.points2[i].y, 1), F));
+                                             cv::Vec3d(truth.points2[i].x, truth.points2[i].y, 1),
+                                             F));
     return sum / truth.points1.size();
 }
 
 //! The call a user writes; `Method` is OpenCV's or this module's.
 template <class Method>
-tools::Result estimate(const char* name, Method method, const tools::Matches& matches, const tools::Settings& s)
+tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
+                       const tools::Settings& s)
 {
     return tools::measure(name, s.runs, [&](cv::Mat& mask) {
-        return cv::findFundamentalMat(matches.points1, matches.points2, method, s.threshold, s.confidence,
-                                      s.maxIterations, mask);
+        return cv::findFundamentalMat(matches.points1, matches.points2, method, s.threshold,
+                                      s.confidence, s.maxIterations, mask);
     });
 }
 
@@ -67,15 +72,18 @@ int sample(const cv::CommandLineParser& parser)
 
     // The same estimation once more, for what a flag does not tell.
     cv::usacv20::Report report;
-    cv::usacv20::estimateFundamental(matches.points1, matches.points2, settings.params(), cv::noArray(), report);
+    cv::usacv20::estimateFundamental(matches.points1, matches.points2, settings.params(),
+                                     cv::noArray(), report);
     tools::Result& ours = results.back();
     ours.iterations = report.iterations;
     tools::printTable(matches, results, settings.runs);
     std::cout << "USACV20: " << report.describe() << std::endl;
     if (!ours.model.empty())
-        tools::writePicture(parser, tools::drawEpipolarLines(image1, image2, matches, ours.mask, ours.model),
-                            cv::format("USACV20: %d of %d matches are inliers; some of them with their epipolar lines",
-                                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
+        tools::writePicture(
+            parser, tools::drawEpipolarLines(image1, image2, matches, ours.mask, ours.model),
+            cv::format(
+                "USACV20: %d of %d matches are inliers; some of them with their epipolar lines",
+                cv::countNonZero(ours.mask), (int)ours.mask.total()));
     return tools::exitCode(ours, tools::failureLimit(image2));
 }
 
@@ -83,10 +91,10 @@ int sample(const cv::CommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    const std::string keys =
-        tools::keys("aloeL.jpg", "aloeR.jpg", "fundamental.jpg") +
-        "{truth          | aloeGT.png | true disparities of a rectified pair as an 8-bit image, or none}"
-        "{threshold      | 1          | inlier threshold in pixels}"
-        "{iterations     | 1000       | largest number of samples}";
+    const std::string keys = tools::keys("aloeL.jpg", "aloeR.jpg", "fundamental.jpg") +
+                             "{truth          | aloeGT.png | true disparities of a rectified pair "
+                             "as an 8-bit image, or none}"
+                             "{threshold      | 1          | inlier threshold in pixels}"
+                             "{iterations     | 1000       | largest number of samples}";
     return tools::runSample(argc, argv, keys, "Fundamental matrix of two images.", sample);
 }

@@ -2,13 +2,15 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From two images of a plane to the homography between them, with the flags of OpenCV and of this module side by side.
+// From two images of a plane to the homography between them, with the flags of OpenCV and of this
+// module side by side.
 
 #include "tools.hpp"
 
 namespace {
 
-//! Mean distance in image 2 between the places where both homographies map a grid of points of image 1.
+//! Mean distance in image 2 between the places where both homographies map a grid of points of
+//! image 1.
 double meanDistance(const cv::Mat& H, const cv::Mat& truth, cv::Size size)
 {
     std::vector<cv::Point2d> grid, mapped, expected;
@@ -36,18 +38,20 @@ cv::Mat readTruth(const std::string& name)
 
 //! The call a user writes; `Method` is OpenCV's or this module's.
 template <class Method>
-tools::Result estimate(const char* name, Method method, const tools::Matches& matches, const tools::Settings& s)
+tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
+                       const tools::Settings& s)
 {
     return tools::measure(name, s.runs, [&](cv::Mat& mask) {
-        return cv::findHomography(matches.points1, matches.points2, method, s.threshold, mask, s.maxIterations,
-                                  s.confidence);
+        return cv::findHomography(matches.points1, matches.points2, method, s.threshold, mask,
+                                  s.maxIterations, s.confidence);
     });
 }
 
 void drawOutline(cv::Mat canvas, const cv::Mat& H, cv::Size size)
 {
     std::vector<cv::Point2d> corners = {cv::Point2d(0, 0), cv::Point2d(size.width, 0),
-                                        cv::Point2d(size.width, size.height), cv::Point2d(0, size.height)};
+                                        cv::Point2d(size.width, size.height),
+                                        cv::Point2d(0, size.height)};
     cv::perspectiveTransform(corners, corners, H);
     cv::Mat right = canvas.colRange(size.width, canvas.cols);
     for (int k = 0; k < 4; ++k)
@@ -75,7 +79,8 @@ int sample(const cv::CommandLineParser& parser)
 
     // The same estimation once more, for what a flag does not tell.
     cv::usacv20::Report report;
-    cv::usacv20::estimateHomography(matches.points1, matches.points2, settings.params(), cv::noArray(), report);
+    cv::usacv20::estimateHomography(matches.points1, matches.points2, settings.params(),
+                                    cv::noArray(), report);
     tools::Result& ours = results.back();
     ours.iterations = report.iterations;
     tools::printTable(matches, results, settings.runs);
@@ -84,10 +89,10 @@ int sample(const cv::CommandLineParser& parser)
     {
         cv::Mat picture = tools::drawInliers(image1, image2, matches, ours.mask);
         drawOutline(picture, ours.model, image1.size());
-        tools::writePicture(
-            parser, picture,
-            cv::format("USACV20: %d of %d matches are inliers (green, some joined); orange: image 1 in image 2",
-                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
+        tools::writePicture(parser, picture,
+                            cv::format("USACV20: %d of %d matches are inliers (green, some "
+                                       "joined); orange: image 1 in image 2",
+                                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
     }
     return tools::exitCode(ours, tools::failureLimit(image2));
 }
@@ -96,10 +101,10 @@ int sample(const cv::CommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    const std::string keys =
-        tools::keys("graf1.png", "graf3.png", "homography.jpg") +
-        "{truth          | H1to3p.xml | file with the true homography from image 1 to image 2, or none}"
-        "{threshold      | 2          | inlier threshold in pixels}"
-        "{iterations     | 10000      | largest number of samples}";
+    const std::string keys = tools::keys("graf1.png", "graf3.png", "homography.jpg") +
+                             "{truth          | H1to3p.xml | file with the true homography from "
+                             "image 1 to image 2, or none}"
+                             "{threshold      | 2          | inlier threshold in pixels}"
+                             "{iterations     | 10000      | largest number of samples}";
     return tools::runSample(argc, argv, keys, "Homography of two images of a plane.", sample);
 }

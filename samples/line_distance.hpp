@@ -11,22 +11,25 @@
 
 namespace custom {
 
-/** The distance of a point of image 2 to the epipolar line of its counterpart: what one wants where the points of image
-1 are exact, those of a map, say. */
+/** The distance of a point of image 2 to the epipolar line of its counterpart: what one wants where
+the points of image 1 are exact, those of a map, say. */
 class LineDistance : public cv::usacv20::Residual
 {
 public:
     typedef cv::usacv20::Correspondences Correspondences;
     typedef cv::usacv20::Model Model;
 
-    void squaredErrors(const Correspondences& p, const Model& F, int begin, int end, float* errors) const CV_OVERRIDE
+    void squaredErrors(const Correspondences& p, const Model& F, int begin, int end,
+                       float* errors) const CV_OVERRIDE
     {
         using namespace cv::usacv20;
         for (int i = begin; i < end; ++i)
-            errors[i - begin] = squared<float>(F, p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]);
+            errors[i - begin] = squared<float>(F, p.column[X1][i], p.column[Y1][i], p.column[X2][i],
+                                               p.column[Y2][i]);
     }
 
-    void squaredErrors(const Model& F, const double* const* c, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& F, const double* const* c, int count,
+                       double* errors) const CV_OVERRIDE
     {
         using namespace cv::usacv20;
         for (int i = 0; i < count; ++i)
@@ -42,7 +45,8 @@ public:
     }
 
     //! Without this method it would be found by differences, 19 calls of error().
-    int linearize(const Model& F, const double* match, double* out, double* derivative) const CV_OVERRIDE
+    int linearize(const Model& F, const double* match, double* out,
+                  double* derivative) const CV_OVERRIDE
     {
         const double x1[] = {match[0], match[1], 1}, x2[] = {match[2], match[3], 1};
         const cv::Vec3d line = cv::Matx33d(F) * cv::Vec3d(x1[0], x1[1], 1);

@@ -12,7 +12,8 @@
 #include "opencv2/core.hpp"
 
 //! Reads a text file with a row "x1 y1 x2 y2" for each match; what follows in a row is ignored.
-inline void readMatches(const std::string& file, std::vector<cv::Point2d>& points1, std::vector<cv::Point2d>& points2)
+inline void readMatches(const std::string& file, std::vector<cv::Point2d>& points1,
+                        std::vector<cv::Point2d>& points2)
 {
     std::ifstream in(file.c_str());
     if (!in)

@@ -11,16 +11,18 @@
 
 namespace custom {
 
-/** Draws the points of a sample from different cells of a grid over image 1, as long as enough of the cells hold
-points. A model from points far apart extrapolates less, at the price that local structures are found later. Its samples
-count for the criteria of termination (State::counts stays true): any point can be drawn. */
+/** Draws the points of a sample from different cells of a grid over image 1, as long as enough of
+the cells hold points. A model from points far apart extrapolates less, at the price that local
+structures are found later. Its samples count for the criteria of termination (State::counts stays
+true): any point can be drawn. */
 class SpreadSampler : public cv::usacv20::Sampler
 {
 public:
     //! A run begins, with points that may be others than those of the last one.
     void start(const cv::usacv20::Context& context) CV_OVERRIDE { assign(context.points); }
 
-    void sample(const cv::usacv20::Context& context, cv::usacv20::State& state, int* sample) CV_OVERRIDE
+    void sample(const cv::usacv20::Context& context, cv::usacv20::State& state,
+                int* sample) CV_OVERRIDE
     {
         const int wanted = context.components.minimalSolver->sampleSize();
         if ((int)cells.size() < wanted)

@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Takes the shake out of a sequence: the similarity from each frame to the next by cv::estimateAffinePartial2D, a
-// smooth path in the place of the shaky one, and each frame moved onto it. The frames are the images of a folder;
-// without one they are cut out of an image along a shaky path, with something that moves by itself, and the true
-// motions are known.
+// Takes the shake out of a sequence: the similarity from each frame to the next by
+// cv::estimateAffinePartial2D, a smooth path in the place of the shaky one, and each frame moved
+// onto it. The frames are the images of a folder; without one they are cut out of an image along a
+// shaky path, with something that moves by itself, and the true motions are known.
 
 #include "tools.hpp"
 
@@ -43,7 +43,8 @@ Sequence readFolder(const std::string& folder)
     for (size_t i = 0; i < files.size(); ++i)
     {
         const cv::Mat frame = cv::imread(files[i]);
-        if (frame.empty() || (!sequence.frames.empty() && frame.size() != sequence.frames[0].size()))
+        if (frame.empty() ||
+            (!sequence.frames.empty() && frame.size() != sequence.frames[0].size()))
             std::cerr << files[i] << ": no image of the size of the others, left out" << std::endl;
         else
             sequence.frames.push_back(frame);
@@ -51,22 +52,28 @@ Sequence readFolder(const std::string& folder)
     return sequence;
 }
 
-//! What a shaking hand would film: windows of the image, and in front of them a patch on its own way.
+//! What a shaking hand would film: windows of the image, and in front of them a patch on its own
+//! way.
 Sequence shaken(const cv::Mat& image, int count)
 {
-    const cv::Size size(image.cols * 5 / 8, image.rows * 5 / 8), patch(size.width * 2 / 5, size.height / 2);
-    const cv::Point2d middle(image.cols / 2., image.rows / 2.), corner(-image.cols * 3 / 16., -image.rows * 3 / 16.);
+    const cv::Size size(image.cols * 5 / 8, image.rows * 5 / 8),
+        patch(size.width * 2 / 5, size.height / 2);
+    const cv::Point2d middle(image.cols / 2., image.rows / 2.),
+        corner(-image.cols * 3 / 16., -image.rows * 3 / 16.);
     cv::RNG rng(1);
     Sequence sequence;
     std::vector<cv::Matx33d> windows;
     for (int k = 0; k < count; ++k)
     {
         const cv::Point2d shake(rng.gaussian(6), rng.gaussian(6));
-        windows.push_back(square(motion(middle, rng.gaussian(1.5), 1 + rng.gaussian(0.01), corner + shake)));
+        windows.push_back(
+            square(motion(middle, rng.gaussian(1.5), 1 + rng.gaussian(0.01), corner + shake)));
         cv::Mat frame;
         cv::warpAffine(image, frame, rows(windows[k]), size, cv::INTER_LINEAR, cv::BORDER_REFLECT);
-        const cv::Point place(k * (size.width - patch.width) / std::max(count - 1, 1), size.height / 4);
-        image(cv::Rect(cv::Point(image.cols - patch.width, 0), patch)).copyTo(frame(cv::Rect(place, patch)));
+        const cv::Point place(k * (size.width - patch.width) / std::max(count - 1, 1),
+                              size.height / 4);
+        image(cv::Rect(cv::Point(image.cols - patch.width, 0), patch))
+            .copyTo(frame(cv::Rect(place, patch)));
         sequence.frames.push_back(frame);
         if (k > 0)
             sequence.truth.push_back(rows(windows[k] * windows[k - 1].inv()));
@@ -83,9 +90,11 @@ double distance(const cv::Matx23d& a, const cv::Matx23d& b, cv::Size size)
     return sum;
 }
 
-//! The motions of all frames by one method; prints its line of the table. @return false if one has not been found
-bool estimate(const char* name, int method, const Sequence& sequence, const std::vector<tools::Matches>& matches,
-              const tools::Settings& s, std::vector<cv::Matx23d>& motions, double& meanError)
+//! The motions of all frames by one method; prints its line of the table. @return false if one has
+//! not been found
+bool estimate(const char* name, int method, const Sequence& sequence,
+              const std::vector<tools::Matches>& matches, const tools::Settings& s,
+              std::vector<cv::Matx23d>& motions, double& meanError)
 {
     double milliseconds = 0, worst = 0;
     int inliers = 0, all = 0, lost = 0;
@@ -94,8 +103,9 @@ bool estimate(const char* name, int method, const Sequence& sequence, const std:
     for (size_t k = 0; k < matches.size(); ++k)
     {
         const tools::Result result = tools::measure(name, s.runs, [&](cv::Mat& mask) {
-            return cv::usacv20::estimateAffinePartial2D(matches[k].points1, matches[k].points2, mask, method,
-                                                        s.threshold, s.maxIterations, s.confidence);
+            return cv::usacv20::estimateAffinePartial2D(matches[k].points1, matches[k].points2,
+                                                        mask, method, s.threshold, s.maxIterations,
+                                                        s.confidence);
         });
         lost += result.model.empty();
         if (!result.model.empty())
@@ -103,21 +113,24 @@ bool estimate(const char* name, int method, const Sequence& sequence, const std:
         milliseconds += result.milliseconds;
         inliers += result.mask.empty() ? 0 : cv::countNonZero(result.mask);
         all += (int)matches[k].points1.size();
-        const double error = sequence.truth.empty()
-                                 ? 0
-                                 : distance(motions[k], sequence.truth[k], sequence.frames[0].size());
+        const double error = sequence.truth.empty() ? 0
+                                                    : distance(motions[k], sequence.truth[k],
+                                                               sequence.frames[0].size());
         meanError += error / matches.size();
         worst = std::max(worst, error);
     }
-    const std::string errors = sequence.truth.empty() ? "unknown" : cv::format("%.3f, %.3f px", meanError, worst);
-    std::cout << cv::format("%-10s %-18s %11.1f %6d %11.3f\n", name, errors.c_str(), 100. * inliers / std::max(all, 1),
-                            lost, milliseconds / matches.size());
+    const std::string errors = sequence.truth.empty()
+                                   ? "unknown"
+                                   : cv::format("%.3f, %.3f px", meanError, worst);
+    std::cout << cv::format("%-10s %-18s %11.1f %6d %11.3f\n", name, errors.c_str(),
+                            100. * inliers / std::max(all, 1), lost, milliseconds / matches.size());
     return lost == 0;
 }
 
-/** What moves each frame onto the smooth path: the means of x, y, angle and log scale over so many frames before and
-after. The path is that of the frame's middle. */
-std::vector<cv::Matx23d> corrections(const std::vector<cv::Matx23d>& motions, cv::Size size, int radius)
+/** What moves each frame onto the smooth path: the means of x, y, angle and log scale over so many
+frames before and after. The path is that of the frame's middle. */
+std::vector<cv::Matx23d> corrections(const std::vector<cv::Matx23d>& motions, cv::Size size,
+                                     int radius)
 {
     const cv::Vec3d middle(size.width / 2., size.height / 2., 1);
     std::vector<cv::Vec4d> path(1, cv::Vec4d());
@@ -140,19 +153,23 @@ std::vector<cv::Matx23d> corrections(const std::vector<cv::Matx23d>& motions, cv
             cv::Vec4d mean;
             for (int i = first; i <= last; ++i)
                 mean += path[i] * (1. / (last - first + 1));
-            positions[smooth] = square(motion(cv::Point2d(middle[0], middle[1]), -mean[2] * 180 / CV_PI,
-                                              std::exp(mean[3]), cv::Point2d(mean[0], mean[1])));
+            positions[smooth] = square(motion(cv::Point2d(middle[0], middle[1]),
+                                              -mean[2] * 180 / CV_PI, std::exp(mean[3]),
+                                              cv::Point2d(mean[0], mean[1])));
         }
         result.push_back(rows(positions[1].inv() * positions[0]));
     }
     return result;
 }
 
-//! The mean of the frames as they are and on the smooth path, side by side; what stands still is sharp.
-cv::Mat meanFrames(const std::vector<cv::Mat>& frames, const std::vector<cv::Matx23d>& moves, const std::string& folder)
+//! The mean of the frames as they are and on the smooth path, side by side; what stands still is
+//! sharp.
+cv::Mat meanFrames(const std::vector<cv::Mat>& frames, const std::vector<cv::Matx23d>& moves,
+                   const std::string& folder)
 {
     const cv::Size size = frames[0].size();
-    cv::Mat sums[2] = {cv::Mat(size, CV_32FC3, cv::Scalar::all(0)), cv::Mat(size, CV_32FC3, cv::Scalar::all(0))};
+    cv::Mat sums[2] = {cv::Mat(size, CV_32FC3, cv::Scalar::all(0)),
+                       cv::Mat(size, CV_32FC3, cv::Scalar::all(0))};
     for (size_t k = 0; k < frames.size(); ++k)
     {
         cv::Mat moved;
@@ -172,8 +189,9 @@ cv::Mat meanFrames(const std::vector<cv::Mat>& frames, const std::vector<cv::Mat
 int sample(const cv::CommandLineParser& parser)
 {
     const std::string folder = parser.get<std::string>("@folder");
-    const Sequence sequence = folder.empty() ? shaken(tools::readImage(parser.get<std::string>("image")), 30)
-                                             : readFolder(folder);
+    const Sequence sequence = folder.empty()
+                                  ? shaken(tools::readImage(parser.get<std::string>("image")), 30)
+                                  : readFolder(folder);
     if (sequence.frames.size() < 2)
         CV_Error(cv::Error::StsError, folder + ": a folder with two images or more is expected");
     const tools::Settings settings(parser, 2000);
@@ -181,21 +199,24 @@ int sample(const cv::CommandLineParser& parser)
     for (size_t k = 1; k < sequence.frames.size(); ++k)
         matches.push_back(tools::match(sequence.frames[k - 1], sequence.frames[k], parser));
     std::cout << sequence.frames.size() << " frames\n\n"
-              << cv::format("%-10s %-18s %11s %6s %11s\n", "method", "error mean, worst", "inliers %", "lost",
-                            "ms a frame");
+              << cv::format("%-10s %-18s %11s %6s %11s\n", "method", "error mean, worst",
+                            "inliers %", "lost", "ms a frame");
     std::vector<cv::Matx23d> motions;
     double error = 0;
     estimate("RANSAC", cv::RANSAC, sequence, matches, settings, motions, error);
     estimate("LMEDS", cv::LMEDS, sequence, matches, settings, motions, error);
-    const bool found = estimate("USACV20", (int)cv::USACV20, sequence, matches, settings, motions, error);
-    const cv::Mat picture = meanFrames(sequence.frames,
-                                       corrections(motions, sequence.frames[0].size(), parser.get<int>("radius")),
-                                       parser.get<std::string>("frames"));
+    const bool found = estimate("USACV20", (int)cv::USACV20, sequence, matches, settings, motions,
+                                error);
+    const cv::Mat picture = meanFrames(
+        sequence.frames, corrections(motions, sequence.frames[0].size(), parser.get<int>("radius")),
+        parser.get<std::string>("frames"));
     std::cout << std::endl;
-    tools::writePicture(parser, picture, "mean of all frames: left as they are, right on the smooth path");
+    tools::writePicture(parser, picture,
+                        "mean of all frames: left as they are, right on the smooth path");
     if (found && error < 1)
         return 0;
-    std::cerr << "USACV20: " << (found ? "the error is too large" : "a motion has not been found") << std::endl;
+    std::cerr << "USACV20: " << (found ? "the error is too large" : "a motion has not been found")
+              << std::endl;
     return 1;
 }
 
@@ -203,18 +224,23 @@ int sample(const cv::CommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    const std::string keys =
-        "{help h usage ? |               | print this help}"
-        "{@folder        |               | images, frames by the order of their names; none: made of `image`}"
-        "{image          | graf1.png     | image of which a sequence is made}"
-        "{radius         | 15            | frames before and after over which the path is smoothed}"
-        "{frames         |               | folder, which exists, for the frames on the smooth path}"
-        "{threshold      | 2             | inlier threshold in pixels}"
-        "{ratio          | 0.8           | largest ratio of the distances of the best and the second best match}"
-        "{features       | 1000          | largest number of features of a frame}"
-        "{confidence     | 0.99          | probability that the model is the best one}"
-        "{runs           | 3             | runs of which the median time is printed}"
-        "{width          | 1400          | largest width of the picture}"
-        "{output o       | stabilize.jpg | picture to write}";
-    return tools::runSample(argc, argv, keys, "Takes the shake out of a sequence of images.", sample);
+    const std::string
+        keys = "{help h usage ? |               | print this help}"
+               "{@folder        |               | images, frames by the order of their names; "
+               "none: made of `image`}"
+               "{image          | graf1.png     | image of which a sequence is made}"
+               "{radius         | 15            | frames before and after over which the path is "
+               "smoothed}"
+               "{frames         |               | folder, which exists, for the frames on the "
+               "smooth path}"
+               "{threshold      | 2             | inlier threshold in pixels}"
+               "{ratio          | 0.8           | largest ratio of the distances of the best and "
+               "the second best match}"
+               "{features       | 1000          | largest number of features of a frame}"
+               "{confidence     | 0.99          | probability that the model is the best one}"
+               "{runs           | 3             | runs of which the median time is printed}"
+               "{width          | 1400          | largest width of the picture}"
+               "{output o       | stabilize.jpg | picture to write}";
+    return tools::runSample(argc, argv, keys, "Takes the shake out of a sequence of images.",
+                            sample);
 }

@@ -65,11 +65,12 @@ struct Settings
 //! Finds a file by its path or among OpenCV's sample data.
 inline std::string findFile(const std::string& name)
 {
-    cv::samples::addSamplesDataSearchPath("/usr/share/doc/opencv-doc/examples/data");  // Debian's package opencv-doc
+    cv::samples::addSamplesDataSearchPath(
+        "/usr/share/doc/opencv-doc/examples/data");  // Debian's package opencv-doc
     const std::string path = cv::samples::findFile(name, false, true);
     if (path.empty())
-        CV_Error(cv::Error::StsObjectNotFound,
-                 name + ": not found; OPENCV_SAMPLES_DATA_PATH can name the folder of OpenCV's sample data");
+        CV_Error(cv::Error::StsObjectNotFound, name + ": not found; OPENCV_SAMPLES_DATA_PATH can "
+                                                      "name the folder of OpenCV's sample data");
     return path;
 }
 
@@ -82,7 +83,8 @@ inline cv::Mat readImage(const std::string& name)
 }
 
 //! RootSIFT: with the square roots of the L1-normalized entries, Euclidean distance is Hellinger's.
-inline void detect(const cv::Mat& image, int features, std::vector<cv::KeyPoint>& keypoints, cv::Mat& descriptors)
+inline void detect(const cv::Mat& image, int features, std::vector<cv::KeyPoint>& keypoints,
+                   cv::Mat& descriptors)
 {
     cv::SIFT::create(features)->detectAndCompute(image, cv::noArray(), keypoints, descriptors);
     for (int i = 0; i < descriptors.rows; ++i)
@@ -91,7 +93,8 @@ inline void detect(const cv::Mat& image, int features, std::vector<cv::KeyPoint>
 }
 
 //! Matches whose descriptor distance is below `ratio` times that of the second best match.
-inline Matches match(const cv::Mat& image1, const cv::Mat& image2, const cv::CommandLineParser& parser)
+inline Matches match(const cv::Mat& image1, const cv::Mat& image2,
+                     const cv::CommandLineParser& parser)
 {
     std::vector<cv::KeyPoint> keypoints1, keypoints2;
     cv::Mat descriptors1, descriptors2;
@@ -138,24 +141,30 @@ Result measure(const std::string& method, int runs, Estimate estimate)
 inline void printTable(const Matches& matches, const std::vector<Result>& results, int runs)
 {
     std::cout << cv::format("%d matches; time: median of %d runs\n\n%-14s %-22s %8s %11s %9s\n",
-                            (int)matches.points1.size(), runs, "method", "error", "inliers", "iterations", "ms");
+                            (int)matches.points1.size(), runs, "method", "error", "inliers",
+                            "iterations", "ms");
     for (size_t i = 0; i < results.size(); ++i)
     {
         const Result& r = results[i];
         const std::string iterations = r.iterations < 0 ? "-" : cv::format("%d", r.iterations);
-        const char* error = r.model.empty() ? "no model" : r.error < 0 ? "unknown" : r.errorText.c_str();
+        const char* error = r.model.empty() ? "no model"
+                            : r.error < 0   ? "unknown"
+                                            : r.errorText.c_str();
         std::cout << cv::format("%-14s %-22s %8d %11s %9.2f\n", r.method.c_str(), error,
-                                r.model.empty() ? 0 : cv::countNonZero(r.mask), iterations.c_str(), r.milliseconds);
+                                r.model.empty() ? 0 : cv::countNonZero(r.mask), iterations.c_str(),
+                                r.milliseconds);
     }
     std::cout << std::endl;
 }
 
-//! Exit code of a sample: 0 if there is a model and, where the truth is known, its error is below the limit.
+//! Exit code of a sample: 0 if there is a model and, where the truth is known, its error is below
+//! the limit.
 inline int exitCode(const Result& result, double limit)
 {
     if (!result.model.empty() && result.error <= limit)
         return 0;
-    std::cerr << result.method << ": " << (result.model.empty() ? "no model" : "the error is too large") << std::endl;
+    std::cerr << result.method << ": "
+              << (result.model.empty() ? "no model" : "the error is too large") << std::endl;
     return 1;
 }
 
@@ -168,7 +177,9 @@ inline double failureLimit(const cv::Mat& image)
 //! Both images side by side in a light grey, for colors to stand out.
 inline cv::Mat sideBySide(const cv::Mat& image1, const cv::Mat& image2)
 {
-    cv::Mat canvas(std::max(image1.rows, image2.rows), image1.cols + image2.cols, CV_8UC3, cv::Scalar::all(255)), grey;
+    cv::Mat canvas(std::max(image1.rows, image2.rows), image1.cols + image2.cols, CV_8UC3,
+                   cv::Scalar::all(255)),
+        grey;
     image1.copyTo(canvas(cv::Rect(cv::Point(), image1.size())));
     image2.copyTo(canvas(cv::Rect(cv::Point(image1.cols, 0), image2.size())));
     cv::cvtColor(canvas, grey, cv::COLOR_BGR2GRAY);
@@ -199,22 +210,24 @@ inline std::vector<int> someInliers(const cv::Mat& mask, int count)
     return inliers;
 }
 
-//! The images side by side with lines between some of the inliers; all ends are dots, red for outliers.
-inline cv::Mat drawInliers(const cv::Mat& image1, const cv::Mat& image2, const Matches& matches, const cv::Mat& mask,
-                           int lines = 60)
+//! The images side by side with lines between some of the inliers; all ends are dots, red for
+//! outliers.
+inline cv::Mat drawInliers(const cv::Mat& image1, const cv::Mat& image2, const Matches& matches,
+                           const cv::Mat& mask, int lines = 60)
 {
     cv::Mat canvas = sideBySide(image1, image2);
     const cv::Point2f shift((float)image1.cols, 0);
     for (size_t i = 0; i < matches.points1.size(); ++i)
     {
-        const cv::Scalar dot = mask.at<uchar>((int)i) ? cv::Scalar(0, 150, 0) : cv::Scalar(0, 0, 230);
+        const cv::Scalar dot = mask.at<uchar>((int)i) ? cv::Scalar(0, 150, 0)
+                                                      : cv::Scalar(0, 0, 230);
         cv::circle(canvas, matches.points1[i], 2, dot, cv::FILLED, cv::LINE_AA);
         cv::circle(canvas, matches.points2[i] + shift, 2, dot, cv::FILLED, cv::LINE_AA);
     }
     const std::vector<int> inliers = someInliers(mask, lines);
     for (size_t k = 0; k < inliers.size(); ++k)
-        cv::line(canvas, matches.points1[inliers[k]], matches.points2[inliers[k]] + shift, color((int)k), 1,
-                 cv::LINE_AA);
+        cv::line(canvas, matches.points1[inliers[k]], matches.points2[inliers[k]] + shift,
+                 color((int)k), 1, cv::LINE_AA);
     return canvas;
 }
 
@@ -238,8 +251,9 @@ inline void drawLine(cv::Mat image, const cv::Vec3d& line, const cv::Scalar& ink
 }
 
 //! The images side by side with some inliers and their epipolar lines under F.
-inline cv::Mat drawEpipolarLines(const cv::Mat& image1, const cv::Mat& image2, const Matches& matches,
-                                 const cv::Mat& mask, const cv::Matx33d& F, int lines = 24)
+inline cv::Mat drawEpipolarLines(const cv::Mat& image1, const cv::Mat& image2,
+                                 const Matches& matches, const cv::Mat& mask, const cv::Matx33d& F,
+                                 int lines = 24)
 {
     cv::Mat canvas = sideBySide(image1, image2);
     cv::Mat left = canvas(cv::Rect(cv::Point(), image1.size()));
@@ -253,25 +267,28 @@ inline cv::Mat drawEpipolarLines(const cv::Mat& image1, const cv::Mat& image2, c
         const int radius = std::max(3, image1.cols / 200);
         for (int side = 0; side < 2; ++side)
         {
-            cv::circle(side ? right : left, side ? p2 : p1, radius, color((int)k), cv::FILLED, cv::LINE_AA);
-            cv::circle(side ? right : left, side ? p2 : p1, radius, cv::Scalar::all(0), 1, cv::LINE_AA);
+            cv::circle(side ? right : left, side ? p2 : p1, radius, color((int)k), cv::FILLED,
+                       cv::LINE_AA);
+            cv::circle(side ? right : left, side ? p2 : p1, radius, cv::Scalar::all(0), 1,
+                       cv::LINE_AA);
         }
     }
     return canvas;
 }
 
 //! Writes the picture, at most as wide as asked for, with a line of text below it.
-inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& picture, const std::string& text)
+inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& picture,
+                         const std::string& text)
 {
     const std::string file = parser.get<std::string>("output");
     const int width = parser.get<int>("width");
     cv::Mat small = picture;
     if (picture.cols > width)
-        cv::resize(picture, small, cv::Size(), (double)width / picture.cols, (double)width / picture.cols,
-                   cv::INTER_AREA);
+        cv::resize(picture, small, cv::Size(), (double)width / picture.cols,
+                   (double)width / picture.cols, cv::INTER_AREA);
     cv::copyMakeBorder(small, small, 0, 32, 0, 0, cv::BORDER_CONSTANT, cv::Scalar::all(255));
-    cv::putText(small, text, cv::Point(8, small.rows - 11), cv::FONT_HERSHEY_SIMPLEX, 0.55, cv::Scalar::all(0), 1,
-                cv::LINE_AA);
+    cv::putText(small, text, cv::Point(8, small.rows - 11), cv::FONT_HERSHEY_SIMPLEX, 0.55,
+                cv::Scalar::all(0), 1, cv::LINE_AA);
     if (!cv::imwrite(file, small, {cv::IMWRITE_JPEG_QUALITY, 85}))
         CV_Error(cv::Error::StsError, file + ": cannot be written");
     std::cout << "picture: " << file << std::endl;
@@ -280,23 +297,26 @@ inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& pic
 //! Keys of cv::CommandLineParser that all samples have.
 inline std::string keys(const char* image1, const char* image2, const char* output)
 {
-    return cv::format("{help h usage ? |    | print this help}"
-                      "{@image1        | %s | image 1, a path or the name of one of OpenCV's sample images}"
-                      "{@image2        | %s | image 2}"
-                      "{ratio          | 0.8  | largest ratio of the distances of the best and the second best match}"
-                      "{features       | 8000 | largest number of features of an image}"
-                      "{confidence     | 0.99 | probability that the model is the best one}"
-                      "{runs           | 11   | runs of which the median time is printed}"
-                      "{width          | 1400 | largest width of the picture}"
-                      "{output o       | %s | picture to write}",
-                      image1, image2, output);
+    return cv::format(
+        "{help h usage ? |    | print this help}"
+        "{@image1        | %s | image 1, a path or the name of one of OpenCV's sample images}"
+        "{@image2        | %s | image 2}"
+        "{ratio          | 0.8  | largest ratio of the distances of the best and the second best "
+        "match}"
+        "{features       | 8000 | largest number of features of an image}"
+        "{confidence     | 0.99 | probability that the model is the best one}"
+        "{runs           | 11   | runs of which the median time is printed}"
+        "{width          | 1400 | largest width of the picture}"
+        "{output o       | %s | picture to write}",
+        image1, image2, output);
 }
 
 //! main(): runs sample(parser) and turns exceptions into a message and an exit code.
 template <class Sample>
 int runSample(int argc, char** argv, const std::string& keyList, const char* about, Sample sample)
 {
-    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_ERROR);  // findFile() would tell of each file
+    cv::utils::logging::setLogLevel(
+        cv::utils::logging::LOG_LEVEL_ERROR);  // findFile() would tell of each file
     try
     {
         cv::CommandLineParser parser(argc, argv, keyList);

@@ -9,9 +9,9 @@
 
 namespace custom {
 
-/** Tukey's biweight: the cost of a point is 1 - (1 - e^2 / t^2)^3 for an error e within the threshold t, 1 outside. It
-rises faster than MSAC's e^2 / t^2, so that a few exact points are worth more than many that are just within the
-threshold. */
+/** Tukey's biweight: the cost of a point is 1 - (1 - e^2 / t^2)^3 for an error e within the
+threshold t, 1 outside. It rises faster than MSAC's e^2 / t^2, so that a few exact points are worth
+more than many that are just within the threshold. */
 class TukeyScore : public cv::usacv20::Score
 {
 public:

@@ -24,7 +24,10 @@ bool isDeclared(const cv::CommandLineParser& parser, const std::string& name)
     }
 }
 
-bool isHelp(const std::string& name) { return name == "help" || name == "h" || name == "usage" || name == "?"; }
+bool isHelp(const std::string& name)
+{
+    return name == "help" || name == "h" || name == "usage" || name == "?";
+}
 
 template <class Number>
 Number convert(const std::string& text, const std::string& name, const char* expected)
@@ -62,9 +65,15 @@ void require(bool condition, const std::string& what)
         throw std::runtime_error(what);
 }
 
-double toNumber(const std::string& text, const std::string& name) { return convert<double>(text, name, "a number"); }
+double toNumber(const std::string& text, const std::string& name)
+{
+    return convert<double>(text, name, "a number");
+}
 
-int toInteger(const std::string& text, const std::string& name) { return convert<int>(text, name, "an integer"); }
+int toInteger(const std::string& text, const std::string& name)
+{
+    return convert<int>(text, name, "an integer");
+}
 
 double numberOf(const cv::CommandLineParser& parser, const std::string& name)
 {
@@ -112,7 +121,8 @@ std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Argu
 {
     std::vector<std::string> names = arguments.all(option);
     if (names.empty())
-        names = splitNames(fallback.empty() ? std::string(parser.get<cv::String>(option)) : fallback);
+        names = splitNames(fallback.empty() ? std::string(parser.get<cv::String>(option))
+                                            : fallback);
     require(!names.empty(), "--" + option + ": nothing given");
     return names;
 }

@@ -17,15 +17,16 @@ std::vector<std::string> splitNames(const std::string& names);
 //! Raises std::runtime_error with the text if the condition does not hold.
 void require(bool condition, const std::string& what);
 
-/** The value of an option as a number. cv::CommandLineParser takes "1.5" for the integer 1; here what is not a number
-all through raises std::runtime_error. */
+/** The value of an option as a number. cv::CommandLineParser takes "1.5" for the integer 1; here
+what is not a number all through raises std::runtime_error. */
 double numberOf(const cv::CommandLineParser& parser, const std::string& name);
 int integerOf(const cv::CommandLineParser& parser, const std::string& name);
 //! The same for a text that was given with an option.
 double toNumber(const std::string& text, const std::string& name);
 int toInteger(const std::string& text, const std::string& name);
 
-/** What cv::CommandLineParser does not do: it keeps only one of repeated options and ignores unknown ones. */
+/** What cv::CommandLineParser does not do: it keeps only one of repeated options and ignores
+unknown ones. */
 class Arguments
 {
 public:
@@ -39,9 +40,11 @@ private:
     std::vector<std::string> names, values;
 };
 
-//! What an option names, or else `fallback`, by default that of the parser. Nothing at all raises std::runtime_error.
+//! What an option names, or else `fallback`, by default that of the parser. Nothing at all raises
+//! std::runtime_error.
 std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments,
-                                 const std::string& option, const std::string& fallback = std::string());
+                                 const std::string& option,
+                                 const std::string& fallback = std::string());
 
 }  // namespace benchmark
 

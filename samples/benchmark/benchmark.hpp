@@ -7,7 +7,8 @@
 
 namespace benchmark {
 
-/** All that usac_benchmark does, for a program that has registered methods of its own (registry.hpp):
+/** All that usac_benchmark does, for a program that has registered methods of its own
+(registry.hpp):
 
     int program(int argc, char** argv)
     {
@@ -15,12 +16,11 @@ namespace benchmark {
         return benchmark::runBenchmark(argc, argv);
     }
 
-    int main(int argc, char** argv)
-    {
-        return benchmark::runProgram(program, argc, argv);  // program.hpp: exceptions become messages
-    }
+    int main(int argc, char** argv) { return benchmark::runProgram(program, argc, argv);  //
+    program.hpp: exceptions become messages }
 
-Takes the command line of usac_benchmark (doc/benchmark.md); a mistake in it raises std::runtime_error.
+Takes the command line of usac_benchmark (doc/benchmark.md); a mistake in it raises
+std::runtime_error.
 @return the exit code: 0, or 2 if some pairs could not be read. */
 int runBenchmark(int argc, char** argv);
 

@@ -10,8 +10,10 @@
 
 namespace benchmark {
 
-EstimatorMethod::EstimatorMethod(const MethodName& name, const Estimator& estimator_, const EstimatorTraits& traits_)
-    : Method(name.full), estimator(estimator_), traits(traits_), fields(name.fields), useScores(name.scores)
+EstimatorMethod::EstimatorMethod(const MethodName& name, const Estimator& estimator_,
+                                 const EstimatorTraits& traits_)
+    : Method(name.full), estimator(estimator_), traits(traits_), fields(name.fields),
+      useScores(name.scores)
 {
     require(traits.takesScores || !useScores, name.full + ": takes no scores");
     setFields();  // wrong names and values are told before anything runs
@@ -70,7 +72,8 @@ void EstimatorMethod::tell(const ImagePair& pair, Estimate& estimate)
     const cv::Size size = kindOf(task.settings.problem).modelSize;
     require(model.empty() || (model.type() == CV_64F && model.size() == size),
             cv::format("expected a model of %d x %d doubles or none", size.height, size.width));
-    require(mask.empty() || (mask.type() == CV_8U && (int)mask.total() == pair.size() && mask.isContinuous()),
+    require(mask.empty() ||
+                (mask.type() == CV_8U && (int)mask.total() == pair.size() && mask.isContinuous()),
             "expected a mask with a byte for each correspondence or none");
 }
 

@@ -20,8 +20,8 @@ char letterOf(ProblemType problem);
 //! The problem of a letter. @return false for any other letter.
 bool problemOf(char letter, ProblemType& problem);
 
-/** Tentative correspondences and the truth about them: of two images, of object points and one image, which is image
-2 then, or of two spaces. */
+/** Tentative correspondences and the truth about them: of two images, of object points and one
+image, which is image 2 then, or of two spaces. */
 struct ImagePair
 {
     std::string name;
@@ -39,15 +39,15 @@ struct ImagePair
     cv::Vec3d t;
     double scale;            //!< M: of space 2 to space 1; else 1
     std::vector<int> right;  //!< R, M: the right matches; empty: it is not known which are right
-    /** P: depth of the scene, median over the right matches. R, M: its size, root of the mean squared distance of the
-    right points of space 2 from their mean. */
+    /** P: depth of the scene, median over the right matches. R, M: its size, root of the mean
+    squared distance of the right points of space 2 from their mean. */
     double depth;
     std::vector<cv::Point2d> truth1, truth2;  //!< correspondences that are known to be right
     bool truthIsHomography;                   //!< errors are measured against H, not against truth2
 
     ImagePair()
-        : hasHomography(false), hasCamera1(false), hasCamera2(false), hasPose(false), scale(1), depth(0),
-          truthIsHomography(false)
+        : hasHomography(false), hasCamera1(false), hasCamera2(false), hasPose(false), scale(1),
+          depth(0), truthIsHomography(false)
     {}
 
     //! Number of the correspondences.
@@ -56,8 +56,9 @@ struct ImagePair
     ImagePair reordered(const std::vector<int>& order) const;
 };
 
-/** Reads `<path>.corr` and `<path>.json`, for P, R and M `<path>.txt`, `<path>.score` and `<path>.json`.
-Whatever `problem` needs and the files lack raises std::runtime_error with file and line. */
+/** Reads `<path>.corr` and `<path>.json`, for P, R and M `<path>.txt`, `<path>.score` and
+`<path>.json`. Whatever `problem` needs and the files lack raises std::runtime_error with file and
+line. */
 ImagePair readImagePair(const std::string& path, ProblemType problem);
 
 }  // namespace benchmark

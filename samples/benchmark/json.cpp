@@ -12,11 +12,13 @@
 
 namespace benchmark {
 
-//! Recursive descent over the text; each function starts at its first character and ends behind its last.
+//! Recursive descent over the text; each function starts at its first character and ends behind its
+//! last.
 class JsonParser
 {
 public:
-    JsonParser(const std::string& text_, const std::string& file_) : text(text_), file(file_), at(0), line(1), depth(0)
+    JsonParser(const std::string& text_, const std::string& file_)
+        : text(text_), file(file_), at(0), line(1), depth(0)
     {}
 
     Json document()
@@ -161,7 +163,9 @@ private:
                 continue;
             }
             static const char from[] = "\"\\/bfnrt", to[] = "\"\\/\b\f\n\r\t";
-            const char* found = at + 1 < text.size() && text[at + 1] ? std::strchr(from, text[at + 1]) : 0;
+            const char* found = at + 1 < text.size() && text[at + 1]
+                                    ? std::strchr(from, text[at + 1])
+                                    : 0;
             result += found ? std::string(1, to[found - from]) : text.substr(at, 2);
             at += 2;
         }
@@ -181,7 +185,10 @@ private:
     int depth;
 };
 
-Json Json::parse(const std::string& text, const std::string& file) { return JsonParser(text, file).document(); }
+Json Json::parse(const std::string& text, const std::string& file)
+{
+    return JsonParser(text, file).document();
+}
 
 void Json::require(Type wanted, const char* what) const
 {

@@ -13,8 +13,8 @@ namespace benchmark {
 
 /** A value of a JSON document (RFC 8259).
 
-cv::FileStorage refuses documents with `null`, which the description of a pair has wherever something is not known.
-A value of another type than the one asked for raises std::runtime_error. */
+cv::FileStorage refuses documents with `null`, which the description of a pair has wherever
+something is not known. A value of another type than the one asked for raises std::runtime_error. */
 class Json
 {
 public:

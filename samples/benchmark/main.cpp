@@ -2,13 +2,18 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// The experiment of the USACv20 paper: robust estimators side by side on lists of image pairs, accuracy and time.
+// The experiment of the USACv20 paper: robust estimators side by side on lists of image pairs,
+// accuracy and time.
 //
-//     usac_benchmark --data=<folder> --methods=USACV20,cv:USAC_DEFAULT --csv=tables.csv --runs=runs.csv > tables.md
+//     usac_benchmark --data=<folder> --methods=USACV20,cv:USAC_DEFAULT --csv=tables.csv
+//     --runs=runs.csv > tables.md
 //
 // The format of the data is described in doc/benchmark.md.
 
 #include "benchmark.hpp"
 #include "program.hpp"
 
-int main(int argc, char** argv) { return benchmark::runProgram(benchmark::runBenchmark, argc, argv); }
+int main(int argc, char** argv)
+{
+    return benchmark::runProgram(benchmark::runBenchmark, argc, argv);
+}

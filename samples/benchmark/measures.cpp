@@ -13,7 +13,10 @@ double modelError(const ImagePair& pair, ProblemType problem, const cv::Mat& mod
     return kindOf(problem).modelError(pair, model);
 }
 
-double failureLimit(const ImagePair& pair, ProblemType problem) { return kindOf(problem).failureLimit(pair); }
+double failureLimit(const ImagePair& pair, ProblemType problem)
+{
+    return kindOf(problem).failureLimit(pair);
+}
 
 double modelCost(const ImagePair& pair, ProblemType problem, const cv::Mat& model, double threshold)
 {

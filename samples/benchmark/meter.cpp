@@ -43,14 +43,15 @@ Run Meter::measure(Method& method, const ImagePair& pair, Settings settings, int
     return run;
 }
 
-void Meter::complain(const Method& method, ProblemType problem, const ImagePair& pair, const std::string& what)
+void Meter::complain(const Method& method, ProblemType problem, const ImagePair& pair,
+                     const std::string& what)
 {
     if (!complaints.insert(method.name() + letterOf(problem)).second)
         return;
     progress.clear();
     std::cerr << method.name() << " threw on " << pair.name << " (" << letterOf(problem)
-              << "), which counts as a failure; not told again: " << what.substr(0, what.find_last_not_of(" \n") + 1)
-              << std::endl;
+              << "), which counts as a failure; not told again: "
+              << what.substr(0, what.find_last_not_of(" \n") + 1) << std::endl;
 }
 
 }  // namespace benchmark

@@ -38,7 +38,8 @@ public:
     Run measure(Method& method, const ImagePair& pair, Settings settings, int repeat);
 
 private:
-    void complain(const Method& method, ProblemType problem, const ImagePair& pair, const std::string& what);
+    void complain(const Method& method, ProblemType problem, const ImagePair& pair,
+                  const std::string& what);
 
     Progress& progress;
     std::set<std::string> complaints;

@@ -32,7 +32,8 @@ cv::Ptr<Method> createMethod(const std::string& name)
 std::string knownMethods()
 {
     const std::string custom = customMethods();
-    return ModuleMethod::names() + ", " + OpenCVMethod::names() + (custom.empty() ? "" : ", " + custom);
+    return ModuleMethod::names() + ", " + OpenCVMethod::names() +
+           (custom.empty() ? "" : ", " + custom);
 }
 
 }  // namespace benchmark

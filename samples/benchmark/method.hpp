@@ -11,8 +11,8 @@
 
 namespace benchmark {
 
-//! What all methods are given alike. Defaults: confidence 0.99, the others as the ProblemKind has them; for H, F and E
-//! those of the paper.
+//! What all methods are given alike. Defaults: confidence 0.99, the others as the ProblemKind has
+//! them; for H, F and E those of the paper.
 struct Settings
 {
     explicit Settings(ProblemType problem = cv::usacv20::HOMOGRAPHY);
@@ -63,9 +63,9 @@ private:
     cv:RANSAC, cv:USAC_MAGSAC, ...            a flag of calib3d
     custom:...                                what the program has registered, see registry.hpp
 
-`+scores` behind a name hands over the scores of the correspondences; `{field=value,...}` behind one of the first two
-kinds sets numeric fields of cv::usacv20::Params, behind one of the last what that method has. An unknown name raises
-std::runtime_error. */
+`+scores` behind a name hands over the scores of the correspondences; `{field=value,...}` behind one
+of the first two kinds sets numeric fields of cv::usacv20::Params, behind one of the last what that
+method has. An unknown name raises std::runtime_error. */
 cv::Ptr<Method> createMethod(const std::string& name);
 
 //! All names that createMethod knows.

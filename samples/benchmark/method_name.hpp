@@ -9,7 +9,8 @@
 
 namespace benchmark {
 
-/** The parts of a method's name: `base`, `base+scores`, `base{fields}`, `base+scores{fields}` or `base{fields}+scores`.
+/** The parts of a method's name: `base`, `base+scores`, `base{fields}`, `base+scores{fields}` or
+`base{fields}+scores`.
  */
 struct MethodName
 {

@@ -58,7 +58,8 @@ const Preset PRESETS[] = {
 }  // namespace
 
 ModuleMethod::ModuleMethod(const MethodName& name, const Params& params_)
-    : Method(name.full), base(params_), fields(name.fields), useScores(name.scores), problem(cv::usacv20::HOMOGRAPHY)
+    : Method(name.full), base(params_), fields(name.fields), useScores(name.scores),
+      problem(cv::usacv20::HOMOGRAPHY)
 {
     if (useScores)
         base.ordering = cv::usacv20::ORDERING_AUTO;

@@ -13,13 +13,15 @@ namespace benchmark {
 
 /** A flag or a preset of this module.
 
-A flag is run through its cv::usacv20::Params, because the function with the flag takes no seed; the estimate and the
-time are the same. The report comes from a second run, which must give the same model. With scores and a preset that
-relies on the order of the points, the scores give the order. */
+A flag is run through its cv::usacv20::Params, because the function with the flag takes no seed; the
+estimate and the time are the same. The report comes from a second run, which must give the same
+model. With scores and a preset that relies on the order of the points, the scores give the order.
+*/
 class ModuleMethod : public Method
 {
 public:
-    //! @param name what stands behind its base changes the parameters. @param params those of the base.
+    //! @param name what stands behind its base changes the parameters. @param params those of the
+    //! base.
     ModuleMethod(const MethodName& name, const cv::usacv20::Params& params);
 
     bool solves(ProblemType) const CV_OVERRIDE { return true; }
@@ -33,7 +35,8 @@ public:
     //! Makes the estimator of the run that is prepared; it can be run once.
     virtual cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair) const;
 
-    //! @param name of a flag, or of a preset behind "preset:". An unknown one raises std::runtime_error.
+    //! @param name of a flag, or of a preset behind "preset:". An unknown one raises
+    //! std::runtime_error.
     static cv::usacv20::Params paramsOf(const std::string& name);
     static std::string names();
 

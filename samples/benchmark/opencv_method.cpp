@@ -54,10 +54,14 @@ OpenCVMethod::OpenCVMethod(const std::string& name, const std::string& flagName,
     if (flag < 0)
         throw std::runtime_error(name + ": no such method; there are " + knownMethods());
     if (scores && flag != cv::USAC_PROSAC)
-        throw std::runtime_error(name + ": of OpenCV's flags only cv:USAC_PROSAC makes use of scores");
+        throw std::runtime_error(name +
+                                 ": of OpenCV's flags only cv:USAC_PROSAC makes use of scores");
 }
 
-bool OpenCVMethod::solves(ProblemType problem) const { return problems.find(letterOf(problem)) != std::string::npos; }
+bool OpenCVMethod::solves(ProblemType problem) const
+{
+    return problems.find(letterOf(problem)) != std::string::npos;
+}
 
 void OpenCVMethod::prepare(const ImagePair&, const Settings& settings_) { settings = settings_; }
 
@@ -75,7 +79,8 @@ void OpenCVMethod::runSorted(const ImagePair& pair, Estimate& estimate) const
     std::vector<int> order(count);
     for (size_t i = 0; i < count; ++i)
         order[i] = (int)i;
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return pair.scores[a] < pair.scores[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return pair.scores[a] < pair.scores[b]; });
 
     kindOf(settings.problem).callOpenCV(pair.reordered(order), flag, settings, estimate);
 

@@ -12,25 +12,31 @@ namespace benchmark {
 
 namespace {
 
-const char KEYS[] =
-    "{help h usage ? | | print this }"
-    "{list           | | list of pairs, <dataset>.<letter of its problem>.list; may be repeated }"
-    "{data           | | folder of data: all lists in its folder 'lists'; may be repeated }"
-    "{problem        | | H, F, E, A, S, P, R or M: problem of all lists (default: as the name of each list "
-    "tells); of --data only its lists }"
-    "{methods        |USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
-    "| names with commas; may be repeated; see below }"
-    "{baseline       | | method that times and errors are compared with (default: the first cv: "
-    "method, else the first) }"
-    "{threshold      | | inlier threshold in pixels, R and M: units of length (default: H 2, F and E 1, A and S 3, P "
-    "4, R and M 3) }"
-    "{maxIters       | | most iterations (default: H, R and M 10000, F, E and P 1000, A and S 2000) }"
-    "{confidence     |0.99| confidence }"
-    "{repeats        |5| runs of each method on each pair }"
-    "{seed           |1| seed of the first repeat, the next ones count up }"
-    "{threads        |1| given to cv::setNumThreads; -1: all processors }"
-    "{csv            | | file for the tables }"
-    "{runs           | | file for all single runs }";
+const char KEYS
+    [] = "{help h usage ? | | print this }"
+         "{list           | | list of pairs, <dataset>.<letter of its problem>.list; may be "
+         "repeated }"
+         "{data           | | folder of data: all lists in its folder 'lists'; may be repeated }"
+         "{problem        | | H, F, E, A, S, P, R or M: problem of all lists (default: as the name "
+         "of each list "
+         "tells); of --data only its lists }"
+         "{methods        "
+         "|USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
+         "| names with commas; may be repeated; see below }"
+         "{baseline       | | method that times and errors are compared with (default: the first "
+         "cv: "
+         "method, else the first) }"
+         "{threshold      | | inlier threshold in pixels, R and M: units of length (default: H 2, "
+         "F and E 1, A and S 3, P "
+         "4, R and M 3) }"
+         "{maxIters       | | most iterations (default: H, R and M 10000, F, E and P 1000, A and S "
+         "2000) }"
+         "{confidence     |0.99| confidence }"
+         "{repeats        |5| runs of each method on each pair }"
+         "{seed           |1| seed of the first repeat, the next ones count up }"
+         "{threads        |1| given to cv::setNumThreads; -1: all processors }"
+         "{csv            | | file for the tables }"
+         "{runs           | | file for all single runs }";
 
 std::string defaultBaseline(const std::vector<std::string>& methods)
 {
@@ -62,7 +68,8 @@ bool Options::parse(int argc, char** argv)
                  "Methods: " +
                  knownMethods() +
                  ".\n"
-                 "+scores behind a name hands over the scores; {field=value,...} sets fields of cv::usacv20::Params"
+                 "+scores behind a name hands over the scores; {field=value,...} sets fields of "
+                 "cv::usacv20::Params"
                  " or what a custom: method has.");
     if (parser.has("help") || argc == 1)
     {
@@ -87,7 +94,8 @@ bool Options::parse(int argc, char** argv)
     methods = arguments.all("methods");
     if (methods.empty())
         methods = splitNames(parser.get<cv::String>("methods"));
-    baseline = parser.has("baseline") ? std::string(parser.get<cv::String>("baseline")) : defaultBaseline(methods);
+    baseline = parser.has("baseline") ? std::string(parser.get<cv::String>("baseline"))
+                                      : defaultBaseline(methods);
     csv = parser.get<cv::String>("csv");
     runsCsv = parser.get<cv::String>("runs");
 

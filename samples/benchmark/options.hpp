@@ -23,8 +23,8 @@ struct Options
     //! What the methods are given; what the command line leaves open is that of the paper.
     Settings settings(ProblemType of) const;
 
-    /** Reads the command line. @return false if only help was asked for, which has been printed then.
-    A mistake raises std::runtime_error. */
+    /** Reads the command line. @return false if only help was asked for, which has been printed
+    then. A mistake raises std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:

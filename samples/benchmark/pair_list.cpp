@@ -27,10 +27,12 @@ std::string splitName(const std::string& file, char& letter)
     std::string name = lastPart(file);
     const std::string ending = ".list";
     letter = '\0';
-    if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+    if (name.size() > ending.size() &&
+        name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
         name.resize(name.size() - ending.size());
     ProblemType problem;
-    if (name.size() > 2 && name[name.size() - 2] == '.' && problemOf(name[name.size() - 1], problem))
+    if (name.size() > 2 && name[name.size() - 2] == '.' &&
+        problemOf(name[name.size() - 1], problem))
     {
         letter = name[name.size() - 1];
         name.resize(name.size() - 2);
@@ -47,8 +49,9 @@ PairList readPairList(const std::string& file, char letter)
     list.file = file;
     list.name = splitName(file, letterOfName);
     if (!problemOf(letter ? letter : letterOfName, list.problem))
-        throw std::runtime_error(file +
-                                 ": the name tells no problem (.H.list, .F.list and so on), --problem is not given");
+        throw std::runtime_error(
+            file +
+            ": the name tells no problem (.H.list, .F.list and so on), --problem is not given");
 
     std::ifstream in(file.c_str());
     if (!in)

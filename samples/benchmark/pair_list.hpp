@@ -11,10 +11,12 @@
 
 namespace benchmark {
 
-/** A list file names one pair a line, without extension. Empty lines and those that start with # are skipped.
+/** A list file names one pair a line, without extension. Empty lines and those that start with #
+are skipped.
 
-Paths are relative to the folder of the list, or to its parent if that folder is called `lists`. The name of the file
-tells the problem by its letter: `<dataset>.H.list`, `<dataset>.F.list` and so on. */
+Paths are relative to the folder of the list, or to its parent if that folder is called `lists`. The
+name of the file tells the problem by its letter: `<dataset>.H.list`, `<dataset>.F.list` and so on.
+*/
 struct PairList
 {
     struct Entry
@@ -33,8 +35,8 @@ struct PairList
 Raises std::runtime_error if the file cannot be read or does not tell its problem. */
 PairList readPairList(const std::string& file, char letter);
 
-//! The files `<folder>/lists/*.H.list` and so on, in the order of problemLetters(). @param letter only those, '\0' for
-//! all.
+//! The files `<folder>/lists/*.H.list` and so on, in the order of problemLetters(). @param letter
+//! only those, '\0' for all.
 std::vector<std::string> findLists(const std::string& folder, char letter);
 
 }  // namespace benchmark

@@ -26,7 +26,8 @@ struct Enumerators
     bool flags;  //!< the first is 1, the next 2, 4, 8, ...; else they count from 0
 };
 
-//! Of the options and sets of Params, without the prefix that all of an enumeration have, in their order.
+//! Of the options and sets of Params, without the prefix that all of an enumeration have, in their
+//! order.
 const std::vector<Enumerators>& enumerators()
 {
     static const std::vector<Enumerators> all = {
@@ -38,9 +39,12 @@ const std::vector<Enumerators>& enumerators()
         {"quality", {"INLIERS", "MSAC", "MLESAC", "LMEDS", "MAGSAC", "MAGSAC_PLUS_PLUS"}, false},
         {"verification", {"NONE", "SPRT", "TDD"}, false},
         {"localOptimization",
-         {"NONE", "GRAPH_CUT", "LO_RANSAC", "FLO_RANSAC", "SIGMA_CONSENSUS", "SIGMA_CONSENSUS_PLUS_PLUS", "GC_RANSAC"},
+         {"NONE", "GRAPH_CUT", "LO_RANSAC", "FLO_RANSAC", "SIGMA_CONSENSUS",
+          "SIGMA_CONSENSUS_PLUS_PLUS", "GC_RANSAC"},
          false},
-        {"termination", {"STANDARD", "SPRT", "P_NAPSAC", "PROSAC", "MAGSAC", "EXACT", "ORDER"}, true},
+        {"termination",
+         {"STANDARD", "SPRT", "P_NAPSAC", "PROSAC", "MAGSAC", "EXACT", "ORDER"},
+         true},
         {"degeneracy", {"ORIENTATION", "DEGENSAC", "REPEATED"}, true},
         {"polishing", {"NONE", "LEAST_SQUARES", "REWEIGHTED", "ROBUST"}, false}};
     return all;
@@ -54,7 +58,8 @@ std::string normalized(std::string name)
     return name;
 }
 
-//! The value of "prosac", or of "sprt|standard" for a set. @return false for a name that is none, with all names
+//! The value of "prosac", or of "sprt|standard" for a set. @return false for a name that is none,
+//! with all names
 bool valueOf(const Enumerators& of, const std::string& text, double& value, std::string& all)
 {
     std::istringstream in(text);
@@ -130,7 +135,8 @@ Field::Field(const std::string& assignment_) : assignment(assignment_), value(0)
         {
             std::string all;
             if (!valueOf(of, text, value, all))
-                fail("expected a number or one of " + all + (of.flags ? ", some of them joined by |" : ""));
+                fail("expected a number or one of " + all +
+                     (of.flags ? ", some of them joined by |" : ""));
             return;
         }
     fail("expected a number");
@@ -143,7 +149,10 @@ int Field::integer() const
     return (int)value;
 }
 
-void Field::fail(const std::string& what) const { throw std::runtime_error("'" + assignment + "': " + what); }
+void Field::fail(const std::string& what) const
+{
+    throw std::runtime_error("'" + assignment + "': " + what);
+}
 
 std::vector<Field> parseFields(const std::string& assignments)
 {

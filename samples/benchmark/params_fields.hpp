@@ -14,8 +14,9 @@ namespace benchmark {
 //! One "field=value".
 struct Field
 {
-    //! An option of Params may have a name for its value, "sampler=prosac", "termination=sprt|standard". Anything
-    //! else, or a value that is no number, raises std::runtime_error.
+    //! An option of Params may have a name for its value, "sampler=prosac",
+    //! "termination=sprt|standard". Anything else, or a value that is no number, raises
+    //! std::runtime_error.
     explicit Field(const std::string& assignment);
 
     //! The value, which must be an integer, or std::runtime_error is raised.

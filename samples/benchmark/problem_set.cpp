@@ -16,7 +16,8 @@ ProblemSet::ProblemSet(const char* letters_) : letters(letters_)
     for (size_t i = 0; i < letters.size(); ++i)
         known = known && problemOf(letters[i], ignored);
     if (!known)
-        throw std::runtime_error("'" + letters + "': expected problems, some of the letters " + problemLetters());
+        throw std::runtime_error("'" + letters + "': expected problems, some of the letters " +
+                                 problemLetters());
 }
 
 }  // namespace benchmark

@@ -14,11 +14,14 @@ namespace benchmark {
 class ProblemSet
 {
 public:
-    //! @param letters some of those of problemLetters(), "HF" for example; anything else, or none, raises
-    //! std::runtime_error.
+    //! @param letters some of those of problemLetters(), "HF" for example; anything else, or none,
+    //! raises std::runtime_error.
     ProblemSet(const char* letters = "HFE");
 
-    bool has(ProblemType problem) const { return letters.find(letterOf(problem)) != std::string::npos; }
+    bool has(ProblemType problem) const
+    {
+        return letters.find(letterOf(problem)) != std::string::npos;
+    }
 
 private:
     std::string letters;

@@ -35,7 +35,8 @@ void Progress::step(const std::string& what)
         return;
     const int width = 30, filled = (int)((long long)width * before / total);
     const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
-    std::fprintf(stderr, "\r[%s] %3d %% %-36.36s", bar.c_str(), (int)(100LL * before / total), what.c_str());
+    std::fprintf(stderr, "\r[%s] %3d %% %-36.36s", bar.c_str(), (int)(100LL * before / total),
+                 what.c_str());
     std::fflush(stderr);
     drawn = true;
 }

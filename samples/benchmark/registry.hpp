@@ -12,17 +12,18 @@
 
 namespace benchmark {
 
-/** Makes a method from its name as given on the command line: `name.base` is the registered one, `name.scores` and
-`name.fields` are up to the factory, which raises std::runtime_error for what the method cannot do. The method is to be
-called `name.full`.
+/** Makes a method from its name as given on the command line: `name.base` is the registered one,
+`name.scores` and `name.fields` are up to the factory, which raises std::runtime_error for what the
+method cannot do. The method is to be called `name.full`.
 
-There are two ready ones: withComponents (components_method.hpp) for an estimator of this module with components of
-one's own, and wholeEstimator (estimator_method.hpp) for any function that makes a model from points. One's own is for a
-class derived from Method, which can prepare its runs outside of the time measured. */
+There are two ready ones: withComponents (components_method.hpp) for an estimator of this module
+with components of one's own, and wholeEstimator (estimator_method.hpp) for any function that makes
+a model from points. One's own is for a class derived from Method, which can prepare its runs
+outside of the time measured. */
 typedef std::function<cv::Ptr<Method>(const MethodName& name)> MethodFactory;
 
-/** Makes a method known to createMethod, and so to `--methods` and `--help` of the program. To be called before
-runBenchmark, from one thread.
+/** Makes a method known to createMethod, and so to `--methods` and `--help` of the program. To be
+called before runBenchmark, from one thread.
 
 @param name "custom:" and letters, digits, '_', '-' or '.'
 @param factory makes the method each time that it is named

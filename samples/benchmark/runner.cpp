@@ -8,8 +8,10 @@
 
 namespace benchmark {
 
-Runner::Runner(const std::vector<cv::Ptr<Method>>& methods_, const Options& options_, Progress& progress_)
-    : methods(methods_), options(options_), progress(progress_), meter(progress_), rng(1), unreadablePairs(0)
+Runner::Runner(const std::vector<cv::Ptr<Method>>& methods_, const Options& options_,
+               Progress& progress_)
+    : methods(methods_), options(options_), progress(progress_), meter(progress_), rng(1),
+      unreadablePairs(0)
 {}
 
 ListResult Runner::run(const PairList& list)
@@ -64,7 +66,8 @@ bool Runner::read(const PairList& list, const PairList::Entry& entry, ImagePair&
     catch (const std::exception& error)
     {
         progress.clear();
-        std::cerr << list.file << ":" << entry.line << ": pair left out: " << error.what() << std::endl;
+        std::cerr << list.file << ":" << entry.line << ": pair left out: " << error.what()
+                  << std::endl;
         ++unreadablePairs;
         return false;
     }

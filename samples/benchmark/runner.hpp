@@ -31,10 +31,11 @@ struct ListResult
 
 /** Runs all methods on the pairs of a list.
 
-For each pair and each repeat all methods run one after the other, so that a disturbance of the machine hurts all alike,
-and in an order drawn anew, so that none always follows one of its kin, which leaves it warm caches. The orders are the
-same each time. Each method runs once on the first pair before anything is measured. Messages about pairs that cannot be
-read go to the standard error. */
+For each pair and each repeat all methods run one after the other, so that a disturbance of the
+machine hurts all alike, and in an order drawn anew, so that none always follows one of its kin,
+which leaves it warm caches. The orders are the same each time. Each method runs once on the first
+pair before anything is measured. Messages about pairs that cannot be read go to the standard error.
+*/
 class Runner
 {
 public:

@@ -10,7 +10,8 @@
 
 namespace benchmark {
 
-/** Measures processor time of the whole process (all threads together) and wall time from its construction on. */
+/** Measures processor time of the whole process (all threads together) and wall time from its
+construction on. */
 class Stopwatch
 {
 public:
@@ -20,7 +21,9 @@ public:
 
     double wallMs() const
     {
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - wallStart).count();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
+                                                         wallStart)
+            .count();
     }
 
 private:

@@ -16,12 +16,15 @@ namespace {
 const double NOT_KNOWN = std::numeric_limits<double>::quiet_NaN();
 
 //! All figures that averages are plain means of.
-double Summary::*const MEANS[] = {
-    &Summary::failures, &Summary::medianCpu, &Summary::meanCpu, &Summary::medianWall, &Summary::meanWall,
-    &Summary::auc1,     &Summary::auc5,      &Summary::auc10,   &Summary::auc20,      &Summary::medianIterations};
+double Summary::*const MEANS[] = {&Summary::failures, &Summary::medianCpu,
+                                  &Summary::meanCpu,  &Summary::medianWall,
+                                  &Summary::meanWall, &Summary::auc1,
+                                  &Summary::auc5,     &Summary::auc10,
+                                  &Summary::auc20,    &Summary::medianIterations};
 
-double Summary::*const RATIOS[] = {&Summary::errorRatio, &Summary::medianCpuRatio, &Summary::meanCpuRatio,
-                                   &Summary::medianWallRatio, &Summary::meanWallRatio};
+double Summary::*const RATIOS[] = {&Summary::errorRatio, &Summary::medianCpuRatio,
+                                   &Summary::meanCpuRatio, &Summary::medianWallRatio,
+                                   &Summary::meanWallRatio};
 
 double median(std::vector<double> values)
 {
@@ -41,7 +44,8 @@ double mean(const std::vector<double>& values)
 }
 
 //! One figure of one method over all lists where it is known.
-std::vector<double> collect(const std::vector<std::vector<Summary>>& lists, size_t method, double Summary::*figure)
+std::vector<double> collect(const std::vector<std::vector<Summary>>& lists, size_t method,
+                            double Summary::*figure)
 {
     std::vector<double> values;
     for (size_t i = 0; i < lists.size(); ++i)
@@ -87,11 +91,13 @@ Summary summarizeRuns(const std::vector<Run>& runs, ProblemType problem)
         failures += runs[i].failed;
         errors.push_back(runs[i].failed ? std::numeric_limits<double>::infinity() : runs[i].error);
         if (runs[i].centerError >= 0)
-            centers.push_back(runs[i].failed ? std::numeric_limits<double>::infinity() : runs[i].centerError);
+            centers.push_back(runs[i].failed ? std::numeric_limits<double>::infinity()
+                                             : runs[i].centerError);
         if (runs[i].iterations >= 0)
             iterations.push_back(runs[i].iterations);
     }
-    const std::vector<double> cpu = medianPerPair(runs, &Run::cpuMs), wall = medianPerPair(runs, &Run::wallMs);
+    const std::vector<double> cpu = medianPerPair(runs, &Run::cpuMs),
+                              wall = medianPerPair(runs, &Run::wallMs);
     summary.lists = summary.errorLists = 1;
     summary.medianError = median(errors);
     summary.medianCenter = median(centers);
@@ -115,7 +121,8 @@ Summary summarizeRuns(const std::vector<Run>& runs, ProblemType problem)
 //! NaN where one of both is infinite.
 double ratio(double value, double reference)
 {
-    return std::isfinite(value) && std::isfinite(reference) && reference > 0 ? value / reference : NOT_KNOWN;
+    return std::isfinite(value) && std::isfinite(reference) && reference > 0 ? value / reference
+                                                                             : NOT_KNOWN;
 }
 
 //! True if every method that ran has a finite median error.

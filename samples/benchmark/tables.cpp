@@ -94,8 +94,9 @@ void Tables::addList(const ListResult& result)
     table.pairs = (int)result.pairs.size();
     table.rows = summarize(result, baseline);
     std::ostringstream title;
-    title << table.name << " (" << table.problem << ", " << table.pairs << " pairs, threshold " << settings.threshold
-          << ", " << settings.maxIterations << " iterations, confidence " << settings.confidence << ")";
+    title << table.name << " (" << table.problem << ", " << table.pairs << " pairs, threshold "
+          << settings.threshold << ", " << settings.maxIterations << " iterations, confidence "
+          << settings.confidence << ")";
     table.title = title.str();
     tables.push_back(table);
 }
@@ -105,7 +106,8 @@ void Tables::addAverages(const std::string& problem)
     Table table;
     table.name = problem.empty() ? "average" : "average." + problem;
     table.problem = problem;
-    table.title = problem.empty() ? "Averages over all lists" : "Averages over the lists of " + problem;
+    table.title = problem.empty() ? "Averages over all lists"
+                                  : "Averages over the lists of " + problem;
     table.pairs = 0;
     std::vector<std::vector<Summary>> chosen;
     for (size_t i = 0; i < results.size(); ++i)
@@ -115,7 +117,8 @@ void Tables::addAverages(const std::string& problem)
         chosen.push_back(tables[i].rows);
         if (problem.empty() && inPixels && !kindOf(results[i].problem).inPixels())
             for (Summary& row : chosen.back())
-                row.medianError = std::numeric_limits<double>::quiet_NaN();  // not to be added to pixels
+                row.medianError = std::numeric_limits<double>::quiet_NaN();  // not to be added to
+                                                                             // pixels
         table.pairs += tables[i].pairs;
     }
     table.rows = average(chosen);
@@ -126,22 +129,27 @@ void Tables::addAverages(const std::string& problem)
 
 void Tables::markdown(std::ostream& out) const
 {
-    out << "# USAC benchmark\n\nOpenCV " << cv::getVersionString() << "; " << options.repeats << " repeats, seed "
-        << options.seed << ", threads " << options.threads
+    out << "# USAC benchmark\n\nOpenCV " << cv::getVersionString() << "; " << options.repeats
+        << " repeats, seed " << options.seed << ", threads " << options.threads
         << ".\n\n"
-           "Error: median in pixels, a failure counts as infinite. Failures: percent of the runs. Times: ms of the "
+           "Error: median in pixels, a failure counts as infinite. Failures: percent of the runs. "
+           "Times: ms of the "
            "call alone, "
-           "of each pair the median over its repeats; CPU: of the process, all threads together. AUC: of the pose "
+           "of each pair the median over its repeats; CPU: of the process, all threads together. "
+           "AUC: of the pose "
            "error, "
            "percent. Iterations: median. Ratios: to "
         << options.baseline
         << ", below 1 is better.\n\n"
-           "Averages: means over lists, of the error over those lists only where no method failed on half of the runs "
+           "Averages: means over lists, of the error over those lists only where no method failed "
+           "on half of the runs "
            "or "
            "more (their number is in brackets); of the ratios geometric means.\n";
     if (inDegrees)
-        out << "\nP, R, M: the error is that of the rotation in degrees, so it is left out of averages over lists of "
-               "other problems, too; center error: of the camera, percent of the depth of the scene, R, M: RMS "
+        out << "\nP, R, M: the error is that of the rotation in degrees, so it is left out of "
+               "averages over lists of "
+               "other problems, too; center error: of the camera, percent of the depth of the "
+               "scene, R, M: RMS "
                "distance "
                "of the right points, percent of the size of the scene; AUC: of the rotation.\n";
     for (size_t i = 0; i < tables.size(); ++i)
@@ -192,8 +200,8 @@ void Tables::csv(std::ostream& out) const
         {
             if (!tables[i].rows[m].lists)
                 continue;
-            out << quoted(tables[i].name) << ',' << tables[i].problem << ',' << tables[i].pairs << ','
-                << quoted(options.methods[m]);
+            out << quoted(tables[i].name) << ',' << tables[i].problem << ',' << tables[i].pairs
+                << ',' << quoted(options.methods[m]);
             for (const Column& column : COLUMNS)
                 if (column.ofAll || inDegrees)
                     out << ',' << field(tables[i].rows[m].*column.figure);
@@ -203,7 +211,8 @@ void Tables::csv(std::ostream& out) const
 
 void Tables::runsCsv(std::ostream& out) const
 {
-    out << "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers,"
+    out << "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,"
+           "iterations,inliers,"
            "cost"
         << (inDegrees ? ",center_error\n" : "\n");
     for (size_t i = 0; i < results.size(); ++i)
@@ -212,12 +221,13 @@ void Tables::runsCsv(std::ostream& out) const
             {
                 const Run& run = results[i].runs[m][k];
                 const ListResult::PairInfo& pair = results[i].pairs[run.pair];
-                out << quoted(results[i].name) << ',' << letterOf(results[i].problem) << ',' << quoted(pair.name) << ','
-                    << pair.size << ',' << quoted(options.methods[m]) << ',' << run.repeat << ',' << field(run.error)
-                    << ',' << run.failed << ',' << (run.poseError < 0 ? std::string() : field(run.poseError)) << ','
+                out << quoted(results[i].name) << ',' << letterOf(results[i].problem) << ','
+                    << quoted(pair.name) << ',' << pair.size << ',' << quoted(options.methods[m])
+                    << ',' << run.repeat << ',' << field(run.error) << ',' << run.failed << ','
+                    << (run.poseError < 0 ? std::string() : field(run.poseError)) << ','
                     << field(run.cpuMs) << ',' << field(run.wallMs) << ','
-                    << (run.iterations < 0 ? std::string() : field(run.iterations)) << ',' << run.inliers << ','
-                    << field(run.cost);
+                    << (run.iterations < 0 ? std::string() : field(run.iterations)) << ','
+                    << run.inliers << ',' << field(run.cost);
                 if (inDegrees)
                     out << ',' << (run.centerError < 0 ? std::string() : field(run.centerError));
                 out << '\n';

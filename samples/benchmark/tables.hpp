@@ -12,14 +12,16 @@
 
 namespace benchmark {
 
-/** Writes the results: one table a list, then the averages over all lists and over those of each problem. */
+/** Writes the results: one table a list, then the averages over all lists and over those of each
+problem. */
 class Tables
 {
 public:
     Tables(const Options& options, const std::vector<ListResult>& results);
 
     void markdown(std::ostream& out) const;
-    //! The same figures, one row a list and method; the lists `average`, `average.H` etc. hold the averages.
+    //! The same figures, one row a list and method; the lists `average`, `average.H` etc. hold the
+    //! averages.
     void csv(std::ostream& out) const;
     //! One row a call.
     void runsCsv(std::ostream& out) const;

@@ -56,7 +56,8 @@ int readNumbers(const std::string& line, double* values, int count)
         char* end = 0;
         const double value = std::strtod(at, &end);
         if (end == at || found == count)
-            return line.find_first_not_of(" \t\r", at - line.c_str()) == std::string::npos ? found : -1;
+            return line.find_first_not_of(" \t\r", at - line.c_str()) == std::string::npos ? found
+                                                                                           : -1;
         values[found] = value;
         at = end;
     }
@@ -81,9 +82,12 @@ void readRows(const std::string& file, int most, const std::function<void(const 
     }
 }
 
-TruthReader::TruthReader(const std::string& file_) : file(file_), json(Json::parse(contentsOf(file_), file_)) {}
+TruthReader::TruthReader(const std::string& file_)
+    : file(file_), json(Json::parse(contentsOf(file_), file_))
+{}
 
-void TruthReader::read(const std::string& name, const std::function<void(const Json&)>& reader) const
+void TruthReader::read(const std::string& name,
+                       const std::function<void(const Json&)>& reader) const
 {
     try
     {
@@ -98,7 +102,8 @@ void TruthReader::read(const std::string& name, const std::function<void(const J
 void TruthReader::require(bool condition, const std::string& name, const std::string& what) const
 {
     if (!condition)
-        failAt(file, json.type() == Json::OBJECT ? json[name].line() : json.line(), name + ": " + what);
+        failAt(file, json.type() == Json::OBJECT ? json[name].line() : json.line(),
+               name + ": " + what);
 }
 
 void TruthReader::requireProblem(char letter) const

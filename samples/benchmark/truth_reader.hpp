@@ -16,7 +16,8 @@ namespace benchmark {
 void failAt(const std::string& file, int line, const std::string& what);
 void failToOpen(const std::string& file);
 
-/** Reads up to `count` numbers from a line. @return how many there are, -1 if something else follows them. */
+/** Reads up to `count` numbers from a line. @return how many there are, -1 if something else
+follows them. */
 int readNumbers(const std::string& line, double* values, int count);
 
 //! One row of numbers in a text file.
@@ -27,12 +28,14 @@ struct NumberRow
     int line;
 };
 
-/** Calls `take` for each line of a text file that is not empty, in their order. It raises an error for a wrong count;
-numbers that are not finite raise std::runtime_error with file and line behind that.
+/** Calls `take` for each line of a text file that is not empty, in their order. It raises an error
+for a wrong count; numbers that are not finite raise std::runtime_error with file and line behind
+that.
 @param most numbers that a line may have, up to 6 */
 void readRows(const std::string& file, int most, const std::function<void(const NumberRow&)>& take);
 
-/** Reads the members of a pair's description, a file of JSON; what they complain about comes with file, line and name.
+/** Reads the members of a pair's description, a file of JSON; what they complain about comes with
+file, line and name.
  */
 class TruthReader
 {

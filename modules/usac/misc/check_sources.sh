@@ -26,10 +26,10 @@ report()
 grep -rnE '\bproblem(Type)?\b *(==|!=)|\[[A-Za-z_.>()-]*\bproblem(Type)?\]|switch *\([A-Za-z_.>-]*\bproblem(Type)?\)|case (HOMOGRAPHY|FUNDAMENTAL|ESSENTIAL|AFFINITY|SIMILARITY|ABSOLUTE_POSE|RIGID_3D|SIMILARITY_3D)\b' \
     --include='*.[ch]pp' "$src" | grep -v "^$src/problems/" > "$mistakes"
 report "compares or counts problems outside $src/problems"
-find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'END { if (NR > 400) print FILENAME ": " NR " lines" }' {} \; > "$mistakes"
-report "files of more than 400 lines"
-find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'length > 120 { print FILENAME ":" FNR ": " length " columns" }' {} \; > "$mistakes"
-report "lines of more than 120 columns"
+find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'END { if (NR > 500) print FILENAME ": " NR " lines" }' {} \; > "$mistakes"
+report "files of more than 500 lines"
+find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'length > 100 { print FILENAME ":" FNR ": " length " columns" }' {} \; > "$mistakes"
+report "lines of more than 100 columns"
 if command -v clang-format > /dev/null && clang-format --version | grep -q 'version 14'; then
     for file in $(find "$src" modules/usac/include modules/usac/test modules/usac/perf samples -name '*.[ch]pp'); do
         clang-format "$file" | cmp -s - "$file" || echo "$file"

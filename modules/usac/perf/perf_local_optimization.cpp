@@ -42,7 +42,8 @@ Model modelOfSample(const PerfScene& scene, int stream)
 }
 
 //! Full local optimizations of 20 models, each as of the first model of a run.
-PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), testing::Values(1000, 10000)))
+PERF_TEST_P(UsacGraphCut, optimize_20models,
+            testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {
     const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
     std::vector<Model> models;
@@ -58,7 +59,8 @@ PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), te
             state.rng = Rng(2, k);
             Model model = models[k];
             Quality quality = scene.context.rate(model);
-            improved += scene.context.components.localOptimizer->optimize(scene.context, state, model, quality);
+            improved += scene.context.components.localOptimizer->optimize(scene.context, state,
+                                                                          model, quality);
         }
     }
     EXPECT_GT(improved, 10);
@@ -66,7 +68,8 @@ PERF_TEST_P(UsacGraphCut, optimize_20models, testing::Combine(Problem::all(), te
 }
 
 //! The cut alone, 20 times, at the true model; the graph is there already.
-PERF_TEST_P(UsacGraphCut, cut_20times, testing::Combine(Problem::all(), testing::Values(1000, 10000)))
+PERF_TEST_P(UsacGraphCut, cut_20times,
+            testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {
     const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
     Labeling labeling;

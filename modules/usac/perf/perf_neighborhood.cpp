@@ -12,8 +12,8 @@ namespace {
 
 typedef TestBaseWithParam<int> UsacSize;
 
-// What is done once a run, before the first sample. As many runs a call as make 1 000 000 points: a millisecond of a
-// call is a nanosecond of a point.
+// What is done once a run, before the first sample. As many runs a call as make 1 000 000 points: a
+// millisecond of a call is a nanosecond of a point.
 
 const int POINTS = 1000000;
 
@@ -27,7 +27,8 @@ PERF_TEST_P(UsacSize, grid_1000000points, testing::Values(100, 1000, 10000, 1000
         {
             const int* members = 0;
             scene.context.arena.clear();
-            found = createGridNeighborhood(4)->members(scene.context, 0, 0, members);  // builds the grid
+            found = createGridNeighborhood(4)->members(scene.context, 0, 0,
+                                                       members);  // builds the grid
         }
     }
     EXPECT_GT(found, 0);

@@ -14,7 +14,8 @@ namespace opencv_test {
 struct PerfScene
 {
     PerfScene(ProblemType problem, int size, const Params& params_ = Params())
-        : params(params_), usac(isSpace(problem) ? createSpace(problem, size) : createTwoView(problem, size)),
+        : params(params_),
+          usac(isSpace(problem) ? createSpace(problem, size) : createTwoView(problem, size)),
           context(usac->points(), usac->components(), params, arena)
     {
         usac->components().start(context);
@@ -31,7 +32,10 @@ struct PerfScene
     const Context context;
 
 private:
-    static bool isSpace(ProblemType problem) { return problem == RIGID_3D || problem == SIMILARITY_3D; }
+    static bool isSpace(ProblemType problem)
+    {
+        return problem == RIGID_3D || problem == SIMILARITY_3D;
+    }
 
     Ptr<Usac> createTwoView(ProblemType problem, int size)
     {

@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! How a model is rated: by the fused kernel, errors first and then the score, or a wrong model up to the cost of the
-//! right one.
+//! How a model is rated: by the fused kernel, errors first and then the score, or a wrong model up
+//! to the cost of the right one.
 enum Way { FUSED, NOT_FUSED, EARLY_EXIT };
 
 enum { TRANSFER = Residual::TRANSFER, SAMPSON = Residual::SAMPSON };
@@ -30,7 +30,8 @@ public:
     {
         known->squaredErrors(points, model, begin, end, errors);
     }
-    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count,
+                       double* errors) const CV_OVERRIDE
     {
         known->squaredErrors(model, columns, count, errors);
     }
@@ -39,7 +40,8 @@ private:
     const Ptr<Residual> known;
 };
 
-//! As many models a call as make 1 000 000 points: a millisecond of a call is a nanosecond of a point.
+//! As many models a call as make 1 000 000 points: a millisecond of a call is a nanosecond of a
+//! point.
 PERF_TEST_P(UsacScore, rate_1000000points,
             testing::Combine(ResidualKind::all(), ScoreKind::all(), RatingWay::all(),
                              testing::Values(100, 1000, 10000, 100000)))
@@ -61,7 +63,8 @@ PERF_TEST_P(UsacScore, rate_1000000points,
         sum = Quality(0, 0);
         for (int k = 0; k < models; ++k)
         {
-            const Quality quality = way == EARLY_EXIT ? context.rate(wrong, right.cost) : context.rate(scene.model);
+            const Quality quality = way == EARLY_EXIT ? context.rate(wrong, right.cost)
+                                                      : context.rate(scene.model);
             sum.cost += quality.cost;
             sum.inliers += quality.inliers;
         }

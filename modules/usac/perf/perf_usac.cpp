@@ -10,11 +10,17 @@ namespace opencv_test {
 namespace {
 
 //! The module's flags as numbers, and OpenCV's flags and these in one list.
-enum { USACV20 = (int)cv::USACV20, USACV20_FAST = (int)cv::USACV20_FAST, USACV20_ACCURATE = (int)cv::USACV20_ACCURATE };
-CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_MAGSAC, USACV20, USACV20_FAST, USACV20_ACCURATE)
+enum {
+    USACV20 = (int)cv::USACV20,
+    USACV20_FAST = (int)cv::USACV20_FAST,
+    USACV20_ACCURATE = (int)cv::USACV20_ACCURATE
+};
+CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_MAGSAC, USACV20, USACV20_FAST,
+        USACV20_ACCURATE)
 typedef TestBaseWithParam<Method> UsacMethod;
 
-//! A set of test_data/ of the project, repeated with offsets of a tenth of a pixel to `repeat` times its size.
+//! A set of test_data/ of the project, repeated with offsets of a tenth of a pixel to `repeat`
+//! times its size.
 struct PerfSet
 {
     PerfSet(const std::string& name, int repeat)
@@ -32,8 +38,10 @@ struct PerfSet
         const int size = (int)points1.size();
         for (int i = 0; i < size * (repeat - 1); ++i)
         {
-            points1.push_back(points1[i] + Point2f((float)rng.gaussian(0.1), (float)rng.gaussian(0.1)));
-            points2.push_back(points2[i] + Point2f((float)rng.gaussian(0.1), (float)rng.gaussian(0.1)));
+            points1.push_back(points1[i] +
+                              Point2f((float)rng.gaussian(0.1), (float)rng.gaussian(0.1)));
+            points2.push_back(points2[i] +
+                              Point2f((float)rng.gaussian(0.1), (float)rng.gaussian(0.1)));
         }
         FileStorage fs(base + ".yml", FileStorage::READ);
         CV_Assert(fs.isOpened());
@@ -59,7 +67,11 @@ PERF_TEST_P(UsacMethod, Homography, Method::all())
     const int method = GetParam();
     Mat model;
     declare.in(set.points1, set.points2).iterations(20);
-    TEST_CYCLE() { model = usacv20::findHomography(set.points1, set.points2, method, 2., noArray(), 10000, 0.99); }
+    TEST_CYCLE()
+    {
+        model = usacv20::findHomography(set.points1, set.points2, method, 2., noArray(), 10000,
+                                        0.99);
+    }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();
 }
@@ -70,7 +82,10 @@ PERF_TEST_P(UsacMethod, Fundamental, Method::all())
     const int method = GetParam();
     Mat model;
     declare.in(set.points1, set.points2).iterations(20);
-    TEST_CYCLE() { model = usacv20::findFundamentalMat(set.points1, set.points2, method, 1., 0.99, 1000); }
+    TEST_CYCLE()
+    {
+        model = usacv20::findFundamentalMat(set.points1, set.points2, method, 1., 0.99, 1000);
+    }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();
 }
@@ -81,7 +96,10 @@ PERF_TEST_P(UsacMethod, Essential, Method::all())
     const int method = GetParam();
     Mat model;
     declare.in(set.points1, set.points2).iterations(20);
-    TEST_CYCLE() { model = usacv20::findEssentialMat(set.points1, set.points2, set.K, method, 0.99, 1.); }
+    TEST_CYCLE()
+    {
+        model = usacv20::findEssentialMat(set.points1, set.points2, set.K, method, 0.99, 1.);
+    }
     EXPECT_FALSE(model.empty());
     SANITY_CHECK_NOTHING();
 }

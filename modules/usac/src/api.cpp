@@ -11,83 +11,98 @@ namespace usacv20 {
 
 static const ArgumentName ONE_CAMERA[] = {{"cameraMatrix1", "cameraMatrix"}};
 
-Mat estimateHomography(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+Mat estimateHomography(InputArray points1, InputArray points2, const Params& params,
+                       OutputArray mask, Report& report)
 {
     return Usac::create(HOMOGRAPHY, points1, points2, params)->run(mask, &report);
 }
 
-Mat estimateHomography(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+Mat estimateHomography(InputArray points1, InputArray points2, const Params& params,
+                       OutputArray mask)
 {
     return Usac::create(HOMOGRAPHY, points1, points2, params)->run(mask);
 }
 
-Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params,
+                       OutputArray mask, Report& report)
 {
     return Usac::create(AFFINITY, points1, points2, params)->run(mask, &report);
 }
 
-Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params,
+                       OutputArray mask)
 {
     return Usac::create(AFFINITY, points1, points2, params)->run(mask);
 }
 
-Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params,
+                         OutputArray mask, Report& report)
 {
     return Usac::create(SIMILARITY, points1, points2, params)->run(mask, &report);
 }
 
-Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params,
+                         OutputArray mask)
 {
     return Usac::create(SIMILARITY, points1, points2, params)->run(mask);
 }
 
-Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
+                        OutputArray mask, Report& report)
 {
     return Usac::create(FUNDAMENTAL, points1, points2, params)->run(mask, &report);
 }
 
-Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
+                        OutputArray mask)
 {
     return Usac::create(FUNDAMENTAL, points1, points2, params)->run(mask);
 }
 
-Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray cameraMatrix2,
-                      InputArray distCoeffs1, InputArray distCoeffs2, const Params& params, OutputArray mask,
-                      Report& report)
+Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+                      InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
+                      const Params& params, OutputArray mask, Report& report)
 {
-    return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)
+    return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                        distCoeffs1, distCoeffs2)
         ->run(mask, &report);
 }
 
-Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix, const Params& params,
-                      OutputArray mask)
+Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
+                      const Params& params, OutputArray mask)
 {
-    return calling(ONE_CAMERA,
-                   [&] { return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask); });
+    return calling(ONE_CAMERA, [&] {
+        return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask);
+    });
 }
 
-Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix, const Params& params,
-                      OutputArray mask, Report& report)
+Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
+                      const Params& params, OutputArray mask, Report& report)
 {
-    return calling(ONE_CAMERA,
-                   [&] { return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask, &report); });
+    return calling(ONE_CAMERA, [&] {
+        return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask, &report);
+    });
 }
 
 Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
-                         InputArray distCoeffs, const Params& params, OutputArray mask, Report& report)
+                         InputArray distCoeffs, const Params& params, OutputArray mask,
+                         Report& report)
 {
-    return Usac::create(ABSOLUTE_POSE, objectPoints, imagePoints, params, cameraMatrix, noArray(), distCoeffs)
+    return Usac::create(ABSOLUTE_POSE, objectPoints, imagePoints, params, cameraMatrix, noArray(),
+                        distCoeffs)
         ->run(mask, &report);
 }
 
 Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                          InputArray distCoeffs, const Params& params, OutputArray mask)
 {
-    return Usac::create(ABSOLUTE_POSE, objectPoints, imagePoints, params, cameraMatrix, noArray(), distCoeffs)
+    return Usac::create(ABSOLUTE_POSE, objectPoints, imagePoints, params, cameraMatrix, noArray(),
+                        distCoeffs)
         ->run(mask);
 }
 
-Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                    Report& report)
 {
     return Usac::create(RIGID_3D, points1, points2, params)->run(mask, &report);
 }
@@ -97,12 +112,14 @@ Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params
     return Usac::create(RIGID_3D, points1, points2, params)->run(mask);
 }
 
-Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask, Report& report)
+Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params,
+                         OutputArray mask, Report& report)
 {
     return Usac::create(SIMILARITY_3D, points1, points2, params)->run(mask, &report);
 }
 
-Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params,
+                         OutputArray mask)
 {
     return Usac::create(SIMILARITY_3D, points1, points2, params)->run(mask);
 }

@@ -33,15 +33,19 @@ void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mi
         while (isNameCharacter(text[end]))
             ++end;
         head += callersName(names, count, text.substr(at, end - at));
-        const char* const separator = end == colon ? "" : text.compare(end, 2, ", ") == 0 ? ", " : " and ";
+        const char* const separator = end == colon                      ? ""
+                                      : text.compare(end, 2, ", ") == 0 ? ", "
+                                                                        : " and ";
         const size_t length = std::strlen(separator);
-        if (end == at || text.compare(end, length, separator) != 0 || (length > 0 && end + length == colon))
+        if (end == at || text.compare(end, length, separator) != 0 ||
+            (length > 0 && end + length == colon))
             return;
         head += separator;
         at = end + length;
     }
     if (!head.empty() && text.compare(0, colon, head) != 0)
-        throw Exception(mistake.code, head + text.substr(colon), mistake.func, mistake.file, mistake.line);
+        throw Exception(mistake.code, head + text.substr(colon), mistake.func, mistake.file,
+                        mistake.line);
 }
 
 }  // namespace usacv20

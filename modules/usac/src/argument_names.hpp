@@ -5,7 +5,8 @@
 #ifndef OPENCV_USACV20_ARGUMENT_NAMES_HPP
 #define OPENCV_USACV20_ARGUMENT_NAMES_HPP
 
-// Messages in the words of a function whose arguments have other names than those of the estimation that it calls.
+// Messages in the words of a function whose arguments have other names than those of the estimation
+// that it calls.
 
 #include <opencv2/core.hpp>
 
@@ -18,11 +19,12 @@ struct ArgumentName
     const char *inner, *callers;
 };
 
-//! Throws `mistake` with the caller's words in its head, "points1 and points2" of "points1 and points2: lists of ...",
-//! if these are other ones. A head that is no list of names stays as it is.
+//! Throws `mistake` with the caller's words in its head, "points1 and points2" of "points1 and
+//! points2: lists of ...", if these are other ones. A head that is no list of names stays as it is.
 void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake);
 
-//! Calls an estimation; its messages name the arguments as the caller does. cv::redirectError sees them as they were.
+//! Calls an estimation; its messages name the arguments as the caller does. cv::redirectError sees
+//! them as they were.
 template <size_t COUNT, class Call>
 auto calling(const ArgumentName (&names)[COUNT], const Call& call) -> decltype(call())
 {

@@ -15,8 +15,9 @@ Estimate estimate(const Task& task)
 {
     Estimate result;
     const String mistake = mistakeOf([&] {
-        result.model = Usac::create(task.problem, task.points1, task.points2, task.params, task.cameraMatrix1,
-                                    task.cameraMatrix2, task.distCoeffs1, task.distCoeffs2)
+        result.model = Usac::create(task.problem, task.points1, task.points2, task.params,
+                                    task.cameraMatrix1, task.cameraMatrix2, task.distCoeffs1,
+                                    task.distCoeffs2)
                            ->run(result.mask, &result.report);
     });
     if (!mistake.empty())
@@ -45,11 +46,14 @@ public:
         else if (!list.empty())
             arrays.push_back(list.getMat());
         if (arrays.size() != tasks && arrays.size() != 1 && !(arrays.empty() && noneIsRight))
-            CV_Error_(Error::StsUnmatchedSizes,
-                      ("%s: 1 or %d entries are expected, not %d", name, (int)tasks, (int)arrays.size()));
+            CV_Error_(Error::StsUnmatchedSizes, ("%s: 1 or %d entries are expected, not %d", name,
+                                                 (int)tasks, (int)arrays.size()));
     }
 
-    Mat operator[](size_t task) const { return arrays.empty() ? Mat() : arrays[arrays.size() == 1 ? 0 : task]; }
+    Mat operator[](size_t task) const
+    {
+        return arrays.empty() ? Mat() : arrays[arrays.size() == 1 ? 0 : task];
+    }
 
 private:
     std::vector<Mat> arrays;
@@ -61,20 +65,24 @@ std::vector<Mat> readLists(InputArrayOfArrays lists, const char* name)
     if (isList(lists))
         lists.getMatVector(result);
     else if (!lists.empty())
-        CV_Error_(Error::StsBadArg, ("%s: a list of lists of points is expected, not one list", name));
+        CV_Error_(Error::StsBadArg,
+                  ("%s: a list of lists of points is expected, not one list", name));
     return result;
 }
 
-std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1, InputArrayOfArrays points2,
-                            const char* name1, const char* name2, const ParamsOfTasks& params)
+std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1,
+                            InputArrayOfArrays points2, const char* name1, const char* name2,
+                            const ParamsOfTasks& params)
 {
     const std::vector<Mat> first = readLists(points1, name1), second = readLists(points2, name2);
     const size_t count = first.size();
     if (count != second.size())
-        CV_Error_(Error::StsUnmatchedSizes, ("%s and %s: as many entries are expected, not %d and %d", name1, name2,
-                                             (int)count, (int)second.size()));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("%s and %s: as many entries are expected, not %d and %d", name1, name2,
+                   (int)count, (int)second.size()));
     if (params.size() != 1 && params.size() != count)
-        CV_Error_(Error::StsUnmatchedSizes, ("params: 1 or %d are expected, not %d", (int)count, (int)params.size()));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("params: 1 or %d are expected, not %d", (int)count, (int)params.size()));
     std::vector<Task> tasks;
     tasks.reserve(count);
     for (size_t i = 0; i < count; ++i)
@@ -82,10 +90,12 @@ std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1, Inp
     return tasks;
 }
 
-std::vector<Estimate> estimatePairs(ProblemType problem, InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                    const ParamsOfTasks& params, int threads)
+std::vector<Estimate> estimatePairs(ProblemType problem, InputArrayOfArrays points1,
+                                    InputArrayOfArrays points2, const ParamsOfTasks& params,
+                                    int threads)
 {
-    return estimateBatch(makeTasks(problem, points1, points2, "points1", "points2", params), threads);
+    return estimateBatch(makeTasks(problem, points1, points2, "points1", "points2", params),
+                         threads);
 }
 
 }  // namespace
@@ -135,14 +145,17 @@ std::vector<Estimate> estimateSimilarities3D(InputArrayOfArrays points1, InputAr
 }
 
 std::vector<Estimate> estimateEssentials(InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                         InputArrayOfArrays cameraMatrices1, InputArrayOfArrays cameraMatrices2,
-                                         InputArrayOfArrays distCoeffs1, InputArrayOfArrays distCoeffs2,
+                                         InputArrayOfArrays cameraMatrices1,
+                                         InputArrayOfArrays cameraMatrices2,
+                                         InputArrayOfArrays distCoeffs1,
+                                         InputArrayOfArrays distCoeffs2,
                                          const ParamsOfTasks& params, int threads)
 {
     std::vector<Task> tasks = makeTasks(ESSENTIAL, points1, points2, "points1", "points2", params);
     const size_t count = tasks.size();
     const OneOrEach camera1(cameraMatrices1, "cameraMatrices1", count, count == 0),
-        camera2(cameraMatrices2, "cameraMatrices2", count, true), lens1(distCoeffs1, "distCoeffs1", count, true),
+        camera2(cameraMatrices2, "cameraMatrices2", count, true),
+        lens1(distCoeffs1, "distCoeffs1", count, true),
         lens2(distCoeffs2, "distCoeffs2", count, true);
     for (size_t i = 0; i < count; ++i)
     {
@@ -154,12 +167,14 @@ std::vector<Estimate> estimateEssentials(InputArrayOfArrays points1, InputArrayO
     return estimateBatch(tasks, threads);
 }
 
-std::vector<Estimate> estimateAbsolutePoses(InputArrayOfArrays objectPoints, InputArrayOfArrays imagePoints,
-                                            InputArrayOfArrays cameraMatrices, InputArrayOfArrays distCoeffs,
+std::vector<Estimate> estimateAbsolutePoses(InputArrayOfArrays objectPoints,
+                                            InputArrayOfArrays imagePoints,
+                                            InputArrayOfArrays cameraMatrices,
+                                            InputArrayOfArrays distCoeffs,
                                             const ParamsOfTasks& params, int threads)
 {
-    std::vector<Task> tasks = makeTasks(ABSOLUTE_POSE, objectPoints, imagePoints, "objectPoints", "imagePoints",
-                                        params);
+    std::vector<Task> tasks = makeTasks(ABSOLUTE_POSE, objectPoints, imagePoints, "objectPoints",
+                                        "imagePoints", params);
     const size_t count = tasks.size();
     const OneOrEach camera(cameraMatrices, "cameraMatrices", count, count == 0),
         lens(distCoeffs, "distCoeffs", count, true);

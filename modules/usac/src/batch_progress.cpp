@@ -44,8 +44,8 @@ BatchProgress::Worker::~Worker()
 }
 
 BatchProgress::BatchProgress()
-    : scopes(ProgressScope::current()), caller(std::this_thread::get_id()), stopped(false), asked(getTickCount()),
-      working(0)
+    : scopes(ProgressScope::current()), caller(std::this_thread::get_id()), stopped(false),
+      asked(getTickCount()), working(0)
 {}
 
 bool BatchProgress::goesOn()
@@ -80,7 +80,8 @@ bool BatchProgress::ask(const Report& report)
 void BatchProgress::waitForOthers()
 {
     std::unique_lock<std::mutex> lock(mutex);
-    while (!changed.wait_for(lock, std::chrono::milliseconds(PERIOD), [this] { return working == 0; }))
+    while (
+        !changed.wait_for(lock, std::chrono::milliseconds(PERIOD), [this] { return working == 0; }))
     {
         lock.unlock();
         askNowAndThen();

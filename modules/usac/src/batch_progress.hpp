@@ -18,8 +18,9 @@ namespace usacv20 {
 
 /** @brief The scopes of the thread that calls estimateBatch, for all threads that work for it.
 
-Only that thread asks them: while it estimates, between its estimations, and while it waits for those of the others. The
-others look at the answer. Without a scope nothing is asked, and nobody waits. */
+Only that thread asks them: while it estimates, between its estimations, and while it waits for
+those of the others. The others look at the answer. Without a scope nothing is asked, and nobody
+waits. */
 class BatchProgress
 {
 public:
@@ -32,7 +33,8 @@ public:
     {
     public:
         explicit Worker(BatchProgress& batch);
-        //! The calling thread waits here until all others that have begun are done, and asks in the meantime.
+        //! The calling thread waits here until all others that have begun are done, and asks in the
+        //! meantime.
         ~Worker();
 
     private:

@@ -15,7 +15,8 @@ void forEachTask(int count, int threads, const std::function<void(int)>& estimat
 {
     if (threads < 0)
         CV_Error_(Error::StsOutOfRange, ("threads: 0 or more are expected, not %d", threads));
-    const int all = std::max(getNumThreads(), 1), workers = std::min(threads > 0 ? std::min(threads, all) : all, count);
+    const int all = std::max(getNumThreads(), 1),
+              workers = std::min(threads > 0 ? std::min(threads, all) : all, count);
     std::atomic<int> next(0);
     BatchProgress progress;
     const auto work = [&](const Range& range) {

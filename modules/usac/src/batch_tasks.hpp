@@ -11,9 +11,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Many estimations side by side: the threads of cv::parallel_for_ take the next one when they have done one.
+/** @brief Many estimations side by side: the threads of cv::parallel_for_ take the next one when
+they have done one.
 @param count how many
-@param threads of them at once, at most cv::getNumThreads(); 0: as many as that. Raises cv::Exception if it is below 0
+@param threads of them at once, at most cv::getNumThreads(); 0: as many as that. Raises
+cv::Exception if it is below 0
 @param estimate does one of them, by its number; raises nothing
 @param leave is called for those that are not begun, as a ProgressScope has said no */
 void forEachTask(int count, int threads, const std::function<void(int)>& estimate,

@@ -32,7 +32,8 @@ void checkScore(const Score& score)
 {
     if (!(score.inlierPart() > 0 && score.inlierPart() <= 1))
         CV_Error_(Error::StsOutOfRange,
-                  ("components().score: inlierPart() is %g; above 0 and at most 1 is expected", score.inlierPart()));
+                  ("components().score: inlierPart() is %g; above 0 and at most 1 is expected",
+                   score.inlierPart()));
     enum { COUNT = 16 };
     const float errors[] = {0, FLT_MAX};
     for (int far = 0; far < 2; ++far)
@@ -41,11 +42,14 @@ void checkScore(const Score& score)
         std::fill(values, values + COUNT, errors[far]);
         Quality sum(0, 0);
         score.accumulate(values, COUNT, 1, sum);
-        if (!(sum.cost >= 0 && sum.cost <= (int)COUNT * (1 + FLT_EPSILON)) || (!far && sum.inliers != COUNT))
+        if (!(sum.cost >= 0 && sum.cost <= (int)COUNT * (1 + FLT_EPSILON)) ||
+            (!far && sum.inliers != COUNT))
             CV_Error_(Error::StsOutOfRange,
-                      ("components().score: %d points %s have the cost %g and %d inliers; a cost from 0 to 1 a point "
+                      ("components().score: %d points %s have the cost %g and %d inliers; a cost "
+                       "from 0 to 1 a point "
                        "is expected, and that points without error are inliers",
-                       (int)COUNT, far ? "far from the model" : "without error", sum.cost, sum.inliers));
+                       (int)COUNT, far ? "far from the model" : "without error", sum.cost,
+                       sum.inliers));
     }
 }
 
@@ -55,24 +59,28 @@ void checkProblem(const Problem& problem, int residual)
     const Ptr<MinimalSolver> solver = problem.createMinimalSolver();
     if (!solver || !problem.createResidual(residual))
         CV_Error_(Error::StsNullPtr,
-                  ("problem %s: createResidual() or createMinimalSolver() has given nothing", name.c_str()));
+                  ("problem %s: createResidual() or createMinimalSolver() has given nothing",
+                   name.c_str()));
     const int dimensions = problem.errorDimension(), m = solver->sampleSize();
     const int first = problem.coordinates(0), second = problem.coordinates(1);
     if (first < 1 || first > 3 || second < 0 || second > 3)
-        CV_Error_(Error::StsOutOfRange, ("problem %s: points of 1 to 3 coordinates are expected, not of %d and %d",
-                                         name.c_str(), first, second));
+        CV_Error_(Error::StsOutOfRange,
+                  ("problem %s: points of 1 to 3 coordinates are expected, not of %d and %d",
+                   name.c_str(), first, second));
     if (dimensions < 1 || dimensions > std::min(3, second > 0 ? second : first))
-        CV_Error_(Error::StsOutOfRange,
-                  ("problem %s: errors of 1 to 3 dimensions, no more than a point has, are expected, not of %d",
-                   name.c_str(), dimensions));
+        CV_Error_(Error::StsOutOfRange, ("problem %s: errors of 1 to 3 dimensions, no more than a "
+                                         "point has, are expected, not of %d",
+                                         name.c_str(), dimensions));
     if (problem.dimension() < 1 || m * dimensions < problem.dimension())
-        CV_Error_(Error::StsOutOfRange,
-                  ("problem %s: %d points with errors of %d dimensions cannot determine a model of %d", name.c_str(), m,
-                   dimensions, problem.dimension()));
+        CV_Error_(
+            Error::StsOutOfRange,
+            ("problem %s: %d points with errors of %d dimensions cannot determine a model of %d",
+             name.c_str(), m, dimensions, problem.dimension()));
     const SampleCost cost = problem.sampleCost();
     if (!(cost.time > 0 && cost.models > 0))
-        CV_Error_(Error::StsOutOfRange, ("problem %s: costs above 0 are expected, not time %g and %g models",
-                                         name.c_str(), cost.time, cost.models));
+        CV_Error_(Error::StsOutOfRange,
+                  ("problem %s: costs above 0 are expected, not time %g and %g models",
+                   name.c_str(), cost.time, cost.models));
 }
 
 void checkComponents(const Components& parts)
@@ -85,9 +93,9 @@ void checkComponents(const Components& parts)
     checkEntries(parts.terminations, "terminations");
     const int m = parts.minimalSolver->sampleSize();
     if (m < 1 || m > MAX_SAMPLE_SIZE)
-        CV_Error_(
-            Error::StsOutOfRange,
-            ("components().minimalSolver: samples of 1 to %d points are expected, not of %d", (int)MAX_SAMPLE_SIZE, m));
+        CV_Error_(Error::StsOutOfRange,
+                  ("components().minimalSolver: samples of 1 to %d points are expected, not of %d",
+                   (int)MAX_SAMPLE_SIZE, m));
 }
 
 void checkSample(const int* sample, int m, int size)
@@ -96,9 +104,11 @@ void checkSample(const int* sample, int m, int size)
     {
         if (sample[k] < 0 || sample[k] >= size)
             CV_Error_(Error::StsOutOfRange,
-                      ("components().sampler: a sample has the index %d, 0 to %d are expected", sample[k], size - 1));
+                      ("components().sampler: a sample has the index %d, 0 to %d are expected",
+                       sample[k], size - 1));
         if (std::find(sample, sample + k, sample[k]) != sample + k)
-            CV_Error_(Error::StsBadArg, ("components().sampler: a sample has the index %d twice", sample[k]));
+            CV_Error_(Error::StsBadArg,
+                      ("components().sampler: a sample has the index %d twice", sample[k]));
     }
 }
 
@@ -109,7 +119,8 @@ void checkModels(const Model* models, int count)
         written = models[k].size() > 0;
     if (!written)
         CV_Error_(Error::StsOutOfRange,
-                  ("components().minimalSolver: at most %d models are expected, each a matrix", (int)MAX_MODELS));
+                  ("components().minimalSolver: at most %d models are expected, each a matrix",
+                   (int)MAX_MODELS));
 }
 
 }  // namespace usacv20

@@ -8,7 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-// The destructors are here so that each class has one home for its virtual table, also in the libraries of users.
+// The destructors are here so that each class has one home for its virtual table, also in the
+// libraries of users.
 Component::~Component() {}
 Ordering::~Ordering() {}
 bool Ordering::informative(const Context&) const { return true; }
@@ -27,8 +28,9 @@ Usac::~Usac() {}
 
 namespace {
 
-//! Tests of a point, as Watch counts them, that an order takes for each: 130 ns with scores, 80 by density, of a
-//! million. Half, double: a run with a limit of time ends as much later or earlier, if it is in this step.
+//! Tests of a point, as Watch counts them, that an order takes for each: 130 ns with scores, 80 by
+//! density, of a million. Half, double: a run with a limit of time ends as much later or earlier,
+//! if it is in this step.
 constexpr double SORT_WORK = 65;
 
 }  // namespace
@@ -39,8 +41,8 @@ void State::sort(const Context& context)
     int* const sorted = context.arena.take<int>(size);
     for (int i = 0; i < size; ++i)
         sorted[i] = i;
-    const double work = size *
-                        SORT_WORK;  // without the time for it all samples are uniform: the points are in random order
+    const double work = size * SORT_WORK;  // without the time for it all samples are uniform: the
+                                           // points are in random order
     const bool timely = !context.watch || (context.watch->fits(work) && !context.watch->stop(work));
     if (context.components.ordering && timely)
         context.components.ordering->sort(context, sorted);
@@ -96,7 +98,8 @@ double Context::randomInlierRatio() const
 
 bool Context::mustStop() const
 {
-    constexpr double FIT = 2000;  // tests of a point, as Watch counts them: about that of a fit to a part of the points
+    constexpr double FIT = 2000;  // tests of a point, as Watch counts them: about that of a fit to
+                                  // a part of the points
     return watch->stop(points.size + FIT);
 }
 
@@ -106,16 +109,16 @@ bool Context::mustStopBefore(double work) const { return watch->stopBefore(work)
 Neighborhood& Context::neighborhood() const
 {
     if (!components.neighborhood)
-        CV_Error(Error::StsNullPtr,
-                 "components().neighborhood: it is empty, but the sampler or the local optimizer needs one");
+        CV_Error(Error::StsNullPtr, "components().neighborhood: it is empty, but the sampler or "
+                                    "the local optimizer needs one");
     return *components.neighborhood;
 }
 
 const NonMinimalSolver& Context::nonMinimalSolver() const
 {
     if (!components.nonMinimalSolver)
-        CV_Error(Error::StsNullPtr,
-                 "components().nonMinimalSolver: it is empty, but the local optimizer or the polisher needs one");
+        CV_Error(Error::StsNullPtr, "components().nonMinimalSolver: it is empty, but the local "
+                                    "optimizer or the polisher needs one");
     return *components.nonMinimalSolver;
 }
 
@@ -124,7 +127,8 @@ bool Residual::homogeneous() const { return true; }
 
 int Residual::error(const Model& model, const double* datum, double* error) const
 {
-    const double* columns[MAX_COLUMNS];  // of one row; those that the residual does not have are not read
+    const double*
+        columns[MAX_COLUMNS];  // of one row; those that the residual does not have are not read
     for (int k = 0; k < MAX_COLUMNS; ++k)
         columns[k] = datum + k;
     squaredErrors(model, columns, 1, error);
@@ -132,10 +136,12 @@ int Residual::error(const Model& model, const double* datum, double* error) cons
     return 1;
 }
 
-int Residual::linearize(const Model& model, const double* datum, double* error, double* derivative) const
+int Residual::linearize(const Model& model, const double* datum, double* error,
+                        double* derivative) const
 {
     // the step at which rounding and the third derivative cost as many digits
-    const double step = std::cbrt(DBL_EPSILON) * std::sqrt(normL2Sqr<double, double>(model.val, model.size()));
+    const double step = std::cbrt(DBL_EPSILON) *
+                        std::sqrt(normL2Sqr<double, double>(model.val, model.size()));
     double above[MAX_COMPONENTS], below[MAX_COMPONENTS];
     const int components = this->error(model, datum, error);
     for (int j = 0; j < model.size(); ++j)
@@ -157,7 +163,10 @@ double Sampler::growingShare(const Context&) const { return 0; }
 FusedKernel Score::fused(const Residual&) const { return 0; }
 bool Score::wholeModel() const { return false; }
 double Score::inlierPart() const { return 1; }
-double Score::threshold(const Context& context, const Model&) const { return context.points.threshold; }
+double Score::threshold(const Context& context, const Model&) const
+{
+    return context.points.threshold;
+}
 
 bool Verifier::preTest(const Context&, const Model&, Rng&, int& inliers, int& tested) const
 {

@@ -35,7 +35,8 @@ Ptr<Ordering> createOrdering(int type, bool haveScores)
     switch (type)
     {
     case ORDERING_NONE: return Ptr<Ordering>();
-    case ORDERING_INPUT_ORDER: return haveScores ? createScoreOrdering() : createInputOrderOrdering();
+    case ORDERING_INPUT_ORDER:
+        return haveScores ? createScoreOrdering() : createInputOrderOrdering();
     case ORDERING_DENSITY: return createDensityOrdering();
     default: return haveScores ? createScoreOrdering() : createDensityOrdering();
     }
@@ -59,7 +60,8 @@ Ptr<Score> createScore(const Params& params, const Problem& problem)
     case QUALITY_MLESAC: return createMlesacScore();
     case QUALITY_LMEDS: return createLmedsScore();
     case QUALITY_MAGSAC: return createMagsacScore(problem.errorDimension(), params.reach);
-    case QUALITY_MAGSAC_PLUS_PLUS: return createMagsacPlusPlusScore(problem.errorDimension(), params.reach);
+    case QUALITY_MAGSAC_PLUS_PLUS:
+        return createMagsacPlusPlusScore(problem.errorDimension(), params.reach);
     default: return createMsacScore();
     }
 }
@@ -125,7 +127,8 @@ Components createComponents(const Problem& problem, const Params& params)
     parts.score = createScore(params, problem);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)
         parts.ordering = createOrdering(params.ordering, !params.scores.empty());
-    parts.neighborhood = createNeighborhood(params, problem.coordinates(0) + problem.coordinates(1));
+    parts.neighborhood = createNeighborhood(params,
+                                            problem.coordinates(0) + problem.coordinates(1));
     parts.sampler = createSampler(params.sampler);
     parts.nonMinimalSolver = problem.createNonMinimalSolver(parts.residual);
     problem.createDegeneracies(params.degeneracy, parts.degeneracies);

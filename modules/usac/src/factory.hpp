@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! The components that the parameters name. To add a variant: its file, its enumerator and one line here.
+//! The components that the parameters name. To add a variant: its file, its enumerator and one line
+//! here.
 Components createComponents(const Problem& problem, const Params& params);
 
 }  // namespace usacv20

@@ -26,12 +26,13 @@ static const ArgumentName ARRAYS_OF_PARAMS[] = {{"points1", "pts1"}, {"points2",
 static int countOf(const char* name, size_t count)
 {
     if (count > (size_t)INT_MAX)
-        CV_Error_(Error::StsOutOfRange,
-                  ("%s: at most %d is expected, not %llu", name, INT_MAX, (unsigned long long)count));
+        CV_Error_(Error::StsOutOfRange, ("%s: at most %d is expected, not %llu", name, INT_MAX,
+                                         (unsigned long long)count));
     return (int)count;
 }
 
-static Params paramsOf(UsacV20Method method, double threshold, size_t maxIters, double confidence, size_t refineIters)
+static Params paramsOf(UsacV20Method method, double threshold, size_t maxIters, double confidence,
+                       size_t refineIters)
 {
     Params params = usacv20::paramsOf(method, threshold, confidence, countOf("maxIters", maxIters));
     const int steps = countOf("refineIters", refineIters);
@@ -43,48 +44,59 @@ static Params paramsOf(UsacV20Method method, double threshold, size_t maxIters, 
 }
 
 Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
-                     double ransacReprojThreshold, size_t maxIters, double confidence, size_t refineIters)
+                     double ransacReprojThreshold, size_t maxIters, double confidence,
+                     size_t refineIters)
 {
-    const Params params = paramsOf(method, ransacReprojThreshold, maxIters, confidence, refineIters);
+    const Params params = paramsOf(method, ransacReprojThreshold, maxIters, confidence,
+                                   refineIters);
     return calling(NAMES, [&] { return usacv20::estimateAffinity2D(from, to, params, inliers); });
 }
 
 Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers, const Params& params)
 {
-    return calling(ARRAYS_OF_PARAMS, [&] { return usacv20::estimateAffinity2D(pts1, pts2, params, inliers); });
+    return calling(ARRAYS_OF_PARAMS,
+                   [&] { return usacv20::estimateAffinity2D(pts1, pts2, params, inliers); });
 }
 
-Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, UsacV20Method method,
-                            double ransacReprojThreshold, size_t maxIters, double confidence, size_t refineIters)
+Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers,
+                            UsacV20Method method, double ransacReprojThreshold, size_t maxIters,
+                            double confidence, size_t refineIters)
 {
-    const Params params = paramsOf(method, ransacReprojThreshold, maxIters, confidence, refineIters);
+    const Params params = paramsOf(method, ransacReprojThreshold, maxIters, confidence,
+                                   refineIters);
     return calling(NAMES, [&] { return usacv20::estimateSimilarity2D(from, to, params, inliers); });
 }
 
-Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers, const Params& params)
+Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers,
+                            const Params& params)
 {
-    return calling(ARRAYS_OF_PARAMS, [&] { return usacv20::estimateSimilarity2D(pts1, pts2, params, inliers); });
+    return calling(ARRAYS_OF_PARAMS,
+                   [&] { return usacv20::estimateSimilarity2D(pts1, pts2, params, inliers); });
 }
 
 namespace usacv20 {
 
-Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, int method, double ransacReprojThreshold,
-                     size_t maxIters, double confidence, size_t refineIters)
+Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, int method,
+                     double ransacReprojThreshold, size_t maxIters, double confidence,
+                     size_t refineIters)
 {
     if (isOurs(method))
-        return cv::estimateAffine2D(from, to, inliers, methodFromInt(method), ransacReprojThreshold, maxIters,
-                                    confidence, refineIters);
-    return cv::estimateAffine2D(from, to, inliers, method, ransacReprojThreshold, maxIters, confidence, refineIters);
+        return cv::estimateAffine2D(from, to, inliers, methodFromInt(method), ransacReprojThreshold,
+                                    maxIters, confidence, refineIters);
+    return cv::estimateAffine2D(from, to, inliers, method, ransacReprojThreshold, maxIters,
+                                confidence, refineIters);
 }
 
 Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, int method,
-                            double ransacReprojThreshold, size_t maxIters, double confidence, size_t refineIters)
+                            double ransacReprojThreshold, size_t maxIters, double confidence,
+                            size_t refineIters)
 {
     if (isOurs(method))
-        return cv::estimateAffinePartial2D(from, to, inliers, methodFromInt(method), ransacReprojThreshold, maxIters,
-                                           confidence, refineIters);
-    return cv::estimateAffinePartial2D(from, to, inliers, method, ransacReprojThreshold, maxIters, confidence,
-                                       refineIters);
+        return cv::estimateAffinePartial2D(from, to, inliers, methodFromInt(method),
+                                           ransacReprojThreshold, maxIters, confidence,
+                                           refineIters);
+    return cv::estimateAffinePartial2D(from, to, inliers, method, ransacReprojThreshold, maxIters,
+                                       confidence, refineIters);
 }
 
 }  // namespace usacv20

@@ -12,14 +12,15 @@
 namespace cv {
 namespace usacv20 {
 
-//! The options of a flag, with the arguments that calib3d's functions have beside it. A number that is no flag raises
-//! an exception; `name` is that of the argument.
+//! The options of a flag, with the arguments that calib3d's functions have beside it. A number that
+//! is no flag raises an exception; `name` is that of the argument.
 Params paramsOf(UsacV20Method method, double threshold, double confidence, int maxIterations,
                 const char* name = "method");
 
-/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are 0 .. 38 in OpenCV 4.6
-and have room up to 63. Any other number is a mistake that calib3d would not always see, and raises an exception: F and
-E take what they do not know for LMedS. `name` is that of the argument. */
+/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are 0
+.. 38 in OpenCV 4.6 and have room up to 63. Any other number is a mistake that calib3d would not
+always see, and raises an exception: F and E take what they do not know for LMedS. `name` is that of
+the argument. */
 bool isOurs(int method, const char* name = "method");
 
 }  // namespace usacv20

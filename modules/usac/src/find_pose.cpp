@@ -11,15 +11,16 @@ namespace cv {
 using usacv20::Params;
 
 //! The arguments of calib3d's function; the arrays have their names everywhere.
-static const usacv20::ArgumentName NAMES[] = {{"threshold", "reprojectionError"}, {"maxIterations", "iterationsCount"}};
+static const usacv20::ArgumentName NAMES[] = {{"threshold", "reprojectionError"},
+                                              {"maxIterations", "iterationsCount"}};
 
 //! Three numbers of the caller's, in a row, a column or one element.
 static Vec3d readVector(InputArray array, const char* name)
 {
     const Mat given = array.getMat();
     if (given.total() * given.channels() != 3 || given.dims > 2)
-        CV_Error_(Error::StsBadArg,
-                  ("%s: useExtrinsicGuess needs 3 numbers, not %d", name, (int)(given.total() * given.channels())));
+        CV_Error_(Error::StsBadArg, ("%s: useExtrinsicGuess needs 3 numbers, not %d", name,
+                                     (int)(given.total() * given.channels())));
     Mat numbers;
     given.convertTo(numbers, CV_64F);
     const Mat flat = numbers.reshape(1, 3);
@@ -33,8 +34,8 @@ static void setGuess(InputArray rvec, InputArray tvec, Params& params)
         CV_Error(Error::StsBadArg, "rvec, tvec: useExtrinsicGuess needs finite numbers");
     Matx33d R;
     Rodrigues(rotation, R);
-    const Matx34d pose(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0), R(2, 1), R(2, 2),
-                       t[2]);
+    const Matx34d pose(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0),
+                       R(2, 1), R(2, 2), t[2]);
     params.setInitialModel(pose);
 }
 
@@ -52,11 +53,13 @@ static void writeInliers(const Mat& mask, OutputArray inliers)
         Mat((int)indices.size(), 1, CV_32S, indices.data()).copyTo(inliers);
 }
 
-bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
-                    OutputArray rvec, OutputArray tvec, OutputArray inliers, const Params& params)
+bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                    InputArray distCoeffs, OutputArray rvec, OutputArray tvec, OutputArray inliers,
+                    const Params& params)
 {
     Mat mask;
-    const Mat pose = usacv20::estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix, distCoeffs, params, mask);
+    const Mat pose = usacv20::estimateAbsolutePose(objectPoints, imagePoints, cameraMatrix,
+                                                   distCoeffs, params, mask);
     writeInliers(mask, inliers);
     if (pose.empty())
         return false;
@@ -67,29 +70,35 @@ bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray 
     return true;
 }
 
-bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
-                    OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess, int iterationsCount,
-                    float reprojectionError, double confidence, OutputArray inliers, UsacV20Method flags)
+bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                    InputArray distCoeffs, OutputArray rvec, OutputArray tvec,
+                    bool useExtrinsicGuess, int iterationsCount, float reprojectionError,
+                    double confidence, OutputArray inliers, UsacV20Method flags)
 {
-    Params params = usacv20::paramsOf(flags, reprojectionError, confidence, iterationsCount, "flags");
+    Params params = usacv20::paramsOf(flags, reprojectionError, confidence, iterationsCount,
+                                      "flags");
     if (useExtrinsicGuess)
         setGuess(rvec, tvec, params);
     return usacv20::calling(NAMES, [&] {
-        return solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, inliers, params);
+        return solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec,
+                              inliers, params);
     });
 }
 
 namespace usacv20 {
 
-bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
-                    OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess, int iterationsCount,
-                    float reprojectionError, double confidence, OutputArray inliers, int flags)
+bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                    InputArray distCoeffs, OutputArray rvec, OutputArray tvec,
+                    bool useExtrinsicGuess, int iterationsCount, float reprojectionError,
+                    double confidence, OutputArray inliers, int flags)
 {
     if (isOurs(flags, "flags"))
-        return cv::solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, useExtrinsicGuess,
-                                  iterationsCount, reprojectionError, confidence, inliers, methodFromInt(flags));
-    return cv::solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, useExtrinsicGuess,
-                              iterationsCount, reprojectionError, confidence, inliers, flags);
+        return cv::solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec,
+                                  useExtrinsicGuess, iterationsCount, reprojectionError, confidence,
+                                  inliers, methodFromInt(flags));
+    return cv::solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec,
+                              useExtrinsicGuess, iterationsCount, reprojectionError, confidence,
+                              inliers, flags);
 }
 
 }  // namespace usacv20

@@ -11,13 +11,15 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: doc/constants.md. Measured on 1200 fits of H, F, E and poses to 8 to 2000 points.
+// Half and double of these: doc/constants.md. Measured on 1200 fits of H, F, E and poses to 8 to
+// 2000 points.
 
-//! Samples whose models are compared by their errors, and best ones of them from which least squares start. Half: 6 and
-//! 7 fits end in a minimum that is higher by 0.1 % or more; double: 3 in a higher one, 2 and 2 in a lower one.
+//! Samples whose models are compared by their errors, and best ones of them from which least
+//! squares start. Half: 6 and 7 fits end in a minimum that is higher by 0.1 % or more; double: 3 in
+//! a higher one, 2 and 2 in a lower one.
 constexpr int SAMPLES = 64, STARTS = 4;
-//! Points that the starts are compared and fitted with, and steps of a fit, which is at its end before. Half, double:
-//! the same minima.
+//! Points that the starts are compared and fitted with, and steps of a fit, which is at its end
+//! before. Half, double: the same minima.
 constexpr int PART = 500, STEPS = 100;
 
 //! A list of numbers, one for each point, as CV_64F; empty: none is given.
@@ -27,8 +29,9 @@ Mat readNumbers(InputArray given, int size, const char* name)
     if (list.empty())
         return Mat();
     if ((int)(list.total() * list.channels()) != size)
-        CV_Error_(Error::StsUnmatchedSizes, ("%s: one number for each of the %d points is expected, not %d", name, size,
-                                             (int)(list.total() * list.channels())));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("%s: one number for each of the %d points is expected, not %d", name, size,
+                   (int)(list.total() * list.channels())));
     Mat numbers;
     (list.isContinuous() ? list : list.clone()).reshape(1, size).convertTo(numbers, CV_64F);
     return numbers;
@@ -44,12 +47,13 @@ const NonMinimalSolver& started(const Context& context, const Ptr<NonMinimalSolv
 
 }  // namespace
 
-GivenModels::GivenModels(const Context& context_, ProblemData& data_, const Ptr<Residual>& imageResidual,
-                         const Ptr<NonMinimalSolver>& imageFit)
-    : context(context_), data(data_), residual(imageResidual ? imageResidual : context_.components.residual),
+GivenModels::GivenModels(const Context& context_, ProblemData& data_,
+                         const Ptr<Residual>& imageResidual, const Ptr<NonMinimalSolver>& imageFit)
+    : context(context_), data(data_),
+      residual(imageResidual ? imageResidual : context_.components.residual),
       asSeen(!imageResidual.empty()), points(asSeen ? data_.imagePoints() : context_.points),
-      solver(started(context_, imageFit)), problem(*context_.points.problem), start(getTickCount()), indices(0),
-      weights(0), count(0)
+      solver(started(context_, imageFit)), problem(*context_.points.problem), start(getTickCount()),
+      indices(0), weights(0), count(0)
 {}
 
 Mat GivenModels::fit(InputArray weightOfEach, InputArray chosen, OutputArray mask, Report* report)
@@ -60,7 +64,8 @@ Mat GivenModels::fit(InputArray weightOfEach, InputArray chosen, OutputArray mas
     if (count < context.components.minimalSolver->sampleSize())
         state.report.stop = STOP_TOO_FEW_POINTS;
     else
-        state.report.stop = begin(best) && leastSquares(count, best) ? STOP_NO_SEARCH : STOP_NO_MODEL;
+        state.report.stop = begin(best) && leastSquares(count, best) ? STOP_NO_SEARCH
+                                                                     : STOP_NO_MODEL;
     state.best = best;
     return give(state, mask, report);
 }
@@ -92,12 +97,13 @@ Model GivenModels::read(InputArray given, Model* forSearch) const
         matrix.convertTo(numbers, CV_64F);
     Model searched, model;
     const bool usable = !numbers.empty() && checkRange(numbers) &&
-                        problem.fromOutput(std::vector<double>(numbers.begin<double>(), numbers.end<double>()),
-                                           context.points, searched);
+                        problem.fromOutput(
+                            std::vector<double>(numbers.begin<double>(), numbers.end<double>()),
+                            context.points, searched);
     if (!usable || !problem.toInput(searched, context.points, model) ||
         problem.toOutput(model).size() != numbers.size())
-        CV_Error_(Error::StsBadArg, ("model: %d x %d numbers, which are no model of the problem %s", matrix.rows,
-                                     matrix.cols, problem.name().c_str()));
+        CV_Error_(Error::StsBadArg, ("model: %d x %d numbers, which are no model of the problem %s",
+                                     matrix.rows, matrix.cols, problem.name().c_str()));
     if (forSearch)
         *forSearch = searched;
     return modelOfMask(problem, numbers, model);
@@ -106,11 +112,13 @@ Model GivenModels::read(InputArray given, Model* forSearch) const
 void GivenModels::choose(InputArray weightOfEach, InputArray chosen)
 {
     const int rows = points.inputSize, size = points.size;
-    const Mat given = readNumbers(weightOfEach, rows, "weights"), part = readNumbers(chosen, rows, "chosen");
+    const Mat given = readNumbers(weightOfEach, rows, "weights"),
+              part = readNumbers(chosen, rows, "chosen");
     for (int i = 0; i < given.rows; ++i)
         if (!(given.at<double>(i) >= 0 && given.at<double>(i) <= DBL_MAX))
             CV_Error_(Error::StsOutOfRange,
-                      ("weights: finite numbers of at least 0 are expected, not %g", given.at<double>(i)));
+                      ("weights: finite numbers of at least 0 are expected, not %g",
+                       given.at<double>(i)));
     indices = context.arena.take<int>(size);
     weights = given.empty() ? 0 : context.arena.take<double>(size);
     for (int i = 0; i < size; ++i)
@@ -138,7 +146,8 @@ double GivenModels::lossOf(PointSubset& part, const Model& model) const
 bool GivenModels::leastSquares(int size, Model& model) const
 {
     const int m = context.components.minimalSolver->sampleSize();
-    return solver.fit(points, indices, size, weights, model, STEPS) || size == m;  // a sample determines it
+    return solver.fit(points, indices, size, weights, model, STEPS) ||
+           size == m;  // a sample determines it
 }
 
 bool GivenModels::begin(Model& model) const
@@ -209,7 +218,8 @@ Mat GivenModels::give(State& state, OutputArray mask, Report* report)
     if (found && problem.toInput(state.best, context.points, model))
     {
         result = problem.toOutput(model);
-        learned.inliers = data.mask(*residual, modelOfMask(problem, result, model), asSeen, inliers, context.arena);
+        learned.inliers = data.mask(*residual, modelOfMask(problem, result, model), asSeen, inliers,
+                                    context.arena);
         learned.cost = context.rate(state.best).cost / std::max(points.size, 1);
     }
     else if (found)

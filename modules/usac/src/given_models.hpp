@@ -11,8 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief What needs no search: least squares over given points, errors under a given model. For Usac::fit, refine and
-errors. */
+/** @brief What needs no search: least squares over given points, errors under a given model. For
+Usac::fit, refine and errors. */
 class GivenModels
 {
 public:
@@ -26,8 +26,8 @@ public:
     Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report);
     Mat errors(InputArray model) const;
 
-    //! A model of the caller's in the coordinates of the mask. @param forSearch output, the same for the search; may be
-    //! null
+    //! A model of the caller's in the coordinates of the mask. @param forSearch output, the same
+    //! for the search; may be null
     Model read(InputArray given, Model* forSearch) const;
     //! State::best as Usac::run returns it, if State::report has #STOP_NO_SEARCH.
     Mat give(State& state, OutputArray mask, Report* report);

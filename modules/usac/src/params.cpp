@@ -29,10 +29,13 @@ void checkRange(const char* name, double value, const FieldValues& values)
     if (values.contain(value))
         return;
     if (values.kind == FIELD_PIXELS)
-        CV_Error_(Error::StsOutOfRange, ("%s: a positive number of pixels is expected, not %g", name, value));
+        CV_Error_(Error::StsOutOfRange,
+                  ("%s: a positive number of pixels is expected, not %g", name, value));
     if (values.kind == FIELD_PROBABILITY)
-        CV_Error_(Error::StsOutOfRange, ("%s: a number between 0 and 1 is expected, not %g", name, value));
-    CV_Error_(Error::StsOutOfRange, ("%s: %g .. %g is expected, not %g", name, values.low, values.high, value));
+        CV_Error_(Error::StsOutOfRange,
+                  ("%s: a number between 0 and 1 is expected, not %g", name, value));
+    CV_Error_(Error::StsOutOfRange,
+              ("%s: %g .. %g is expected, not %g", name, values.low, values.high, value));
 }
 
 struct FieldChecker
@@ -44,7 +47,8 @@ struct FieldChecker
         checkRange(name, params.*field, values);
     }
     template <class T>
-    void operator()(const char*, std::vector<T> Params::*, const FieldValues&)  // see checkScores, checkInitialModel
+    void operator()(const char*, std::vector<T> Params::*,
+                    const FieldValues&)  // see checkScores, checkInitialModel
     {}
 };
 
@@ -60,61 +64,74 @@ void checkCombinations(const Params& p)
     const int criteria = p.termination & ~TERMINATION_EXACT;
     checkCombination((criteria & TERMINATION_SPRT) && p.verification != VERIFICATION_SPRT,
                      "termination: TERMINATION_SPRT needs verification VERIFICATION_SPRT");
-    checkCombination((criteria & TERMINATION_PROSAC) && p.sampler != SAMPLER_PROSAC && p.sampler != SAMPLER_P_NAPSAC,
-                     "termination: TERMINATION_PROSAC needs a sampler with a growing set of points, SAMPLER_PROSAC or "
+    checkCombination((criteria & TERMINATION_PROSAC) && p.sampler != SAMPLER_PROSAC &&
+                         p.sampler != SAMPLER_P_NAPSAC,
+                     "termination: TERMINATION_PROSAC needs a sampler with a growing set of "
+                     "points, SAMPLER_PROSAC or "
                      "SAMPLER_P_NAPSAC");
-    checkCombination(
-        (criteria & TERMINATION_PROSAC) &&
-            !(p.ordering == ORDERING_INPUT_ORDER || (p.ordering == ORDERING_AUTO && !p.scores.empty())),
-        "termination: TERMINATION_PROSAC needs points in an order, by scores or by ORDERING_INPUT_ORDER; many wrong "
-        "models fit the densest places");
+    checkCombination((criteria & TERMINATION_PROSAC) &&
+                         !(p.ordering == ORDERING_INPUT_ORDER ||
+                           (p.ordering == ORDERING_AUTO && !p.scores.empty())),
+                     "termination: TERMINATION_PROSAC needs points in an order, by scores or by "
+                     "ORDERING_INPUT_ORDER; many wrong "
+                     "models fit the densest places");
     checkCombination(criteria == TERMINATION_ORDER,
-                     "termination: TERMINATION_ORDER ends a search only where the order proves to be good, and is for "
+                     "termination: TERMINATION_ORDER ends a search only where the order proves to "
+                     "be good, and is for "
                      "use beside another criterion");
     checkCombination(p.termination == TERMINATION_EXACT,
                      "termination: TERMINATION_EXACT modifies another criterion and stands alone");
-    checkCombination(p.sampler == SAMPLER_IMPORTANCE && (p.scores.empty() || p.scoreOrder != SCORES_HIGHER_IS_BETTER),
-                     "sampler: SAMPLER_IMPORTANCE needs scores that are probabilities, with scoreOrder "
-                     "SCORES_HIGHER_IS_BETTER");
+    checkCombination(
+        p.sampler == SAMPLER_IMPORTANCE &&
+            (p.scores.empty() || p.scoreOrder != SCORES_HIGHER_IS_BETTER),
+        "sampler: SAMPLER_IMPORTANCE needs scores that are probabilities, with scoreOrder "
+        "SCORES_HIGHER_IS_BETTER");
     if (p.quality != QUALITY_LMEDS)
         return;
     checkCombination(p.reach != 1, "reach: QUALITY_LMEDS has no threshold to multiply");
     checkCombination(p.widestReach != 1, "widestReach: QUALITY_LMEDS has no threshold to multiply");
     checkCombination(p.verification != VERIFICATION_NONE,
-                     "verification: SPRT and T(d,d) count inliers, for which QUALITY_LMEDS has no threshold yet");
-    checkCombination(p.localOptimization != LOCAL_OPTIMIZATION_NONE,
-                     "localOptimization: it selects inliers, for which QUALITY_LMEDS has no threshold yet");
-    checkCombination((p.degeneracy & DEGENERACY_DEGENSAC) != 0,
-                     "degeneracy: DEGENERACY_DEGENSAC selects inliers, for which QUALITY_LMEDS has no threshold yet");
+                     "verification: SPRT and T(d,d) count inliers, for which QUALITY_LMEDS has no "
+                     "threshold yet");
     checkCombination(
-        (criteria & (TERMINATION_PROSAC | TERMINATION_MAGSAC)) != 0,
-        "termination: TERMINATION_PROSAC and TERMINATION_MAGSAC need the threshold, which QUALITY_LMEDS does "
-        "not have yet");
+        p.localOptimization != LOCAL_OPTIMIZATION_NONE,
+        "localOptimization: it selects inliers, for which QUALITY_LMEDS has no threshold yet");
+    checkCombination((p.degeneracy & DEGENERACY_DEGENSAC) != 0,
+                     "degeneracy: DEGENERACY_DEGENSAC selects inliers, for which QUALITY_LMEDS has "
+                     "no threshold yet");
+    checkCombination((criteria & (TERMINATION_PROSAC | TERMINATION_MAGSAC)) != 0,
+                     "termination: TERMINATION_PROSAC and TERMINATION_MAGSAC need the threshold, "
+                     "which QUALITY_LMEDS does "
+                     "not have yet");
 }
 
-//! Scores must have one value for each correspondence; as probabilities, finite ones that are not negative nor all 0.
+//! Scores must have one value for each correspondence; as probabilities, finite ones that are not
+//! negative nor all 0.
 void checkScores(const Params& p, int count)
 {
     if (count >= 0 && !p.scores.empty() && (int)p.scores.size() != count)
         CV_Error_(Error::StsUnmatchedSizes,
-                  ("scores: one for each of the %d correspondences is expected, not %d", count, (int)p.scores.size()));
+                  ("scores: one for each of the %d correspondences is expected, not %d", count,
+                   (int)p.scores.size()));
     if (p.sampler != SAMPLER_IMPORTANCE)
         return;
     for (size_t i = 0; i < p.scores.size(); ++i)
         if (!(p.scores[i] >= 0 && p.scores[i] <= FLT_MAX))
             CV_Error_(Error::StsOutOfRange,
-                      ("scores: SAMPLER_IMPORTANCE expects finite numbers of at least 0, not %g", p.scores[i]));
+                      ("scores: SAMPLER_IMPORTANCE expects finite numbers of at least 0, not %g",
+                       p.scores[i]));
 }
 
 //! Whether they are those of a model of the problem Problem::fromOutput says.
 void checkInitialModel(const std::vector<double>& model)
 {
     if ((int)model.size() > MAX_MODEL_SIZE)
-        CV_Error_(Error::StsOutOfRange,
-                  ("initialModel: at most %d numbers are expected, not %d", (int)MAX_MODEL_SIZE, (int)model.size()));
+        CV_Error_(Error::StsOutOfRange, ("initialModel: at most %d numbers are expected, not %d",
+                                         (int)MAX_MODEL_SIZE, (int)model.size()));
     for (size_t i = 0; i < model.size(); ++i)
         if (!(std::abs(model[i]) <= DBL_MAX))
-            CV_Error_(Error::StsOutOfRange, ("initialModel: finite numbers are expected, not %g", model[i]));
+            CV_Error_(Error::StsOutOfRange,
+                      ("initialModel: finite numbers are expected, not %g", model[i]));
 }
 
 }  // namespace
@@ -133,7 +150,8 @@ void Params::setInitialModel(InputArray model)
         return;
     if (given.channels() != 1 || given.dims > 2)
         CV_Error_(Error::StsBadArg,
-                  ("model: a matrix is expected, not %d channels and %d dimensions", given.channels(), given.dims));
+                  ("model: a matrix is expected, not %d channels and %d dimensions",
+                   given.channels(), given.dims));
     Mat numbers;
     given.convertTo(numbers, CV_64F);
     initialModel.assign(numbers.begin<double>(), numbers.end<double>());
@@ -200,12 +218,16 @@ void read(const FileNode& node, Params& params, const Params& defaults)
     params.read(node);
 }
 
-bool isUsacV20Method(int method) { return method >= (int)USACV20 && method <= (int)USACV20_PARALLEL; }
+bool isUsacV20Method(int method)
+{
+    return method >= (int)USACV20 && method <= (int)USACV20_PARALLEL;
+}
 
 UsacV20Method methodFromInt(int method)
 {
     if (!isUsacV20Method(method))
-        CV_Error_(Error::StsBadArg, ("method: one of the flags USACV20* is expected, not %d", method));
+        CV_Error_(Error::StsBadArg,
+                  ("method: one of the flags USACV20* is expected, not %d", method));
     return (UsacV20Method)method;
 }
 

@@ -46,7 +46,8 @@ Params Params::trustedScores()
     Params params;
     params.sampler = SAMPLER_PROSAC;
     params.orderedEvery = 1;
-    params.termination = TERMINATION_PROSAC | TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT;
+    params.termination = TERMINATION_PROSAC | TERMINATION_SPRT | TERMINATION_P_NAPSAC |
+                         TERMINATION_EXACT;
     return params;
 }
 
@@ -229,7 +230,9 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     {
     case LOCAL_OPTIM_NULL: params.localOptimization = LOCAL_OPTIMIZATION_NONE; break;
     case LOCAL_OPTIM_GC: params.localOptimization = LOCAL_OPTIMIZATION_GRAPH_CUT; break;
-    case LOCAL_OPTIM_SIGMA: params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS; break;
+    case LOCAL_OPTIM_SIGMA:
+        params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
+        break;
     default: params.localOptimization = LOCAL_OPTIMIZATION_LO_RANSAC;
     }
     switch (other.score)

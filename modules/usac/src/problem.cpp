@@ -28,9 +28,13 @@ public:
         return product;
     }
 
-    double meanSide() const { return dimensions == 2 ? std::sqrt(volume()) : std::pow(volume(), 1. / dimensions); }
+    double meanSide() const
+    {
+        return dimensions == 2 ? std::sqrt(volume()) : std::pow(volume(), 1. / dimensions);
+    }
 
-    //! Bound of the length of a line or the area of a plane within the box, which has so many dimensions less than it.
+    //! Bound of the length of a line or the area of a plane within the box, which has so many
+    //! dimensions less than it.
     double largestSection(int codimension) const
     {
         double squares = 0;
@@ -61,7 +65,10 @@ Mat Problem::toOutput(const Model& model) const
     return Mat(model.rows, model.cols, CV_64F, (void*)model.val).clone();
 }
 
-bool Problem::fromOutput(const std::vector<double>&, const Correspondences&, Model&) const { return false; }
+bool Problem::fromOutput(const std::vector<double>&, const Correspondences&, Model&) const
+{
+    return false;
+}
 Model Problem::ofOutput(const Mat&) const { return Model(); }
 Model Problem::closest(const Model& model) const { return model; }
 void Problem::createDegeneracies(int, std::vector<Ptr<Degeneracy>>&) const {}
@@ -78,10 +85,12 @@ double Problem::randomInlierRatio(const Correspondences& points) const
 {
     const Box last(points, points.coordinates[1] ? 1 : 0);
     const double t = points.threshold;
-    // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both are equal
-    const double around = errorDimension() == 3   ? 4 * CV_PI / 3 * t * t * t
-                          : errorDimension() == 2 ? CV_PI * t * t
-                                                  : 2 * (points.coordinates[1] ? std::sqrt(2.) : 1.) * t;
+    // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both
+    // are equal
+    const double around = errorDimension() == 3 ? 4 * CV_PI / 3 * t * t * t
+                          : errorDimension() == 2
+                              ? CV_PI * t * t
+                              : 2 * (points.coordinates[1] ? std::sqrt(2.) : 1.) * t;
     const double within = around * last.largestSection(errorDimension()), whole = last.volume();
     return within < whole ? within / whole : 1;
 }

@@ -15,11 +15,11 @@ namespace usacv20 {
 
 namespace {
 
-//! Mean deviations from the center: points further out are not counted to the frame, Correspondences::lower and upper.
-//! Half, double: errors within 2 %, the noise of the search.
+//! Mean deviations from the center: points further out are not counted to the frame,
+//! Correspondences::lower and upper. Half, double: errors within 2 %, the noise of the search.
 constexpr double FRAME = 5;
-//! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of the mask is the
-//! caller's.
+//! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of
+//! the mask is the caller's.
 constexpr double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
 
 bool finite(double value)
@@ -43,19 +43,20 @@ bool allFinite(const double* values, int count)
     return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // else NaN
 }
 
-//! Sides of the box of the points: so far from its center is everything, along its longest side. Half would tell a
-//! threshold of 160 px in an image of 640 to be wide; double, not 1.5 px beside normalized points of 90 degrees.
+//! Sides of the box of the points: so far from its center is everything, along its longest side.
+//! Half would tell a threshold of 160 px in an image of 640 to be wide; double, not 1.5 px beside
+//! normalized points of 90 degrees.
 constexpr double WIDE = 0.5;
 
 }  // namespace
 
 ProblemData::ProblemData()
-    : view(), givenThreshold(), inputThreshold(0), pixelThreshold(0), pixels(1), input(), doubles(), floats(), seen(),
-      seenDoubles(), seenFloats()
+    : view(), givenThreshold(), inputThreshold(0), pixelThreshold(0), pixels(1), input(), doubles(),
+      floats(), seen(), seenDoubles(), seenFloats()
 {}
 
-void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2, const Params& params,
-                       Arena& arena, bool image)
+void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2,
+                       const Params& params, Arena& arena, bool image)
 {
     view = Correspondences();  // none, if there is a mistake
     view.problem = &problem;
@@ -84,24 +85,29 @@ void ProblemData::restoreThreshold()
     pixelThreshold = givenThreshold[2];
 }
 
-void ProblemData::readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena)
+void ProblemData::readRows(InputArray points1, InputArray points2, const Params& params,
+                           Arena& arena)
 {
     const bool two = view.coordinates[1] > 0;
     if (!two && !points2.empty())
-        CV_Error_(Error::StsBadArg, ("points2: problem %s has only one list of points", view.problem->name().c_str()));
+        CV_Error_(Error::StsBadArg, ("points2: problem %s has only one list of points",
+                                     view.problem->name().c_str()));
     const Mat given[] = {points1.getMat(), two ? points2.getMat() : Mat()};
     size_t most = 0;
     for (int array = 0; array < 2; ++array)
-        most = std::max(most, given[array].total() * given[array].channels() / std::max(view.coordinates[array], 1));
+        most = std::max(most, given[array].total() * given[array].channels() /
+                                  std::max(view.coordinates[array], 1));
     arena.reset(runMemory((int)std::min<size_t>(most, INT_MAX), params));
     Arena::Scope scope(arena);
     const String names[] = {view.problem->arrayName(0), view.problem->arrayName(1)};
     const Mat lists[] = {readPoints(given[0], view.coordinates[0], names[0].c_str(), scope),
-                         two ? readPoints(given[1], view.coordinates[1], names[1].c_str(), scope) : Mat()};
+                         two ? readPoints(given[1], view.coordinates[1], names[1].c_str(), scope)
+                             : Mat()};
     const int count = lists[0].rows;
     if (two && count != lists[1].rows)
-        CV_Error_(Error::StsUnmatchedSizes, ("%s and %s: lists of the same length are expected, not of %d and %d",
-                                             names[0].c_str(), names[1].c_str(), count, lists[1].rows));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("%s and %s: lists of the same length are expected, not of %d and %d",
+                   names[0].c_str(), names[1].c_str(), count, lists[1].rows));
     params.check(count);
     view.inputSize = count;
     for (int array = 0, k = 0; array < 2; ++array)
@@ -216,7 +222,8 @@ void ProblemData::shuffle(const Params& params, Arena& arena)
 //! Moves the points to the center and to unit scale, as far as the problem allows.
 void ProblemData::scale(const Params& params, Arena& arena)
 {
-    const int normalization = view.problem->normalization(params.residual), columns = view.columns();
+    const int normalization = view.problem->normalization(params.residual),
+              columns = view.columns();
     const int begin[] = {0, view.coordinates[0], columns};
     double center[MAX_COLUMNS], deviation[MAX_COLUMNS], low[MAX_COLUMNS], high[MAX_COLUMNS];
     for (int k = 0; k < columns; ++k)
@@ -237,18 +244,21 @@ void ProblemData::scale(const Params& params, Arena& arena)
         frame.scale = size > 1e-300 ? 1 / size : 1;
     }
     if (normalization == SCALE_COMMON)
-        view.frame[0].scale = view.frame[1].scale = std::sqrt(view.frame[0].scale * view.frame[1].scale);
+        view.frame[0].scale = view.frame[1].scale = std::sqrt(view.frame[0].scale *
+                                                              view.frame[1].scale);
     for (int k = 0; k < columns; ++k)
     {
         const int array = k >= begin[1];
-        const double shift = view.frame[array].center[k - begin[array]], factor = view.frame[array].scale;
+        const double shift = view.frame[array].center[k - begin[array]],
+                     factor = view.frame[array].scale;
         scaleColumn(k, shift, factor);
         const double middle = (center[k] - shift) * factor, reach = FRAME * deviation[k] * factor;
         view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
         view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }
-    view.threshold = std::min(std::max(inputThreshold * params.reach * view.frame[1].scale, SMALLEST_THRESHOLD),
-                              LARGEST_THRESHOLD);
+    view.threshold = std::min(
+        std::max(inputThreshold * params.reach * view.frame[1].scale, SMALLEST_THRESHOLD),
+        LARGEST_THRESHOLD);
 }
 
 void ProblemData::scaleColumn(int k, double shift, double factor)
@@ -286,7 +296,8 @@ bool ProblemData::wideThreshold() const
 int ProblemData::independentInliers(const uchar* mask, Arena& arena) const
 {
     return usacv20::independentInliers(input, view.coordinates, mask, view.inputSize,
-                                       view.problem->commonUnit() ? inputThreshold : 0, inputThreshold, arena);
+                                       view.problem->commonUnit() ? inputThreshold : 0,
+                                       inputThreshold, arena);
 }
 
 void ProblemData::tell(const uchar* mask, bool independent, Arena& arena, Report& report) const
@@ -298,7 +309,8 @@ void ProblemData::tell(const uchar* mask, bool independent, Arena& arena, Report
         report.independentInliers = independentInliers(mask, arena);
 }
 
-int ProblemData::mask(const Residual& residual, const Model& model, bool image, uchar* mask, Arena& arena) const
+int ProblemData::mask(const Residual& residual, const Model& model, bool image, uchar* mask,
+                      Arena& arena) const
 {
     const int count = view.inputSize;
     Arena::Scope scope(arena);
@@ -310,7 +322,8 @@ int ProblemData::mask(const Residual& residual, const Model& model, bool image, 
     return inliers;
 }
 
-void ProblemData::errors(const Residual& residual, const Model& model, bool image, double* errors) const
+void ProblemData::errors(const Residual& residual, const Model& model, bool image,
+                         double* errors) const
 {
     const double* columns[MAX_COLUMNS];
     std::copy(input, input + view.columns(), columns);

@@ -10,8 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** Reads the caller's arrays once and keeps them in two forms: all rows as given (double, for the final mask) and the
-finite ones scaled, shuffled and as structure of arrays (Correspondences). O(N) memory and time. */
+/** Reads the caller's arrays once and keeps them in two forms: all rows as given (double, for the
+final mask) and the finite ones scaled, shuffled and as structure of arrays (Correspondences). O(N)
+memory and time. */
 class ProblemData
 {
 public:
@@ -20,11 +21,12 @@ public:
 
     /** @brief Other points.
     @param problem must outlive this object
-    @param points1, points2, params as Usac::create takes them; if there is a mistake, there are no points
+    @param points1, points2, params as Usac::create takes them; if there is a mistake, there are no
+    points
     @param arena memory, which is freed before and has room for a run then; what is read stays there
     @param image also as they were seen, see Problem::createImageResidual */
-    void read(const Problem& problem, InputArray points1, InputArray points2, const Params& params, Arena& arena,
-              bool image);
+    void read(const Problem& problem, InputArray points1, InputArray points2, const Params& params,
+              Arena& arena, bool image);
 
     const Correspondences& points() const { return view; }
     //! The same as they were seen: for the residual of Problem::createImageResidual.
@@ -36,11 +38,14 @@ public:
     void setThreshold(double threshold);
     //! That of before the run, which may have changed it.
     void restoreThreshold();
-    //! So many times as large a Correspondences::threshold for the rest of the run; the mask has that of before.
+    //! So many times as large a Correspondences::threshold for the rest of the run; the mask has
+    //! that of before.
     void scaleReach(double factor) { view.threshold *= factor; }
-    //! Mask of the rows with error <= threshold under a model in the caller's coordinates. `image`: as they were seen.
+    //! Mask of the rows with error <= threshold under a model in the caller's coordinates. `image`:
+    //! as they were seen.
     //! @return number of ones.
-    int mask(const Residual& residual, const Model& model, bool image, uchar* mask, Arena& arena) const;
+    int mask(const Residual& residual, const Model& model, bool image, uchar* mask,
+             Arena& arena) const;
     //! The errors of all rows, in the unit of threshold(): what the mask compares with it.
     void errors(const Residual& residual, const Model& model, bool image, double* errors) const;
     //! Of the mask, in the coordinates of points().
@@ -52,7 +57,8 @@ public:
 private:
     //! Report::wideThreshold of the mask.
     bool wideThreshold() const;
-    //! Those of a mask that are not the same as another one in either array, see Problem::commonUnit.
+    //! Those of a mask that are not the same as another one in either array, see
+    //! Problem::commonUnit.
     int independentInliers(const uchar* mask, Arena& arena) const;
     void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
     bool finiteRow(int row) const;
@@ -70,7 +76,8 @@ private:
     double* input[MAX_COLUMNS];    //!< all rows, a column each (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< those of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[3];               //!< points of the last array as they were seen: all rows; null if not asked for
+    double*
+        seen[3];  //!< points of the last array as they were seen: all rows; null if not asked for
     const double* seenDoubles[3];  //!< those of imagePoints()
     const float* seenFloats[3];
 
@@ -78,7 +85,8 @@ private:
     ProblemData& operator=(const ProblemData&);
 };
 
-//! The model of the mask: the one that is returned, to the bit, if the problem reads it back; else `model`.
+//! The model of the mask: the one that is returned, to the bit, if the problem reads it back; else
+//! `model`.
 inline Model modelOfMask(const Problem& problem, const Mat& returned, const Model& model)
 {
     const Model exact = problem.ofOutput(returned);

@@ -27,7 +27,10 @@ ProgressScope::~ProgressScope() { innermost = before; }
 
 const ProgressScope* ProgressScope::current() { return innermost; }
 
-bool ProgressScope::ask(const Report& report) const { return progress(report) && (!outer || outer->ask(report)); }
+bool ProgressScope::ask(const Report& report) const
+{
+    return progress(report) && (!outer || outer->ask(report));
+}
 
 }  // namespace usacv20
 }  // namespace cv

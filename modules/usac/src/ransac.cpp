@@ -17,19 +17,23 @@ namespace {
 // What half and double of these numbers do: doc/constants.md.
 //! Samples of the largest batch: work for several threads. Half, double: next to nothing.
 constexpr int LARGEST_BATCH = 256;
-/** The first batch has so many samples; half of that if they are expensive, as five points of E: models beside the best
-of them are optimized late. Half: time +3 to +5 %; double: failures of F and E +0.3 to +0.5 points. */
+/** The first batch has so many samples; half of that if they are expensive, as five points of E:
+models beside the best of them are optimized late. Half: time +3 to +5 %; double: failures of F and
+E +0.3 to +0.5 points. */
 constexpr int FIRST_BATCH = 8;
-//! Tests of a point, SampleCost::time: between those of F, 700, and of E, 4000. Double: failures of E +0.3 points.
+//! Tests of a point, SampleCost::time: between those of F, 700, and of E, 4000. Double: failures of
+//! E +0.3 points.
 constexpr int EXPENSIVE = 2000;
-//! Tests of a point. Batches of less work, a tenth of a millisecond, are not worth the threads. The result is the same.
+//! Tests of a point. Batches of less work, a tenth of a millisecond, are not worth the threads. The
+//! result is the same.
 constexpr double PARALLEL_WORK = 44800;
 
-//! A model of a uniform sample may be a runner-up if what it gains over no model at all is at least so much of what the
-//! best one gained. Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4 %, failures of H and E +0.2 points.
+//! A model of a uniform sample may be a runner-up if what it gains over no model at all is at least
+//! so much of what the best one gained. Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4
+//! %, failures of H and E +0.2 points.
 constexpr double WORTHWHILE = 0.6;
-//! It is worth the time if the best model does not explain more than this part of its inliers. Half, double: the same;
-//! 0: time of F +4 %, H +2 %, failures the same.
+//! It is worth the time if the best model does not explain more than this part of its inliers.
+//! Half, double: the same; 0: time of F +4 %, H +2 %, failures the same.
 constexpr double DIFFERENT = 0.1;
 
 Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
@@ -43,16 +47,20 @@ Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena&
 }  // namespace
 
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
-    : context(context_), parts(context_.components), state(state_), m(parts.minimalSolver->sampleSize()),
-      checks(pointersTo(parts.degeneracies, context_.arena)), checkCount((int)parts.degeneracies.size()),
-      samples(context_.arena.take<Sample>(LARGEST_BATCH)), counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0),
-      errorRows(0), size(0), hypotheses(0),
-      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena), sampled(false),
-      unexplainedSamples(0), rivals(0),
-      threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(), LARGEST_BATCH)),
-      sampleWork(context_.points.problem->sampleCost().time + context_.points.size), firstOfBatch(0),
-      exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
-      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), localTicks(0), checkSamples(checkSamples_)
+    : context(context_), parts(context_.components), state(state_),
+      m(parts.minimalSolver->sampleSize()), checks(pointersTo(parts.degeneracies, context_.arena)),
+      checkCount((int)parts.degeneracies.size()),
+      samples(context_.arena.take<Sample>(LARGEST_BATCH)),
+      counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0),
+      hypotheses(0),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
+      sampled(false), unexplainedSamples(0), rivals(0),
+      threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
+                            LARGEST_BATCH)),
+      sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
+      firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive),
+      requiredReason(STOP_STANDARD), requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD),
+      localTicks(0), checkSamples(checkSamples_)
 {}
 
 // Numbers are the lines of Algorithm 1; lines 4 to 14 are in hypothesize(), 15 to 27 in improve().
@@ -73,7 +81,8 @@ bool Ransac::run(int pause)
             continue;
         drawBatch();  // 3
         const bool first = state.iteration == 0;
-        const bool together = threads > 1 && size * context.points.problem->sampleCost().time >= PARALLEL_WORK;
+        const bool together = threads > 1 &&
+                              size * context.points.problem->sampleCost().time >= PARALLEL_WORK;
         reserve(together ? LARGEST_BATCH : 1, together ? threads : 1);
         if (together)
             hypothesizeBatch();
@@ -117,11 +126,13 @@ bool Ransac::run(int pause)
             updateTermination();
     }
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
-    state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 - (state.report.localMs - localBefore);
+    state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 -
+                             (state.report.localMs - localBefore);
     return ended;
 }
 
-//! State::sampleQuality stays: that of a fitted model is one that no sample reaches, though it may be another motion's.
+//! State::sampleQuality stays: that of a fitted model is one that no sample reaches, though it may
+//! be another motion's.
 void Ransac::begin(const Model& initial)
 {
     Model model = initial;
@@ -158,7 +169,8 @@ void Ransac::drawBatch()
     const int left = context.params.maxIterations - state.iteration;
     const bool expensive = context.points.problem->sampleCost().time > EXPENSIVE;
     const int before = size;
-    const int wanted = size == 0 ? (expensive ? FIRST_BATCH / 2 : FIRST_BATCH) : std::min<int>(2 * size, LARGEST_BATCH);
+    const int wanted = size == 0 ? (expensive ? FIRST_BATCH / 2 : FIRST_BATCH)
+                                 : std::min<int>(2 * size, LARGEST_BATCH);
     size = std::min(wanted, left);
     for (int i = before; i < size; ++i)
         new (samples + i) Sample();
@@ -193,7 +205,8 @@ void Ransac::reserve(int wanted, int rows)
 void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
 {
     const int* sample = samples[index].val;
-    h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
+    h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested =
+        h.stopped = 0;
     h.rejectedSample = h.repeated = false;
     h.rejectedSample = !validSample(sample);  // 4
     for (int d = 0; d < checkCount && h.rejectedSample && !h.repeated; ++d)
@@ -213,8 +226,8 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
         }
         const int start = rotation.uniform(context.points.size) & ~15;
         int inliers = 0, tested = 0;
-        const bool passed = !parts.verifier ||
-                            parts.verifier->preTest(context, model, rotation, inliers, tested);  // 10
+        const bool passed = !parts.verifier || parts.verifier->preTest(context, model, rotation,
+                                                                       inliers, tested);  // 10
         h.firstInliers += inliers;
         h.firstTested += tested;
         if (!passed)
@@ -222,8 +235,9 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
             ++h.refused;
             continue;  // 11
         }
-        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start, row);  // 10, 12
-        if (tested == 0)  // else only models that have passed would count
+        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start,
+                                   row);  // 10, 12
+        if (tested == 0)                  // else only models that have passed would count
         {
             h.firstInliers += rating.firstInliers;
             h.firstTested += rating.firstTested;
@@ -256,10 +270,10 @@ bool Ransac::validModel(const int* sample, const Model& model) const
     return valid;
 }
 
-/* A model that is better than the models of all samples before. Here the paper compares with the optimized best model;
-but a good model from a noisy sample is often worse than a bad one after its optimization, and would never be optimized.
-`before` is what models were compared with before this one: if a check lowers its quality, it does not stand in the way
-of others.
+/* A model that is better than the models of all samples before. Here the paper compares with the
+optimized best model; but a good model from a noisy sample is often worse than a bad one after its
+optimization, and would never be optimized. `before` is what models were compared with before this
+one: if a check lowers its quality, it does not stand in the way of others.
 */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
@@ -326,16 +340,19 @@ void Ransac::improveRunnersUp()
             improve(taken[i].candidate, state.sampleQuality);
 }
 
-//! A model whose inliers are those of the best one leads to the same optimum, if the problem is not ambiguous.
+//! A model whose inliers are those of the best one leads to the same optimum, if the problem is not
+//! ambiguous.
 bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
 {
     const int unexplained = runnerUp.inliers.without(runnersUp.best());
     if (unexplained < rivalInliers() && runnerUp.candidate.quality.cost >= uselessCost())
         return false;
-    return context.points.problem->ambiguous() || unexplained > DIFFERENT * runnerUp.inliers.count();
+    return context.points.problem->ambiguous() ||
+           unexplained > DIFFERENT * runnerUp.inliers.count();
 }
 
-//! Lines 19 to 24; a second time if the optimized model was degenerate and a better one took its place.
+//! Lines 19 to 24; a second time if the optimized model was degenerate and a better one took its
+//! place.
 void Ransac::optimize(Model& model, Quality& quality)
 {
     const int64 start = getTickCount();
@@ -347,8 +364,9 @@ void Ransac::optimize(Model& model, Quality& quality)
         if (!parts.localOptimizer->optimize(context, state, optimized, optimizedQuality))  // 19
             break;
         const Quality before = optimizedQuality;
-        if (!optimizedQuality.betterThan(state.bestQuality) || !recover(0, optimized, optimizedQuality) ||  // 20, 21
-            !optimizedQuality.betterThan(quality))                                                          // 22, 23
+        if (!optimizedQuality.betterThan(state.bestQuality) ||
+            !recover(0, optimized, optimizedQuality) ||  // 20, 21
+            !optimizedQuality.betterThan(quality))       // 22, 23
             break;
         ++state.report.localImprovements;
         model = optimized;  // 24
@@ -382,7 +400,8 @@ void Ransac::account(const Hypotheses& h)
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
     report.droppedModels += h.dropped;
-    // Which of the two came first: the best model may be another one now than when a thread rated these.
+    // Which of the two came first: the best model may be another one now than when a thread rated
+    // these.
     for (int k = 0; k < h.stopped; ++k)
         ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
 }

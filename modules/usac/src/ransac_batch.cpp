@@ -12,14 +12,14 @@ namespace usacv20 {
 
 namespace {
 
-//! Tests of a point: so many for each thread between two looks at the clock, if a run may be stopped: two milliseconds.
-//! The result is the same.
+//! Tests of a point: so many for each thread between two looks at the clock, if a run may be
+//! stopped: two milliseconds. The result is the same.
 constexpr double TOGETHER = 1e6;
 
 }  // namespace
 
-//! A part of the batch for each thread, as each has memory of its own. A run that may have to stop looks up now and
-//! then.
+//! A part of the batch for each thread, as each has memory of its own. A run that may have to stop
+//! looks up now and then.
 void Ransac::hypothesizeBatch()
 {
     const bool watched = context.watch && context.watch->isActive();

@@ -36,11 +36,12 @@ bool Ransac::terminate()
     return true;
 }
 
-/* No model can have more inliers than one that has more than half of the points beside its own sample, unless it shares
-most of them: whatever points the samples prefer, they do not miss it. */
+/* No model can have more inliers than one that has more than half of the points beside its own
+sample, unless it shares most of them: whatever points the samples prefer, they do not miss it. */
 int Ransac::samplesThatCount() const
 {
-    const bool planar = state.report.degenerate || state.yield < 1;  // then it may share nearly all with a wrong one
+    const bool planar = state.report.degenerate ||
+                        state.yield < 1;  // then it may share nearly all with a wrong one
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - state.repeatedSamples : state.countedSamples;
 }
@@ -51,7 +52,8 @@ void Ransac::updateTermination()
     requiredReason = STOP_STANDARD;
     requiredOfAll = INT_MAX;
     for (size_t t = 0; t < parts.terminations.size(); ++t)
-        require((double)parts.terminations[t]->iterations(context, state) * context.params.persistence,
+        require((double)parts.terminations[t]->iterations(context, state) *
+                    context.params.persistence,
                 parts.terminations[t]->countsAll(), parts.terminations[t]->reason());
 }
 

@@ -12,15 +12,16 @@ namespace usacv20 {
 
 namespace {
 
-/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a threshold of 2 sigma. It
-grows to that if it is less than two thirds of it, and shrinks to it where it is too wide by a half, which costs more
-time than accuracy. Half: errors +5 to +9 %; double: nine tenths of H and a fifth of F and E fail, as the wider
-threshold shows more noise and grows again. */
+/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a
+threshold of 2 sigma. It grows to that if it is less than two thirds of it, and shrinks to it where
+it is too wide by a half, which costs more time than accuracy. Half: errors +5 to +9 %; double: nine
+tenths of H and a fifth of F and E fail, as the wider threshold shows more noise and grows again. */
 constexpr double REACH = 5;
 
-/** Points of another motion, or of a second plane, may look like noise that is wide. But with such noise the errors
-fill the threshold. So the reach does not grow where so many of the inliers of the wide noise are in a core within the
-threshold whose own noise is small. Half: the same; double: 8 % of F and 5 % of E beside a second motion fail. */
+/** Points of another motion, or of a second plane, may look like noise that is wide. But with such
+noise the errors fill the threshold. So the reach does not grow where so many of the inliers of the
+wide noise are in a core within the threshold whose own noise is small. Half: the same; double: 8 %
+of F and 5 % of E beside a second motion fail. */
 constexpr double CORE = 1. / 3;
 
 //! Standard deviation of the noise that the model shows, 0 if none is significant.
@@ -28,9 +29,11 @@ double noiseOf(const Context& context, const Model& model)
 {
     const Correspondences& p = context.points;
     const Residual& residual = *context.components.residual;
-    const int size = std::min<int>(p.size, SignificantScale::MOST), degrees = p.problem->errorDimension(),
+    const int size = std::min<int>(p.size, SignificantScale::MOST),
+              degrees = p.problem->errorDimension(),
               m = context.components.minimalSolver->sampleSize();
-    const double chance = p.problem->randomInlierRatio(p), widest = REACH_GROWS * p.threshold / REACH;
+    const double chance = p.problem->randomInlierRatio(p),
+                 widest = REACH_GROWS * p.threshold / REACH;
     Arena::Scope scope(context.arena);
     float* const errors = scope.take<float>(size);
     residual.squaredErrors(p, model, 0, size, errors);
@@ -38,10 +41,12 @@ double noiseOf(const Context& context, const Model& model)
     const Scale::Found all = Scale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m);
     if (all.sigma <= widest)
         return all.sigma;
-    const Scale::Found core = Scale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m, 1);
+    const Scale::Found core = Scale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m,
+                                              1);
     if (core.sigma > 0 && core.sigma <= widest && core.inliers >= CORE * all.inliers)
         return core.sigma;
-    float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);  // only now do other matches matter
+    float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS *
+                                           size);  // only now do other matches matter
     const int count = wrongErrors(residual, model, p, size, wrong, context.arena);
     return Scale::estimate(errors, size, wrong, count, p.threshold, chance, degrees, m).sigma;
 }
@@ -52,7 +57,8 @@ double suitableReach(const Context& context, const State& state, double least)
 {
     if (!(state.bestQuality.cost <= DBL_MAX))
         return context.params.reach;
-    const double sigmas = noiseOf(context, state.best) / context.points.threshold * context.params.reach;
+    const double sigmas = noiseOf(context, state.best) / context.points.threshold *
+                          context.params.reach;
     return std::min(std::max(sigmas * REACH, least), context.params.widestReach);
 }
 

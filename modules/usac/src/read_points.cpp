@@ -28,30 +28,37 @@ Mat transposed(const Mat& values, Arena::Scope& scope)
     return columns;
 }
 
-/** Any list of points that OpenCV's functions take with one flag or another; one point a row, one coordinate a column,
-CV_64F. A matrix with one channel has its points along the longer side (as for OpenCV's USAC flags), with equal sides in
-the rows; a single row or column is one point. What is converted is in memory of the scope. */
+/** Any list of points that OpenCV's functions take with one flag or another; one point a row, one
+coordinate a column, CV_64F. A matrix with one channel has its points along the longer side (as for
+OpenCV's USAC flags), with equal sides in the rows; a single row or column is one point. What is
+converted is in memory of the scope. */
 Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();
-    const bool solid = points.dims == 3 && channels == 1 && (points.size[0] == 1 || points.size[1] == 1);
-    const bool perColumn = channels == 1 && (cols == 1 || (1 < rows && rows < cols));  // else per row or per element
-    const int coordinates = solid ? points.size[2] : channels > 1 ? channels : perColumn ? rows : cols;
+    const bool solid = points.dims == 3 && channels == 1 &&
+                       (points.size[0] == 1 || points.size[1] == 1);
+    const bool perColumn = channels == 1 &&
+                           (cols == 1 || (1 < rows && rows < cols));  // else per row or per element
+    const int coordinates = solid          ? points.size[2]
+                            : channels > 1 ? channels
+                            : perColumn    ? rows
+                                           : cols;
     const bool fewCoordinates = solid ||
-                                (channels == 1 && (rows == 1 || cols == 1));  // OpenCV takes no more of them here
+                                (channels == 1 &&
+                                 (rows == 1 || cols == 1));  // OpenCV takes no more of them here
     if ((points.dims > 2 && !solid) || coordinates < 2 || (fewCoordinates && coordinates > 3))
-        CV_Error_(Error::StsBadArg,
-                  ("%s: N points are expected as Nx2, Nx3, 2xN or 3xN with 1 channel or with 2 or 3 channels, "
-                   "not as %dx%d with %d channel(s) and %d dimensions",
-                   name, rows, cols, channels, points.dims));
+        CV_Error_(Error::StsBadArg, ("%s: N points are expected as Nx2, Nx3, 2xN or 3xN with 1 "
+                                     "channel or with 2 or 3 channels, "
+                                     "not as %dx%d with %d channel(s) and %d dimensions",
+                                     name, rows, cols, channels, points.dims));
     const Mat values = toDouble(points, scope);
     if (perColumn)
         return transposed(values, scope);
     return values.reshape(1, (int)(points.total() * channels / coordinates));
 }
 
-/** Points of a plane. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two are the point, as
-for OpenCV's USAC flags. */
+/** Points of a plane. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two
+are the point, as for OpenCV's USAC flags. */
 Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const Mat values = readCoordinates(points, name, scope);
@@ -67,23 +74,25 @@ Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
     convertPointsFromHomogeneous(values, points2);
     for (int i = 0; i < plane.rows; ++i)
         if (values.at<double>(i, 2) == 0)
-            points2.at<Vec2d>(i) = Vec2d(INFINITY, INFINITY);  // which OpenCV takes for a finite point
+            points2.at<Vec2d>(i) = Vec2d(INFINITY,
+                                         INFINITY);  // which OpenCV takes for a finite point
     return plane;
 }
 
 //! Points of a line or of space.
 Mat readOtherPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope)
 {
-    const bool perColumn = points.dims == 2 && points.channels() == 1 && points.cols != coordinates &&
-                           points.rows == coordinates;
+    const bool perColumn = points.dims == 2 && points.channels() == 1 &&
+                           points.cols != coordinates && points.rows == coordinates;
     const int numbers = (int)points.total() * points.channels();
     const bool perElement = points.channels() == coordinates;
     const bool perRow = points.channels() == 1 && points.size[points.dims - 1] == coordinates;
     if (!perColumn && !perElement && !perRow)
-        CV_Error_(Error::StsBadArg, ("%s: N points are expected as Nx%d or %dxN with 1 channel or with %d channels, "
-                                     "not as %dx%d with %d channel(s) and %d dimensions",
-                                     name, coordinates, coordinates, coordinates, points.rows, points.cols,
-                                     points.channels(), points.dims));
+        CV_Error_(Error::StsBadArg,
+                  ("%s: N points are expected as Nx%d or %dxN with 1 channel or with %d channels, "
+                   "not as %dx%d with %d channel(s) and %d dimensions",
+                   name, coordinates, coordinates, coordinates, points.rows, points.cols,
+                   points.channels(), points.dims));
     const Mat values = toDouble(points, scope);
     return perColumn ? transposed(values, scope) : values.reshape(1, numbers / coordinates);
 }
@@ -94,7 +103,8 @@ Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scop
 {
     if (points.empty())
         return Mat(0, coordinates, CV_64F);
-    return coordinates == 2 ? readPlanePoints(points, name, scope) : readOtherPoints(points, coordinates, name, scope);
+    return coordinates == 2 ? readPlanePoints(points, name, scope)
+                            : readOtherPoints(points, coordinates, name, scope);
 }
 
 }  // namespace usacv20

@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The points of one of the caller's arrays, in any layout and depth that OpenCV's functions take.
+/** @brief The points of one of the caller's arrays, in any layout and depth that OpenCV's functions
+take.
 @param points N points
 @param coordinates of each, 1 to 3; points with 2 may also be given by 3, which are homogeneous
 @param name of the argument, for messages

@@ -10,22 +10,24 @@ namespace usacv20 {
 
 namespace {
 
-/** Part of the inliers on a plane from which on its second motion is of interest, as in PlanarMotion. 0.9: of planes of
-0.9 of the points a half is not seen; 0.6: those of 0.7 are, the motions returned are the same. */
+/** Part of the inliers on a plane from which on its second motion is of interest, as in
+PlanarMotion. 0.9: of planes of 0.9 of the points a half is not seen; 0.6: those of 0.7 are, the
+motions returned are the same. */
 constexpr double DOMINANT = 0.8;
-//! Thresholds: so far from its place under the homography is a point of the plane. Half: 134 of 358 planes with noise
-//! of up to two thirds of a threshold are not seen, and 41 of 180 right motions of nothing but a plane are missed;
-//! double: 5 of 180 planes of 0.7 of the points are seen.
+//! Thresholds: so far from its place under the homography is a point of the plane. Half: 134 of 358
+//! planes with noise of up to two thirds of a threshold are not seen, and 41 of 180 right motions
+//! of nothing but a plane are missed; double: 5 of 180 planes of 0.7 of the points are seen.
 constexpr double ON_PLANE = 2;
 
 //! The essential matrix of two views, and which way it is to be read.
 class TwoViews
 {
 public:
-    TwoViews(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray distCoeffs1,
-             InputArray cameraMatrix2, InputArray distCoeffs2, const Params& params_)
-        : params(params_), usac(Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2,
-                                             distCoeffs1, distCoeffs2)),
+    TwoViews(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+             InputArray distCoeffs1, InputArray cameraMatrix2, InputArray distCoeffs2,
+             const Params& params_)
+        : params(params_), usac(Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1,
+                                             cameraMatrix2, distCoeffs1, distCoeffs2)),
           threshold(usac->points().threshold / params.reach)
     {
         const Correspondences& p = usac->points();
@@ -56,7 +58,8 @@ public:
         return !found.essential.empty();
     }
 
-    //! The other motion of the plane that most inliers are on. @return points on it, 0: there is none
+    //! The other motion of the plane that most inliers are on. @return points on it, 0: there is
+    //! none
     int otherOfPlane(const Solution& found, Solution& other)
     {
         Matx33d H;
@@ -65,13 +68,15 @@ public:
         Motion motions[2];
         if (onPlane <= DOMINANT * found.inliers || !motionsOfPlane(H, point, motions))
             return 0;
-        const Matx33d E = found.essential, each[] = {motions[0].essential(), motions[1].essential()};
+        const Matx33d E = found.essential,
+                      each[] = {motions[0].essential(), motions[1].essential()};
         const int same = difference(each[0], E) < difference(each[1], E) ? 0 : 1;
         other.essential = usac->refine(Mat(each[1 - same]), noArray(), other.mask, &other.report);
         if (other.essential.empty())
             return onPlane;
         read(other);
-        if (difference(other.essential, E) < difference(each[0], each[1]) / 2)  // refined, it has come to the first one
+        if (difference(other.essential, E) <
+            difference(each[0], each[1]) / 2)  // refined, it has come to the first one
             other.essential.release();
         return onPlane;
     }
@@ -146,7 +151,8 @@ private:
         const Mat map = estimateHomography(first, second, options, mask);
         if (map.empty())
             return 0;
-        const Matx33d scale(pixels, 0, 0, 0, pixels, 0, 0, 0, 1), inverse(1 / pixels, 0, 0, 0, 1 / pixels, 0, 0, 0, 1);
+        const Matx33d scale(pixels, 0, 0, 0, pixels, 0, 0, 0, 1),
+            inverse(1 / pixels, 0, 0, 0, 1 / pixels, 0, 0, 0, 1);
         H = inverse * Matx33d(map.ptr<double>()) * scale;
         for (size_t i = rows.size(); i-- > 0;)
             if (mask.at<uchar>((int)i))
@@ -155,7 +161,10 @@ private:
     }
 
     //! Of their essential matrices, which have no sign.
-    static double difference(const Matx33d& a, const Matx33d& b) { return std::min(norm(a - b), norm(a + b)); }
+    static double difference(const Matx33d& a, const Matx33d& b)
+    {
+        return std::min(norm(a - b), norm(a + b));
+    }
 
     const Params params;
     const Ptr<Usac> usac;
@@ -167,12 +176,14 @@ private:
 
 RelativePose::RelativePose() : behind(0), onPlane(0), otherInliers(0) {}
 
-bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cameraMatrix1, InputArray distCoeffs1,
-                          InputArray cameraMatrix2, InputArray distCoeffs2, const Params& params, OutputArray R,
-                          OutputArray t, OutputArray mask, RelativePose& pose)
+bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+                          InputArray distCoeffs1, InputArray cameraMatrix2, InputArray distCoeffs2,
+                          const Params& params, OutputArray R, OutputArray t, OutputArray mask,
+                          RelativePose& pose)
 {
     pose = RelativePose();
-    TwoViews views(points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2, params);
+    TwoViews views(points1, points2, cameraMatrix1, distCoeffs1, cameraMatrix2, distCoeffs2,
+                   params);
     TwoViews::Solution best, other;
     const bool found = views.search(best);
     if (found)

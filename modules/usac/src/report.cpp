@@ -9,18 +9,21 @@ namespace usacv20 {
 
 namespace {
 
-//! Report::chance above which a model is no better than one of random matches: the limit of Params::significance 0.
+//! Report::chance above which a model is no better than one of random matches: the limit of
+//! Params::significance 0.
 constexpr double SIGNIFICANT = 0.01;
-//! Of so many inliers less than one is independent: most are at a few places. Half, double: not measured.
+//! Of so many inliers less than one is independent: most are at a few places. Half, double: not
+//! measured.
 constexpr int FEW = 4;
 
 }  // namespace
 
 Report::Report()
-    : stop(STOP_NOT_RUN), iterations(0), rejectedSamples(0), degenerateSamples(0), models(0), rejectedModels(0),
-      refusedModels(0), droppedModels(0), localOptimizations(0), localImprovements(0), degenerate(false), inliers(0),
-      inlierRatio(0), independentInliers(0), chance(1), threshold(0), wideThreshold(false), cost(0), setupMs(0),
-      searchMs(0), localMs(0), polishMs(0)
+    : stop(STOP_NOT_RUN), iterations(0), rejectedSamples(0), degenerateSamples(0), models(0),
+      rejectedModels(0), refusedModels(0), droppedModels(0), localOptimizations(0),
+      localImprovements(0), degenerate(false), inliers(0), inlierRatio(0), independentInliers(0),
+      chance(1), threshold(0), wideThreshold(false), cost(0), setupMs(0), searchMs(0), localMs(0),
+      polishMs(0)
 {}
 
 String Report::describe() const
@@ -40,16 +43,19 @@ String Report::describe() const
                                           "Params::maxTime",
                                           "cancelled",
                                           "no search"};
-    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NO_SEARCH ? reasons[stop] : "unknown reason";
-    const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT && stop != STOP_NO_SEARCH &&
-                       (inliers > 0 || cost > 0);
+    const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NO_SEARCH ? reasons[stop]
+                                                                        : "unknown reason";
+    const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT &&
+                       stop != STOP_NO_SEARCH && (inliers > 0 || cost > 0);
     const String few = model && FEW * independentInliers < inliers && independentInliers > 0
                            ? format("; only %d inliers are independent", independentInliers)
                            : String();
-    return format("%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s%s", inliers, cost,
-                  iterations, localOptimizations, reason, degenerate ? "; a dominant plane was found" : "",
-                  wideThreshold ? "; the threshold is as wide as all the points: is it in their unit?" : "",
-                  few.c_str(), model && chance > SIGNIFICANT ? "; no better than chance" : "");
+    return format(
+        "%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s%s",
+        inliers, cost, iterations, localOptimizations, reason,
+        degenerate ? "; a dominant plane was found" : "",
+        wideThreshold ? "; the threshold is as wide as all the points: is it in their unit?" : "",
+        few.c_str(), model && chance > SIGNIFICANT ? "; no better than chance" : "");
 }
 
 }  // namespace usacv20

@@ -25,16 +25,18 @@ namespace {
 
 double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
 
-//! The noise is looked at first when one in so many of Params::maxIterations samples have been drawn. 4 and 1 change
-//! errors by 2 % at most.
+//! The noise is looked at first when one in so many of Params::maxIterations samples have been
+//! drawn. 4 and 1 change errors by 2 % at most.
 constexpr int FIRST_LOOK = 2;
 
-//! Params::significance 0: the limit, a probability, and the part of the points that must be able to reach it. Half,
-//! double: no right model is refused, none of the runs differs; what they refuse is in doc/design.md.
+//! Params::significance 0: the limit, a probability, and the part of the points that must be able
+//! to reach it. Half, double: no right model is refused, none of the runs differs; what they refuse
+//! is in doc/design.md.
 constexpr double LIMIT = 0.01, DECISIVE = 0.25;
-/* Part of what a model gains over no model at all that must be left after polishing. With 0.9 polishing is undone where
-the threshold is no more than the noise: the error of H is 3.1 times that of least squares, with 0.5 it is 1.2. On the
-lists half of it changes nothing, 1 raises errors by 2 to 6 %. */
+/* Part of what a model gains over no model at all that must be left after polishing. With 0.9
+polishing is undone where the threshold is no more than the noise: the error of H is 3.1 times that
+of least squares, with 0.5 it is 1.2. On the lists half of it changes nothing, 1 raises errors by 2
+to 6 %. */
 constexpr double KEPT = 0.5;
 //! Chances, probabilities, that are smaller need not be known. Half, double: no run differs.
 constexpr double CLEAR = 1e-6;
@@ -42,8 +44,10 @@ constexpr double CLEAR = 1e-6;
 class UsacImpl : public Usac
 {
 public:
-    UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2, const Params& params_)
-        : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false), givenReach(params_.reach)
+    UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2,
+             const Params& params_)
+        : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false),
+          givenReach(params_.reach)
     {
         checkProblem(*problem, params.residual);  // before its numbers are used
         seeImage(problem->createResidual(params.residual));
@@ -93,7 +97,8 @@ public:
         prepare();
         const Context context(data.points(), parts, params, arena);
         parts.start(context);
-        return GivenModels(context, data, imageResidual, imageFit).fit(weights, chosen, mask, report);
+        return GivenModels(context, data, imageResidual, imageFit)
+            .fit(weights, chosen, mask, report);
     }
 
     Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE
@@ -127,7 +132,8 @@ private:
         checkComponents(parts);
         if (parts.residual != fitted && parts.nonMinimalSolver == made.nonMinimalSolver)
         {
-            parts.nonMinimalSolver = made.nonMinimalSolver = problem->createNonMinimalSolver(parts.residual);
+            parts.nonMinimalSolver = made.nonMinimalSolver = problem->createNonMinimalSolver(
+                parts.residual);
             fitted = parts.residual;
         }
         if (parts.residual != rated)
@@ -148,22 +154,25 @@ private:
         state.report.iterations = state.iteration;
         sampled = ransac.bestSample() != 0;
         if (sampled)
-            std::copy(ransac.bestSample(), ransac.bestSample() + parts.minimalSolver->sampleSize(), sample);
+            std::copy(ransac.bestSample(), ransac.bestSample() + parts.minimalSolver->sampleSize(),
+                      sample);
     }
 
     void begin(const Context& context, Ransac& ransac)
     {
         Model model;
         if (!problem->fromOutput(params.initialModel, context.points, model))
-            CV_Error_(Error::StsBadArg, ("initialModel: %d numbers, which are no model of the problem %s",
-                                         (int)params.initialModel.size(), problem->name().c_str()));
+            CV_Error_(Error::StsBadArg,
+                      ("initialModel: %d numbers, which are no model of the problem %s",
+                       (int)params.initialModel.size(), problem->name().c_str()));
         ransac.begin(model);
     }
 
-    /** The search, with a reach that grows with the noise that the best model shows: when the search has ended, or half
-    of its samples have been drawn. (With a reach that is far too small models are rated by few points, and no criterion
-    ends the search. Earlier, the right model may not yet be found, and a wrong one that shows more noise, between two
-    planes, say, would be taken for it.) At last it may also shrink again, as poor models show more noise than there is.
+    /** The search, with a reach that grows with the noise that the best model shows: when the
+    search has ended, or half of its samples have been drawn. (With a reach that is far too small
+    models are rated by few points, and no criterion ends the search. Earlier, the right model may
+    not yet be found, and a wrong one that shows more noise, between two planes, say, would be taken
+    for it.) At last it may also shrink again, as poor models show more noise than there is.
   */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
@@ -179,7 +188,8 @@ private:
             else if (ended)
                 break;
         }
-        for (double reach; (reach = suitableReach(context, state, least)) < REACH_SHRINKS * params.reach;)
+        for (double reach;
+             (reach = suitableReach(context, state, least)) < REACH_SHRINKS * params.reach;)
         {
             setReach(reach, ransac);
             if (!(state.bestQuality.cost <= DBL_MAX))  // a check has refused the model
@@ -203,15 +213,18 @@ private:
                                      (double)learned.models - learned.rejectedModels,
                                      params.quality == QUALITY_INLIERS && parts.localOptimizer,
                                      params.quality == QUALITY_LMEDS};
-        const double grown = std::max(params.reach / givenReach, 1.);  // as far as the threshold is below the noise
-        Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown, effort, arena, &context);
+        const double grown = std::max(params.reach / givenReach,
+                                      1.);  // as far as the threshold is below the noise
+        Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown,
+                          effort, arena, &context);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
         return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
     }
 
-    /** Polishing minimizes another loss than the score, and may end between two models: if the score is clearly worse
-    after it, the model stays as the search found it. Few points are polished from other starts, too. @param search
-    context of the search @param context that of the polishing @return quality of the model */
+    /** Polishing minimizes another loss than the score, and may end between two models: if the
+    score is clearly worse after it, the model stays as the search found it. Few points are polished
+    from other starts, too. @param search context of the search @param context that of the polishing
+    @return quality of the model */
     Quality polish(const Context& search, const Context& context, State& state, Model& best)
     {
         const Model found = problem->closest(best);
@@ -231,20 +244,24 @@ private:
             quality = before;
         }
         Restarts(search, context, state).improve(best, quality);
-        Leverage(search, context, context.points.threshold * data.maskThreshold() / search.points.threshold)
+        Leverage(search, context,
+                 context.points.threshold * data.maskThreshold() / search.points.threshold)
             .improve(best, quality);
         return quality;
     }
 
-    //! What polishing and mask take in the place of a residual of the search, if there is something better.
+    //! What polishing and mask take in the place of a residual of the search, if there is something
+    //! better.
     void seeImage(const Ptr<Residual>& residual)
     {
         rated = residual;
         imageResidual = keepsImage ? problem->createImageResidual(residual) : Ptr<Residual>();
-        imageFit = imageResidual ? problem->createNonMinimalSolver(imageResidual) : Ptr<NonMinimalSolver>();
+        imageFit = imageResidual ? problem->createNonMinimalSolver(imageResidual)
+                                 : Ptr<NonMinimalSolver>();
     }
 
-    //! The same with the points as they were seen, if the solver is not one of the caller's, which may not know them.
+    //! The same with the points as they were seen, if the solver is not one of the caller's, which
+    //! may not know them.
     Quality polishAsSeen(const Context& context, State& state)
     {
         if (!imageFit || parts.nonMinimalSolver != made.nonMinimalSolver)
@@ -254,10 +271,12 @@ private:
         imageParts.residual = imageResidual;
         imageParts.nonMinimalSolver = imageFit;
         imageFit->start(context);
-        return polish(context, Context(seen, imageParts, params, arena, context.watch), state, state.best);
+        return polish(context, Context(seen, imageParts, params, arena, context.watch), state,
+                      state.best);
     }
 
-    //! In the order of the caller's points. Memory is asked for only where `rows` has not had as many before.
+    //! In the order of the caller's points. Memory is asked for only where `rows` has not had as
+    //! many before.
     void writeSample(const Context& context, std::vector<int>& rows) const
     {
         int row[MAX_SAMPLE_SIZE];
@@ -274,7 +293,8 @@ private:
             learned.stop = context.watch->stopReason();
     }
 
-    //! Polishes the best model and gives it back in the caller's coordinates, with the mask that belongs to it.
+    //! Polishes the best model and gives it back in the caller's coordinates, with the mask that
+    //! belongs to it.
     Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
     {
         const int64 start = getTickCount();
@@ -287,7 +307,8 @@ private:
         Mat result;
         if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) &&
             context.points.size > parts.minimalSolver->sampleSize())
-            sampled = !Restarts(context, context, state).begin(state.best, state.bestQuality) && sampled;
+            sampled = !Restarts(context, context, state).begin(state.best, state.bestQuality) &&
+                      sampled;
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
             data.setThreshold(parts.score->threshold(context, state.best));
@@ -297,8 +318,8 @@ private:
             {
                 result = problem->toOutput(model);
                 const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
-                learned.inliers = data.mask(*residual, modelOfMask(*problem, result, model), !imageResidual.empty(),
-                                            inliers, arena);
+                learned.inliers = data.mask(*residual, modelOfMask(*problem, result, model),
+                                            !imageResidual.empty(), inliers, arena);
                 if (learned.inliers == 0 && params.reach <= givenReach)
                     result.release();
             }
@@ -306,7 +327,8 @@ private:
         tellStop(context, learned);
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS && learned.stop < STOP_TIME)
             learned.stop = STOP_NO_MODEL;
-        if (!result.empty() && (report || params.significance < 1) && !significant(context, state.best, learned))
+        if (!result.empty() && (report || params.significance < 1) &&
+            !significant(context, state.best, learned))
         {
             tellStop(context, learned);
             learned.stop = learned.stop < STOP_TIME ? (int)STOP_NOT_SIGNIFICANT : learned.stop;
@@ -316,7 +338,8 @@ private:
         }
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);
-        const bool timely = learned.inliers <= ENOUGH || !context.stopBefore(learned.inliers * REPETITION_WORK);
+        const bool timely = learned.inliers <= ENOUGH ||
+                            !context.stopBefore(learned.inliers * REPETITION_WORK);
         tellStop(context, learned);
         data.tell(inliers, timely && report && !result.empty(), arena, learned);
         learned.polishMs = milliseconds(start);
@@ -350,15 +373,16 @@ private:
 
 }  // namespace
 
-Ptr<Usac> Usac::create(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
-                       InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
-                       InputArray distCoeffs2)
+Ptr<Usac> Usac::create(ProblemType problem, InputArray points1, InputArray points2,
+                       const Params& params, InputArray cameraMatrix1, InputArray cameraMatrix2,
+                       InputArray distCoeffs1, InputArray distCoeffs2)
 {
-    return create(createProblem(problem, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2), points1, points2,
-                  params);
+    return create(createProblem(problem, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2),
+                  points1, points2, params);
 }
 
-Ptr<Usac> Usac::create(const Ptr<Problem>& problem, InputArray points1, InputArray points2, const Params& params)
+Ptr<Usac> Usac::create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
+                       const Params& params)
 {
     if (!problem)
         CV_Error(Error::StsNullPtr, "problem: it is empty");

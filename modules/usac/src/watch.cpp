@@ -12,13 +12,14 @@ namespace {
 
 // Half and double of these: doc/constants.md.
 
-//! Milliseconds between two questions: a third of a frame of a display. Half, double: the result is the same.
+//! Milliseconds between two questions: a third of a frame of a display. Half, double: the result is
+//! the same.
 constexpr double PERIOD = 5;
-//! Milliseconds that a test of a point takes. Half, double: a step that cannot be left makes a run end by half of its
-//! time later, or as much earlier.
+//! Milliseconds that a test of a point takes. Half, double: a step that cannot be left makes a run
+//! end by half of its time later, or as much earlier.
 constexpr double TEST = 2e-6;
-//! Milliseconds that polishing may take after the end of a run that was stopped: a thousand points take a third of one.
-//! Half, double: a run of 10 000 points or more ends as much earlier or later.
+//! Milliseconds that polishing may take after the end of a run that was stopped: a thousand points
+//! take a third of one. Half, double: a run of 10 000 points or more ends as much earlier or later.
 constexpr double GRACE = 2;
 
 int64 ticks(double milliseconds)
@@ -33,8 +34,9 @@ constexpr double Watch::WORK;
 
 Watch::Watch(double maxTime, int64 spent)
     : active(maxTime > 0 || ProgressScope::current()), scopes(ProgressScope::current()),
-      start(active ? getTickCount() - spent : 0), deadline(maxTime > 0 ? start + ticks(maxTime) : INT64_MAX),
-      next(start + ticks(PERIOD)), done(0), reason(STOP_NOT_RUN), state(0), points(0)
+      start(active ? getTickCount() - spent : 0),
+      deadline(maxTime > 0 ? start + ticks(maxTime) : INT64_MAX), next(start + ticks(PERIOD)),
+      done(0), reason(STOP_NOT_RUN), state(0), points(0)
 {}
 
 void Watch::begin(const State& state_, int points_)

@@ -4,8 +4,9 @@
 
 #include "allocation_counter.hpp"
 
-// The functions of glibc that allocate, for the whole program: those of a program are taken before those of its
-// libraries. operator new and cv::fastMalloc come here, too. What they return is freed by glibc's own free.
+// The functions of glibc that allocate, for the whole program: those of a program are taken before
+// those of its libraries. operator new and cv::fastMalloc come here, too. What they return is freed
+// by glibc's own free.
 
 #ifdef __GLIBC__
 

@@ -11,9 +11,9 @@
 
 namespace opencv_test {
 
-/** A number with a bound of what rounding to double may have changed in it: for sums and products in any order, some
-times the error of this one. So there is no tolerance to choose. Infinite where an intermediate result leaves the range
-of double. */
+/** A number with a bound of what rounding to double may have changed in it: for sums and products
+in any order, some times the error of this one. So there is no tolerance to choose. Infinite where
+an intermediate result leaves the range of double. */
 struct Bounded
 {
     Bounded(long double v = 0, long double e = 0) : value(v), error(e)
@@ -33,13 +33,16 @@ inline Bounded operator+(const Bounded& a, const Bounded& b)
     return Bounded(v, a.error + b.error + UNIT * std::abs(v));
 }
 
-inline Bounded operator-(const Bounded& a, const Bounded& b) { return a + Bounded(-b.value, b.error); }
+inline Bounded operator-(const Bounded& a, const Bounded& b)
+{
+    return a + Bounded(-b.value, b.error);
+}
 
 inline Bounded operator*(const Bounded& a, const Bounded& b)
 {
     const long double v = a.value * b.value;
-    return Bounded(v, std::abs(a.value) * b.error + (std::abs(b.value) + b.error) * a.error + UNIT * std::abs(v) +
-                          DBL_MIN);
+    return Bounded(v, std::abs(a.value) * b.error + (std::abs(b.value) + b.error) * a.error +
+                          UNIT * std::abs(v) + DBL_MIN);
 }
 
 inline Bounded operator/(const Bounded& a, const Bounded& b)

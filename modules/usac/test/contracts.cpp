@@ -15,8 +15,8 @@ const char* nameOf(ProblemType problem)
 
 Matx33d sceneCamera() { return makeScene(ESSENTIAL).K; }
 
-Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2, const Params& params, OutputArray mask,
-                   Report& report, InputArray K)
+Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2,
+                   const Params& params, OutputArray mask, Report& report, InputArray K)
 {
     if (problem == HOMOGRAPHY)
         return estimateHomography(points1, points2, params, mask, report);
@@ -34,7 +34,8 @@ bool sameBits(const Mat& a, const Mat& b)
     if (a.empty() || b.empty())
         return a.empty() && b.empty();
     const Mat x = a.clone(), y = b.clone();  // continuous
-    return x.type() == y.type() && x.size() == y.size() && std::memcmp(x.data, y.data, x.total() * x.elemSize()) == 0;
+    return x.type() == y.type() && x.size() == y.size() &&
+           std::memcmp(x.data, y.data, x.total() * x.elemSize()) == 0;
 }
 
 EstimatorCall callOf(const Scene& scene, const Params& params)
@@ -49,9 +50,9 @@ EstimatorCall callOf(const Scene& scene, const Params& params)
     return call;
 }
 
-void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                 double pixels, const Mat& model, const Mat& mask, const Report& report, const Matx33d& K,
-                 double widestReach)
+void checkResult(ProblemType problem, const std::vector<Point2d>& points1,
+                 const std::vector<Point2d>& points2, double pixels, const Mat& model,
+                 const Mat& mask, const Report& report, const Matx33d& K, double widestReach)
 {
     Scene scene;
     scene.problem = problem;
@@ -61,8 +62,8 @@ void checkResult(ProblemType problem, const std::vector<Point2d>& points1, const
     checkResult(scene, pixels, model, mask, report, widestReach);
 }
 
-void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask, const Report& report,
-                 double widestReach)
+void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask,
+                 const Report& report, double widestReach)
 {
     Params params;
     params.widestReach = widestReach;  // with a growing reach a right model may have no inliers
@@ -73,20 +74,22 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
         Mat rows = model.clone();
         for (int i = 0; i < 3; ++i)
             rows.row(i) *= 1 / cvtest::norm(rows.row(i), NORM_INF);
-        EXPECT_GT(std::abs(determinant(rows)), 0);  // not that of the model, which may be too small for a double
+        EXPECT_GT(std::abs(determinant(rows)),
+                  0);  // not that of the model, which may be too small for a double
     }
 }
 
 std::vector<NamedPreset> allPresets()
 {
-    const NamedPreset all[] = {{"usacV20", Params::usacV20()},   {"fast", Params::fast()},
-                               {"accurate", Params::accurate()}, {"sorted", Params::sorted()},
-                               {"parallel", Params::parallel()}, {"ransac", Params::ransac()},
-                               {"msac", Params::msac()},         {"lmeds", Params::lmeds()},
-                               {"mlesac", Params::mlesac()},     {"prosac", Params::prosac()},
-                               {"loRansac", Params::loRansac()}, {"floRansac", Params::floRansac()},
-                               {"gcRansac", Params::gcRansac()}, {"usac2013", Params::usac2013()},
-                               {"magsac", Params::magsac()},     {"magsacPlusPlus", Params::magsacPlusPlus()}};
+    const NamedPreset all[] = {
+        {"usacV20", Params::usacV20()},   {"fast", Params::fast()},
+        {"accurate", Params::accurate()}, {"sorted", Params::sorted()},
+        {"parallel", Params::parallel()}, {"ransac", Params::ransac()},
+        {"msac", Params::msac()},         {"lmeds", Params::lmeds()},
+        {"mlesac", Params::mlesac()},     {"prosac", Params::prosac()},
+        {"loRansac", Params::loRansac()}, {"floRansac", Params::floRansac()},
+        {"gcRansac", Params::gcRansac()}, {"usac2013", Params::usac2013()},
+        {"magsac", Params::magsac()},     {"magsacPlusPlus", Params::magsacPlusPlus()}};
     return std::vector<NamedPreset>(all, all + sizeof(all) / sizeof(all[0]));
 }
 
@@ -103,37 +106,40 @@ std::vector<NamedPreset> allPresets(ProblemType problem)
 namespace {
 
 //! The find functions with a flag, in all forms; the answer must be that of the estimate function.
-void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, InputArray points2, const Params& params,
-               const Matx33d& K, const Mat& model, const Mat& mask)
+void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, InputArray points2,
+               const Params& params, const Matx33d& K, const Mat& model, const Mat& mask)
 {
     Mat m, other;
     if (problem == HOMOGRAPHY)
-        m = findHomography(points1, points2, flag, params.threshold, other, params.maxIterations, params.confidence);
+        m = findHomography(points1, points2, flag, params.threshold, other, params.maxIterations,
+                           params.confidence);
     else if (problem == FUNDAMENTAL)
-        m = findFundamentalMat(points1, points2, flag, params.threshold, params.confidence, params.maxIterations,
-                               other);
+        m = findFundamentalMat(points1, points2, flag, params.threshold, params.confidence,
+                               params.maxIterations, other);
     else if (problem == AFFINITY)
-        m = estimateAffine2D(points1, points2, other, flag, params.threshold, params.maxIterations, params.confidence,
-                             params.polishingSteps);
+        m = estimateAffine2D(points1, points2, other, flag, params.threshold, params.maxIterations,
+                             params.confidence, params.polishingSteps);
     else if (problem == SIMILARITY)
-        m = estimateAffinePartial2D(points1, points2, other, flag, params.threshold, params.maxIterations,
-                                    params.confidence, params.polishingSteps);
+        m = estimateAffinePartial2D(points1, points2, other, flag, params.threshold,
+                                    params.maxIterations, params.confidence, params.polishingSteps);
     else
-        m = findEssentialMat(points1, points2, K, flag, params.confidence, params.threshold, params.maxIterations,
-                             other);
+        m = findEssentialMat(points1, points2, K, flag, params.confidence, params.threshold,
+                             params.maxIterations, other);
     EXPECT_TRUE(sameBits(model, m) && sameBits(mask, other)) << "flag " << (int)flag;
     if (problem == ESSENTIAL && K(0, 0) == K(1, 1) && K(0, 1) == 0)
     {
-        m = findEssentialMat(points1, points2, K(0, 0), Point2d(K(0, 2), K(1, 2)), flag, params.confidence,
-                             params.threshold, params.maxIterations, other);
-        EXPECT_TRUE(sameBits(model, m) && sameBits(mask, other)) << "flag " << (int)flag << ", focal length";
+        m = findEssentialMat(points1, points2, K(0, 0), Point2d(K(0, 2), K(1, 2)), flag,
+                             params.confidence, params.threshold, params.maxIterations, other);
+        EXPECT_TRUE(sameBits(model, m) && sameBits(mask, other))
+            << "flag " << (int)flag << ", focal length";
     }
 }
 
 }  // namespace
 
 std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
-                               const std::vector<Point2d>& points2, double pixels, int maxIterations, const Matx33d& K)
+                               const std::vector<Point2d>& points2, double pixels,
+                               int maxIterations, const Matx33d& K)
 {
     const std::vector<NamedPreset> presets = allPresets(problem);
     std::vector<Mat> models;
@@ -147,14 +153,16 @@ std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& 
         Report report;
         models.push_back(estimatePoints(problem, points1, points2, params, mask, report, K));
         const bool found = params.quality == QUALITY_LMEDS;
-        checkResult(problem, points1, points2, found ? report.threshold : pixels, models[i], mask, report, K,
-                    params.widestReach);
+        checkResult(problem, points1, points2, found ? report.threshold : pixels, models[i], mask,
+                    report, K, params.widestReach);
         EXPECT_TRUE(found || report.threshold == pixels) << report.threshold;
-        EXPECT_TRUE(sameBits(models[i], Usac::create(problem, points1, points2, params, K)->run(other)));
+        EXPECT_TRUE(
+            sameBits(models[i], Usac::create(problem, points1, points2, params, K)->run(other)));
         EXPECT_TRUE(sameBits(mask, other)) << "Usac::create";
         const UsacV20Method flags[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
                                        USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
-        const char* names[] = {"usacV20", "fast", "accurate", "sorted", "magsacPlusPlus", "parallel"};
+        const char* names[] = {"usacV20", "fast",           "accurate",
+                               "sorted",  "magsacPlusPlus", "parallel"};
         for (int f = 0; f < 6; ++f)
             if (std::string(names[f]) == presets[i].name)
                 checkFlag(flags[f], problem, points1, points2, params, K, models[i], mask);

@@ -16,7 +16,8 @@ public:
     Draw(ProblemType problem, int count, const Ptr<Sampler>& sampler_, uint64 seed_ = 0,
          const Params& params_ = ordered())
         : params(params_), sampler(sampler_), scene(makeScene(problem, optionsOf(count))),
-          usac(createUsac(scene, params)), context(usac->points(), usac->components(), params, arena),
+          usac(createUsac(scene, params)),
+          context(usac->points(), usac->components(), params, arena),
           m(usac->components().minimalSolver->sampleSize()), seed(seed_)
     {
         order.resize(count);
@@ -91,8 +92,8 @@ inline double deviation(const std::vector<int>& counts, double total)
     return (sum - freedom) / std::sqrt(2 * freedom);
 }
 
-/** T'_n of PROSAC's algorithm as published for n = 0 .. N, from the product that defines T_n, which goes to `uniform`.
-T_N: no more samples than there are. */
+/** T'_n of PROSAC's algorithm as published for n = 0 .. N, from the product that defines T_n, which
+goes to `uniform`. T_N: no more samples than there are. */
 inline std::vector<double> publishedGrowth(int N, int m, std::vector<double>* uniform = 0)
 {
     long double subsets = 1;

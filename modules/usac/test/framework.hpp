@@ -5,8 +5,9 @@
 #ifndef OPENCV_USACV20_TEST_FRAMEWORK_HPP
 #define OPENCV_USACV20_TEST_FRAMEWORK_HPP
 
-// What the tests are written with: OpenCV's module `ts` inside OpenCV; against an installed OpenCV, which has no `ts`,
-// GoogleTest of the system with the few things of `ts` that the tests use (USAC_SYSTEM_GTEST).
+// What the tests are written with: OpenCV's module `ts` inside OpenCV; against an installed OpenCV,
+// which has no `ts`, GoogleTest of the system with the few things of `ts` that the tests use
+// (USAC_SYSTEM_GTEST).
 
 #ifndef USAC_SYSTEM_GTEST
 
@@ -39,10 +40,10 @@ using namespace cv;
 
 #define USAC_SKIP(reason) GTEST_SKIP() << (reason)
 #define CV_TEST_TAG_VERYLONG "verylong"
-#define applyTestTag(tag)                                                                                              \
-    do                                                                                                                 \
-        if (!cvtest::runsVeryLong())                                                                                   \
-            USAC_SKIP(tag);                                                                                            \
+#define applyTestTag(tag)                                                                          \
+    do                                                                                             \
+        if (!cvtest::runsVeryLong())                                                               \
+            USAC_SKIP(tag);                                                                        \
     while (0)
 #ifndef INSTANTIATE_TEST_CASE_P
 #define INSTANTIATE_TEST_CASE_P INSTANTIATE_TEST_SUITE_P

@@ -15,11 +15,13 @@ using namespace cv::usacv20;
 class GivenResidual : public Residual
 {
 public:
-    void squaredErrors(const Correspondences&, const Model&, int begin, int end, float* errors) const CV_OVERRIDE
+    void squaredErrors(const Correspondences&, const Model&, int begin, int end,
+                       float* errors) const CV_OVERRIDE
     {
         std::copy(given.begin() + begin, given.begin() + end, errors);
     }
-    void squaredErrors(const Model&, const double* const*, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model&, const double* const*, int count,
+                       double* errors) const CV_OVERRIDE
     {
         std::copy(given.begin(), given.begin() + count, errors);
     }

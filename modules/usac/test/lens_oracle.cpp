@@ -60,8 +60,8 @@ bool LensOracle::grows(double radius) const
 LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
 {
     const double wanted = norm(seen);
-    const bool onlyRadial = d[2] == 0 && d[3] == 0 && d[8] == 0 && d[9] == 0 && d[10] == 0 && d[11] == 0 &&
-                            d[12] == 0 && d[13] == 0;
+    const bool onlyRadial = d[2] == 0 && d[3] == 0 && d[8] == 0 && d[9] == 0 && d[10] == 0 &&
+                            d[11] == 0 && d[12] == 0 && d[13] == 0;
     double r = 0, before = 0;
     for (double step = wanted / STEPS; before < wanted && r < 100 * (1 + wanted); r += step)
     {
@@ -79,8 +79,9 @@ Vec2d LensOracle::distort(const Vec2d& point, Matx22d& J, double& rounding) cons
 {
     std::vector<Point2d> image;
     Mat derivative;  // of the image by rvec, tvec, fx and fy, the center and the coefficients
-    cv::projectPoints(std::vector<Point3d>(1, Point3d(point[0], point[1], 1)), Vec3d(), Vec3d(), Matx33d::eye(),
-                      Mat(1, 14, CV_64F, const_cast<double*>(d)), image, derivative);
+    cv::projectPoints(std::vector<Point3d>(1, Point3d(point[0], point[1], 1)), Vec3d(), Vec3d(),
+                      Matx33d::eye(), Mat(1, 14, CV_64F, const_cast<double*>(d)), image,
+                      derivative);
     rounding = 1 + std::abs(point[0]) + std::abs(point[1]);
     for (int row = 0; row < 2; ++row)
     {
@@ -115,7 +116,8 @@ LensOracle::Answer LensOracle::invert(Bounded& x, Bounded& y) const
     }
     if (!(norm(left) <= LEFT * (1 + norm(seen))) || !grows(norm(point) * (1 + OFF_FOLD)))
         return UNDECIDED;
-    const double bound = 2 * norm(J.inv()) * (LEFT * (1 + norm(seen)) + rounding + (double)(x.error + y.error));
+    const double bound = 2 * norm(J.inv()) *
+                         (LEFT * (1 + norm(seen)) + rounding + (double)(x.error + y.error));
     x = Bounded(point[0], bound);
     y = Bounded(point[1], bound);
     return SEEN;

@@ -10,9 +10,9 @@
 
 namespace opencv_test {
 
-/** What is seen through a lens, by cv::projectPoints alone: the point that it moves to a given place is found by
-Newton's method with the derivatives of that function, and its bound by what is left then. Beyond the first radius from
-which the radial terms lead back nothing is seen. */
+/** What is seen through a lens, by cv::projectPoints alone: the point that it moves to a given
+place is found by Newton's method with the derivatives of that function, and its bound by what is
+left then. Beyond the first radius from which the radial terms lead back nothing is seen. */
 class LensOracle
 {
 public:

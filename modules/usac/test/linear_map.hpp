@@ -9,8 +9,10 @@
 
 namespace opencv_test {
 
-//! The affinity or similarity of (weighted) least squares of the distances in image 2, by its linear equations.
-inline Matx23d linearMap(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
+//! The affinity or similarity of (weighted) least squares of the distances in image 2, by its
+//! linear equations.
+inline Matx23d linearMap(ProblemType problem, const std::vector<Point2d>& points1,
+                         const std::vector<Point2d>& points2,
                          const std::vector<double>& weights = std::vector<double>())
 {
     const bool affine = problem == AFFINITY;
@@ -18,11 +20,14 @@ inline Matx23d linearMap(ProblemType problem, const std::vector<Point2d>& points
     Mat design(2 * count, affine ? 6 : 4, CV_64F), target(2 * count, 1, CV_64F), solution;
     for (int i = 0; i < count; ++i)
     {
-        const double s = weights.empty() ? 1 : std::sqrt(weights[i]), x = points1[i].x * s, y = points1[i].y * s;
-        const double rows[2][2][6] = {{{x, -y, s, 0}, {y, x, 0, s}}, {{x, y, s, 0, 0, 0}, {0, 0, 0, x, y, s}}};
+        const double s = weights.empty() ? 1 : std::sqrt(weights[i]), x = points1[i].x * s,
+                     y = points1[i].y * s;
+        const double rows[2][2][6] = {{{x, -y, s, 0}, {y, x, 0, s}},
+                                      {{x, y, s, 0, 0, 0}, {0, 0, 0, x, y, s}}};
         for (int row = 0; row < 2; ++row)
         {
-            std::copy(rows[affine][row], rows[affine][row] + design.cols, design.ptr<double>(2 * i + row));
+            std::copy(rows[affine][row], rows[affine][row] + design.cols,
+                      design.ptr<double>(2 * i + row));
             target.at<double>(2 * i + row) = (row ? points2[i].y : points2[i].x) * s;
         }
     }

@@ -12,8 +12,8 @@ namespace opencv_test {
 using namespace cv;
 using namespace cv::usacv20;
 
-OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                     double inlierThreshold)
+OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1,
+                     const std::vector<Point2d>& points2, double inlierThreshold)
 {
     const int size = (int)points1.size();
     floats = Mat::zeros(4, (int)alignSize(std::max(size, 1), 16), CV_32F);
@@ -43,8 +43,12 @@ OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1, c
     points.frame[0] = points.frame[1] = Frame();
     for (int k = 0; k < 4; ++k)
     {
-        points.lower[k] = size ? *std::min_element(floats.ptr<float>(k), floats.ptr<float>(k) + size) : 0;
-        points.upper[k] = size ? *std::max_element(floats.ptr<float>(k), floats.ptr<float>(k) + size) : 0;
+        points.lower[k] = size
+                              ? *std::min_element(floats.ptr<float>(k), floats.ptr<float>(k) + size)
+                              : 0;
+        points.upper[k] = size
+                              ? *std::max_element(floats.ptr<float>(k), floats.ptr<float>(k) + size)
+                              : 0;
     }
 }
 

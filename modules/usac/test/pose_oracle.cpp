@@ -21,7 +21,8 @@ namespace opencv_test {
 
 namespace {
 
-//! Of sums and products of some dozens of numbers, in any order, and of a pose that is made a rotation once more.
+//! Of sums and products of some dozens of numbers, in any order, and of a pose that is made a
+//! rotation once more.
 const double ROUNDING = 300 * DBL_EPSILON;
 //! Part of a radius by which a point has to be off a fold of the lens.
 const double OFF_FOLD = 1e-3;
@@ -32,7 +33,8 @@ class PoseOracle
 {
 public:
     PoseOracle(const Mat& camera, const Mat& distortion, const Mat& model)
-        : K(Matx33d(camera.ptr<double>()) * (1 / camera.at<double>(2, 2))), d(), pose(model.ptr<double>())
+        : K(Matx33d(camera.ptr<double>()) * (1 / camera.at<double>(2, 2))), d(),
+          pose(model.ptr<double>())
     {
         for (int i = 0; i < (int)distortion.total(); ++i)
             d[i] = distortion.ptr<double>()[i];
@@ -49,12 +51,13 @@ public:
         double size = 0;  // of what is added up to Y
         for (int row = 0; row < 3; ++row)
         {
-            const long double terms[] = {(long double)pose(row, 0) * X.x, (long double)pose(row, 1) * X.y,
+            const long double terms[] = {(long double)pose(row, 0) * X.x,
+                                         (long double)pose(row, 1) * X.y,
                                          (long double)pose(row, 2) * X.z, pose(row, 3)};
             Y[row] = (double)(terms[0] + terms[1] + terms[2] + terms[3]);
         }
-        size = std::abs(X.x) + std::abs(X.y) + std::abs(X.z) + std::abs(pose(0, 3)) + std::abs(pose(1, 3)) +
-               std::abs(pose(2, 3));
+        size = std::abs(X.x) + std::abs(X.y) + std::abs(X.z) + std::abs(pose(0, 3)) +
+               std::abs(pose(1, 3)) + std::abs(pose(2, 3));
         const double moved = ROUNDING * condition * size + DBL_MIN;
         if (!(size < 1e150) || !(std::abs(Y[2]) > 2 * moved) || !(std::abs(Y[2]) > 1e-150))
             return UNDECIDED;
@@ -95,7 +98,8 @@ private:
         if (!(radius < 1e30))
             return UNDECIDED;
         const double far = radius * (1 + OFF_FOLD), close = radius * (1 - OFF_FOLD);
-        const bool straight = d[0] == 0 && d[1] == 0 && d[4] == 0 && d[5] == 0 && d[6] == 0 && d[7] == 0;
+        const bool straight = d[0] == 0 && d[1] == 0 && d[4] == 0 && d[5] == 0 && d[6] == 0 &&
+                              d[7] == 0;
         const bool certain = straight || grows(far);
         if (!certain)
             return grows(close) ? UNDECIDED : NO;
@@ -104,8 +108,10 @@ private:
         // The sensor is tilted: depth of the point that the other terms give.
         const std::vector<Point3d> point(1, Point3d(x, y, 1));
         std::vector<Point2d> flat;
-        cv::projectPoints(point, Vec3d(), Vec3d(), Matx33d::eye(), Mat(1, 12, CV_64F, const_cast<double*>(d)), flat);
-        const double terms[] = {std::sin(d[13]) * flat[0].x, -std::cos(d[13]) * std::sin(d[12]) * flat[0].y,
+        cv::projectPoints(point, Vec3d(), Vec3d(), Matx33d::eye(),
+                          Mat(1, 12, CV_64F, const_cast<double*>(d)), flat);
+        const double terms[] = {std::sin(d[13]) * flat[0].x,
+                                -std::cos(d[13]) * std::sin(d[12]) * flat[0].y,
                                 std::cos(d[13]) * std::cos(d[12])};
         const double depth = terms[0] + terms[1] + terms[2];
         const double size = std::abs(terms[0]) + std::abs(terms[1]) + std::abs(terms[2]);
@@ -113,13 +119,14 @@ private:
     }
 
     //! `point` has depth 1 and an error of `moved`.
-    Answer isNear(const Point3d& point, double moved, const Point2d& seen, double threshold, double& error) const
+    Answer isNear(const Point3d& point, double moved, const Point2d& seen, double threshold,
+                  double& error) const
     {
         const std::vector<Point3d> points(1, point);
         std::vector<Point2d> image;
         Mat J;  // of the image by rvec, tvec, fx and fy, the center and the coefficients
-        cv::projectPoints(points, Vec3d(), Vec3d(), Matx33d::eye(), Mat(1, 14, CV_64F, const_cast<double*>(d)), image,
-                          J);
+        cv::projectPoints(points, Vec3d(), Vec3d(), Matx33d::eye(),
+                          Mat(1, 14, CV_64F, const_cast<double*>(d)), image, J);
         // cv::projectPoints knows no skew
         const Point2d there(K(0, 0) * image[0].x + K(0, 1) * image[0].y + K(0, 2),
                             K(1, 0) * image[0].x + K(1, 1) * image[0].y + K(1, 2));
@@ -131,12 +138,15 @@ private:
             for (int k = 10; k < J.cols; ++k)
                 byCoefficients += std::abs(J.at<double>(row, k) * d[k - 10]);
         }
-        const double linear = std::abs(K(0, 0)) + std::abs(K(0, 1)) + std::abs(K(1, 0)) + std::abs(K(1, 1));
+        const double linear = std::abs(K(0, 0)) + std::abs(K(0, 1)) + std::abs(K(1, 0)) +
+                              std::abs(K(1, 1));
         const double rounding = linear * (byPosition * moved +
                                           ROUNDING * (byCoefficients +
-                                                      byPosition * (1 + std::abs(point.x) + std::abs(point.y)))) +
-                                ROUNDING * (std::abs(there.x) + std::abs(there.y) + std::abs(seen.x) +
-                                            std::abs(seen.y) + std::abs(K(0, 2)) + std::abs(K(1, 2)) + threshold);
+                                                      byPosition * (1 + std::abs(point.x) +
+                                                                    std::abs(point.y)))) +
+                                ROUNDING * (std::abs(there.x) + std::abs(there.y) +
+                                            std::abs(seen.x) + std::abs(seen.y) +
+                                            std::abs(K(0, 2)) + std::abs(K(1, 2)) + threshold);
         error = cv::norm(there - seen);
         if (!(std::abs(error - threshold) > rounding))  // also for NaN
             return UNDECIDED;
@@ -157,7 +167,8 @@ bool finite(const Point3d& X, const Point2d& x)
 
 }  // namespace
 
-std::string brokenPose(const EstimatorCall& call, double threshold, const Mat& model, const Mat& mask)
+std::string brokenPose(const EstimatorCall& call, double threshold, const Mat& model,
+                       const Mat& mask)
 {
     if (model.size() != cv::Size(4, 3) || model.type() != CV_64FC1)
         return format("the pose is %d x %d, type %d", model.rows, model.cols, model.type());
@@ -175,9 +186,12 @@ std::string brokenPose(const EstimatorCall& call, double threshold, const Mat& m
             return format("row %d of the mask is %d", i, given);
         double error = NAN;
         const bool whole = finite(call.object[i], call.points2[i]);
-        const Answer right = whole ? oracle.isInlier(call.object[i], call.points2[i], threshold, error) : NO;
+        const Answer right = whole ? oracle.isInlier(call.object[i], call.points2[i], threshold,
+                                                     error)
+                                   : NO;
         if (right != UNDECIDED && given != (right == YES))
-            return format("row %d of the mask is %d, the error %.17g, the threshold %.17g", i, given, error, threshold);
+            return format("row %d of the mask is %d, the error %.17g, the threshold %.17g", i,
+                          given, error, threshold);
     }
     return "";
 }

@@ -9,11 +9,13 @@
 
 namespace opencv_test {
 
-/** Says in words what is wrong with a pose that is not empty, or with its mask, "" if nothing is: a rotation within
-1e-9 and a translation; 1 in the mask exactly where a point is in front of the camera, the lens shows it, and the
-distance of its image from that of cv::projectPoints is at most `threshold`. Undecided rows are those where the rounding
-of the pose and of the points may move the image across the threshold, by the derivatives of cv::projectPoints. */
-std::string brokenPose(const EstimatorCall& call, double threshold, const cv::Mat& model, const cv::Mat& mask);
+/** Says in words what is wrong with a pose that is not empty, or with its mask, "" if nothing is: a
+rotation within 1e-9 and a translation; 1 in the mask exactly where a point is in front of the
+camera, the lens shows it, and the distance of its image from that of cv::projectPoints is at most
+`threshold`. Undecided rows are those where the rounding of the pose and of the points may move the
+image across the threshold, by the derivatives of cv::projectPoints. */
+std::string brokenPose(const EstimatorCall& call, double threshold, const cv::Mat& model,
+                       const cv::Mat& mask);
 
 }  // namespace opencv_test
 

@@ -18,9 +18,10 @@ using namespace cv::usacv20;
 
 const Problem& problemObject(ProblemType type)
 {
-    static const Ptr<Problem> objects[] = {createHomographyProblem(), createFundamentalProblem(),
-                                           createEssentialProblem(Matx33d::eye(), noArray(), noArray(), noArray()),
-                                           createAffinityProblem(), createSimilarityProblem()};
+    static const Ptr<Problem> objects[] = {
+        createHomographyProblem(), createFundamentalProblem(),
+        createEssentialProblem(Matx33d::eye(), noArray(), noArray(), noArray()),
+        createAffinityProblem(), createSimilarityProblem()};
     return *objects[type];
 }
 
@@ -48,8 +49,12 @@ static ProblemType typeOf(const Problem* problem)
     return (ProblemType)type;
 }
 
-Parameterization::Parameterization(ProblemType type_, const Model& model) : type(type_), given(model) {}
-Parameterization::Parameterization(const Problem* problem, const Model& model) : type(typeOf(problem)), given(model) {}
+Parameterization::Parameterization(ProblemType type_, const Model& model)
+    : type(type_), given(model)
+{}
+Parameterization::Parameterization(const Problem* problem, const Model& model)
+    : type(typeOf(problem)), given(model)
+{}
 
 namespace {
 

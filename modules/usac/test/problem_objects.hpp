@@ -15,8 +15,8 @@
 
 namespace opencv_test {
 
-//! The built-in problem of a type, for points on the normalized image plane. One object of each, which lives to the
-//! end.
+//! The built-in problem of a type, for points on the normalized image plane. One object of each,
+//! which lives to the end.
 const cv::usacv20::Problem& problemObject(cv::usacv20::ProblemType type);
 
 //! The built-in residual of a kind.

@@ -30,7 +30,8 @@ double peakBytes()
 
 bool memoryIsMeasurable()
 {
-    return !dlsym(RTLD_DEFAULT, "__asan_init") && !dlsym(RTLD_DEFAULT, "__tsan_init") && residentBytes() > 0;
+    return !dlsym(RTLD_DEFAULT, "__asan_init") && !dlsym(RTLD_DEFAULT, "__tsan_init") &&
+           residentBytes() > 0;
 }
 
 double residentBytes()

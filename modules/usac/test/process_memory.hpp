@@ -9,8 +9,8 @@
 
 namespace opencv_test {
 
-//! False where there is no way to know, and under a sanitizer, which keeps memory that was freed and has some of its
-//! own.
+//! False where there is no way to know, and under a sanitizer, which keeps memory that was freed
+//! and has some of its own.
 bool memoryIsMeasurable();
 
 //! Bytes now, after what is free has been given back to the system.
@@ -18,7 +18,8 @@ double residentBytes();
 
 /** @brief The most bytes since the object was made, beyond those at that time.
 
-Where the system cannot start anew, the part that lies above the peak of the process so far; never too much. */
+Where the system cannot start anew, the part that lies above the peak of the process so far; never
+too much. */
 class PeakMemory
 {
 public:

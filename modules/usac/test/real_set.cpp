@@ -51,14 +51,17 @@ double RealSet::error(const Mat& estimated) const
     {
         undistortPoints(check1, p1, K1, d1);
         undistortPoints(check2, p2, K2, d2);
-        scale = (K1.at<double>(0, 0) + K1.at<double>(1, 1) + K2.at<double>(0, 0) + K2.at<double>(1, 1)) / 4;
+        scale = (K1.at<double>(0, 0) + K1.at<double>(1, 1) + K2.at<double>(0, 0) +
+                 K2.at<double>(1, 1)) /
+                4;
     }
     for (size_t i = 0; i < p1.size(); ++i)
     {
         const Vec3d x1(p1[i].x, p1[i].y, 1), x2(p2[i].x, p2[i].y, 1), y = M * x1, z = M.t() * x2;
         sum += problem == HOMOGRAPHY
                    ? std::hypot(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1])
-                   : scale * std::abs(x2.dot(y)) / std::sqrt(y[0] * y[0] + y[1] * y[1] + z[0] * z[0] + z[1] * z[1]);
+                   : scale * std::abs(x2.dot(y)) /
+                         std::sqrt(y[0] * y[0] + y[1] * y[1] + z[0] * z[0] + z[1] * z[1]);
     }
     return sum / p1.size();
 }

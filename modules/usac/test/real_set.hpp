@@ -20,7 +20,8 @@ struct RealSet
     //! Mean error in pixels of the check points: transfer distance in image 2, or Sampson's.
     double error(const cv::Mat& estimated) const;
     cv::Mat find(cv::UsacV20Method flag, double pixels, cv::OutputArray mask) const;
-    cv::Mat estimateWith(const cv::usacv20::Params& params, cv::OutputArray mask, cv::usacv20::Report& report) const;
+    cv::Mat estimateWith(const cv::usacv20::Params& params, cv::OutputArray mask,
+                         cv::usacv20::Report& report) const;
     //! A part of the matches, those of the best scores, best first.
     RealSet sorted(double part = 1) const;
 

@@ -63,7 +63,8 @@ Bounded squaredDistance(const BoundedPoint& a, const BoundedPoint& b)
     return x * x + y * y;
 }
 
-Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoint& p1, const BoundedPoint& p2)
+Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoint& p1,
+                   const BoundedPoint& p2)
 {
     const bool symmetric = call.params.residual == RESIDUAL_SYMMETRIC;
     Bounded other[9];
@@ -79,12 +80,15 @@ Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoi
     multiply(M, p1, line2);
     multiply(other, p2, line1);
     const Bounded r = p2.x * line2[0] + p2.y * line2[1] + line2[2], one(1);
-    const Bounded n1 = line1[0] * line1[0] + line1[1] * line1[1], n2 = line2[0] * line2[0] + line2[1] * line2[1];
+    const Bounded n1 = line1[0] * line1[0] + line1[1] * line1[1],
+                  n2 = line2[0] * line2[0] + line2[1] * line2[1];
     return squareRoot(symmetric ? r * r * (one / n1 + one / n2) : r * r / (n1 + n2));
 }
 
-//! Points of one image as the errors of the problem see them; none for one that the lens does not show.
-std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const Mat& camera, const Mat& distortion)
+//! Points of one image as the errors of the problem see them; none for one that the lens does not
+//! show.
+std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const Mat& camera,
+                                      const Mat& distortion)
 {
     std::vector<BoundedPoint> result(points.size());
     for (size_t i = 0; i < points.size(); ++i)
@@ -110,13 +114,17 @@ std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const 
     return result;
 }
 
-//! Mean of the two focal lengths, halved; a camera matrix may be a multiple of the one with 0 0 1 in its last row.
+//! Mean of the two focal lengths, halved; a camera matrix may be a multiple of the one with 0 0 1
+//! in its last row.
 double halfFocal(const Mat& K)
 {
-    return (std::abs(K.at<double>(0, 0) / K.at<double>(2, 2)) + std::abs(K.at<double>(1, 1) / K.at<double>(2, 2))) / 4;
+    return (std::abs(K.at<double>(0, 0) / K.at<double>(2, 2)) +
+            std::abs(K.at<double>(1, 1) / K.at<double>(2, 2))) /
+           4;
 }
 
-std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33d& model, const Mat& mask)
+std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33d& model,
+                       const Mat& mask)
 {
     const Mat &K1 = call.K1, &K2 = call.K2.empty() ? K1 : call.K2;
     Bounded limit(threshold, UNIT * threshold), M[9];
@@ -146,10 +154,11 @@ std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33
         if (points1[i].seen == LensOracle::UNDECIDED || points2[i].seen == LensOracle::UNDECIDED)
             continue;
         const Bounded error = modelError(call, M, points1[i], points2[i]);
-        const bool decided = std::abs(error.value - limit.value) > error.error + limit.error;  // false for NaN
+        const bool decided = std::abs(error.value - limit.value) >
+                             error.error + limit.error;  // false for NaN
         if (decided && inlier != (error.value <= limit.value))
-            return format("row %d of the mask is %d, the error %.17Lg, the threshold %.17Lg", i, (int)inlier,
-                          error.value, limit.value);
+            return format("row %d of the mask is %d, the error %.17Lg, the threshold %.17Lg", i,
+                          (int)inlier, error.value, limit.value);
     }
     return "";
 }
@@ -161,11 +170,16 @@ std::string brokenModel(ProblemType problem, const Matx33d& M)
             return "the model is not finite";
     const double size = cv::norm(M);
     if (problem == SIMILARITY && (M(0, 0) != M(1, 1) || M(0, 1) != -M(1, 0)))
-        return format("%g %g, %g %g is no rotation with a scale", M(0, 0), M(0, 1), M(1, 0), M(1, 1));
+        return format("%g %g, %g %g is no rotation with a scale", M(0, 0), M(0, 1), M(1, 0),
+                      M(1, 1));
     if (problem == AFFINITY || problem == SIMILARITY)
-        return M(0, 0) != 0 || M(0, 1) != 0 || M(1, 0) != 0 || M(1, 1) != 0 ? "" : "the model is of rank 0";
+        return M(0, 0) != 0 || M(0, 1) != 0 || M(1, 0) != 0 || M(1, 1) != 0
+                   ? ""
+                   : "the model is of rank 0";
     if (problem == HOMOGRAPHY)
-        return M(2, 2) == 1 || std::abs(size - 1) < 1e-12 ? "" : format("h33 is %g, the norm of H %g", M(2, 2), size);
+        return M(2, 2) == 1 || std::abs(size - 1) < 1e-12
+                   ? ""
+                   : format("h33 is %g, the norm of H %g", M(2, 2), size);
     Mat w;
     cv::SVD::compute(Mat(M), w, cv::SVD::NO_UV);
     const double* s = w.ptr<double>();
@@ -180,19 +194,23 @@ std::string brokenModel(ProblemType problem, const Matx33d& M)
 
 std::string brokenReport(const Report& report, int inliers)
 {
-    const bool right = !report.describe().empty() && report.inliers == inliers && report.cost >= 0 &&
-                       report.cost <= 1 && report.chance >= 0 && report.chance <= 1 && report.threshold > 0 &&
-                       report.threshold <= DBL_MAX && report.independentInliers >= 0 &&
+    const bool right = !report.describe().empty() && report.inliers == inliers &&
+                       report.cost >= 0 && report.cost <= 1 && report.chance >= 0 &&
+                       report.chance <= 1 && report.threshold > 0 && report.threshold <= DBL_MAX &&
+                       report.independentInliers >= 0 &&
                        report.independentInliers <= inliers;  // false for NaN
     return right ? ""
-                 : format("%d inliers in the mask; cost %g, chance %g, threshold %g, %d independent inliers; ", inliers,
-                          report.cost, report.chance, report.threshold, report.independentInliers) +
+                 : format("%d inliers in the mask; cost %g, chance %g, threshold %g, %d "
+                          "independent inliers; ",
+                          inliers, report.cost, report.chance, report.threshold,
+                          report.independentInliers) +
                        report.describe();
 }
 
 }  // namespace
 
-std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat& mask, const Report& report)
+std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat& mask,
+                         const Report& report)
 {
     const bool pose = call.problem == ABSOLUTE_POSE;
     const bool space = call.problem == RIGID_3D || call.problem == SIMILARITY_3D;
@@ -209,9 +227,11 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
                             report.stop == STOP_NOT_SIGNIFICANT;
         return inliers > 0 ? "inliers without a model" : reason ? "" : "no reason for no model";
     }
-    if (report.stop < STOP_MAX_ITERATIONS || (inliers == 0 && call.params.widestReach <= call.params.reach))
+    if (report.stop < STOP_MAX_ITERATIONS ||
+        (inliers == 0 && call.params.widestReach <= call.params.reach))
         return "a model and no reason for it: " + report.describe();
-    if (call.params.quality != QUALITY_LMEDS && std::abs(report.threshold / call.params.threshold - 1) > 1e-12)
+    if (call.params.quality != QUALITY_LMEDS &&
+        std::abs(report.threshold / call.params.threshold - 1) > 1e-12)
         return format("the threshold is %.17g", report.threshold);
     if (pose)
         return brokenPose(call, report.threshold, model, mask);

@@ -22,10 +22,11 @@ struct EstimatorCall
     cv::Mat K1, K2, d1, d2;  //!< E; absolute pose: K1 and d1; K2, d1, d2 may be empty
 };
 
-/** Says in words which promise about the result of a call is broken, "" if none is: the report agrees with the mask; no
-model, zero mask and a reason, or a finite model of the promised norm and rank with mask == (error <= threshold). The
-errors are computed with other formulas than the module's, in `long double` where that is longer, with a bound of what
-rounding to `double` may change. */
+/** Says in words which promise about the result of a call is broken, "" if none is: the report
+agrees with the mask; no model, zero mask and a reason, or a finite model of the promised norm and
+rank with mask == (error <= threshold). The errors are computed with other formulas than the
+module's, in `long double` where that is longer, with a bound of what rounding to `double` may
+change. */
 std::string brokenResult(const EstimatorCall& call, const cv::Mat& model, const cv::Mat& mask,
                          const cv::usacv20::Report& report);
 

@@ -24,10 +24,19 @@ Hash& Hash::add(const Mat& mat)
 uint64 Result::exact() const
 {
     const Report& r = report;
-    const int counts[] = {
-        r.stop,           r.iterations,    r.rejectedSamples,   r.degenerateSamples,  r.models,
-        r.rejectedModels, r.refusedModels, r.droppedModels,     r.localOptimizations, r.localImprovements,
-        r.degenerate,     r.inliers,       r.independentInliers};
+    const int counts[] = {r.stop,
+                          r.iterations,
+                          r.rejectedSamples,
+                          r.degenerateSamples,
+                          r.models,
+                          r.rejectedModels,
+                          r.refusedModels,
+                          r.droppedModels,
+                          r.localOptimizations,
+                          r.localImprovements,
+                          r.degenerate,
+                          r.inliers,
+                          r.independentInliers};
     return Hash()
         .add(model)
         .add(mask)
@@ -38,7 +47,10 @@ uint64 Result::exact() const
         .value();
 }
 
-uint64 Result::robust() const { return Hash().add(mask).number(report.iterations).number(report.stop).value(); }
+uint64 Result::robust() const
+{
+    return Hash().add(mask).number(report.iterations).number(report.stop).value();
+}
 
 Result resultOf(const Scene& scene, const Params& params)
 {

@@ -26,8 +26,8 @@ Bounded distance(const double* motion, const Point3d& from, const Point3d& to)
     for (int row = 0; row < 3; ++row)
     {
         const double* const m = motion + 4 * row;
-        const Bounded off = Bounded(m[0]) * from.x + Bounded(m[1]) * from.y + Bounded(m[2]) * from.z + m[3] -
-                            target[row];
+        const Bounded off = Bounded(m[0]) * from.x + Bounded(m[1]) * from.y +
+                            Bounded(m[2]) * from.z + m[3] - target[row];
         sum = sum + off * off;
     }
     return squareRoot(sum);
@@ -54,7 +54,8 @@ std::string brokenRotation(const EstimatorCall& call, const Mat& model)
 
 }  // namespace
 
-std::string brokenMotion(const EstimatorCall& call, double threshold, const Mat& model, const Mat& mask)
+std::string brokenMotion(const EstimatorCall& call, double threshold, const Mat& model,
+                         const Mat& mask)
 {
     if (model.size() != cv::Size(4, 3) || model.type() != CV_64FC1)
         return format("the motion is %d x %d, type %d", model.rows, model.cols, model.type());
@@ -76,10 +77,11 @@ std::string brokenMotion(const EstimatorCall& call, double threshold, const Mat&
             continue;
         }
         const Bounded error = distance(model.ptr<double>(), call.object[i], call.space2[i]);
-        const bool decided = std::abs(error.value - limit.value) > error.error + limit.error;  // false for NaN
+        const bool decided = std::abs(error.value - limit.value) >
+                             error.error + limit.error;  // false for NaN
         if (decided && (given != 0) != (error.value <= limit.value))
-            return format("row %d of the mask is %d, the error %.17Lg, the threshold %.17Lg", i, given, error.value,
-                          limit.value);
+            return format("row %d of the mask is %d, the error %.17Lg, the threshold %.17Lg", i,
+                          given, error.value, limit.value);
     }
     return "";
 }

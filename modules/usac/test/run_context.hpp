@@ -44,7 +44,8 @@ cv::Ptr<T> started(const cv::Ptr<T>& part, const cv::usacv20::Correspondences& p
     return part;
 }
 
-inline std::vector<cv::Vec2i> edgesOf(cv::usacv20::Neighborhood& neighborhood, const cv::usacv20::Context& context)
+inline std::vector<cv::Vec2i> edgesOf(cv::usacv20::Neighborhood& neighborhood,
+                                      const cv::usacv20::Context& context)
 {
     const cv::Vec2i* edges = 0;
     const int count = neighborhood.edges(context, edges);

@@ -16,7 +16,10 @@ namespace {
 
 const double WIDTH = SCENE_WIDTH, HEIGHT = SCENE_HEIGHT, FOCAL = 600, MARGIN = SCENE_MARGIN;
 
-Matx33d crossMatrix(const Vec3d& v) { return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0); }
+Matx33d crossMatrix(const Vec3d& v)
+{
+    return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0);
+}
 
 Vec3d randomDirection(RNG& rng)
 {
@@ -55,7 +58,8 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     }
     const bool horizontal = options.motion == MOTION_PLANAR || options.motion == MOTION_CAR;
     const double turn = options.motion == MOTION_CAR ? rng.uniform(-angle, angle) : angle;
-    Rodrigues(horizontal ? Vec3d(0, turn, 0) : randomDirection(rng) * (options.motion == MOTION_RECTIFIED ? 0 : turn),
+    Rodrigues(horizontal ? Vec3d(0, turn, 0)
+                         : randomDirection(rng) * (options.motion == MOTION_RECTIFIED ? 0 : turn),
               scene.R);
     const double heading = rng.uniform(0., 2 * CV_PI);
     switch (options.motion)
@@ -76,7 +80,8 @@ Matx33d flattened(ProblemType problem, const Matx33d& H)
     for (int k = 0; k < 4; ++k)
         J.val[k] = (H(k / 2, k % 2) - y[k / 2] / y[2] * H(2, k % 2)) / y[2];
     if (problem == SIMILARITY)
-        J = Matx22d(J(0, 0) + J(1, 1), J(0, 1) - J(1, 0), J(1, 0) - J(0, 1), J(0, 0) + J(1, 1)) * 0.5;
+        J = Matx22d(J(0, 0) + J(1, 1), J(0, 1) - J(1, 0), J(1, 0) - J(0, 1), J(0, 0) + J(1, 1)) *
+            0.5;
     const Vec2d t = Vec2d(y[0] / y[2], y[1] / y[2]) - J * Vec2d(middle[0], middle[1]);
     return Matx33d(J(0, 0), J(0, 1), t[0], J(1, 0), J(1, 1), t[1], 0, 0, 1);
 }
@@ -85,7 +90,10 @@ Matx33d flattened(ProblemType problem, const Matx33d& H)
 
 bool isAffine(ProblemType problem) { return problem == AFFINITY || problem == SIMILARITY; }
 
-bool inside(const Point2d& p) { return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN; }
+bool inside(const Point2d& p)
+{
+    return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN;
+}
 
 Point2d randomPixel(RNG& rng)
 {
@@ -101,12 +109,14 @@ Vec3d makeGeometry(Scene& scene, RNG& rng, const SceneOptions& options)
     scene.F = Kinv.t() * E * Kinv;
     scene.F *= 1 / cv::norm(scene.F);
     const double tiltY = rng.uniform(-0.4, 0.4), tiltX = rng.uniform(-0.4, 0.4);
-    const Vec3d normal = (options.frontalPlane ? Vec3d(0, 0, 1) : Vec3d(tiltX, tiltY, 1)) * (1. / 6);
+    const Vec3d normal = (options.frontalPlane ? Vec3d(0, 0, 1) : Vec3d(tiltX, tiltY, 1)) *
+                         (1. / 6);
     if (mapsPoints(scene.problem))
     {
         const Vec3d t = scene.t * options.baseline;
-        const Matx33d tn(t[0] * normal[0], t[0] * normal[1], t[0] * normal[2], t[1] * normal[0], t[1] * normal[1],
-                         t[1] * normal[2], t[2] * normal[0], t[2] * normal[1], t[2] * normal[2]);
+        const Matx33d tn(t[0] * normal[0], t[0] * normal[1], t[0] * normal[2], t[1] * normal[0],
+                         t[1] * normal[1], t[1] * normal[2], t[2] * normal[0], t[2] * normal[1],
+                         t[2] * normal[2]);
         scene.model = scene.K * (scene.R + tn) * Kinv;
         scene.model *= 1 / scene.model(2, 2);
         if (isAffine(scene.problem))
@@ -120,9 +130,11 @@ Vec3d makeGeometry(Scene& scene, RNG& rng, const SceneOptions& options)
 bool follow(const Geometry& g, bool plane, RNG& rng, const Point2d& p1, Point2d& p2)
 {
     const Vec3d ray = g.scene.K.inv() * Vec3d(p1.x, p1.y, 1);
-    const double depth = plane ? 1 / g.normal.dot(ray) : rng.uniform(g.options.nearest, g.options.farthest);
+    const double depth = plane ? 1 / g.normal.dot(ray)
+                               : rng.uniform(g.options.nearest, g.options.farthest);
     const Vec3d X2 = g.scene.R * (ray * depth) + g.scene.t * g.options.baseline;
-    const Vec3d x2 = isAffine(g.scene.problem) ? g.scene.model * Vec3d(p1.x, p1.y, 1) : g.scene.K * X2;
+    const Vec3d x2 = isAffine(g.scene.problem) ? g.scene.model * Vec3d(p1.x, p1.y, 1)
+                                               : g.scene.K * X2;
     p2 = X2[2] > 0.5 ? Point2d(x2[0] / x2[2], x2[1] / x2[2]) : Point2d(-1, -1);
     return inside(p2);
 }

@@ -15,7 +15,8 @@ namespace {
 //! Sides of the square of SCORES_OF_PLACE, pixels.
 const double PATCH = 160;
 
-//! Scores that do not tell what is right: between 0 and 1 those of the best matches, between 1 and 2 the others.
+//! Scores that do not tell what is right: between 0 and 1 those of the best matches, between 1 and
+//! 2 the others.
 std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& options)
 {
     RNG rng(0x3c6ef372 + 7919 * options.seed);
@@ -31,7 +32,8 @@ std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& 
         const bool near = std::max(std::abs(offset.x), std::abs(offset.y)) < PATCH / 2;
         const double score = rng.uniform(0., 1.);
         if (options.scoreModel == SCORES_NEAR)
-            result.push_back((float)(cv::norm(offset) / cv::norm(Point2d(SCENE_WIDTH, SCENE_HEIGHT))));
+            result.push_back(
+                (float)(cv::norm(offset) / cv::norm(Point2d(SCENE_WIDTH, SCENE_HEIGHT))));
         else if (options.scoreModel == SCORES_OF_SECOND)
             result.push_back((float)(scene.onSecond[i] ? score : 1 + score));
         else
@@ -59,8 +61,9 @@ std::vector<float> makeScores(const std::vector<uchar>& truth, double informatio
 
 std::vector<float> makeScores(const Scene& scene, const SceneOptions& options)
 {
-    return options.scoreModel == SCORES_OF_TRUTH ? makeScores(scene.truth, options.scoreInformation, options.seed)
-                                                 : makeMisleadingScores(scene, options);
+    return options.scoreModel == SCORES_OF_TRUTH
+               ? makeScores(scene.truth, options.scoreInformation, options.seed)
+               : makeMisleadingScores(scene, options);
 }
 
 }  // namespace opencv_test

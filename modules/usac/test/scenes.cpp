@@ -23,9 +23,10 @@ const double MIN_SHIFT = 5, MAX_SHIFT = 50;
 const int MATCHES_OF_ONE_POINT = 10;
 //! Sides of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL, pixels.
 const double CLUSTER = 80, PATCH = 160;
-//! Pixels: lengths of OUTLIERS_SHIFT; deviation of OUTLIERS_PLACE; sides of the squares of OUTLIERS_CLUSTERS; where
-//! half of OUTLIERS_CENTER are; OUTLIERS_WINDOW.
-const double LEAST_SHIFT = 30, LARGEST_SHIFT = 100, JITTER = 0.4, SMALL_CLUSTER = 20, HALF_WITHIN = 20, WINDOW = 60;
+//! Pixels: lengths of OUTLIERS_SHIFT; deviation of OUTLIERS_PLACE; sides of the squares of
+//! OUTLIERS_CLUSTERS; where half of OUTLIERS_CENTER are; OUTLIERS_WINDOW.
+const double LEAST_SHIFT = 30, LARGEST_SHIFT = 100, JITTER = 0.4, SMALL_CLUSTER = 20,
+             HALF_WITHIN = 20, WINDOW = 60;
 
 //! A match as from repeated texture close by: right but for a shift in image 2.
 void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
@@ -33,7 +34,8 @@ void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
     do
     {
         seenPoint(g, mapsPoints(g.scene.problem), rng, p1, p2);
-        const double direction = rng.uniform(0., 2 * CV_PI), length = rng.uniform(MIN_SHIFT, MAX_SHIFT);
+        const double direction = rng.uniform(0., 2 * CV_PI),
+                     length = rng.uniform(MIN_SHIFT, MAX_SHIFT);
         p2 += Point2d(std::cos(direction), std::sin(direction)) * length;
     } while (!inside(p2) || pixelError(g.scene, g.scene.model, p1, p2) < MIN_SHIFT);
 }
@@ -49,7 +51,8 @@ Point2d aboutCenter(RNG& rng)
     Point2d p;
     do
     {
-        const double x = std::tan(CV_PI * rng.uniform(-0.5, 0.5)), y = std::tan(CV_PI * rng.uniform(-0.5, 0.5));
+        const double x = std::tan(CV_PI * rng.uniform(-0.5, 0.5)),
+                     y = std::tan(CV_PI * rng.uniform(-0.5, 0.5));
         p = Point2d(WIDTH / 2 + HALF_WITHIN * x, HEIGHT / 2 + HALF_WITHIN * y);
     } while (!inside(p));
     return p;
@@ -77,7 +80,8 @@ struct OutlierStructure
             corner[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - PATCH),
                                 rng.uniform(MARGIN, HEIGHT - MARGIN - PATCH));
         }
-        const double direction = rng.uniform(0., 2 * CV_PI), length = rng.uniform(LEAST_SHIFT, LARGEST_SHIFT);
+        const double direction = rng.uniform(0., 2 * CV_PI),
+                     length = rng.uniform(LEAST_SHIFT, LARGEST_SHIFT);
         shift = Point2d(std::cos(direction), std::sin(direction)) * length;
         for (int k = 0; k < 2 * CLUSTERS; ++k)
             small[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - SMALL_CLUSTER),
@@ -104,7 +108,8 @@ struct OutlierStructure
             break;
         case OUTLIERS_CLUSTERS:
             p1 = randomInSquare(rng, small[rng.uniform(0, (int)CLUSTERS)], SMALL_CLUSTER);
-            p2 = randomInSquare(rng, small[CLUSTERS + rng.uniform(0, (int)CLUSTERS)], SMALL_CLUSTER);
+            p2 = randomInSquare(rng, small[CLUSTERS + rng.uniform(0, (int)CLUSTERS)],
+                                SMALL_CLUSTER);
             break;
         case OUTLIERS_CENTER:
             p1 = aboutCenter(rng);
@@ -122,7 +127,8 @@ struct OutlierStructure
         case OUTLIERS_TARGETS: p2 = target[i % 2]; break;
         case OUTLIERS_LINE:
             if (i % 2 == 0)
-                p2 = target[0] + (target[1] - target[0]) * ((i / 2 + 0.5) / (options.outliers / 2 + 1));
+                p2 = target[0] +
+                     (target[1] - target[0]) * ((i / 2 + 0.5) / (options.outliers / 2 + 1));
             break;
         case OUTLIERS_CLUSTERED:
             p1 = randomInSquare(rng, corner[0], CLUSTER);
@@ -130,7 +136,8 @@ struct OutlierStructure
             break;
         case OUTLIERS_SECOND_MODEL:
             for (int tries = 0; tries < 10000; ++tries)
-                if (follow(geometry, mapsPoints(second.problem), rng, p1 = randomInSquare(rng, corner[0], PATCH), p2))
+                if (follow(geometry, mapsPoints(second.problem), rng,
+                           p1 = randomInSquare(rng, corner[0], PATCH), p2))
                     return true;
             break;
         default: return false;
@@ -146,9 +153,15 @@ struct OutlierStructure
                                                        : options.outlierModel >= OUTLIERS_TARGETS);
     }
     //! Has it the noise of the true ones?
-    bool noisy(int i) const { return has(i) && (i < options.second || options.outlierModel <= OUTLIERS_PLANE); }
+    bool noisy(int i) const
+    {
+        return has(i) && (i < options.second || options.outlierModel <= OUTLIERS_PLANE);
+    }
     //! Is it one of the second motion?
-    bool ofSecond(int i) const { return options.outlierModel == OUTLIERS_SECOND_MODEL || i < options.second; }
+    bool ofSecond(int i) const
+    {
+        return options.outlierModel == OUTLIERS_SECOND_MODEL || i < options.second;
+    }
 
     enum { CLUSTERS = 5 };
 
@@ -160,7 +173,8 @@ struct OutlierStructure
 
 void repeatRow(Scene& scene, int from, int to)
 {
-    std::vector<Point2d>* const points[] = {&scene.points1, &scene.points2, &scene.clean1, &scene.clean2};
+    std::vector<Point2d>* const points[] = {&scene.points1, &scene.points2, &scene.clean1,
+                                            &scene.clean2};
     for (int k = 0; k < 4; ++k)
         (*points[k])[to] = (*points[k])[from];
     scene.truth[to] = scene.truth[from];
@@ -172,7 +186,8 @@ void repeatRow(Scene& scene, int from, int to)
 void copyRows(Scene& scene, int copies, RNG& rng)
 {
     const int size = scene.size(), copied = size * copies;
-    std::vector<Point2d>* const points[] = {&scene.points1, &scene.points2, &scene.clean1, &scene.clean2};
+    std::vector<Point2d>* const points[] = {&scene.points1, &scene.points2, &scene.clean1,
+                                            &scene.clean2};
     for (int k = 0; k < 4; ++k)
         points[k]->resize(copied);
     scene.truth.resize(copied);
@@ -274,14 +289,16 @@ double pixelError(const Scene& scene, const Matx33d& model, const Point2d& p1, c
 
 double modelError(const Scene& scene, const Mat& model, ScenePart part)
 {
-    if (model.rows < (isAffine(scene.problem) ? 2 : 3) || model.rows > 3 || model.cols != 3 || model.type() != CV_64F)
+    if (model.rows < (isAffine(scene.problem) ? 2 : 3) || model.rows > 3 || model.cols != 3 ||
+        model.type() != CV_64F)
         return std::numeric_limits<double>::infinity();
     const Matx33d M = squareModel(model);
     double sum = 0;
     int count = 0;
     for (int i = 0; i < scene.size(); ++i)
     {
-        if (!scene.truth[i] || (part != TRUE_MATCHES && (scene.onPlane[i] != 0) != (part == ON_PLANE)))
+        if (!scene.truth[i] ||
+            (part != TRUE_MATCHES && (scene.onPlane[i] != 0) != (part == ON_PLANE)))
             continue;
         const double error = pixelError(scene, M, scene.clean1[i], scene.clean2[i]);
         sum += error * error;
@@ -306,7 +323,8 @@ Mat estimate(const Scene& scene, const Params& params, OutputArray mask, Report*
 Matx33d toInternal(const Correspondences& points, const Matx33d& model)
 {
     const Matx33d T1 = points.frame[0].matrix(), T2 = points.frame[1].matrix();
-    const Matx33d M = points.problem->errorDimension() == 2 ? T2 * model * T1.inv() : T2.inv().t() * model * T1.inv();
+    const Matx33d M = points.problem->errorDimension() == 2 ? T2 * model * T1.inv()
+                                                            : T2.inv().t() * model * T1.inv();
     return M * (1 / cv::norm(M));
 }
 
@@ -318,6 +336,9 @@ Matx33d toInput(const Correspondences& points, const Matx33d& model)
     return points.problem->errorDimension() == 2 ? T2.inv() * model * T1 : T2.t() * model * T1;
 }
 
-double modelDistance(const Matx33d& a, const Matx33d& b) { return std::min(cv::norm(a - b), cv::norm(a + b)); }
+double modelDistance(const Matx33d& a, const Matx33d& b)
+{
+    return std::min(cv::norm(a - b), cv::norm(a + b));
+}
 
 }  // namespace opencv_test

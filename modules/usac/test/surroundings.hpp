@@ -11,7 +11,8 @@
 namespace opencv_test {
 
 //! Points around 0, with duplicates and a few far out.
-inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
+inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1,
+                         std::vector<Point2d>& points2)
 {
     points1.clear();
     points2.clear();
@@ -43,7 +44,8 @@ struct Surroundings
 };
 
 //! Members of a layer around a point.
-inline std::set<int> membersOf(Neighborhood& neighborhood, const Context& context, int layer, int point)
+inline std::set<int> membersOf(Neighborhood& neighborhood, const Context& context, int layer,
+                               int point)
 {
     const int* members = 0;
     const int count = neighborhood.members(context, layer, point, members);

@@ -39,7 +39,8 @@ struct Scenes
 
 bool sameBits(const Mat& a, const Mat& b)
 {
-    return a.size() == b.size() && a.type() == b.type() && (a.empty() || cv::norm(a, b, NORM_INF) == 0);
+    return a.size() == b.size() && a.type() == b.type() &&
+           (a.empty() || cv::norm(a, b, NORM_INF) == 0);
 }
 
 void expectSame(const Estimate& expected, const Estimate& found, int i)
@@ -51,7 +52,8 @@ void expectSame(const Estimate& expected, const Estimate& found, int i)
     EXPECT_EQ(expected.error, found.error) << i;
 }
 
-typedef std::vector<Estimate> (*Batch)(InputArrayOfArrays, InputArrayOfArrays, const ParamsOfTasks&, int);
+typedef std::vector<Estimate> (*Batch)(InputArrayOfArrays, InputArrayOfArrays, const ParamsOfTasks&,
+                                       int);
 typedef Mat (*Single)(InputArray, InputArray, const Params&, OutputArray, Report&);
 
 void checkProblem(ProblemType problem, Batch batch, Single single)
@@ -60,14 +62,17 @@ void checkProblem(ProblemType problem, Batch batch, Single single)
     for (int each = 0; each < 2; ++each)
         for (int threads = 0; threads <= 4; ++threads)
         {
-            const std::vector<Estimate> found = each ? batch(scenes.points1, scenes.points2, scenes.params, threads)
-                                                     : batch(scenes.points1, scenes.points2, Params(), threads);
+            const std::vector<Estimate> found = each ? batch(scenes.points1, scenes.points2,
+                                                             scenes.params, threads)
+                                                     : batch(scenes.points1, scenes.points2,
+                                                             Params(), threads);
             ASSERT_EQ((size_t)COUNT, found.size());
             for (int i = 0; i < COUNT; ++i)
             {
                 Estimate expected;
-                expected.model = single(scenes.points1[i], scenes.points2[i], each ? scenes.params[i] : Params(),
-                                        expected.mask, expected.report);
+                expected.model = single(scenes.points1[i], scenes.points2[i],
+                                        each ? scenes.params[i] : Params(), expected.mask,
+                                        expected.report);
                 EXPECT_FALSE(expected.model.empty());
                 expectSame(expected, found[i], i);
             }
@@ -103,21 +108,24 @@ TEST(Usac_Batch, poses)
     }
     Params params;
     params.threshold = 2;
-    const std::vector<Estimate> each = estimateAbsolutePoses(object, image, cameras, lenses, params, 3);
-    const std::vector<Estimate> last = estimateAbsolutePoses(object, image, scene.K, scene.distortion, params, 2);
-    const std::vector<Estimate> none = estimateAbsolutePoses(object, image, std::vector<Mat>(1, cameras[0]));
+    const std::vector<Estimate> each = estimateAbsolutePoses(object, image, cameras, lenses, params,
+                                                             3);
+    const std::vector<Estimate> last = estimateAbsolutePoses(object, image, scene.K,
+                                                             scene.distortion, params, 2);
+    const std::vector<Estimate> none = estimateAbsolutePoses(object, image,
+                                                             std::vector<Mat>(1, cameras[0]));
     ASSERT_EQ((size_t)COUNT, each.size());
     for (int i = 0; i < COUNT; ++i)
     {
         Estimate expected;
-        expected.model = estimateAbsolutePose(object[i], image[i], cameras[i], lenses[i], params, expected.mask,
-                                              expected.report);
+        expected.model = estimateAbsolutePose(object[i], image[i], cameras[i], lenses[i], params,
+                                              expected.mask, expected.report);
         expectSame(expected, each[i], i);
-        expected.model = estimateAbsolutePose(object[i], image[i], scene.K, scene.distortion, params, expected.mask,
-                                              expected.report);
+        expected.model = estimateAbsolutePose(object[i], image[i], scene.K, scene.distortion,
+                                              params, expected.mask, expected.report);
         expectSame(expected, last[i], i);
-        expected.model = estimateAbsolutePose(object[i], image[i], cameras[0], noArray(), Params(), expected.mask,
-                                              expected.report);
+        expected.model = estimateAbsolutePose(object[i], image[i], cameras[0], noArray(), Params(),
+                                              expected.mask, expected.report);
         expectSame(expected, none[i], i);
     }
 }
@@ -127,12 +135,14 @@ TEST(Usac_Batch, essentialMatrices)
     const Scenes scenes(ESSENTIAL);
     SceneOptions options;
     const Scene one = makeScene(ESSENTIAL, options);
-    const std::vector<Estimate> found = estimateEssentials(scenes.points1, scenes.points2, one.K, one.K);
+    const std::vector<Estimate> found = estimateEssentials(scenes.points1, scenes.points2, one.K,
+                                                           one.K);
     for (int i = 0; i < COUNT; ++i)
     {
         Estimate expected;
-        expected.model = estimateEssential(scenes.points1[i], scenes.points2[i], one.K, one.K, noArray(), noArray(),
-                                           Params(), expected.mask, expected.report);
+        expected.model = estimateEssential(scenes.points1[i], scenes.points2[i], one.K, one.K,
+                                           noArray(), noArray(), Params(), expected.mask,
+                                           expected.report);
         expectSame(expected, found[i], i);
     }
 }
@@ -169,12 +179,18 @@ TEST(Usac_Batch, wrongLists)
     const Scenes scenes(HOMOGRAPHY);
     std::vector<std::vector<Point2d>> less(scenes.points1.begin() + 1, scenes.points1.end());
     expectException([&]() { estimateHomographies(scenes.points1, less); }, "points1 and points2");
-    expectException([&]() { estimateHomographies(scenes.points1[0], scenes.points2[0]); }, "points1");
-    expectException([&]() { estimateHomographies(scenes.points1, scenes.points2, Params(), -1); }, "threads");
-    expectException([&]() { estimateHomographies(scenes.points1, scenes.points2, std::vector<Params>(3)); }, "params");
-    expectException([&]() { estimateEssentials(scenes.points1, scenes.points2, noArray()); }, "cameraMatrices1");
-    expectException([&]() { estimateEssentials(scenes.points1, scenes.points2, std::vector<Mat>(2)); },
+    expectException([&]() { estimateHomographies(scenes.points1[0], scenes.points2[0]); },
+                    "points1");
+    expectException([&]() { estimateHomographies(scenes.points1, scenes.points2, Params(), -1); },
+                    "threads");
+    expectException(
+        [&]() { estimateHomographies(scenes.points1, scenes.points2, std::vector<Params>(3)); },
+        "params");
+    expectException([&]() { estimateEssentials(scenes.points1, scenes.points2, noArray()); },
                     "cameraMatrices1");
+    expectException(
+        [&]() { estimateEssentials(scenes.points1, scenes.points2, std::vector<Mat>(2)); },
+        "cameraMatrices1");
     EXPECT_TRUE(estimateHomographies(noArray(), noArray()).empty());
     EXPECT_TRUE(estimateHomographies(std::vector<Mat>(), std::vector<Mat>()).empty());
 }
@@ -187,7 +203,8 @@ TEST(Usac_Batch, anyNumberOfThreads)
     setNumThreads(3);
     const std::vector<Estimate> three = estimateHomographies(scenes.points1, scenes.points2);
     setNumThreads(1);
-    const std::vector<Estimate> one = estimateHomographies(scenes.points1, scenes.points2, Params(), 4);
+    const std::vector<Estimate> one = estimateHomographies(scenes.points1, scenes.points2, Params(),
+                                                           4);
     setNumThreads(before);
     for (int i = 0; i < COUNT; ++i)
         expectSame(one[i], three[i], i);

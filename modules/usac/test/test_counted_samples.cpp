@@ -17,7 +17,8 @@ class HalfCounting : public Sampler
 public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
-        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
+        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(),
+                           sample);
         state.counts = state.iteration % 2 == 0;
     }
 };
@@ -50,7 +51,10 @@ double subsets(double inliers, double n, int m)
 }
 
 //! log(1 - confidence) / log(1 - C(I, m) / C(n, m)), of the default parameters.
-double wantedSamples(double inliers, double n, int m) { return std::log(0.01) / std::log1p(-subsets(inliers, n, m)); }
+double wantedSamples(double inliers, double n, int m)
+{
+    return std::log(0.01) / std::log1p(-subsets(inliers, n, m));
+}
 
 TEST(Usac_CountedSamples, the_others_do_not_end_the_search)
 {
@@ -88,11 +92,14 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
     points2[5] = points2[0];  // two matches of one point
     const OwnPoints points(HOMOGRAPHY, points1, points2);
     Components parts;
-    parts.minimalSolver = createUsac(sceneOf(HOMOGRAPHY, 20, 5), Params())->components().minimalSolver;
+    parts.minimalSolver = createUsac(sceneOf(HOMOGRAPHY, 20, 5), Params())
+                              ->components()
+                              .minimalSolver;
     const Params params;
     Arena arena;
     const Context context(points.view(), parts, params, arena);
-    const int different[] = {0, 1, 2, 3}, twice[] = {0, 1, 3, 4}, shared[] = {0, 1, 2, 5}, both[] = {0, 5, 3, 4};
+    const int different[] = {0, 1, 2, 3}, twice[] = {0, 1, 3, 4}, shared[] = {0, 1, 2, 5},
+              both[] = {0, 5, 3, 4};
     const Ptr<Degeneracy> repeated = createRepeatedPoints();
     EXPECT_TRUE(repeated->validSample(context, different));
     EXPECT_FALSE(repeated->validSample(context, twice));
@@ -102,7 +109,8 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
     EXPECT_FALSE(repeated->mayBeGood(context, both));
 }
 
-//! 30 matches, each five times, 18 of them right: what is refused tells the criteria that they are 30, not 150.
+//! 30 matches, each five times, 18 of them right: what is refused tells the criteria that they are
+//! 30, not 150.
 TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -115,7 +123,8 @@ TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
         usac->components().start(context);
         const int m = usac->components().minimalSolver->sampleSize();
         State state;
-        EXPECT_NEAR(subsets(90, 150, m), goodSampleProbability(context, state, 90), 1e-9) << problem;
+        EXPECT_NEAR(subsets(90, 150, m), goodSampleProbability(context, state, 90), 1e-9)
+            << problem;
         double passed = 1;
         for (int i = 0; i < m; ++i)
             passed *= (150 - 5. * i) / (150 - i);
@@ -166,11 +175,13 @@ TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
     EXPECT_EQ(0, general);
 }
 
-//! The triples that look for the plane are not the points of the next sample, which has the stream of its number.
+//! The triples that look for the plane are not the points of the next sample, which has the stream
+//! of its number.
 TEST(Usac_CountedSamples, the_plane_of_E_has_its_own_random_numbers)
 {
     SceneOptions options;
-    options.planeFraction = 0.8;  // about what makes a plane dominant, so that some triples do not show it
+    options.planeFraction = 0.8;  // about what makes a plane dominant, so that some triples do not
+                                  // show it
     options.noise = 1;
     const Scene scene = makeScene(ESSENTIAL, options);
     const Params params;

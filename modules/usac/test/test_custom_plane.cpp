@@ -6,7 +6,8 @@
 #include "run_context.hpp"
 #include "test_contracts.hpp"
 
-// A problem of one array of points: the plane n x + d = 0 of points of space, a model of four numbers.
+// A problem of one array of points: the plane n x + d = 0 of points of space, a model of four
+// numbers.
 
 namespace opencv_test {
 namespace {
@@ -21,7 +22,8 @@ public:
             errors[i - begin] = (float)square(plane, p.exact[0][i], p.exact[1][i], p.exact[2][i]);
     }
 
-    void squaredErrors(const Model& plane, const double* const* c, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& plane, const double* const* c, int count,
+                       double* errors) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
             errors[i] = square(plane, c[0][i], c[1][i], c[2][i]);
@@ -37,7 +39,8 @@ private:
 };
 
 //! Through the mean, along the two largest axes of the scatter.
-bool fitPlane(const Correspondences& p, const int* indices, int count, const double* weights, Model& plane)
+bool fitPlane(const Correspondences& p, const int* indices, int count, const double* weights,
+              Model& plane)
 {
     Vec3d mean;
     double sum = 0;
@@ -51,7 +54,9 @@ bool fitPlane(const Correspondences& p, const int* indices, int count, const dou
     Matx33d scatter = Matx33d::zeros();
     for (int k = 0; k < count; ++k)
     {
-        const Vec3d v = Vec3d(p.exact[0][indices[k]], p.exact[1][indices[k]], p.exact[2][indices[k]]) - mean;
+        const Vec3d v = Vec3d(p.exact[0][indices[k]], p.exact[1][indices[k]],
+                              p.exact[2][indices[k]]) -
+                        mean;
         scatter += (weights ? weights[k] : 1) * (v * v.t());
     }
     Matx31d values;
@@ -76,8 +81,8 @@ public:
 class PlaneFit : public NonMinimalSolver
 {
 public:
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int) const CV_OVERRIDE
     {
         return fitPlane(points, indices, count, weights, model);
     }
@@ -105,7 +110,10 @@ public:
 
     Ptr<Residual> createResidual(int) const CV_OVERRIDE { return makePtr<PlaneDistance>(); }
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return makePtr<PlaneSolver>(); }
-    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>&) const CV_OVERRIDE { return makePtr<PlaneFit>(); }
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>&) const CV_OVERRIDE
+    {
+        return makePtr<PlaneFit>();
+    }
 };
 
 const Vec4d TRUTH(0.48, -0.6, 0.64, -3);
@@ -141,7 +149,8 @@ TEST(Usac_CustomPlane, everyPreset)
         params.maxIterations = 5000;
         Mat mask;
         Report report;
-        const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)->run(mask, &report);
+        const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)
+                              ->run(mask, &report);
         ASSERT_EQ(Size(4, 1), plane.size()) << presets[k].name;
         EXPECT_LE(errorOf(plane), 0.02) << presets[k].name;
         EXPECT_EQ(report.inliers, countNonZero(mask)) << presets[k].name;
@@ -161,7 +170,8 @@ TEST(Usac_CustomPlane, chanceOfRandomPoints)
     params.significance = 1;
     params.maxIterations = 2000;
     Report report;
-    Usac::create(makePtr<PlaneProblem>(), scene(0, 300, 0), noArray(), params)->run(noArray(), &report);
+    Usac::create(makePtr<PlaneProblem>(), scene(0, 300, 0), noArray(), params)
+        ->run(noArray(), &report);
     EXPECT_GE(report.chance, 1e-3);
 }
 
@@ -178,7 +188,8 @@ TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
             params.ordering = ordering;
             params.neighborRadius = 2;
             Mat mask;
-            const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)->run(mask);
+            const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)
+                                  ->run(mask);
             ASSERT_FALSE(plane.empty()) << neighborhood << " " << ordering;
             EXPECT_LE(errorOf(plane), 0.03);
             EXPECT_EQ(0, mask.at<uchar>(7) + mask.at<uchar>(150));
@@ -191,7 +202,8 @@ TEST(Usac_CustomPlane, nearestNeighbors)
     Params params;
     params.neighborhood = NEIGHBORHOOD_KNN;
     params.neighbors = 6;
-    const Ptr<Usac> usac = Usac::create(makePtr<PlaneProblem>(), scene(100, 100, 0.01), noArray(), params);
+    const Ptr<Usac> usac = Usac::create(makePtr<PlaneProblem>(), scene(100, 100, 0.01), noArray(),
+                                        params);
     const Correspondences& p = usac->points();
     const RunContext run(p, usac->components(), params);
     for (int i = 0; i < p.size; ++i)
@@ -199,7 +211,8 @@ TEST(Usac_CustomPlane, nearestNeighbors)
         std::vector<std::pair<double, int>> all;
         for (int k = 0; k < p.size; ++k)
         {
-            const Vec3d d(p.exact[0][k] - p.exact[0][i], p.exact[1][k] - p.exact[1][i], p.exact[2][k] - p.exact[2][i]);
+            const Vec3d d(p.exact[0][k] - p.exact[0][i], p.exact[1][k] - p.exact[1][i],
+                          p.exact[2][k] - p.exact[2][i]);
             all.push_back(std::make_pair(d.dot(d), k));
         }
         std::sort(all.begin(), all.end());
@@ -224,8 +237,10 @@ TEST(Usac_CustomPlane, layoutsOfPoints)
         one[k] = Usac::create(makePtr<PlaneProblem>(), layouts[k], noArray(), params)->run();
         EXPECT_LE(cv::norm(one[0], one[k], NORM_INF), k < 4 ? 0. : 1e-5) << k;
     }
-    EXPECT_THROW(Usac::create(makePtr<PlaneProblem>(), rows.colRange(0, 2), noArray(), params), cv::Exception);
-    EXPECT_THROW(Usac::create(makePtr<PlaneProblem>(), rows, rows, params), cv::Exception) << "a second array";
+    EXPECT_THROW(Usac::create(makePtr<PlaneProblem>(), rows.colRange(0, 2), noArray(), params),
+                 cv::Exception);
+    EXPECT_THROW(Usac::create(makePtr<PlaneProblem>(), rows, rows, params), cv::Exception)
+        << "a second array";
 }
 
 //! A solver that writes numbers into a model of no size.

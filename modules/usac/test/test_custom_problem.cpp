@@ -24,13 +24,15 @@ struct AffineScene
             const Vec2d q = TRUTH * Vec3d(p.x, p.y, 1);
             const Point2d right(q[0] + rng.gaussian(noise), q[1] + rng.gaussian(noise));
             points1.push_back(p);
-            points2.push_back(i < inliers ? right : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+            points2.push_back(i < inliers ? right
+                                          : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
         }
     }
 
     Mat estimate(const Params& params, OutputArray mask = noArray(), Report* report = 0) const
     {
-        return Usac::create(makePtr<custom::AffineProblem>(), points1, points2, params)->run(mask, report);
+        return Usac::create(makePtr<custom::AffineProblem>(), points1, points2, params)
+            ->run(mask, report);
     }
 
     //! Largest error of a corner of the image, pixels.
@@ -92,7 +94,8 @@ TEST(Usac_CustomProblem, endsWhereTheConfidenceSays)
     Report report;
     EXPECT_FALSE(scene.estimate(params, noArray(), &report).empty());
     EXPECT_EQ((int)STOP_STANDARD, report.stop);
-    // log(0.01) / log(1 - 0.5^3) = 34.5 samples for half of the points, more while the best model has less
+    // log(0.01) / log(1 - 0.5^3) = 34.5 samples for half of the points, more while the best model
+    // has less
     EXPECT_GE(report.iterations, 30);
     EXPECT_LE(report.iterations, 300);
 }
@@ -105,7 +108,10 @@ public:
     int dimension() const CV_OVERRIDE { return mistake == 0 ? 7 : 6; }
     int errorDimension() const CV_OVERRIDE { return mistake == 1 ? 3 : 2; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(mistake == 2 ? 0 : 100, 1); }
-    int coordinates(int array) const CV_OVERRIDE { return mistake == 4 ? 4 : mistake == 5 && array == 1 ? 1 : 2; }
+    int coordinates(int array) const CV_OVERRIDE
+    {
+        return mistake == 4 ? 4 : mistake == 5 && array == 1 ? 1 : 2;
+    }
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
     {
         return mistake == 3 ? Ptr<MinimalSolver>() : AffineProblem::createMinimalSolver();
@@ -123,7 +129,8 @@ TEST(Usac_CustomProblem, mistakesAreNamed)
         std::string message;
         try
         {
-            Usac::create(makePtr<WrongProblem>(mistake), scene.points1, scene.points2, Params::magsac());
+            Usac::create(makePtr<WrongProblem>(mistake), scene.points1, scene.points2,
+                         Params::magsac());
         }
         catch (const cv::Exception& e)
         {
@@ -146,14 +153,17 @@ TEST(Usac_CustomProblem, impossiblePoints)
     {
         Mat mask;
         Report report;
-        const Ptr<Usac> usac = Usac::create(makePtr<custom::AffineProblem>(), *cases[i], *cases[i], params);
+        const Ptr<Usac> usac = Usac::create(makePtr<custom::AffineProblem>(), *cases[i], *cases[i],
+                                            params);
         EXPECT_TRUE(usac->run(mask, &report).empty());
         EXPECT_EQ(0, countNonZero(mask));
         EXPECT_EQ((int)STOP_NO_MODEL, report.stop);
     }
     const std::vector<Point2d> two(2, Point2d(0, 0));
     Report report;
-    EXPECT_TRUE(Usac::create(makePtr<custom::AffineProblem>(), two, two, params)->run(noArray(), &report).empty());
+    EXPECT_TRUE(Usac::create(makePtr<custom::AffineProblem>(), two, two, params)
+                    ->run(noArray(), &report)
+                    .empty());
     EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
 }
 

@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "test_contracts.hpp"
 
-// A problem whose errors have three dimensions: the translation of points of space, a model of three numbers.
+// A problem whose errors have three dimensions: the translation of points of space, a model of
+// three numbers.
 
 namespace opencv_test {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 class TranslationError : public Residual
 {
 public:
-    void squaredErrors(const Correspondences& p, const Model& t, int begin, int end, float* errors) const CV_OVERRIDE
+    void squaredErrors(const Correspondences& p, const Model& t, int begin, int end,
+                       float* errors) const CV_OVERRIDE
     {
         for (int i = begin; i < end; ++i)
         {
@@ -24,7 +26,8 @@ public:
         }
     }
 
-    void squaredErrors(const Model& t, const double* const* c, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& t, const double* const* c, int count,
+                       double* errors) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
         {
@@ -35,7 +38,8 @@ public:
     }
 };
 
-Model meanTranslation(const Correspondences& p, const int* indices, int count, const double* weights)
+Model meanTranslation(const Correspondences& p, const int* indices, int count,
+                      const double* weights)
 {
     Model t(3, 1);
     double sum = 0;
@@ -65,8 +69,8 @@ public:
 class TranslationFit : public NonMinimalSolver
 {
 public:
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int) const CV_OVERRIDE
     {
         model = meanTranslation(points, indices, count, weights);
         return checkRange(Mat(3, 1, CV_64F, model.val));
@@ -91,7 +95,10 @@ public:
         return checkRange(Mat(3, 1, CV_64F, result.val));
     }
     Ptr<Residual> createResidual(int) const CV_OVERRIDE { return makePtr<TranslationError>(); }
-    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return makePtr<TranslationSolver>(); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
+    {
+        return makePtr<TranslationSolver>();
+    }
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>&) const CV_OVERRIDE
     {
         return makePtr<TranslationFit>();
@@ -111,8 +118,9 @@ TEST(Usac_CustomSpace, everyPreset)
         const Vec3d a(rng.uniform(-3., 3.), rng.uniform(-3., 3.), rng.uniform(-3., 3.));
         const Vec3d noise(rng.gaussian(0.01), rng.gaussian(0.01), rng.gaussian(0.01));
         points1.push_back(Point3d(a));
-        points2.push_back(i % 3 ? Point3d(a + truth + noise)
-                                : Point3d(rng.uniform(-5., 5.), rng.uniform(-5., 5.), rng.uniform(-5., 5.)));
+        points2.push_back(
+            i % 3 ? Point3d(a + truth + noise)
+                  : Point3d(rng.uniform(-5., 5.), rng.uniform(-5., 5.), rng.uniform(-5., 5.)));
     }
     for (const NamedPreset& preset : allPresets())
     {
@@ -121,7 +129,8 @@ TEST(Usac_CustomSpace, everyPreset)
         params.threshold = 0.035;
         Mat mask;
         Report report;
-        const Mat t = Usac::create(makePtr<TranslationProblem>(), points1, points2, params)->run(mask, &report);
+        const Mat t = Usac::create(makePtr<TranslationProblem>(), points1, points2, params)
+                          ->run(mask, &report);
         ASSERT_EQ(Size(1, 3), t.size());
         EXPECT_LE(cv::norm(Vec3d(t.ptr<double>()) - truth), 0.006);
         EXPECT_EQ(report.inliers, countNonZero(mask));
@@ -141,7 +150,8 @@ TEST(Usac_CustomSpace, dimensionsThatCannotBe)
                     "errors of 1 to 3 dimensions");
     expectException([&]() { Usac::create(makePtr<TranslationProblem>(0), space, space); },
                     "errors of 1 to 3 dimensions");
-    expectException([&]() { Usac::create(makePtr<TranslationProblem>(3, 2), plane, plane); }, "not of 3");
+    expectException([&]() { Usac::create(makePtr<TranslationProblem>(3, 2), plane, plane); },
+                    "not of 3");
     EXPECT_FALSE(Usac::create(makePtr<TranslationProblem>(), space, space).empty());
 }
 

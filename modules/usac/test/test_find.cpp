@@ -60,7 +60,10 @@ struct Wanted
         EXPECT_FALSE(model.empty());
     }
 
-    void same(const char* call, const Mat& otherModel) const { EXPECT_TRUE(sameBits(model, otherModel)) << call; }
+    void same(const char* call, const Mat& otherModel) const
+    {
+        EXPECT_TRUE(sameBits(model, otherModel)) << call;
+    }
     void same(const char* call, const Mat& otherModel, const Mat& otherMask) const
     {
         same(call, otherModel);
@@ -130,9 +133,12 @@ TEST(Usac_Flags, casts_of_other_ints_are_refused)
         calls.push_back([&]() { findFundamentalMat(s.points1, s.points2, mask, flag); });
         calls.push_back([&]() { findEssentialMat(s.points1, s.points2, K, flag, 0.99, 1, 100); });
         calls.push_back([&]() { findEssentialMat(s.points1, s.points2, K, flag, 0.99, 1, mask); });
-        calls.push_back([&]() { findEssentialMat(s.points1, s.points2, 1, Point2d(), flag, 0.99, 1, 100); });
-        calls.push_back([&]() { findEssentialMat(s.points1, s.points2, 1, Point2d(), flag, 0.99, 1, mask); });
-        calls.push_back([&]() { findEssentialMat(s.points1, s.points2, K, Mat(), K, Mat(), flag, 0.99, 1); });
+        calls.push_back(
+            [&]() { findEssentialMat(s.points1, s.points2, 1, Point2d(), flag, 0.99, 1, 100); });
+        calls.push_back(
+            [&]() { findEssentialMat(s.points1, s.points2, 1, Point2d(), flag, 0.99, 1, mask); });
+        calls.push_back(
+            [&]() { findEssentialMat(s.points1, s.points2, K, Mat(), K, Mat(), flag, 0.99, 1); });
         calls.push_back([&]() { cv::estimateAffine2D(s.points1, s.points2, mask, flag); });
         calls.push_back([&]() { cv::estimateAffinePartial2D(s.points1, s.points2, mask, flag); });
         for (const std::function<void()>& call : calls)
@@ -141,7 +147,8 @@ TEST(Usac_Flags, casts_of_other_ints_are_refused)
             expectException(call, value);
         }
         const std::function<void()> pose = [&]() {
-            cv::solvePnPRansac(space, s.points2, K, Mat(), rvec, tvec, false, 100, 8, 0.99, mask, flag);
+            cv::solvePnPRansac(space, s.points2, K, Mat(), rvec, tvec, false, 100, 8, 0.99, mask,
+                               flag);
         };
         expectException(pose, "flags:");
         expectException(pose, value);
@@ -163,9 +170,11 @@ TEST_P(UsacFlags, each_is_its_preset)
         else if (problem() == AFFINITY)
             model = estimateAffine2D(scene.points1, scene.points2, mask, flag, 2, 700, 0.98, 100);
         else if (problem() == SIMILARITY)
-            model = estimateAffinePartial2D(scene.points1, scene.points2, mask, flag, 2, 700, 0.98, 100);
+            model = estimateAffinePartial2D(scene.points1, scene.points2, mask, flag, 2, 700, 0.98,
+                                            100);
         else
-            model = findEssentialMat(scene.points1, scene.points2, scene.K, flag, 0.98, 2, 700, mask);
+            model = findEssentialMat(scene.points1, scene.points2, scene.K, flag, 0.98, 2, 700,
+                                     mask);
         wanted.same(cv::format("flag %d", i).c_str(), model, mask);
     }
 }
@@ -176,8 +185,8 @@ TEST_P(UsacFlags, arguments_matter_in_the_scene_of_these_tests)
     const Scene scene = hardScene(problem());
     const UsacV20Method flag = USACV20_ACCURATE;
     const Wanted wanted(scene, paramsOf(flag, 2, 0.98, 1000));
-    const Params others[] = {paramsOf(flag, 1, 0.98, 1000), paramsOf(flag, 2, LOW, 1000), paramsOf(flag, 2, 0.98, FEW),
-                             paramsOf(USACV20_MAGSAC, 2, 0.98, 1000)};
+    const Params others[] = {paramsOf(flag, 1, 0.98, 1000), paramsOf(flag, 2, LOW, 1000),
+                             paramsOf(flag, 2, 0.98, FEW), paramsOf(USACV20_MAGSAC, 2, 0.98, 1000)};
     for (int i = 0; i < 4; ++i)
         EXPECT_FALSE(sameBits(wanted.model, estimate(scene, others[i]))) << "change " << i;
 }
@@ -188,8 +197,10 @@ TEST(Usac_Flags, every_overload_of_findHomography)
     const UsacV20Method flag = USACV20_ACCURATE;
     Mat mask;
     // defaults: 3 px, 2000 iterations, 0.995
-    Wanted(s, paramsOf(flag, 3, 0.995, 2000)).same("flag", findHomography(s.points1, s.points2, flag));
-    Wanted(s, paramsOf(flag, 2, 0.995, 2000)).same("threshold", findHomography(s.points1, s.points2, flag, 2));
+    Wanted(s, paramsOf(flag, 3, 0.995, 2000))
+        .same("flag", findHomography(s.points1, s.points2, flag));
+    Wanted(s, paramsOf(flag, 2, 0.995, 2000))
+        .same("threshold", findHomography(s.points1, s.points2, flag, 2));
     const Mat a = findHomography(s.points1, s.points2, flag, 2, mask);
     Wanted(s, paramsOf(flag, 2, 0.995, 2000)).same("mask", a, mask);
     const Mat b = findHomography(s.points1, s.points2, flag, 2, mask, FEW);
@@ -203,7 +214,8 @@ TEST(Usac_Flags, every_overload_of_findHomography)
     const Params params = paramsOf(USACV20_FAST, 1.25, LOW, 1000);
     const Mat f = findHomography(s.points1, s.points2, mask, params);
     Wanted(s, params).same("params", f, mask);
-    Wanted(s, params).same("params, no mask", findHomography(s.points1, s.points2, noArray(), params));
+    Wanted(s, params).same("params, no mask",
+                           findHomography(s.points1, s.points2, noArray(), params));
 }
 
 TEST(Usac_Flags, every_overload_of_findFundamentalMat)
@@ -253,21 +265,25 @@ TEST(Usac_Flags, every_overload_of_findEssentialMat)
     coarse.same("mask", b, mask);
     plain.same("focal", findEssentialMat(s.points1, s.points2, focal, pp, flag));
     low.same("focal, prob", findEssentialMat(s.points1, s.points2, focal, pp, flag, LOW));
-    few.same("focal, maxIters", findEssentialMat(s.points1, s.points2, focal, pp, flag, 0.98, 2, FEW));
+    few.same("focal, maxIters",
+             findEssentialMat(s.points1, s.points2, focal, pp, flag, 0.98, 2, FEW));
     const Mat c = findEssentialMat(s.points1, s.points2, focal, pp, flag, 0.98, 2, FEW, mask);
     few.same("focal, maxIters, mask", c, mask);
     const Mat d = findEssentialMat(s.points1, s.points2, focal, pp, flag, LOW, 2, mask);
     coarse.same("focal, mask", d, mask);
-    plain.same("two cameras", findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), flag));
-    const Mat e = findEssentialMat(s.points1, s.points2, s.K, Mat::zeros(5, 1, CV_64F), s.K, noArray(), flag, LOW, 2,
-                                   mask);
+    plain.same("two cameras",
+               findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), flag));
+    const Mat e = findEssentialMat(s.points1, s.points2, s.K, Mat::zeros(5, 1, CV_64F), s.K,
+                                   noArray(), flag, LOW, 2, mask);
     coarse.same("two cameras, mask", e, mask);
     const Params params = paramsOf(USACV20_FAST, 1.25, LOW, 1000);
-    const Mat f = findEssentialMat(s.points1, s.points2, s.K, s.K, noArray(), noArray(), mask, params);
+    const Mat f = findEssentialMat(s.points1, s.points2, s.K, s.K, noArray(), noArray(), mask,
+                                   params);
     Wanted(s, params).same("params", f, mask);
 }
 
-//! calib3d takes K1, dist1, K2, dist2 with a flag and K1, K2, dist1, dist2 with parameters: so do we.
+//! calib3d takes K1, dist1, K2, dist2 with a flag and K1, K2, dist1, dist2 with parameters: so do
+//! we.
 TEST(Usac_Flags, order_of_two_cameras)
 {
     const Scene s = makeScene(ESSENTIAL);
@@ -278,17 +294,22 @@ TEST(Usac_Flags, order_of_two_cameras)
     Mat mask, other;
     const Mat E = estimateEssential(s.points1, s.points2, s.K, K2, d1, d2, params, mask, report);
     ASSERT_FALSE(E.empty());
-    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, d1, K2, d2, USACV20, 0.999, 2, other)));
+    EXPECT_TRUE(sameBits(
+        E, findEssentialMat(s.points1, s.points2, s.K, d1, K2, d2, USACV20, 0.999, 2, other)));
     EXPECT_TRUE(sameBits(mask, other));
-    EXPECT_TRUE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, K2, d1, d2, other, params)));
+    EXPECT_TRUE(
+        sameBits(E, findEssentialMat(s.points1, s.points2, s.K, K2, d1, d2, other, params)));
     EXPECT_TRUE(sameBits(mask, other));
-    EXPECT_FALSE(sameBits(E, findEssentialMat(s.points1, s.points2, s.K, d2, K2, d1, USACV20, 0.999, 2, other)));
+    EXPECT_FALSE(sameBits(
+        E, findEssentialMat(s.points1, s.points2, s.K, d2, K2, d1, USACV20, 0.999, 2, other)));
 }
 
 //! OpenCV's functions by their own types: what a call with an int reached before this module.
-typedef Mat (*OldHomography)(InputArray, InputArray, int, double, OutputArray, const int, const double);
+typedef Mat (*OldHomography)(InputArray, InputArray, int, double, OutputArray, const int,
+                             const double);
 typedef Mat (*OldFundamental)(InputArray, InputArray, int, double, double, int, OutputArray);
-typedef Mat (*OldEssential)(InputArray, InputArray, InputArray, int, double, double, int, OutputArray);
+typedef Mat (*OldEssential)(InputArray, InputArray, InputArray, int, double, double, int,
+                            OutputArray);
 const OldHomography oldHomography = &cv::findHomography;
 const OldFundamental oldFundamental = &cv::findFundamentalMat;
 const OldEssential oldEssential = &cv::findEssentialMat;
@@ -299,7 +320,8 @@ TEST(Usac_Flags, old_homography_calls_reach_calib3d)
     Mat mask, old;
     const int methods[] = {
         0,         LMEDS,         RANSAC,      RHO,        USAC_DEFAULT,
-        USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};  // USAC_PARALLEL differs from call to call
+        USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};  // USAC_PARALLEL differs from call to
+                                                              // call
     for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
@@ -312,13 +334,15 @@ TEST(Usac_Flags, old_homography_calls_reach_calib3d)
     const Mat H = oldHomography(s.points1, s.points2, 0, 3, noArray(), 2000, 0.995);
     EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2)));
     EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, mask)));
-    EXPECT_TRUE(sameBits(oldHomography(s.points1, s.points2, RANSAC, 3, noArray(), 2000, 0.995),
-                         cv::findHomography(s.points1, s.points2, RANSAC)));  // the enumerator itself
+    EXPECT_TRUE(
+        sameBits(oldHomography(s.points1, s.points2, RANSAC, 3, noArray(), 2000, 0.995),
+                 cv::findHomography(s.points1, s.points2, RANSAC)));  // the enumerator itself
     cv::UsacParams params;
     params.threshold = 2;
     const Mat withParams = cv::findHomography(s.points1, s.points2, mask, params);
     EXPECT_TRUE(sameBits(withParams, cv::findHomography(s.points1, s.points2, mask, params)));
-    EXPECT_FALSE(sameBits(withParams, cv::findHomography(s.points1, s.points2, mask, Params::fromUsacParams(params))));
+    EXPECT_FALSE(sameBits(withParams, cv::findHomography(s.points1, s.points2, mask,
+                                                         Params::fromUsacParams(params))));
 }
 
 TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
@@ -331,10 +355,13 @@ TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
         const Mat F = oldFundamental(s.points1, s.points2, methods[i], 2, 0.99, 1000, old);
-        EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, 1000, mask)));
+        EXPECT_TRUE(sameBits(
+            F, cv::findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, 1000, mask)));
         EXPECT_TRUE(sameBits(old, mask));
-        EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, mask)));
-        EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, mask, methods[i], 2, 0.99)));
+        EXPECT_TRUE(
+            sameBits(F, cv::findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, mask)));
+        EXPECT_TRUE(
+            sameBits(F, cv::findFundamentalMat(s.points1, s.points2, mask, methods[i], 2, 0.99)));
         EXPECT_FALSE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, USACV20, 2)));
     }
     const Mat F = oldFundamental(s.points1, s.points2, FM_RANSAC, 3, 0.99, 1000, noArray());
@@ -343,8 +370,8 @@ TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
     EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, FM_RANSAC)));
     cv::UsacParams params;
     const Mat withParams = cv::findFundamentalMat(s.points1, s.points2, mask, params);
-    EXPECT_FALSE(
-        sameBits(withParams, cv::findFundamentalMat(s.points1, s.points2, mask, Params::fromUsacParams(params))));
+    EXPECT_FALSE(sameBits(withParams, cv::findFundamentalMat(s.points1, s.points2, mask,
+                                                             Params::fromUsacParams(params))));
 }
 
 TEST(Usac_Flags, old_essential_calls_reach_calib3d)
@@ -358,20 +385,25 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
         const Mat E = oldEssential(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, old);
-        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, mask)));
+        EXPECT_TRUE(sameBits(
+            E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, mask)));
         EXPECT_TRUE(sameBits(old, mask));
-        EXPECT_TRUE(
-            sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, 1000, mask)));
+        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i],
+                                                     0.99, 2, 1000, mask)));
 #if CV_VERSION_MAJOR < 5  // which has no forms without maxIters
-        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
-        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, mask)));
+        EXPECT_TRUE(sameBits(
+            E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
+        EXPECT_TRUE(sameBits(
+            E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, mask)));
 #endif
-        EXPECT_FALSE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, USACV20, 0.99, 2)));
+        EXPECT_FALSE(
+            sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, USACV20, 0.99, 2)));
     }
     const Mat ours = cv::findEssentialMat(s.points1, s.points2, s.K, USACV20);
     EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, s.K, USAC_DEFAULT)));
     EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, focal, pp, USAC_FAST)));
-    EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), USAC_FAST)));
+    EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K,
+                                                     noArray(), USAC_FAST)));
     const Mat E = oldEssential(s.points1, s.points2, s.K, RANSAC, 0.999, 1, 1000, noArray());
     EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K)));
     EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, RANSAC)));
@@ -380,7 +412,8 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
     undistortPoints(s.points1, plane1, s.K, noArray());
     undistortPoints(s.points2, plane2, s.K, noArray());
     EXPECT_EQ(Size(3, 3), cv::findEssentialMat(plane1, plane2).size());
-    EXPECT_FALSE(cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray()).empty());
+    EXPECT_FALSE(
+        cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray()).empty());
 }
 
 }

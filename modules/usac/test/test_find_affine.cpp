@@ -4,8 +4,8 @@
 
 #include "test_contracts.hpp"
 
-// Every form of estimateAffine2D and estimateAffinePartial2D: with a flag that is known when the program is compiled,
-// with the int of any flag, with Params; what is OpenCV's goes to calib3d.
+// Every form of estimateAffine2D and estimateAffinePartial2D: with a flag that is known when the
+// program is compiled, with the int of any flag, with Params; what is OpenCV's goes to calib3d.
 
 namespace opencv_test {
 namespace {
@@ -13,11 +13,13 @@ namespace {
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
                                USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
 
-//! The functions of one problem, by one name each. OpenCV's by its own type: what a call with an int reached before.
+//! The functions of one problem, by one name each. OpenCV's by its own type: what a call with an
+//! int reached before.
 struct Functions
 {
     typedef Mat (*Old)(InputArray, InputArray, OutputArray, int, double, size_t, double, size_t);
-    typedef Mat (*Typed)(InputArray, InputArray, OutputArray, UsacV20Method, double, size_t, double, size_t);
+    typedef Mat (*Typed)(InputArray, InputArray, OutputArray, UsacV20Method, double, size_t, double,
+                         size_t);
 
     Old calib3d, atRunTime;
     Typed typed;
@@ -25,7 +27,8 @@ struct Functions
 
 Functions functionsOf(ProblemType problem)
 {
-    const Functions affine = {&cv::estimateAffine2D, &cv::usacv20::estimateAffine2D, &cv::estimateAffine2D},
+    const Functions affine = {&cv::estimateAffine2D, &cv::usacv20::estimateAffine2D,
+                              &cv::estimateAffine2D},
                     partial = {&cv::estimateAffinePartial2D, &cv::usacv20::estimateAffinePartial2D,
                                &cv::estimateAffinePartial2D};
     return problem == AFFINITY ? affine : partial;
@@ -42,7 +45,8 @@ Scene hardScene(ProblemType problem)
     return makeScene(problem, options);
 }
 
-Params paramsOf(UsacV20Method flag, double threshold, int maxIterations, double confidence, int steps)
+Params paramsOf(UsacV20Method flag, double threshold, int maxIterations, double confidence,
+                int steps)
 {
     Params params = Params::fromMethod(flag);
     params.threshold = threshold;
@@ -80,18 +84,20 @@ TEST_P(Usac_FindAffine, eachArgument)
             const double threshold = variant == 1 ? 1 : 2, confidence = confidences[variant == 2];
             const int most = variant == 3 ? 3 : 1000, steps = variant < 4 ? 10 : variant - 4;
             const Params params = paramsOf(flag, threshold, most, confidence, steps);
-            const Mat model = call.typed(s.points1, s.points2, mask, flag, threshold, most, confidence, steps);
+            const Mat model = call.typed(s.points1, s.points2, mask, flag, threshold, most,
+                                         confidence, steps);
             Mat expectedMask, other;
             EXPECT_TRUE(sameBits(estimate(s, params, expectedMask), model)) << variant;
             EXPECT_TRUE(sameBits(expectedMask, mask)) << variant;
-            EXPECT_TRUE(sameBits(
-                model, call.atRunTime(s.points1, s.points2, other, (int)flag, threshold, most, confidence, steps)));
+            EXPECT_TRUE(sameBits(model, call.atRunTime(s.points1, s.points2, other, (int)flag,
+                                                       threshold, most, confidence, steps)));
             EXPECT_TRUE(sameBits(mask, other)) << variant;
         }
     }
 }
 
-//! Without this, the test above could not see a lost argument: each one matters to some of the flags.
+//! Without this, the test above could not see a lost argument: each one matters to some of the
+//! flags.
 TEST_P(Usac_FindAffine, argumentsMatter)
 {
     const Scene s = hardScene(problem());
@@ -100,7 +106,8 @@ TEST_P(Usac_FindAffine, argumentsMatter)
     {
         const Mat model = estimate(s, paramsOf(flag, 2, 1000, 0.98, 10));
         const Params others[] = {paramsOf(flag, 1, 1000, 0.98, 10), paramsOf(flag, 2, 3, 0.98, 10),
-                                 paramsOf(flag, 2, 1000, 1e-15, 10), paramsOf(flag, 2, 1000, 0.98, 1),
+                                 paramsOf(flag, 2, 1000, 1e-15, 10),
+                                 paramsOf(flag, 2, 1000, 0.98, 1),
                                  paramsOf(flag, 2, 1000, 0.98, 0)};
         for (int i = 0; i < 5; ++i)
             matters[i] = matters[i] || !sameBits(model, estimate(s, others[i]));
@@ -115,7 +122,8 @@ TEST(Usac_FindAffine_Forms, defaults)
     const std::vector<Point2d>&p = a.points1, &q = a.points2, &u = s.points1, &v = s.points2;
     const UsacV20Method flag = USACV20_ACCURATE;
     const int number = (int)flag;
-    const Params wanted = paramsOf(flag, 3, 2000, 0.99, 10), usual = paramsOf(USACV20, 3, 2000, 0.99, 10);
+    const Params wanted = paramsOf(flag, 3, 2000, 0.99, 10),
+                 usual = paramsOf(USACV20, 3, 2000, 0.99, 10);
     Mat mask;
     Mat model = cv::estimateAffine2D(p, q, mask, flag);
     expectSame(a, wanted, model, mask);
@@ -158,8 +166,8 @@ TEST_P(Usac_FindAffine, whatIsOpenCVs)
     const Functions call = functionsOf(problem());
     int models = 0;
     // without USAC_PARALLEL, which differs from call to call
-    for (int method : {0, (int)LMEDS, (int)RANSAC, (int)RHO, (int)USAC_DEFAULT, (int)USAC_FAST, (int)USAC_ACCURATE,
-                       (int)USAC_PROSAC, (int)USAC_MAGSAC, 63})
+    for (int method : {0, (int)LMEDS, (int)RANSAC, (int)RHO, (int)USAC_DEFAULT, (int)USAC_FAST,
+                       (int)USAC_ACCURATE, (int)USAC_PROSAC, (int)USAC_MAGSAC, 63})
     {
         Mat masks[2], found[2];
         std::string errors[2];
@@ -168,7 +176,8 @@ TEST_P(Usac_FindAffine, whatIsOpenCVs)
             theRNG().state = 5;
             try
             {
-                found[k] = (k ? call.atRunTime : call.calib3d)(s.points1, s.points2, masks[k], method, 2, 500, 0.9, 5);
+                found[k] = (k ? call.atRunTime : call.calib3d)(s.points1, s.points2, masks[k],
+                                                               method, 2, 500, 0.9, 5);
             }
             catch (const cv::Exception& e)
             {
@@ -195,7 +204,8 @@ TEST_P(Usac_FindAffine, whatIsOpenCVs)
     const Mat without = problem() == AFFINITY ? cv::estimateAffine2D(s.points1, s.points2)
                                               : cv::estimateAffinePartial2D(s.points1, s.points2);
     theRNG().state = 5;
-    EXPECT_TRUE(sameBits(without, call.calib3d(s.points1, s.points2, noArray(), RANSAC, 3, 2000, 0.99, 10)));
+    EXPECT_TRUE(sameBits(without,
+                         call.calib3d(s.points1, s.points2, noArray(), RANSAC, 3, 2000, 0.99, 10)));
 }
 
 TEST_P(Usac_FindAffine, wrongArguments)
@@ -203,23 +213,28 @@ TEST_P(Usac_FindAffine, wrongArguments)
     const Scene s = makeScene(problem());
     const Functions call = functionsOf(problem());
     for (int method : {-1, 64, 0x3fff, (int)USACV20_PARALLEL + 1, INT_MAX, INT_MIN})
-        expectException([&]() { call.atRunTime(s.points1, s.points2, noArray(), method, 3, 2000, 0.99, 10); },
-                        cv::format("%d", method));
+        expectException(
+            [&]() { call.atRunTime(s.points1, s.points2, noArray(), method, 3, 2000, 0.99, 10); },
+            cv::format("%d", method));
     for (size_t count : {(size_t)INT_MAX + 1, (size_t)-1, (size_t)-1000})
     {
-        expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, count, 0.99, 10); },
-                        "maxIters");
-        expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, count); },
-                        "refineIters");
+        expectException(
+            [&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, count, 0.99, 10); },
+            "maxIters");
+        expectException(
+            [&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, count); },
+            "refineIters");
     }
-    expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, 0, 0.99, 10); }, "maxIters: ");
-    expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 0, 10, 0.99, 10); },
-                    "ransacReprojThreshold: ");
+    expectException([&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 3, 0, 0.99, 10); },
+                    "maxIters: ");
+    expectException(
+        [&]() { call.typed(s.points1, s.points2, noArray(), USACV20, 0, 10, 0.99, 10); },
+        "ransacReprojThreshold: ");
     EXPECT_NO_THROW(call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, INT_MAX));
 }
 
-//! The model without the polish is another one, and as good where the threshold suits the noise: local optimization has
-//! fitted it.
+//! The model without the polish is another one, and as good where the threshold suits the noise:
+//! local optimization has fitted it.
 TEST_P(Usac_FindAffine, refineIters)
 {
     const Functions call = functionsOf(problem());
@@ -229,7 +244,8 @@ TEST_P(Usac_FindAffine, refineIters)
         SceneOptions options;
         options.seed = seed;
         const Scene s = makeScene(problem(), options);
-        const Mat polished = call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, 10),
+        const Mat polished = call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99,
+                                        10),
                   found = call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, 0);
         EXPECT_FALSE(sameBits(polished, found));
         with += modelError(s, polished);

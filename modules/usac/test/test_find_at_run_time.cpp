@@ -6,9 +6,10 @@
 #include "test_contracts.hpp"
 #include "params_fields.hpp"
 
-// A flag that is known only at run time: usacv20::findHomography, findFundamentalMat and findEssentialMat with an int,
-// which is one of the module or one of OpenCV. Ours must give the bits of the overloads with a UsacV20Method, OpenCV's
-// those of calib3d. What must not compile is in misc/consumer.
+// A flag that is known only at run time: usacv20::findHomography, findFundamentalMat and
+// findEssentialMat with an int, which is one of the module or one of OpenCV. Ours must give the
+// bits of the overloads with a UsacV20Method, OpenCV's those of calib3d. What must not compile is
+// in misc/consumer.
 
 namespace opencv_test {
 namespace {
@@ -17,8 +18,9 @@ const UsacV20Method OURS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
                               USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
 const int OUR_COUNT = 6;
 //! OpenCV's flags without USAC_PARALLEL, which differs from call to call.
-const int THEIRS[] = {0,         FM_7POINT,     FM_8POINT,   LMEDS,      RANSAC, RHO, USAC_DEFAULT, USAC_FM_8PTS,
-                      USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};
+const int THEIRS[] = {0,         FM_7POINT,     FM_8POINT,    LMEDS,
+                      RANSAC,    RHO,           USAC_DEFAULT, USAC_FM_8PTS,
+                      USAC_FAST, USAC_ACCURATE, USAC_PROSAC,  USAC_MAGSAC};
 const int THEIR_COUNT = 12;
 
 //! The model and mask of a call, or the exception that it raised.
@@ -48,10 +50,12 @@ struct Answer
 
 //! Answers of a pair of forms for every flag.
 template <class AtRunTime, class Typed, class Calib3d>
-void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed& typed, const Calib3d& calib3d)
+void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed& typed,
+               const Calib3d& calib3d)
 {
     SCOPED_TRACE(form.c_str());
-    const bool forE = form.find("findEssentialMat") == 0;  // calib3d's USAC for E differs from call to call
+    const bool forE = form.find("findEssentialMat") ==
+                      0;  // calib3d's USAC for E differs from call to call
     int models = 0, theirCount = 0;
     for (int i = 0; i < OUR_COUNT; ++i)
     {
@@ -68,44 +72,46 @@ void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed&
             continue;
         const Answer answer([&](Mat& mask) { return atRunTime(THEIRS[i], mask); });
         const Answer expected([&](Mat& mask) { return calib3d(THEIRS[i], mask); });
-        EXPECT_TRUE(answer == expected) << "OpenCV's flag " << THEIRS[i] << ": " << answer.error << " / "
-                                        << expected.error;
+        EXPECT_TRUE(answer == expected)
+            << "OpenCV's flag " << THEIRS[i] << ": " << answer.error << " / " << expected.error;
         models += !answer.model.empty();
         ++theirCount;
     }
     EXPECT_GT(models, theirCount / 2) << "models, not only equal exceptions";
 }
 
-//! What the forms of cv::findEssentialMat without `maxIters` give, which OpenCV 5 does not have: those with its
-//! default.
-Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vector<Point2d>& b, const Matx33d& K,
-                                 int method, double prob, double threshold, Mat& mask)
+//! What the forms of cv::findEssentialMat without `maxIters` give, which OpenCV 5 does not have:
+//! those with its default.
+Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vector<Point2d>& b,
+                                 const Matx33d& K, int method, double prob, double threshold,
+                                 Mat& mask)
 {
     return cv::findEssentialMat(a, b, K, method, prob, threshold, 1000, mask);
 }
 
-Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vector<Point2d>& b, double focal, Point2d pp,
-                                 int method, double prob, double threshold, Mat& mask)
+Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vector<Point2d>& b,
+                                 double focal, Point2d pp, int method, double prob,
+                                 double threshold, Mat& mask)
 {
     return cv::findEssentialMat(a, b, focal, pp, method, prob, threshold, 1000, mask);
 }
 
 //! One form of a call, given by its arguments, in which `method` is the flag and `mask` the mask.
 #define CHECK_FORM(function, ...) CHECK_FORM_LIKE(cv::function, function, __VA_ARGS__)
-#define CHECK_FORM_LIKE(theirs, function, ...)                                                                         \
-    checkForm(                                                                                                         \
-        #function "(" #__VA_ARGS__ ")",                                                                                \
-        [&](int method, Mat& mask) {                                                                                   \
-            (void)mask;                                                                                                \
-            return usacv20::function(__VA_ARGS__);                                                                     \
-        },                                                                                                             \
-        [&](UsacV20Method method, Mat& mask) {                                                                         \
-            (void)mask;                                                                                                \
-            return cv::function(__VA_ARGS__);                                                                          \
-        },                                                                                                             \
-        [&](int method, Mat& mask) {                                                                                   \
-            (void)mask;                                                                                                \
-            return theirs(__VA_ARGS__);                                                                                \
+#define CHECK_FORM_LIKE(theirs, function, ...)                                                     \
+    checkForm(                                                                                     \
+        #function "(" #__VA_ARGS__ ")",                                                            \
+        [&](int method, Mat& mask) {                                                               \
+            (void)mask;                                                                            \
+            return usacv20::function(__VA_ARGS__);                                                 \
+        },                                                                                         \
+        [&](UsacV20Method method, Mat& mask) {                                                     \
+            (void)mask;                                                                            \
+            return cv::function(__VA_ARGS__);                                                      \
+        },                                                                                         \
+        [&](int method, Mat& mask) {                                                               \
+            (void)mask;                                                                            \
+            return theirs(__VA_ARGS__);                                                            \
         })
 
 TEST(Usac_FlagsAtRunTime, every_form_of_findHomography)
@@ -152,7 +158,8 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
     CHECK_FORM(findEssentialMat, a, b, f, pp, method);
     CHECK_FORM(findEssentialMat, a, b, f, pp, method, 0.9);
     CHECK_FORM(findEssentialMat, a, b, f, pp, method, 0.9, 2);
-    CHECK_FORM_LIKE(essentialOfDefaultIterations, findEssentialMat, a, b, f, pp, method, 0.9, 2, mask);
+    CHECK_FORM_LIKE(essentialOfDefaultIterations, findEssentialMat, a, b, f, pp, method, 0.9, 2,
+                    mask);
     CHECK_FORM(findEssentialMat, a, b, f, pp, method, 0.9, 2, 500);
     CHECK_FORM(findEssentialMat, a, b, f, pp, method, 0.9, 2, 500, mask);
     CHECK_FORM(findEssentialMat, a, b, K, noArray(), K, noArray(), method);
@@ -161,8 +168,8 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
     CHECK_FORM(findEssentialMat, a, b, K, noArray(), K, noArray(), method, 0.9, 2, mask);
 }
 
-//! calib3d's USAC for E differs from call to call, so only that it is reached: none of ours, and not its RANSAC or
-//! LMedS.
+//! calib3d's USAC for E differs from call to call, so only that it is reached: none of ours, and
+//! not its RANSAC or LMedS.
 TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
 {
     const Scene s = makeScene(ESSENTIAL);
@@ -176,9 +183,10 @@ TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
     for (int flag = USAC_DEFAULT; flag <= USAC_MAGSAC; ++flag)
     {
         SCOPED_TRACE(cv::format("flag %d", flag));
-        const Mat models[] = {usacv20::findEssentialMat(s.points1, s.points2, s.K, flag),
-                              usacv20::findEssentialMat(s.points1, s.points2, f, pp, flag),
-                              usacv20::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), flag)};
+        const Mat models[] = {
+            usacv20::findEssentialMat(s.points1, s.points2, s.K, flag),
+            usacv20::findEssentialMat(s.points1, s.points2, f, pp, flag),
+            usacv20::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), flag)};
         for (int i = 0; i < 3; ++i)
         {
             ASSERT_EQ(Size(3, 3), models[i].size());
@@ -188,7 +196,8 @@ TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
     }
 }
 
-//! Where programs keep a flag: a variable, a struct of settings, a map, a default argument, a ternary, a file.
+//! Where programs keep a flag: a variable, a struct of settings, a map, a default argument, a
+//! ternary, a file.
 Mat byDefaultArgument(const Scene& s, Mat& mask, int method = (int)USACV20)
 {
     return usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99, mask);
@@ -198,7 +207,8 @@ TEST(Usac_FlagsAtRunTime, where_programs_keep_a_flag)
 {
     const Scene s = makeScene(FUNDAMENTAL);
     Mat mask, expectedMask;
-    const Mat expected = cv::findFundamentalMat(s.points1, s.points2, USACV20, 2, 0.99, expectedMask);
+    const Mat expected = cv::findFundamentalMat(s.points1, s.points2, USACV20, 2, 0.99,
+                                                expectedMask);
     const Mat fast = cv::findFundamentalMat(s.points1, s.points2, USACV20_FAST, 2, 0.99);
     ASSERT_FALSE(sameBits(expected, fast));
     EXPECT_TRUE(sameBits(expected, byDefaultArgument(s, mask)));
@@ -208,16 +218,19 @@ TEST(Usac_FlagsAtRunTime, where_programs_keep_a_flag)
     {
         int method;
     } settings = {(int)USACV20};
-    EXPECT_TRUE(sameBits(expected, usacv20::findFundamentalMat(s.points1, s.points2, settings.method, 2, 0.99)));
+    EXPECT_TRUE(sameBits(
+        expected, usacv20::findFundamentalMat(s.points1, s.points2, settings.method, 2, 0.99)));
     std::map<std::string, int> byName;
     byName["usac"] = (int)USACV20;
     byName["ransac"] = RANSAC;
-    EXPECT_TRUE(sameBits(expected, usacv20::findFundamentalMat(s.points1, s.points2, byName["usac"], 2, 0.99)));
+    EXPECT_TRUE(sameBits(
+        expected, usacv20::findFundamentalMat(s.points1, s.points2, byName["usac"], 2, 0.99)));
     for (int quick = 0; quick < 2; ++quick)
     {
         const int method = quick ? (int)USACV20_FAST : RANSAC;
         const Mat F = quick ? fast : cv::findFundamentalMat(s.points1, s.points2, RANSAC, 2, 0.99);
-        EXPECT_TRUE(sameBits(F, usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99)));
+        EXPECT_TRUE(
+            sameBits(F, usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99)));
     }
     FileStorage fs("%YAML:1.0\nmethod: 16385\n", FileStorage::READ | FileStorage::MEMORY);
     int method, other;
@@ -233,8 +246,8 @@ TEST(Usac_FlagsAtRunTime, without_a_flag)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);
     Mat mask, expected;
-    EXPECT_TRUE(
-        sameBits(cv::findHomography(h.points1, h.points2, USACV20), usacv20::findHomography(h.points1, h.points2)));
+    EXPECT_TRUE(sameBits(cv::findHomography(h.points1, h.points2, USACV20),
+                         usacv20::findHomography(h.points1, h.points2)));
     EXPECT_TRUE(sameBits(cv::findHomography(h.points1, h.points2, expected, USACV20),
                          usacv20::findHomography(h.points1, h.points2, mask)));
     EXPECT_TRUE(sameBits(expected, mask));
@@ -247,12 +260,14 @@ TEST(Usac_FlagsAtRunTime, without_a_flag)
     const Point2d pp(e.K(0, 2), e.K(1, 2));
     EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K)));
     EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K(0, 0), pp)));
-    EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray())));
+    EXPECT_TRUE(sameBits(
+        E, usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray())));
     EXPECT_TRUE(sameBits(cv::findEssentialMat(e.points1, e.points2, 1., Point2d(), USACV20),
                          usacv20::findEssentialMat(e.points1, e.points2)));
 }
 
-//! The same functions with the flag itself; unqualified below both using-directives, too, as everywhere in these tests.
+//! The same functions with the flag itself; unqualified below both using-directives, too, as
+//! everywhere in these tests.
 TEST(Usac_FlagsAtRunTime, the_flag_itself)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);
@@ -264,33 +279,48 @@ TEST(Usac_FlagsAtRunTime, the_flag_itself)
     EXPECT_TRUE(sameBits(H, usacv20::findHomography(h.points1, h.points2, flag, 2, mask)));
     EXPECT_TRUE(sameBits(H, usacv20::findHomography(h.points1, h.points2, mask, flag, 2)));
     const Mat F = cv::findFundamentalMat(f.points1, f.points2, flag, 2, 0.9);
-    EXPECT_TRUE(sameBits(F, usacv20::findFundamentalMat(f.points1, f.points2, flag, 2, 0.9, 1000, mask)));
+    EXPECT_TRUE(
+        sameBits(F, usacv20::findFundamentalMat(f.points1, f.points2, flag, 2, 0.9, 1000, mask)));
     EXPECT_TRUE(sameBits(F, usacv20::findFundamentalMat(f.points1, f.points2, flag, 2, 0.9, mask)));
     EXPECT_TRUE(sameBits(F, usacv20::findFundamentalMat(f.points1, f.points2, mask, flag, 2, 0.9)));
     EXPECT_TRUE(sameBits(F, findFundamentalMat(f.points1, f.points2, flag, 2, 0.9, noArray())));
     const Mat E = cv::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2);
-    EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2, 1000, mask)));
-    EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2, mask)));
-    EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, focal, pp, flag, 0.9, 2)));
+    EXPECT_TRUE(sameBits(
+        E, usacv20::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2, 1000, mask)));
     EXPECT_TRUE(
-        sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray(), flag, 0.9, 2)));
+        sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2, mask)));
+    EXPECT_TRUE(
+        sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, focal, pp, flag, 0.9, 2)));
+    EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K,
+                                                      noArray(), flag, 0.9, 2)));
 }
 
 TEST(Usac_FlagsAtRunTime, numbers_of_nobody_are_refused)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);
-    const int others[] = {-1, INT_MIN, INT_MAX, 64, 0x3fff, (int)USACV20_PARALLEL + 1, (int)USACV20 << 1};
+    const int others[] = {
+        -1, INT_MIN, INT_MAX, 64, 0x3fff, (int)USACV20_PARALLEL + 1, (int)USACV20 << 1};
     for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); ++i)
     {
         const int method = others[i];
         expectException([&]() { usacv20::findHomography(h.points1, h.points2, method); }, "method");
-        expectException([&]() { usacv20::findHomography(h.points1, h.points2, noArray(), method); }, "method");
-        expectException([&]() { usacv20::findFundamentalMat(f.points1, f.points2, method); }, cv::format("%d", method));
-        expectException([&]() { usacv20::findFundamentalMat(f.points1, f.points2, method, 1, 0.99, 100); }, "method");
-        expectException([&]() { usacv20::findEssentialMat(e.points1, e.points2, e.K, method); }, "method");
-        expectException([&]() { usacv20::findEssentialMat(e.points1, e.points2, 1., Point2d(), method); }, "method");
+        expectException([&]() { usacv20::findHomography(h.points1, h.points2, noArray(), method); },
+                        "method");
+        expectException([&]() { usacv20::findFundamentalMat(f.points1, f.points2, method); },
+                        cv::format("%d", method));
         expectException(
-            [&]() { usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray(), method); },
+            [&]() { usacv20::findFundamentalMat(f.points1, f.points2, method, 1, 0.99, 100); },
+            "method");
+        expectException([&]() { usacv20::findEssentialMat(e.points1, e.points2, e.K, method); },
+                        "method");
+        expectException(
+            [&]() { usacv20::findEssentialMat(e.points1, e.points2, 1., Point2d(), method); },
+            "method");
+        expectException(
+            [&]() {
+                usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray(),
+                                          method);
+            },
             "method");
     }
 }

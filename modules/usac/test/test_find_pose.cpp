@@ -35,13 +35,15 @@ TEST(Usac_FindPose, is_estimateAbsolutePose)
         ASSERT_FALSE(pose.empty());
         for (int form = 0; form < 3; ++form)
         {
-            const bool found = form == 0 ? cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, rvec, tvec, false,
-                                                              500, 3, 0.98, inliers, method)
+            const bool found = form == 0
+                                   ? cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, rvec,
+                                                        tvec, false, 500, 3, 0.98, inliers, method)
                                : form == 1
-                                   ? cv::usacv20::solvePnPRansac(s.object, s.image, s.K, s.distortion, rvec, tvec,
-                                                                 false, 500, 3, 0.98, inliers, (int)method)
-                                   : cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, rvec, tvec, inliers,
-                                                        params);
+                                   ? cv::usacv20::solvePnPRansac(s.object, s.image, s.K,
+                                                                 s.distortion, rvec, tvec, false,
+                                                                 500, 3, 0.98, inliers, (int)method)
+                                   : cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, rvec,
+                                                        tvec, inliers, params);
             ASSERT_TRUE(found);
             ASSERT_EQ(Size(1, 3), rvec.size());
             ASSERT_EQ(Size(1, 3), tvec.size());
@@ -68,11 +70,12 @@ TEST(Usac_FindPose, flags_of_opencv_are_handed_on)
     {
         Mat r[2], t[2], inliers[2];
         setRNGSeed(1);
-        const bool theirs = cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, r[0], t[0], false, 100, 8.f, 0.99,
-                                               inliers[0], flag);
+        const bool theirs = cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, r[0], t[0],
+                                               false, 100, 8.f, 0.99, inliers[0], flag);
         setRNGSeed(1);
-        const bool ours = cv::usacv20::solvePnPRansac(s.object, s.image, s.K, s.distortion, r[1], t[1], false, 100, 8.f,
-                                                      0.99, inliers[1], flag);
+        const bool ours = cv::usacv20::solvePnPRansac(s.object, s.image, s.K, s.distortion, r[1],
+                                                      t[1], false, 100, 8.f, 0.99, inliers[1],
+                                                      flag);
         EXPECT_EQ(theirs, ours);
         EXPECT_EQ(0, cvtest::norm(r[0], r[1], NORM_INF));
         EXPECT_EQ(0, cvtest::norm(t[0], t[1], NORM_INF));
@@ -81,8 +84,8 @@ TEST(Usac_FindPose, flags_of_opencv_are_handed_on)
     Mat r, t, inliers;
     expectException(
         [&]() {
-            cv::usacv20::solvePnPRansac(s.object, s.image, s.K, s.distortion, r, t, false, 100, 8.f, 0.99, inliers,
-                                        1000);
+            cv::usacv20::solvePnPRansac(s.object, s.image, s.K, s.distortion, r, t, false, 100, 8.f,
+                                        0.99, inliers, 1000);
         },
         "flags");
 }
@@ -93,7 +96,8 @@ TEST(Usac_FindPose, failure_leaves_the_vectors)
     const std::vector<Point3d> same(s.object.size(), Point3d(1, 2, 3));
     Vec3d r(1, 2, 3), t(4, 5, 6);
     Mat inliers(3, 1, CV_32S);
-    EXPECT_FALSE(cv::solvePnPRansac(same, s.image, s.K, noArray(), r, t, false, 100, 3, 0.99, inliers, USACV20));
+    EXPECT_FALSE(cv::solvePnPRansac(same, s.image, s.K, noArray(), r, t, false, 100, 3, 0.99,
+                                    inliers, USACV20));
     EXPECT_EQ(Vec3d(1, 2, 3), r);
     EXPECT_EQ(Vec3d(4, 5, 6), t);
     EXPECT_TRUE(inliers.empty());
@@ -113,14 +117,15 @@ TEST(Usac_FindPose, guess_is_a_hypothesis)
     for (int wrong = 0; wrong < 2; ++wrong)
     {
         Mat r(rvec + Vec3d(0.003, -0.002, 0.002) * (wrong ? 300 : 1), true), t(tvec, true), inliers;
-        const bool found = cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, r, t, true, 10, 2, 0.99, inliers,
-                                              USACV20);
+        const bool found = cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, r, t, true, 10,
+                                              2, 0.99, inliers, USACV20);
         const bool right = found && cv::norm(Mat(rvec), r) < 0.01;
         EXPECT_EQ(wrong == 0, right);
     }
     Mat r(2, 1, CV_64F, Scalar(0)), t(tvec, true), nan(3, 1, CV_64F, Scalar(NAN));
     const auto call = [&](Mat& a, Mat& b) {
-        cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, a, b, true, 10, 2, 0.99, noArray(), USACV20);
+        cv::solvePnPRansac(s.object, s.image, s.K, s.distortion, a, b, true, 10, 2, 0.99, noArray(),
+                           USACV20);
     };
     expectException([&]() { call(r, t); }, "rvec");
     expectException([&]() { call(t, r); }, "tvec");

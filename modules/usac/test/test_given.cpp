@@ -11,12 +11,14 @@
 namespace opencv_test {
 namespace {
 
-const int ALL[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, ABSOLUTE_POSE, RIGID_3D, SIMILARITY_3D};
+const int ALL[] = {HOMOGRAPHY, FUNDAMENTAL,   ESSENTIAL, AFFINITY,
+                   SIMILARITY, ABSOLUTE_POSE, RIGID_3D,  SIMILARITY_3D};
 
 //! Matches of any problem, the right ones among them, and the cameras.
 struct Matches
 {
-    explicit Matches(ProblemType problem_, double noise = 0, double inlierRatio = 1, uint64 seed = 1)
+    explicit Matches(ProblemType problem_, double noise = 0, double inlierRatio = 1,
+                     uint64 seed = 1)
         : problem(problem_)
     {
         params.threshold = problem == RIGID_3D || problem == SIMILARITY_3D ? 0.05 : 1.5;
@@ -64,11 +66,14 @@ struct Matches
     Mat fit(Report& report, InputArray weights = noArray(), InputArray chosen = noArray(),
             OutputArray mask = noArray()) const
     {
-        return fitModel(problem, first, second, params, mask, report, weights, chosen, K, noArray(), lens);
+        return fitModel(problem, first, second, params, mask, report, weights, chosen, K, noArray(),
+                        lens);
     }
-    Mat refine(InputArray model, Report& report, InputArray chosen = noArray(), OutputArray mask = noArray()) const
+    Mat refine(InputArray model, Report& report, InputArray chosen = noArray(),
+               OutputArray mask = noArray()) const
     {
-        return refineModel(problem, model, first, second, params, mask, report, chosen, K, noArray(), lens);
+        return refineModel(problem, model, first, second, params, mask, report, chosen, K,
+                           noArray(), lens);
     }
     Mat errors(InputArray model) const
     {
@@ -115,7 +120,8 @@ TEST_P(UsacGiven, exact_points)
         double largest;
         cv::minMaxIdx(matches.errors(model), 0, &largest);
         EXPECT_LT(largest, 1e-6) << seed;
-        EXPECT_EQ(std::string::npos, std::string(report.describe()).find("no better than chance")) << report.describe();
+        EXPECT_EQ(std::string::npos, std::string(report.describe()).find("no better than chance"))
+            << report.describe();
     }
 }
 
@@ -170,12 +176,14 @@ TEST_P(UsacGiven, fit_is_least_squares)
         for (int i = 0; i < 20; ++i)
         {
             Mat moved = fitted.clone();
-            moved.at<double>(rng.uniform(0, moved.rows), rng.uniform(0, moved.cols)) *= 1 + rng.uniform(-1e-4, 1e-4);
+            moved.at<double>(rng.uniform(0, moved.rows),
+                             rng.uniform(0, moved.cols)) *= 1 + rng.uniform(-1e-4, 1e-4);
             // what is refined without a step has the constraints of the problem
             Matches none(matches);
             none.params.polishing = POLISHING_NONE;
             const Mat other = none.refine(moved, report);
-            EXPECT_LE(least, (1 + 1e-7) * sumOfSquares(matches.errors(other), matches.truth)) << seed;
+            EXPECT_LE(least, (1 + 1e-7) * sumOfSquares(matches.errors(other), matches.truth))
+                << seed;
         }
     }
 }
@@ -194,7 +202,8 @@ TEST_P(UsacGiven, weights_and_chosen_points)
         weights[i] = matches.truth[i];
         doubled[i] = matches.truth[i] ? 1 + i % 2 : 0;
     }
-    const Mat weighted = matches.fit(report, weights), chosen = matches.fit(report, noArray(), matches.truth);
+    const Mat weighted = matches.fit(report, weights),
+              chosen = matches.fit(report, noArray(), matches.truth);
     ASSERT_FALSE(weighted.empty());
     EXPECT_EQ(0, cv::norm(weighted, chosen, NORM_INF));
 #ifdef CV_Bool  // of OpenCV 5
@@ -213,7 +222,8 @@ TEST_P(UsacGiven, weights_and_chosen_points)
             twice.truth.push_back(1);
         }
     const Mat a = matches.fit(report, doubled), b = twice.fit(report, noArray(), twice.truth);
-    EXPECT_LT(std::min(cv::norm(a, b, NORM_INF), cv::norm(a, -b, NORM_INF)), 1e-5 * cv::norm(a, NORM_INF));
+    EXPECT_LT(std::min(cv::norm(a, b, NORM_INF), cv::norm(a, -b, NORM_INF)),
+              1e-5 * cv::norm(a, NORM_INF));
     EXPECT_GT(cv::norm(a, chosen, NORM_INF), 0);
 }
 
@@ -298,7 +308,8 @@ TEST_P(UsacGiven, mistakes)
 {
     const Matches matches(problem());
     Report report;
-    const std::vector<double> few(3, 1), negative(matches.truth.size(), -1), wrong(matches.truth.size(), NAN);
+    const std::vector<double> few(3, 1), negative(matches.truth.size(), -1),
+        wrong(matches.truth.size(), NAN);
     expectMistake([&] { matches.fit(report, few); }, "weights");
     expectMistake([&] { matches.fit(report, negative); }, "weights");
     expectMistake([&] { matches.fit(report, wrong); }, "weights");
@@ -321,7 +332,8 @@ TEST(Usac_Given, homography_of_OpenCV)
     {
         const Matches matches(HOMOGRAPHY, 3, 1, seed);
         Report report;
-        const Mat own = matches.fit(report), theirs = cv::findHomography(matches.first, matches.second, 0);
+        const Mat own = matches.fit(report),
+                  theirs = cv::findHomography(matches.first, matches.second, 0);
         const double least = sumOfSquares(matches.errors(own), matches.truth),
                      other = sumOfSquares(matches.errors(theirs), matches.truth);
         EXPECT_LE(least, other * (1 + 1e-9)) << seed;
@@ -337,7 +349,8 @@ TEST(Usac_Given, sample_of_the_report)
         Mat mask;
         Report report;
         ASSERT_FALSE(matches.run(mask, report).empty());
-        const size_t m = Usac::create((ProblemType)problem, matches.first, matches.second, matches.params, matches.K)
+        const size_t m = Usac::create((ProblemType)problem, matches.first, matches.second,
+                                      matches.params, matches.K)
                              ->components()
                              .minimalSolver->sampleSize();
         ASSERT_EQ(m, report.sample.size()) << problem;
@@ -368,13 +381,14 @@ TEST(Usac_Given, order_of_arguments_of_Python)
     Params params;
     Mat mask, expected;
     const Mat H = cv::findHomography(scene.points1, scene.points2, params, mask);
-    EXPECT_EQ(0, cv::norm(H, cv::findHomography(scene.points1, scene.points2, expected, params), NORM_INF));
+    EXPECT_EQ(0, cv::norm(H, cv::findHomography(scene.points1, scene.points2, expected, params),
+                          NORM_INF));
     EXPECT_EQ(0, cv::norm(mask, expected, NORM_INF));
     EXPECT_FALSE(cv::findHomography(scene.points1, scene.points2, params).empty());
     EXPECT_FALSE(cv::findFundamentalMat(scene.points1, scene.points2, params, mask).empty());
-    EXPECT_FALSE(
-        cv::findEssentialMat(scene.points1, scene.points2, scene.K, scene.K, noArray(), noArray(), params, mask)
-            .empty());
+    EXPECT_FALSE(cv::findEssentialMat(scene.points1, scene.points2, scene.K, scene.K, noArray(),
+                                      noArray(), params, mask)
+                     .empty());
     EXPECT_FALSE(cv::estimateAffine2D(scene.points1, scene.points2, params, mask).empty());
     cv::estimateAffinePartial2D(scene.points1, scene.points2, params, mask);
 }

@@ -14,7 +14,8 @@ const Matx33d K(800, 3, 410, 0, 790, 305, 0, 0, 1);
 
 Mat lens(int coefficients)
 {
-    const double c[] = {-0.3, 0.1, 0.002, -0.001, -0.01, 0.05, 0.02, -0.01, 0.003, -0.001, 0.002, 0.001, 0.02, -0.03};
+    const double c[] = {-0.3,  0.1,   0.002,  -0.001, -0.01, 0.05, 0.02,
+                        -0.01, 0.003, -0.001, 0.002,  0.001, 0.02, -0.03};
     return Mat(1, coefficients, CV_64F, (void*)c).clone();
 }
 
@@ -52,7 +53,8 @@ TEST(Usac_Lens, is_the_inverse_of_projectPoints)
     }
 }
 
-//! What the contracts of E are checked with has a bound that holds, and that five steps of cv::undistortPoints leave.
+//! What the contracts of E are checked with has a bound that holds, and that five steps of
+//! cv::undistortPoints leave.
 TEST(Usac_Lens, oracle)
 {
     const int counts[] = {4, 5, 8, 12, 14};
@@ -72,7 +74,8 @@ TEST(Usac_Lens, oracle)
             EXPECT_LE(std::abs((double)x.value - right[0]), (double)x.error);
             EXPECT_LE(std::abs((double)y.value - right[1]), (double)y.error);
             EXPECT_LT((double)x.error, 1e-9);
-            undistortPoints(std::vector<Point2d>(1, Point2d(seen[0], seen[1])), five, Matx33d::eye(), distortion);
+            undistortPoints(std::vector<Point2d>(1, Point2d(seen[0], seen[1])), five,
+                            Matx33d::eye(), distortion);
             off += std::abs(five[0].x - right[0]) > (double)x.error;
         }
         EXPECT_GT(off, (int)taken.size() / 4);
@@ -124,7 +127,8 @@ TEST(Usac_Lens, mistakes_are_named)
 {
     const std::vector<Point2d> points(3, Point2d(1, 2));
     expectException([&]() { removeDistortion(Mat::zeros(1, 4, CV_64F), K, lens(4)); }, "points");
-    expectException([&]() { removeDistortion(points, Mat::zeros(3, 3, CV_64F), lens(4)); }, "cameraMatrix");
+    expectException([&]() { removeDistortion(points, Mat::zeros(3, 3, CV_64F), lens(4)); },
+                    "cameraMatrix");
     expectException([&]() { removeDistortion(points, K, Vec3d(1, 2, 3)); }, "distCoeffs");
 }
 

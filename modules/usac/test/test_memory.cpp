@@ -52,8 +52,8 @@ bool isPossible(const Params& params)
     }
 }
 
-void addVariants(std::vector<Variant>& variants, const Params& base, const char* name, int Params::*field, int values,
-                 bool bits = false)
+void addVariants(std::vector<Variant>& variants, const Params& base, const char* name,
+                 int Params::*field, int values, bool bits = false)
 {
     for (int k = 0; k < values; ++k)
     {
@@ -217,8 +217,8 @@ TEST_P(Usac_Memory, nothingInTheLoop)
     }
 }
 
-//! What OpenCV allocates: its maximal flow a list for each cut, its kd-tree one for each point it looks around, and
-//! itself.
+//! What OpenCV allocates: its maximal flow a list for each cut, its kd-tree one for each point it
+//! looks around, and itself.
 TEST_P(Usac_Memory, ofOpenCV)
 {
     if (!allocationsAreCounted())
@@ -243,7 +243,8 @@ TEST_P(Usac_Memory, ofOpenCV)
             ASSERT_TRUE(found);
             EXPECT_EQ(counts[2], counts[1]) << "nothing grows";
             EXPECT_EQ(counts[3], counts[1]) << "nothing grows";
-            const long ofCuts = spatial ? 12L * report.localOptimizations * params.localIterations : 0;
+            const long ofCuts = spatial ? 12L * report.localOptimizations * params.localIterations
+                                        : 0;
             const long ofTree = neighborhood ? 3L * scene.size() : 0;
             EXPECT_LE(counts[1], ofCuts + ofTree) << neighborhood << " " << spatial;
         }
@@ -261,15 +262,17 @@ TEST(Usac_Memory_Pose, nothingButTheModel)
         options.size = 400;
         options.coefficients = coefficients;
         const PoseScene scene = makePoseScene(options);
-        estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion);  // kernels are chosen
+        estimateAbsolutePose(scene.object, scene.image, scene.K,
+                             scene.distortion);  // kernels are chosen
         const std::vector<Variant> variants = allVariants(ABSOLUTE_POSE, scene.scores);
         EXPECT_GE(variants.size(), 83u);
         int found = 0;
         for (size_t v = 0; v < variants.size(); ++v)
         {
             SCOPED_TRACE(cv::format("%s, %d coefficients", variants[v].name.c_str(), coefficients));
-            const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, scene.object, scene.image, variants[v].params, scene.K,
-                                                noArray(), scene.distortion);
+            const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, scene.object, scene.image,
+                                                variants[v].params, scene.K, noArray(),
+                                                scene.distortion);
             Mat mask(scene.size(), 1, CV_8U);
             Report report;
             for (int run = 0; run < 3; ++run)

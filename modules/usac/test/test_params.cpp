@@ -56,7 +56,8 @@ TEST(Usac_Params, ranges_of_integers)
 
 TEST(Usac_Params, ranges_of_reals)
 {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
     for (const NamedField<double>& tested : Fields().doubles)
     {
         SCOPED_TRACE(tested.name);
@@ -162,7 +163,8 @@ TEST(Usac_Params, importance_sampling_needs_probabilities)
     check.params.scoreOrder = SCORES_LOWER_IS_BETTER;
     expectException(check, "sampler");
     check.params.scoreOrder = SCORES_HIGHER_IS_BETTER;
-    const float wrong[] = {-0.1f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
+    const float wrong[] = {-0.1f, std::numeric_limits<float>::quiet_NaN(),
+                           std::numeric_limits<float>::infinity()};
     for (int i = 0; i < 3; ++i)
     {
         check.params.scores[1] = wrong[i];
@@ -182,17 +184,21 @@ TEST(Usac_Params, number_of_scores)
     EXPECT_NO_THROW(params.check(9));
 }
 
-//! Gives each field another value than its default, of the interval but for sums of flags and the scores.
+//! Gives each field another value than its default, of the interval but for sums of flags and the
+//! scores.
 struct Changer
 {
     Params& params;
     void operator()(const char*, int Params::*member, const FieldValues& values)
     {
-        params.*member = (int)(values.initial < values.high ? values.initial + 1 : values.initial - 1);
+        params.*
+            member = (int)(values.initial < values.high ? values.initial + 1 : values.initial - 1);
     }
     void operator()(const char*, double Params::*member, const FieldValues& values)
     {
-        const double end = values.initial < 1 ? std::min(values.high, 1.) : values.initial == 1 ? 2 : 0;
+        const double end = values.initial < 1    ? std::min(values.high, 1.)
+                           : values.initial == 1 ? 2
+                                                 : 0;
         params.*member = (2 * values.initial + end) / 3;  // with no end in binary
     }
     void operator()(const char*, std::vector<float> Params::*member, const FieldValues&)

@@ -4,8 +4,8 @@
 
 #include "test_contracts.hpp"
 
-// Each field of Params changed alone has an effect: verification, local optimization, termination, degeneracy,
-// polishing.
+// Each field of Params changed alone has an effect: verification, local optimization, termination,
+// degeneracy, polishing.
 
 namespace opencv_test {
 namespace {
@@ -42,7 +42,8 @@ public:
         residual->squaredErrors(p, model, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count,
+                       double* errors) const CV_OVERRIDE
     {
         residual->squaredErrors(model, columns, count, errors);
     }
@@ -72,7 +73,8 @@ int64 pointsTested(const Scene& scene, int verification)
 TEST_P(UsacComponents, verification)
 {
     const Scene scene = sceneOf(problem(), 1000, 1000);
-    const int64 all = pointsTested(scene, VERIFICATION_NONE), sprt = pointsTested(scene, VERIFICATION_SPRT);
+    const int64 all = pointsTested(scene, VERIFICATION_NONE),
+                sprt = pointsTested(scene, VERIFICATION_SPRT);
     EXPECT_GT(sprt, 0);
     EXPECT_LT(sprt, 0.75 * all);
 }
@@ -82,10 +84,11 @@ class FitRecorder : public NonMinimalSolver
 {
 public:
     //! @param part of the way to the fit that the model goes
-    FitRecorder(const Ptr<NonMinimalSolver>& solver_, double part_) : solver(solver_), part(part_) {}
+    FitRecorder(const Ptr<NonMinimalSolver>& solver_, double part_) : solver(solver_), part(part_)
+    {}
 
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int iterations) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
     {
         sizes.push_back(count);
         Model fitted = model;
@@ -112,7 +115,8 @@ std::vector<int> localFits(const Scene& scene, Params params, Report* report = 0
     params.termination = 0;
     params.maxIterations = 300;
     Ptr<Usac> usac = createUsac(scene, params);
-    const Ptr<FitRecorder> recorder = makePtr<FitRecorder>(usac->components().nonMinimalSolver, part);
+    const Ptr<FitRecorder> recorder = makePtr<FitRecorder>(usac->components().nonMinimalSolver,
+                                                           part);
     usac->components().nonMinimalSolver = recorder;
     usac->run(noArray(), report);
     return recorder->sizes;
@@ -163,7 +167,8 @@ TEST_P(UsacComponents, localSamples)
     const std::vector<int> none = localFits(scene, params);
     params.localSamples = 10;
     const std::vector<int> ten = localFits(scene, params);
-    EXPECT_GE(std::count(ten.begin(), ten.end(), size), std::count(none.begin(), none.end(), size) + 10);
+    EXPECT_GE(std::count(ten.begin(), ten.end(), size),
+              std::count(none.begin(), none.end(), size) + 10);
     EXPECT_GE(ten.size(), none.size() + 10);
 }
 
@@ -182,7 +187,8 @@ TEST_P(UsacComponents, localSampleMultiple)
         for (int k = 0; k < 3; ++k)
             if (k != i)
             {
-                EXPECT_EQ(0, std::count(sizes.begin(), sizes.end(), multiples[k] * SAMPLE_SIZES[problem()]));
+                EXPECT_EQ(0, std::count(sizes.begin(), sizes.end(),
+                                        multiples[k] * SAMPLE_SIZES[problem()]));
             }
     }
 }
@@ -191,7 +197,8 @@ TEST_P(UsacComponents, spatialWeight)
 {
     const Scene scene = sceneOf(problem(), 200, 50);
     Params params;
-    params.threshold = 0.5;  // of the order of the noise: there are points that their neighbors can turn
+    params.threshold = 0.5;  // of the order of the noise: there are points that their neighbors can
+                             // turn
     std::vector<int> before;
     const double weights[] = {0, 0.14, 5};
     for (int i = 0; i < 3; ++i)
@@ -281,10 +288,12 @@ TEST(Usac_Components, degeneracy_degensac)
         const Scene scene = makeScene(FUNDAMENTAL, options);
         Params params;
         Report report;
-        with += std::min(10., modelError(scene, estimate(scene, params, noArray(), &report), OFF_PLANE));
+        with += std::min(10.,
+                         modelError(scene, estimate(scene, params, noArray(), &report), OFF_PLANE));
         EXPECT_TRUE(report.degenerate);
         params.degeneracy = DEGENERACY_ORIENTATION;
-        without += std::min(10., modelError(scene, estimate(scene, params, noArray(), &report), OFF_PLANE));
+        without += std::min(
+            10., modelError(scene, estimate(scene, params, noArray(), &report), OFF_PLANE));
         EXPECT_FALSE(report.degenerate);
     }
     EXPECT_LT(with, without);
@@ -349,7 +358,8 @@ TEST_P(UsacComponents, polishingSteps)
             params.polishing = types[i];
             params.polishingSteps = steps;
             const Ptr<Usac> usac = createUsac(scene, params);
-            const Ptr<FitRecorder> recorder = makePtr<FitRecorder>(usac->components().nonMinimalSolver, 1);
+            const Ptr<FitRecorder> recorder = makePtr<FitRecorder>(
+                usac->components().nonMinimalSolver, 1);
             usac->components().nonMinimalSolver = recorder;
             EXPECT_FALSE(usac->run().empty());
             const int fits = (int)recorder->sizes.size();

@@ -147,8 +147,8 @@ TEST_P(UsacEffects, seed)
     }
 }
 
-//! A solver that knows which threads call it; it dallies until there are two, so that a fast one cannot do all the
-//! work.
+//! A solver that knows which threads call it; it dallies until there are two, so that a fast one
+//! cannot do all the work.
 class ThreadRecorder : public MinimalSolver
 {
 public:
@@ -193,7 +193,8 @@ TEST_P(UsacEffects, threads)
     setNumThreads(4);
     const bool parallel = getNumThreads() > 1;
     const Scene scene = sceneOf(problem(), 100, 100);
-    const size_t one = threadsUsed(scene, 1), four = threadsUsed(scene, 4), all = threadsUsed(scene, 0);
+    const size_t one = threadsUsed(scene, 1), four = threadsUsed(scene, 4),
+                 all = threadsUsed(scene, 0);
     setNumThreads(1);
     const size_t allOfOne = threadsUsed(scene, 0);
     setNumThreads(before);
@@ -270,8 +271,10 @@ TEST_P(UsacEffects, ordering)
         EXPECT_EQ(samples[ORDERING_AUTO], samples[ORDERING_DENSITY]) << "no scores were given";
         EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_NONE]);
         EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_INPUT_ORDER]);
-        EXPECT_GT(goodPart(scene, samples[ORDERING_INPUT_ORDER]), goodPart(scene, samples[ORDERING_NONE]) + 0.2);
-        EXPECT_GT(goodPart(scene, samples[ORDERING_DENSITY]), goodPart(scene, samples[ORDERING_NONE]));
+        EXPECT_GT(goodPart(scene, samples[ORDERING_INPUT_ORDER]),
+                  goodPart(scene, samples[ORDERING_NONE]) + 0.2);
+        EXPECT_GT(goodPart(scene, samples[ORDERING_DENSITY]),
+                  goodPart(scene, samples[ORDERING_NONE]));
     }
 }
 
@@ -289,7 +292,8 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
     EXPECT_NE(samplesOf(scene, params), samplesOf(scene, none));
     params.ordering = ORDERING_DENSITY;
     none.ordering = ORDERING_DENSITY;
-    EXPECT_EQ(samplesOf(scene, none), samplesOf(scene, params)) << "the ordering decides whether scores are used";
+    EXPECT_EQ(samplesOf(scene, none), samplesOf(scene, params))
+        << "the ordering decides whether scores are used";
     params.ordering = ORDERING_AUTO;
     params.scoreOrder = SCORES_LOWER_IS_BETTER;
     for (int i = 0; i < scene.size(); i += 3)
@@ -321,8 +325,8 @@ TEST_P(UsacEffects, scores_beside_the_input_order)
     }
 }
 
-//! Points in the order of the caller, true matches first: one sample in so many is of the first of them, the others are
-//! uniform.
+//! Points in the order of the caller, true matches first: one sample in so many is of the first of
+//! them, the others are uniform.
 TEST_P(UsacEffects, orderedEvery)
 {
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
@@ -335,7 +339,8 @@ TEST_P(UsacEffects, orderedEvery)
         const std::vector<int> rows = samplesOf(scene, params, 40);
         int good = 0;
         for (int i = 0; i < 40; ++i)
-            good += goodPart(scene, std::vector<int>(rows.begin() + i * m, rows.begin() + (i + 1) * m)) == 1;
+            good += goodPart(scene, std::vector<int>(rows.begin() + i * m,
+                                                     rows.begin() + (i + 1) * m)) == 1;
         EXPECT_NEAR(40 / params.orderedEvery, good, 2);
     }
 }
@@ -351,7 +356,8 @@ TEST_P(UsacEffects, quality)
     double msac = 0;
     for (int i = 0; i < scene.size(); ++i)
     {
-        const double e = pixelError(scene, M, scene.points1[i], scene.points2[i]) / params.threshold;
+        const double e = pixelError(scene, M, scene.points1[i], scene.points2[i]) /
+                         params.threshold;
         msac += std::min(1., e * e) / scene.size();
     }
     EXPECT_NEAR(msac, report.cost, 1e-3);
@@ -366,7 +372,8 @@ TEST_P(UsacEffects, reach)
 {
     const Scene scene = sceneOf(problem(), 200, 100);
     Params params = Params::magsacPlusPlus();
-    params.threshold = 1.3;  // times 4 and divided by it in some coordinates, it would be another number
+    params.threshold = 1.3;  // times 4 and divided by it in some coordinates, it would be another
+                             // number
     Mat masks[2], models[2];
     for (int i = 0; i < 2; ++i)
     {

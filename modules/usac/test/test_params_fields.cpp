@@ -11,14 +11,16 @@
 #include <map>
 #include <regex>
 
-// The list of the fields of Params (visitFields) against the class as it is declared and documented in params.hpp.
+// The list of the fields of Params (visitFields) against the class as it is declared and documented
+// in params.hpp.
 
 namespace opencv_test {
 namespace {
 
 std::string readHeader()
 {
-    const std::string path = std::string(USAC_TEST_DATA_DIR) + "/../modules/usac/include/opencv2/usac/params.hpp";
+    const std::string path = std::string(USAC_TEST_DATA_DIR) +
+                             "/../modules/usac/include/opencv2/usac/params.hpp";
     std::ifstream in(path.c_str());
     return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
 }
@@ -32,7 +34,8 @@ struct Declaration
 std::vector<Declaration> declarationsOf(const std::string& header)
 {
     std::istringstream lines(header.substr(header.find("struct CV_EXPORTS_W_SIMPLE Params")));
-    const std::regex field("^ *(?:CV_PROP_RW )?([a-z][a-zA-Z0-9:<>]*) ([a-zA-Z]+);$"), marks("^ *(//!|/\\*\\*)? *");
+    const std::regex field("^ *(?:CV_PROP_RW )?([a-z][a-zA-Z0-9:<>]*) ([a-zA-Z]+);$"),
+        marks("^ *(//!|/\\*\\*)? *");
     std::vector<Declaration> result;
     std::string line, comment;
     std::smatch match;
@@ -51,7 +54,8 @@ std::vector<Declaration> declarationsOf(const std::string& header)
     return result;
 }
 
-//! Values of the enumerators of the header, and of its enumerations the lowest, the highest and the sum.
+//! Values of the enumerators of the header, and of its enumerations the lowest, the highest and the
+//! sum.
 struct Enumerations
 {
     struct Range
@@ -64,7 +68,8 @@ struct Enumerations
     explicit Enumerations(const std::string& header)
     {
         const std::regex enumerator("([A-Z_]+) =\\s+([0-9]+)");
-        for (size_t at = header.find("\nenum "); at != std::string::npos; at = header.find("\nenum ", at + 1))
+        for (size_t at = header.find("\nenum "); at != std::string::npos;
+             at = header.find("\nenum ", at + 1))
         {
             const std::string text = header.substr(at, header.find("\n};", at) - at);
             const std::string name = text.substr(6, text.find(' ', 6) - 6);
@@ -86,7 +91,8 @@ FieldValues documentedValues(const std::string& comment, const Enumerations& enu
 {
     const std::regex type("^ *(Set of )?@ref (\\w+)"),
         interval("([0-9]+) ?(?:\\([a-z]+\\) )?\\.\\. ?([0-9]+(?:e[0-9])?)");
-    const std::regex initial("Default (#\\w+(?: \\| #\\w+)*|[0-9]+(?:\\.[0-9]+)?|all|none)"), name("#(\\w+)");
+    const std::regex initial("Default (#\\w+(?: \\| #\\w+)*|[0-9]+(?:\\.[0-9]+)?|all|none)"),
+        name("#(\\w+)");
     FieldValues result = {FIELD_NUMBER, 0, INT_MIN, INT_MAX};
     std::smatch match;
     if (std::regex_search(comment, match, type))
@@ -98,7 +104,8 @@ FieldValues documentedValues(const std::string& comment, const Enumerations& enu
         else
             result = FieldValues::option(0, range.low, range.high);
     }
-    else if (comment.find("ixels") != std::string::npos && comment.find("; > 0.") != std::string::npos)
+    else if (comment.find("ixels") != std::string::npos &&
+             comment.find("; > 0.") != std::string::npos)
         result = FieldValues::pixels(0);
     else if (comment.find("in (0, 1).") != std::string::npos)
         result = FieldValues::probability(0);
@@ -156,7 +163,8 @@ struct DocumentationReader
     static const char* typeName(std::vector<double>*) { return "std::vector<double>"; }
 };
 
-//! A field that the list lacks, or that has another default or range than its comment says, fails here.
+//! A field that the list lacks, or that has another default or range than its comment says, fails
+//! here.
 TEST(Usac_ParamsFields, are_as_declared_and_documented)
 {
     const std::string header = readHeader();
@@ -173,7 +181,10 @@ struct Layout
     const Params& params;
     size_t end;
 
-    static size_t aligned(size_t offset, size_t alignment) { return (offset + alignment - 1) / alignment * alignment; }
+    static size_t aligned(size_t offset, size_t alignment)
+    {
+        return (offset + alignment - 1) / alignment * alignment;
+    }
 
     template <class T>
     void operator()(const char* name, T Params::*member, const FieldValues&)
@@ -184,13 +195,15 @@ struct Layout
     }
 };
 
-//! The fields of the list, one after the other, are the class: also what the header declares in another form is listed.
+//! The fields of the list, one after the other, are the class: also what the header declares in
+//! another form is listed.
 TEST(Usac_ParamsFields, fill_the_class)
 {
     const Params params;
     Layout layout = {params, 0};
     visitFields(layout);
-    EXPECT_EQ(sizeof(Params), Layout::aligned(layout.end, alignof(Params))) << "visitFields lacks the last field";
+    EXPECT_EQ(sizeof(Params), Layout::aligned(layout.end, alignof(Params)))
+        << "visitFields lacks the last field";
 }
 
 struct DefaultChecker

@@ -34,8 +34,8 @@ private:
     mutable int models;
 };
 
-//! After a million samples without a model a criterion gives up. Without a criterion, or after a model, the limit
-//! holds.
+//! After a million samples without a model a criterion gives up. Without a criterion, or after a
+//! model, the limit holds.
 TEST(Usac_Parts, hopeless)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -51,7 +51,8 @@ TEST(Usac_Parts, hopeless)
             EXPECT_TRUE(usac->run(noArray(), &report).empty());
             EXPECT_EQ((int)STOP_NO_MODEL, report.stop);
             EXPECT_EQ(models, report.models);
-            EXPECT_EQ(criteria && models == 0 ? 1000000 : 1100000, report.iterations) << models << " " << criteria;
+            EXPECT_EQ(criteria && models == 0 ? 1000000 : 1100000, report.iterations)
+                << models << " " << criteria;
         }
 }
 

@@ -5,7 +5,8 @@
 #include "test_contracts.hpp"
 #include "params_fields.hpp"
 
-// Presets are what the papers they are named after describe; flags and calib3d's parameters select them.
+// Presets are what the papers they are named after describe; flags and calib3d's parameters select
+// them.
 
 namespace opencv_test {
 namespace {
@@ -34,16 +35,20 @@ TEST(Usac_Presets, change_what_they_say)
         {"trustedScores", trusted, v20, "sampler scores orderedEvery termination "},
         {"parallel", Params::parallel(), v20, "threads "},
         {"ransac", ransac, v20,
-         "sampler quality verification localOptimization runnersUp termination degeneracy polishing "},
+         "sampler quality verification localOptimization runnersUp termination degeneracy "
+         "polishing "},
         {"msac", Params::msac(), ransac, "quality "},
         {"lmeds", Params::lmeds(), ransac, "quality "},
         {"mlesac", Params::mlesac(), ransac, "quality "},
         {"prosac", Params::prosac(), ransac, "sampler ordering orderedEvery termination "},
-        {"loRansac", lo, ransac, "localOptimization localIterations localSampleMultiple localSamples "},
+        {"loRansac", lo, ransac,
+         "localOptimization localIterations localSampleMultiple localSamples "},
         {"floRansac", Params::floRansac(), lo, "quality localOptimization localSamples "},
         {"gcRansac", Params::gcRansac(), Params::msac(),
-         "neighborhood neighborRadius localOptimization localIterations localSampleMultiple localSamples "},
-        {"usac2013", Params::usac2013(), lo, "sampler ordering verification orderedEvery termination degeneracy "},
+         "neighborhood neighborRadius localOptimization localIterations localSampleMultiple "
+         "localSamples "},
+        {"usac2013", Params::usac2013(), lo,
+         "sampler ordering verification orderedEvery termination degeneracy "},
         {"magsac", Params::magsac(), ransac,
          "quality reach widestReach localOptimization termination polishing polishingSteps "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20,
@@ -55,7 +60,8 @@ TEST(Usac_Presets, change_what_they_say)
         EXPECT_NO_THROW(all[i].preset.check());
         EXPECT_EQ(all[i].changed, Fields::difference(all[i].from, all[i].preset));
         for (int k = 0; k < i; ++k)
-            EXPECT_NE("", Fields::difference(all[i].preset, all[k].preset)) << all[k].name << " is the same";
+            EXPECT_NE("", Fields::difference(all[i].preset, all[k].preset))
+                << all[k].name << " is the same";
     }
 }
 
@@ -89,7 +95,8 @@ TEST(Usac_Presets, locally_optimized)
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_LO_RANSAC, Params::loRansac().localOptimization);
     EXPECT_EQ(10, Params::loRansac().localSamples);
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_FLO_RANSAC, Params::floRansac().localOptimization);
-    EXPECT_LT(Params::floRansac().localSamples, Params::loRansac().localSamples) << "fewer repetitions";
+    EXPECT_LT(Params::floRansac().localSamples, Params::loRansac().localSamples)
+        << "fewer repetitions";
     EXPECT_EQ((int)QUALITY_MSAC, Params::floRansac().quality);
     const Params gc = Params::gcRansac();
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_GC_RANSAC, gc.localOptimization);
@@ -112,7 +119,8 @@ TEST(Usac_Presets, marginalized)
     EXPECT_EQ((int)TERMINATION_MAGSAC, Params::magsac().termination);
     EXPECT_EQ((int)POLISHING_REWEIGHTED, Params::magsac().polishing);
     EXPECT_EQ((int)QUALITY_MAGSAC_PLUS_PLUS, Params::magsacPlusPlus().quality);
-    EXPECT_EQ((int)LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS, Params::magsacPlusPlus().localOptimization);
+    EXPECT_EQ((int)LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS,
+              Params::magsacPlusPlus().localOptimization);
     EXPECT_EQ((int)POLISHING_REWEIGHTED, Params::magsacPlusPlus().polishing);
 }
 
@@ -125,7 +133,8 @@ TEST(Usac_Presets, from_method)
     EXPECT_EQ("", Fields::difference(Params::magsacPlusPlus(), Params::fromMethod(USACV20_MAGSAC)));
     EXPECT_EQ("", Fields::difference(Params::parallel(), Params::fromMethod(USACV20_PARALLEL)));
     for (int method = (int)USACV20; method <= (int)USACV20_PARALLEL; ++method)
-        EXPECT_EQ("", Fields::difference(Params::fromMethod((UsacV20Method)method), Params::fromMethod(method)));
+        EXPECT_EQ("", Fields::difference(Params::fromMethod((UsacV20Method)method),
+                                         Params::fromMethod(method)));
 }
 
 TEST(Usac_Presets, from_the_parameters_of_calib3d)
@@ -157,9 +166,11 @@ TEST(Usac_Presets, from_the_parameters_of_calib3d)
 TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
 {
     const int samplers[] = {SAMPLER_UNIFORM, SAMPLER_P_NAPSAC, SAMPLER_NAPSAC, SAMPLER_PROSAC};
-    const int optimizations[] = {LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_LO_RANSAC, LOCAL_OPTIMIZATION_LO_RANSAC,
-                                 LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS};
-    const int qualities[] = {QUALITY_INLIERS, QUALITY_MSAC, QUALITY_MAGSAC_PLUS_PLUS, QUALITY_LMEDS};
+    const int optimizations[] = {LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_LO_RANSAC,
+                                 LOCAL_OPTIMIZATION_LO_RANSAC, LOCAL_OPTIMIZATION_GRAPH_CUT,
+                                 LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS};
+    const int qualities[] = {QUALITY_INLIERS, QUALITY_MSAC, QUALITY_MAGSAC_PLUS_PLUS,
+                             QUALITY_LMEDS};
     const int neighborhoods[] = {NEIGHBORHOOD_KNN, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS};
     for (int s = 0; s < 4; ++s)
         for (int l = 0; l < 5; ++l)
@@ -174,7 +185,8 @@ TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
                     const Params params = Params::fromUsacParams(other);
                     EXPECT_NO_THROW(params.check());
                     EXPECT_EQ(samplers[s], params.sampler);
-                    EXPECT_EQ(q == SCORE_METHOD_LMEDS ? (int)LOCAL_OPTIMIZATION_NONE : optimizations[l],
+                    EXPECT_EQ(q == SCORE_METHOD_LMEDS ? (int)LOCAL_OPTIMIZATION_NONE
+                                                      : optimizations[l],
                               params.localOptimization);
                     EXPECT_EQ(qualities[q], params.quality);
                     EXPECT_EQ(neighborhoods[n], params.neighborhood);

@@ -81,7 +81,8 @@ TEST_P(Usac_Ransac, sameBitsWithAnyNumberOfThreads)
             const int threads[] = {2, 8, 0};
             for (int k = 0; k < 3; ++k)
             {
-                SCOPED_TRACE(cv::format("variant %d seed %d threads %d", (int)v, (int)seed, threads[k]));
+                SCOPED_TRACE(
+                    cv::format("variant %d seed %d threads %d", (int)v, (int)seed, threads[k]));
                 params.threads = threads[k];
                 expectSameBits(one, answer(scene, params));
             }
@@ -131,19 +132,23 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_GE(r.models, r.iterations - r.rejectedSamples - r.degenerateSamples);
             EXPECT_LE(r.rejectedSamples + r.degenerateSamples, r.iterations);
             EXPECT_LE(r.rejectedModels + r.refusedModels + r.droppedModels, r.models);
-            if (params.verification == VERIFICATION_NONE || GetParam() <= ESSENTIAL)  // of small samples few are wrong
+            if (params.verification == VERIFICATION_NONE ||
+                GetParam() <= ESSENTIAL)  // of small samples few are wrong
             {
                 EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
             }
             EXPECT_LE(r.localImprovements, r.localOptimizations);
-            // each model that was kept, the runners-up (once or twice), and again after an improvement
-            EXPECT_LE(r.localOptimizations,
-                      r.models - r.rejectedModels - r.droppedModels + 2 * params.runnersUp + r.localImprovements);
-            EXPECT_EQ(params.localOptimization == LOCAL_OPTIMIZATION_NONE, r.localOptimizations == 0);
+            // each model that was kept, the runners-up (once or twice), and again after an
+            // improvement
+            EXPECT_LE(r.localOptimizations, r.models - r.rejectedModels - r.droppedModels +
+                                                2 * params.runnersUp + r.localImprovements);
+            EXPECT_EQ(params.localOptimization == LOCAL_OPTIMIZATION_NONE,
+                      r.localOptimizations == 0);
             EXPECT_EQ(countNonZero(found.mask), r.inliers);
             EXPECT_TRUE(r.cost >= 0 && r.cost <= 1);
             EXPECT_EQ(params.threshold, r.threshold);
-            EXPECT_TRUE(r.independentInliers > 0 && r.independentInliers <= r.inliers && r.chance <= 1e-6);
+            EXPECT_TRUE(r.independentInliers > 0 && r.independentInliers <= r.inliers &&
+                        r.chance <= 1e-6);
             EXPECT_TRUE(r.setupMs >= 0 && r.searchMs >= 0 && r.localMs >= 0 && r.polishMs >= 0);
             EXPECT_FALSE(r.describe().empty());
         }
@@ -164,7 +169,8 @@ TEST_P(Usac_Ransac, maskBelongsToTheModel)
             const double error = pixelError(scene, model, scene.points1[i], scene.points2[i]);
             if (std::abs(error - params.threshold) > 1e-7)
             {
-                ASSERT_EQ(error < params.threshold, found.mask.at<uchar>(i) != 0) << "row " << i << " error " << error;
+                ASSERT_EQ(error < params.threshold, found.mask.at<uchar>(i) != 0)
+                    << "row " << i << " error " << error;
             }
         }
     }
@@ -199,7 +205,8 @@ TEST_P(Usac_Ransac, recoversTheModel)
     }
 }
 
-//! Without noise, and with a threshold that no outlier meets by chance, nothing but rounding is left.
+//! Without noise, and with a threshold that no outlier meets by chance, nothing but rounding is
+//! left.
 TEST_P(Usac_Ransac, exactWithoutNoise)
 {
     for (uint64 seed = 1; seed <= 15; ++seed)
@@ -268,7 +275,8 @@ TEST(Usac_Ransac_Stop, withoutAModel)
     EXPECT_EQ(0, countNonZero(equal.mask));
 }
 
-//! The number of samples of the standard criterion for the inliers of the result, or more if it was found late.
+//! The number of samples of the standard criterion for the inliers of the result, or more if it was
+//! found late.
 TEST(Usac_Ransac_Stop, standardNumberOfSamples)
 {
     Params params = Params::ransac();
@@ -286,7 +294,8 @@ TEST(Usac_Ransac_Stop, standardNumberOfSamples)
             EXPECT_EQ((int)STOP_STANDARD, report.stop);
             double good = 1;
             for (int i = 0; i < 4; ++i)
-                good *= (report.inliers - i * withoutRepetition) / (double)(scene.size() - i * withoutRepetition);
+                good *= (report.inliers - i * withoutRepetition) /
+                        (double)(scene.size() - i * withoutRepetition);
             const double needed = std::ceil(std::log(0.05) / std::log1p(-good));
             EXPECT_GE(report.iterations, 0.95 * needed) << "seed " << seed;
             exact += std::abs(report.iterations - needed) <= 0.05 * needed;
@@ -333,7 +342,8 @@ TEST(Usac_Ransac_Report, thresholdOfLmeds)
     EXPECT_LT(found.report.threshold, 8);
     const Matx33d H(found.model.ptr<double>());
     for (int i = 0; i < scene.size(); ++i)
-        EXPECT_EQ(pixelError(scene, H, scene.points1[i], scene.points2[i]) <= found.report.threshold,
+        EXPECT_EQ(pixelError(scene, H, scene.points1[i], scene.points2[i]) <=
+                      found.report.threshold,
                   found.mask.at<uchar>(i) != 0);
 }
 
@@ -343,7 +353,8 @@ TEST(Usac_Ransac_Stop, firstOfTwo)
     for (uint64 seed = 1; seed <= 10; ++seed)
     {
         const Scene scene = sceneOf(FUNDAMENTAL, 0.5, seed);
-        const int both = answer(scene, stopBy(TERMINATION_SPRT | TERMINATION_P_NAPSAC)).report.iterations;
+        const int both = answer(scene, stopBy(TERMINATION_SPRT | TERMINATION_P_NAPSAC))
+                             .report.iterations;
         const int sprt = answer(scene, stopBy(TERMINATION_SPRT)).report.iterations;
         const int relaxed = answer(scene, stopBy(TERMINATION_P_NAPSAC)).report.iterations;
         EXPECT_EQ(std::min(sprt, relaxed), both) << "seed " << seed;

@@ -19,7 +19,8 @@ double angleOf(const Mat& R, const Matx33d& truth)
 
 double angleOf(const Mat& t, const Vec3d& truth)
 {
-    return std::acos(std::max(-1., std::min(1., Vec3d(t.ptr<double>()).dot(truth) / cv::norm(truth))));
+    return std::acos(
+        std::max(-1., std::min(1., Vec3d(t.ptr<double>()).dot(truth) / cv::norm(truth))));
 }
 
 TEST(Usac_RelativePose, exact_points)
@@ -35,8 +36,8 @@ TEST(Usac_RelativePose, exact_points)
         RelativePose pose;
         Params params;
         params.threshold = 0.01;  // no wrong match is an inlier
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(), noArray(), params,
-                                         R, t, mask, pose));
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), params, R, t, mask, pose));
         EXPECT_LT(angleOf(R, scene.R), 1e-4 * DEGREE) << seed;
         EXPECT_LT(angleOf(t, scene.t), 1e-3 * DEGREE) << seed;
         EXPECT_NEAR(1, cv::norm(t), 1e-12);
@@ -45,9 +46,10 @@ TEST(Usac_RelativePose, exact_points)
         EXPECT_EQ(countNonZero(mask), pose.report.inliers);
         for (int i = 0; i < scene.size(); ++i)
             EXPECT_TRUE(!scene.truth[i] || mask.at<uchar>(i)) << seed << " " << i;
-        const Matx33d cross(0, -t.at<double>(2), t.at<double>(1), t.at<double>(2), 0, -t.at<double>(0),
-                            -t.at<double>(1), t.at<double>(0), 0);
-        const Matx33d E = cross * Matx33d(R.ptr<double>()) * (1 / std::sqrt(2.)), own(pose.essential.ptr<double>());
+        const Matx33d cross(0, -t.at<double>(2), t.at<double>(1), t.at<double>(2), 0,
+                            -t.at<double>(0), -t.at<double>(1), t.at<double>(0), 0);
+        const Matx33d E = cross * Matx33d(R.ptr<double>()) * (1 / std::sqrt(2.)),
+                      own(pose.essential.ptr<double>());
         EXPECT_LT(std::min(cv::norm(E - own), cv::norm(E + own)), 1e-9);
     }
 }
@@ -65,11 +67,12 @@ TEST(Usac_RelativePose, as_recoverPose)
         const Scene scene = makeScene(ESSENTIAL, options);
         Mat R, t, mask, theirR, theirT;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(), noArray(),
-                                         Params(), R, t, mask, pose));
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), Params(), R, t, mask, pose));
         Mat theirMask;
         estimateEssential(scene.points1, scene.points2, scene.K, Params(), theirMask);
-        recoverPose(pose.essential, scene.points1, scene.points2, scene.K, theirR, theirT, theirMask);
+        recoverPose(pose.essential, scene.points1, scene.points2, scene.K, theirR, theirT,
+                    theirMask);
         differing += cv::norm(R, theirR) > 1e-9 || cv::norm(t, theirT) > 1e-9;
         EXPECT_LT(angleOf(R, scene.R), 2 * DEGREE) << seed;
     }
@@ -83,7 +86,8 @@ TEST(Usac_RelativePose, two_cameras_with_lenses)
     {
         RNG rng(seed);
         const Matx33d K1(800, 0, 320, 0, 790, 240, 0, 0, 1), K2(600, 0, 300, 0, 610, 250, 0, 0, 1);
-        const std::vector<double> d1 = {-0.3, 0.1, 0.001, -0.001, 0.02}, d2 = {0.1, -0.05, -0.002, 0.001, 0};
+        const std::vector<double> d1 = {-0.3, 0.1, 0.001, -0.001, 0.02},
+                                  d2 = {0.1, -0.05, -0.002, 0.001, 0};
         const Vec3d r(rng.uniform(-.1, .1), rng.uniform(-.1, .1), rng.uniform(-.1, .1));
         const Vec3d t0(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
         std::vector<Point3d> X;
@@ -119,8 +123,8 @@ TEST(Usac_RelativePose, planes)
         const Scene scene = makeScene(ESSENTIAL, options);
         Mat R, t, mask;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(), noArray(),
-                                         Params(), R, t, mask, pose));
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), Params(), R, t, mask, pose));
         ++scenes;
         right += angleOf(R, scene.R) < 2 * DEGREE && angleOf(t, scene.t) < 15 * DEGREE;
         if (pose.otherR.empty())
@@ -151,12 +155,12 @@ TEST(Usac_RelativePose, nothing_but_a_plane)
         const Scene scene = makeScene(ESSENTIAL, options);
         Mat R, t, mask;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(), noArray(),
-                                         Params(), R, t, mask, pose));
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), Params(), R, t, mask, pose));
         bool found = angleOf(R, scene.R) < 2 * DEGREE && angleOf(t, scene.t) < 15 * DEGREE;
         if (!pose.otherR.empty())
-            found = found ||
-                    (angleOf(pose.otherR, scene.R) < 2 * DEGREE && angleOf(pose.otherT, scene.t) < 15 * DEGREE);
+            found = found || (angleOf(pose.otherR, scene.R) < 2 * DEGREE &&
+                              angleOf(pose.otherT, scene.t) < 15 * DEGREE);
         either += found;
     }
     EXPECT_EQ(40, either);
@@ -181,8 +185,8 @@ TEST(Usac_RelativePose, points_behind)
     RelativePose pose;
     Params params;
     estimateEssential(scene.points1, scene.points2, scene.K, params, inliers);
-    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(), noArray(), params, R,
-                                     t, mask, pose));
+    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(),
+                                     noArray(), params, R, t, mask, pose));
     for (int i = 0; i < scene.size(); ++i)
         EXPECT_EQ(i >= behind, mask.at<uchar>(i) != 0) << i;
     EXPECT_EQ(behind, pose.behind);
@@ -202,12 +206,13 @@ TEST(Usac_RelativePose, points_at_infinity)
     for (int i = 0; i < scene.size(); i += 2)
     {
         const Vec3d x2 = H * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
-        scene.points2[i] = Point2d(x2[0] / x2[2] + rng.gaussian(0.2), x2[1] / x2[2] + rng.gaussian(0.2));
+        scene.points2[i] = Point2d(x2[0] / x2[2] + rng.gaussian(0.2),
+                                   x2[1] / x2[2] + rng.gaussian(0.2));
     }
     Mat R, t, mask;
     RelativePose pose;
-    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(), noArray(), Params(),
-                                     R, t, mask, pose));
+    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(),
+                                     noArray(), Params(), R, t, mask, pose));
     EXPECT_GE(countNonZero(mask), scene.size() - 4);
     EXPECT_LE(pose.behind, 2);
     EXPECT_LT(angleOf(R, scene.R), 0.5 * DEGREE);
@@ -219,22 +224,23 @@ TEST(Usac_RelativePose, bad_input)
     Mat R, t, mask;
     RelativePose pose;
     const std::vector<Point2d> few(scene.points1.begin(), scene.points1.begin() + 4);
-    EXPECT_FALSE(estimateRelativePose(few, few, scene.K, noArray(), noArray(), noArray(), Params(), R, t, mask, pose));
+    EXPECT_FALSE(estimateRelativePose(few, few, scene.K, noArray(), noArray(), noArray(), Params(),
+                                      R, t, mask, pose));
     EXPECT_TRUE(R.empty() && t.empty() && pose.essential.empty() && pose.otherR.empty());
     EXPECT_EQ((int)STOP_TOO_FEW_POINTS, pose.report.stop);
     EXPECT_EQ(4, mask.rows);
     EXPECT_EQ(0, countNonZero(mask));
-    EXPECT_THROW(
-        estimateRelativePose(few, scene.points2, scene.K, noArray(), noArray(), noArray(), Params(), R, t, mask, pose),
-        cv::Exception);
-    EXPECT_THROW(estimateRelativePose(scene.points1, scene.points2, noArray(), noArray(), noArray(), noArray(),
+    EXPECT_THROW(estimateRelativePose(few, scene.points2, scene.K, noArray(), noArray(), noArray(),
                                       Params(), R, t, mask, pose),
+                 cv::Exception);
+    EXPECT_THROW(estimateRelativePose(scene.points1, scene.points2, noArray(), noArray(), noArray(),
+                                      noArray(), Params(), R, t, mask, pose),
                  cv::Exception);
     std::vector<Point2d> nan(scene.points1);
     for (size_t i = 0; i < nan.size(); i += 3)
         nan[i].x = NAN;
-    ASSERT_TRUE(
-        estimateRelativePose(nan, scene.points2, scene.K, noArray(), noArray(), noArray(), Params(), R, t, mask, pose));
+    ASSERT_TRUE(estimateRelativePose(nan, scene.points2, scene.K, noArray(), noArray(), noArray(),
+                                     Params(), R, t, mask, pose));
     for (size_t i = 0; i < nan.size(); i += 3)
         EXPECT_EQ(0, mask.at<uchar>((int)i));
 }

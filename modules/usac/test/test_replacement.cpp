@@ -17,7 +17,8 @@ class LineDistance : public custom::LineDistance
 public:
     explicit LineDistance(bool derived_) : derived(derived_) {}
 
-    int linearize(const Model& F, const double* match, double* out, double* derivative) const CV_OVERRIDE
+    int linearize(const Model& F, const double* match, double* out,
+                  double* derivative) const CV_OVERRIDE
     {
         return derived ? custom::LineDistance::linearize(F, match, out, derivative)
                        : Residual::linearize(F, match, out, derivative);
@@ -36,7 +37,8 @@ double lineError(const Scene& scene, const Mat& model, const Mat& mask)
         if (mask.at<uchar>(i))
         {
             const Vec3d line = F * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
-            const double d = line.dot(Vec3d(scene.points2[i].x, scene.points2[i].y, 1)) / std::hypot(line[0], line[1]);
+            const double d = line.dot(Vec3d(scene.points2[i].x, scene.points2[i].y, 1)) /
+                             std::hypot(line[0], line[1]);
             sum += d * d;
         }
     return std::sqrt(sum / countNonZero(mask));
@@ -51,7 +53,8 @@ Scene zoomedScene()
     return makeScene(FUNDAMENTAL, options);
 }
 
-//! What is scored is fitted, and what the mask says: least squares over the mask cannot lower the error any more.
+//! What is scored is fitted, and what the mask says: least squares over the mask cannot lower the
+//! error any more.
 TEST(Usac_Replacement, residual)
 {
     const Scene scene = zoomedScene();
@@ -73,7 +76,9 @@ TEST(Usac_Replacement, residual)
         {
             Mat one = Mat::zeros(scene.size(), 1, CV_8U);
             one.at<uchar>(i) = 1;
-            EXPECT_EQ(lineError(scene, models[derived], one) <= params.threshold, mask.at<uchar>(i) != 0) << i;
+            EXPECT_EQ(lineError(scene, models[derived], one) <= params.threshold,
+                      mask.at<uchar>(i) != 0)
+                << i;
         }
         RNG rng(5);
         for (int i = 0; i < 200; ++i)  // other models of rank 2 beside it
@@ -153,7 +158,8 @@ private:
     const int mistake;
 };
 
-//! Uniform samples end a run where the theory says; PROSAC's criterion, which knows nothing of them, does not.
+//! Uniform samples end a run where the theory says; PROSAC's criterion, which knows nothing of
+//! them, does not.
 TEST(Usac_Replacement, uniformSampler)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -246,7 +252,8 @@ std::string complaint(const Ptr<Usac>& usac)
     return "";
 }
 
-#define EXPECT_COMPLAINT(name, usac) EXPECT_EQ(0u, complaint(usac).find("components()." name)) << complaint(usac)
+#define EXPECT_COMPLAINT(name, usac)                                                               \
+    EXPECT_EQ(0u, complaint(usac).find("components()." name)) << complaint(usac)
 
 TEST(Usac_Replacement, mistakesAreNamed)
 {

@@ -12,7 +12,8 @@ namespace {
 bool ends(const Report& report, const std::string& words)
 {
     const std::string text = report.describe();
-    return text.size() >= words.size() && text.compare(text.size() - words.size(), words.size(), words) == 0;
+    return text.size() >= words.size() &&
+           text.compare(text.size() - words.size(), words.size(), words) == 0;
 }
 
 bool says(const Report& report, const std::string& words)
@@ -26,7 +27,8 @@ const char* const CHANCE = "no better than chance";
 typedef UsacProblem UsacReport;
 INSTANTIATE_TEST_CASE_P(/**/, UsacReport, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! Points of the normalized image plane and a threshold in pixels: any model has all of them as inliers.
+//! Points of the normalized image plane and a threshold in pixels: any model has all of them as
+//! inliers.
 TEST_P(UsacReport, threshold_in_another_unit)
 {
     const double focals[] = {350, 800, 2000};  // fields of view of 85 to 18 degrees
@@ -48,7 +50,8 @@ TEST_P(UsacReport, threshold_in_another_unit)
             Params params;
             params.threshold = right ? 1.5 / f : 1.5;
             Report report;
-            const Mat model = estimatePoints(problem(), points1, points2, params, mask, report, Matx33d::eye());
+            const Mat model = estimatePoints(problem(), points1, points2, params, mask, report,
+                                             Matx33d::eye());
             EXPECT_EQ(right == 0, report.wideThreshold) << f;
             EXPECT_EQ(right == 0, says(report, WIDE)) << report.describe();
             EXPECT_EQ(right == 0 && !model.empty(), ends(report, CHANCE)) << report.describe();

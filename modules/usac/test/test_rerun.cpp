@@ -10,8 +10,8 @@
 namespace opencv_test {
 namespace {
 
-void expectSame(const Mat& a, const Mat& maskA, const Report& reportA, const Mat& b, const Mat& maskB,
-                const Report& reportB)
+void expectSame(const Mat& a, const Mat& maskA, const Report& reportA, const Mat& b,
+                const Mat& maskB, const Report& reportB)
 {
     ASSERT_EQ(a.empty(), b.empty());
     if (!a.empty())
@@ -90,7 +90,8 @@ TEST(Usac_RerunPoints, afterAMistake)
     EXPECT_EQ(0, cv::norm(usac->run(), estimate(scene, Params()), NORM_INF));
 }
 
-//! How often a component was started, with how many points the last time, and whether it was used as it should be.
+//! How often a component was started, with how many points the last time, and whether it was used
+//! as it should be.
 struct Life
 {
     Life() : starts(0), size(-1), uses(0), wrong(0) {}
@@ -121,7 +122,8 @@ public:
     void sample(const Context& context, State& state, int* out) CV_OVERRIDE
     {
         life.use(context.points.size);
-        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), out);
+        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(),
+                           out);
     }
     Life life;
 };
@@ -152,8 +154,8 @@ public:
         life.start(context);
         solver->start(context);
     }
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int iterations) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
     {
         life.use(points.size);
         return solver->fit(points, indices, count, weights, model, iterations);
@@ -252,7 +254,8 @@ public:
     Life life;
 };
 
-//! Each of a caller's begins each run before it is used, and only then, also if there are too few points.
+//! Each of a caller's begins each run before it is used, and only then, also if there are too few
+//! points.
 TEST(Usac_RerunComponents, beginOnceARun)
 {
     Params params;
@@ -278,9 +281,10 @@ TEST(Usac_RerunComponents, beginOnceARun)
     parts.degeneracies.assign(1, degeneracy);
     parts.terminations.assign(1, termination);
     parts.polisher = polisher;
-    const Life* const lives[] = {&solver->life,   &fit->life,        &score->life,       &neighborhood->life,
-                                 &verifier->life, &degeneracy->life, &termination->life, &polisher->life,
-                                 &sampler->life,  &ordering->life};
+    const Life* const lives[] = {&solver->life,       &fit->life,      &score->life,
+                                 &neighborhood->life, &verifier->life, &degeneracy->life,
+                                 &termination->life,  &polisher->life, &sampler->life,
+                                 &ordering->life};
     const int sizes[] = {300, 300, 80, 3, 500};
     for (int run = 0; run < 5; ++run)
     {
@@ -289,7 +293,8 @@ TEST(Usac_RerunComponents, beginOnceARun)
         const Scene scene = makeScene(HOMOGRAPHY, options);
         if (run != 1)  // the same points again
             usac->setPoints(scene.points1, scene.points2);
-        parts.sampler = run == 2 ? (Ptr<Sampler>)sampler : createUsac(scene, params)->components().sampler;
+        parts.sampler = run == 2 ? (Ptr<Sampler>)sampler
+                                 : createUsac(scene, params)->components().sampler;
         parts.ordering = run == 4 ? (Ptr<Ordering>)ordering : Ptr<Ordering>();
         EXPECT_EQ(sizes[run] < 4, usac->run().empty());
         for (int k = 0; k < 10; ++k)

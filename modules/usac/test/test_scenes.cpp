@@ -6,7 +6,8 @@
 
 #include <map>
 
-// The synthetic scenes keep what their options promise: the other tests and the benchmark rely on it.
+// The synthetic scenes keep what their options promise: the other tests and the benchmark rely on
+// it.
 
 namespace opencv_test {
 namespace {
@@ -16,10 +17,14 @@ const OutlierModel OUTLIER_MODELS[] = {OUTLIERS_UNIFORM, OUTLIERS_LOCAL, OUTLIER
 
 bool samePoints(const Scene& a, const Scene& b)
 {
-    return a.points1 == b.points1 && a.points2 == b.points2 && a.clean1 == b.clean1 && a.clean2 == b.clean2;
+    return a.points1 == b.points1 && a.points2 == b.points2 && a.clean1 == b.clean1 &&
+           a.clean2 == b.clean2;
 }
 
-int countTrue(const Scene& scene) { return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1); }
+int countTrue(const Scene& scene)
+{
+    return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
+}
 
 //! Part of the pairs of a true and a wrong match in which the true one has the better score.
 double rankedRight(const Scene& scene)
@@ -81,8 +86,10 @@ TEST(Usac_Scenes, modelIsExactForPointsWithoutNoise)
                 options.seed = seed;
                 options.noise = 1;
                 const Scene scene = makeScene(problem, options);
-                EXPECT_LT(modelError(scene, Mat(scene.model)), 1e-9) << "problem " << (int)problem << ", seed " << seed;
-                EXPECT_EQ(problem == HOMOGRAPHY ? options.inliers : cvRound(options.inliers * options.planeFraction),
+                EXPECT_LT(modelError(scene, Mat(scene.model)), 1e-9)
+                    << "problem " << (int)problem << ", seed " << seed;
+                EXPECT_EQ(problem == HOMOGRAPHY ? options.inliers
+                                                : cvRound(options.inliers * options.planeFraction),
                           (int)std::count(scene.onPlane.begin(), scene.onPlane.end(), (uchar)1));
                 double sum = 0;
                 for (int i = 0; i < scene.size(); ++i)
@@ -91,7 +98,8 @@ TEST(Usac_Scenes, modelIsExactForPointsWithoutNoise)
                     sum += d.dot(d);
                     EXPECT_TRUE(scene.truth[i] || d.dot(d) == 0);
                 }
-                EXPECT_NEAR(options.noise, std::sqrt(sum / 2 / options.inliers), 0.18);  // five standard deviations
+                EXPECT_NEAR(options.noise, std::sqrt(sum / 2 / options.inliers),
+                            0.18);  // five standard deviations
             }
 }
 
@@ -176,7 +184,8 @@ TEST(Usac_Scenes, manyToOneOutliersShareAPointWithATrueMatch)
     EXPECT_GE(targets.size(), 40u);
     int ofTrueMatches = 0;
     for (int i = 0; i < scene.size(); ++i)
-        ofTrueMatches += scene.truth[i] && targets.count(std::make_pair(scene.points2[i].x, scene.points2[i].y));
+        ofTrueMatches += scene.truth[i] &&
+                         targets.count(std::make_pair(scene.points2[i].x, scene.points2[i].y));
     EXPECT_EQ((int)targets.size(), ofTrueMatches);
 }
 
@@ -188,8 +197,10 @@ TEST(Usac_Scenes, uniformOutliersFillBothImages)
     int cells[16] = {0};
     for (int i = 0; i < scene.size(); ++i)
         if (!scene.truth[i])
-            ++cells[(scene.points1[i].x > SCENE_WIDTH / 2) + 2 * (scene.points1[i].y > SCENE_HEIGHT / 2) +
-                    4 * (scene.points2[i].x > SCENE_WIDTH / 2) + 8 * (scene.points2[i].y > SCENE_HEIGHT / 2)];
+            ++cells[(scene.points1[i].x > SCENE_WIDTH / 2) +
+                    2 * (scene.points1[i].y > SCENE_HEIGHT / 2) +
+                    4 * (scene.points2[i].x > SCENE_WIDTH / 2) +
+                    8 * (scene.points2[i].y > SCENE_HEIGHT / 2)];
     for (int k = 0; k < 16; ++k)
         EXPECT_NEAR(options.outliers / 16., cells[k], 50);  // about five standard deviations
 }

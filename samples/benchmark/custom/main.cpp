@@ -2,13 +2,15 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// The benchmark with methods of one's own beside all that usac_benchmark has: two components and a whole estimator.
+// The benchmark with methods of one's own beside all that usac_benchmark has: two components and a
+// whole estimator.
 //
-//     usac_custom_benchmark --data=<folder> --methods=USACV20,custom:spread,custom:tukey,custom:ransac,cv:RANSAC >
+//     usac_custom_benchmark --data=<folder>
+//     --methods=USACV20,custom:spread,custom:tukey,custom:ransac,cv:RANSAC >
 //     tables.md
 //
-// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp. doc/benchmark.md, "Your own
-// method", has more.
+// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp.
+// doc/benchmark.md, "Your own method", has more.
 
 #include "benchmark.hpp"
 #include "components_method.hpp"
@@ -22,21 +24,30 @@ namespace {
 
 using namespace benchmark;
 
-void spreadSamples(cv::usacv20::Usac& usac) { usac.components().sampler = cv::makePtr<custom::SpreadSampler>(); }
+void spreadSamples(cv::usacv20::Usac& usac)
+{
+    usac.components().sampler = cv::makePtr<custom::SpreadSampler>();
+}
 
-void tukeyQuality(cv::usacv20::Usac& usac) { usac.components().score = cv::makePtr<custom::TukeyScore>(); }
+void tukeyQuality(cv::usacv20::Usac& usac)
+{
+    usac.components().score = cv::makePtr<custom::TukeyScore>();
+}
 
-//! Any function that makes a model from points. Here OpenCV's RANSAC, so that the accuracy is that of cv:RANSAC.
+//! Any function that makes a model from points. Here OpenCV's RANSAC, so that the accuracy is that
+//! of cv:RANSAC.
 Estimate opencvRansac(const Task& task)
 {
     const Settings& settings = task.settings;
     Estimate estimate;
     if (settings.problem == cv::usacv20::HOMOGRAPHY)
-        estimate.model = cv::findHomography(task.points1, task.points2, cv::RANSAC, settings.threshold, estimate.mask,
+        estimate.model = cv::findHomography(task.points1, task.points2, cv::RANSAC,
+                                            settings.threshold, estimate.mask,
                                             settings.maxIterations, settings.confidence);
     else
-        estimate.model = cv::findFundamentalMat(task.points1, task.points2, cv::RANSAC, settings.threshold,
-                                                settings.confidence, settings.maxIterations, estimate.mask);
+        estimate.model = cv::findFundamentalMat(task.points1, task.points2, cv::RANSAC,
+                                                settings.threshold, settings.confidence,
+                                                settings.maxIterations, estimate.mask);
     return estimate;
 }
 

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Methods of its own for test_custom.py, test_problems.py, test_views.py and test_spaces.py: what they do is known
-// beforehand. With the argument "mistakes" alone it prints what the registry says about registrations that it must
-// refuse, a line each.
+// Methods of its own for test_custom.py, test_problems.py, test_views.py and test_spaces.py: what
+// they do is known beforehand. With the argument "mistakes" alone it prints what the registry says
+// about registrations that it must refuse, a line each.
 
 #include <iostream>
 #include <stdexcept>
@@ -23,13 +23,18 @@ using cv::usacv20::Params;
 class SameSampler : public cv::usacv20::Sampler
 {
 public:
-    void sample(const cv::usacv20::Context& context, cv::usacv20::State& state, int* sample) CV_OVERRIDE
+    void sample(const cv::usacv20::Context& context, cv::usacv20::State& state,
+                int* sample) CV_OVERRIDE
     {
-        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
+        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(),
+                           sample);
     }
 };
 
-void sameSampler(cv::usacv20::Usac& usac) { usac.components().sampler = cv::makePtr<SameSampler>(); }
+void sameSampler(cv::usacv20::Usac& usac)
+{
+    usac.components().sampler = cv::makePtr<SameSampler>();
+}
 
 void noSampler(cv::usacv20::Usac& usac) { usac.components().sampler.reset(); }
 
@@ -105,7 +110,8 @@ void printRefusal(Attempt attempt)
 void printMistakes()
 {
     printRefusal([] { registerMethod("custom:same", nothing); });
-    for (const char* name : {"mine", "custom:", "custom:a,b", "custom:a{b", "custom:a+scores", "Custom:a"})
+    for (const char* name :
+         {"mine", "custom:", "custom:a,b", "custom:a{b", "custom:a+scores", "Custom:a"})
         printRefusal([=] { registerMethod(name, nothing); });
     printRefusal([] { registerMethod("custom:empty", MethodFactory()); });
     printRefusal([] { withComponents(Params(), ComponentChange()); });

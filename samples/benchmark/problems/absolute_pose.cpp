@@ -23,7 +23,8 @@ double AbsolutePose::modelError(const ImagePair& pair, const cv::Mat& model) con
 {
     cv::Matx33d R;
     cv::Vec3d t;
-    return toMotion(model, R, t) ? angleBetween(R, pair.R) : std::numeric_limits<double>::infinity();
+    return toMotion(model, R, t) ? angleBetween(R, pair.R)
+                                 : std::numeric_limits<double>::infinity();
 }
 
 double AbsolutePose::modelCost(const ImagePair& pair, const cv::Mat& model, double threshold_) const
@@ -39,7 +40,9 @@ double AbsolutePose::modelCost(const ImagePair& pair, const cv::Mat& model, doub
     cv::projectPoints(points, rotation, t, pair.K2, pair.distortion, images);
     return truncatedMean(pair.size(), threshold_, [&](int i) {
         const cv::Point2d d = images[i] - cv::Point2d(pair.points2[i]);
-        const bool inFront = R(2, 0) * points[i].x + R(2, 1) * points[i].y + R(2, 2) * points[i].z + t[2] > 0;
+        const bool inFront = R(2, 0) * points[i].x + R(2, 1) * points[i].y + R(2, 2) * points[i].z +
+                                 t[2] >
+                             0;
         return inFront ? d.dot(d) : std::numeric_limits<double>::infinity();
     });
 }
@@ -53,24 +56,28 @@ double AbsolutePose::centerError(const ImagePair& pair, const cv::Mat& model) co
     return 100 * cv::norm(R.t() * t - pair.R.t() * pair.t) / pair.depth;
 }
 
-cv::Ptr<cv::usacv20::Usac> AbsolutePose::estimator(const ImagePair& pair, const cv::usacv20::Params& params) const
+cv::Ptr<cv::usacv20::Usac> AbsolutePose::estimator(const ImagePair& pair,
+                                                   const cv::usacv20::Params& params) const
 {
-    return cv::usacv20::Usac::create(type, pair.objectPoints, pair.points2, params, pair.K2, cv::noArray(),
-                                     pair.distortion);
+    return cv::usacv20::Usac::create(type, pair.objectPoints, pair.points2, params, pair.K2,
+                                     cv::noArray(), pair.distortion);
 }
 
-void AbsolutePose::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+void AbsolutePose::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                              Estimate& estimate) const
 {
-    estimate.model = cv::usacv20::estimateAbsolutePose(pair.objectPoints, pair.points2, pair.K2, pair.distortion,
-                                                       params, estimate.mask);
+    estimate.model = cv::usacv20::estimateAbsolutePose(pair.objectPoints, pair.points2, pair.K2,
+                                                       pair.distortion, params, estimate.mask);
 }
 
-void AbsolutePose::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+void AbsolutePose::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                              Estimate& estimate) const
 {
     cv::Mat rotation, translation;
     std::vector<int> inliers;
-    if (!cv::solvePnPRansac(pair.objectPoints, pair.points2, pair.K2, pair.distortion, rotation, translation, false,
-                            settings.maxIterations, (float)settings.threshold, settings.confidence, inliers, flag))
+    if (!cv::solvePnPRansac(pair.objectPoints, pair.points2, pair.K2, pair.distortion, rotation,
+                            translation, false, settings.maxIterations, (float)settings.threshold,
+                            settings.confidence, inliers, flag))
         return;
     cv::Mat R;
     cv::Rodrigues(rotation, R);

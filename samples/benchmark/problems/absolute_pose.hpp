@@ -9,8 +9,8 @@
 
 namespace benchmark {
 
-//! P, the pose [R t] of a camera from object points and their images, x ~ R X + t. The error of the camera center is in
-//! percent of the depth of the scene.
+//! P, the pose [R t] of a camera from object points and their images, x ~ R X + t. The error of the
+//! camera center is in percent of the depth of the scene.
 class AbsolutePose : public MotionKind
 {
 public:
@@ -19,12 +19,16 @@ public:
     bool hasCamera2() const CV_OVERRIDE { return true; }
     void read(const std::string& path, ImagePair& pair) const CV_OVERRIDE;
     double modelError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
-    double modelCost(const ImagePair& pair, const cv::Mat& model, double threshold) const CV_OVERRIDE;
+    double modelCost(const ImagePair& pair, const cv::Mat& model,
+                     double threshold) const CV_OVERRIDE;
     double centerError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
 
-    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair, const cv::usacv20::Params& params) const CV_OVERRIDE;
-    void callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const CV_OVERRIDE;
-    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const CV_OVERRIDE;
+    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
+                                         const cv::usacv20::Params& params) const CV_OVERRIDE;
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
 };
 
 }  // namespace benchmark

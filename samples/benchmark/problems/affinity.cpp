@@ -10,15 +10,18 @@ namespace benchmark {
 
 Affinity::Affinity() : PlaneMap(cv::usacv20::AFFINITY, 'A', cv::Size(3, 2), 3, 2000) {}
 
-void Affinity::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+void Affinity::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                          Estimate& estimate) const
 {
     estimate.model = cv::estimateAffine2D(pair.points1, pair.points2, estimate.mask, params);
 }
 
-void Affinity::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+void Affinity::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                          Estimate& estimate) const
 {
-    estimate.model = cv::estimateAffine2D(pair.points1, pair.points2, estimate.mask, flag, settings.threshold,
-                                          (size_t)settings.maxIterations, settings.confidence);
+    estimate.model = cv::estimateAffine2D(pair.points1, pair.points2, estimate.mask, flag,
+                                          settings.threshold, (size_t)settings.maxIterations,
+                                          settings.confidence);
 }
 
 }  // namespace benchmark

@@ -13,7 +13,8 @@ namespace benchmark {
 
 namespace {
 
-double squaredSampsonDistance(const cv::Matx33d& F, const cv::Point2d& point1, const cv::Point2d& point2)
+double squaredSampsonDistance(const cv::Matx33d& F, const cv::Point2d& point1,
+                              const cv::Point2d& point2)
 {
     const cv::Vec3d x1 = homogeneous(point1), x2 = homogeneous(point2);
     const cv::Vec3d line2 = F * x1, line1 = F.t() * x2;
@@ -31,7 +32,8 @@ struct Rays
 Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
 {
     const cv::Matx33d inverse1 = pair.K1.inv(), inverse2 = pair.K2.inv();
-    const bool all = mask.type() != CV_8UC1 || mask.total() != pair.points1.size() || cv::countNonZero(mask) == 0;
+    const bool all = mask.type() != CV_8UC1 || mask.total() != pair.points1.size() ||
+                     cv::countNonZero(mask) == 0;
     Rays result;
     for (size_t i = 0; i < pair.points1.size(); ++i)
     {
@@ -43,8 +45,8 @@ Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
     return result;
 }
 
-//! Correspondences with two positive depths a, b. Of a R x1 + t = b x2 follow (Rx1 x x2) a = x2 x t, (Rx1 x x2) b = Rx1
-//! x t.
+//! Correspondences with two positive depths a, b. Of a R x1 + t = b x2 follow (Rx1 x x2) a = x2 x
+//! t, (Rx1 x x2) b = Rx1 x t.
 int countInFront(const Rays& rays, const cv::Matx33d& R, const cv::Vec3d& t)
 {
     int count = 0;
@@ -65,8 +67,9 @@ double Epipolar::modelError(const ImagePair& pair, const cv::Mat& model) const
     if (!toMatrix(model, M))
         return std::numeric_limits<double>::infinity();
     const cv::Matx33d F = toFundamental(pair, M);
-    return rootOfMean((int)pair.truth1.size(),
-                      [&](int i) { return squaredSampsonDistance(F, pair.truth1[i], pair.truth2[i]); });
+    return rootOfMean((int)pair.truth1.size(), [&](int i) {
+        return squaredSampsonDistance(F, pair.truth1[i], pair.truth2[i]);
+    });
 }
 
 double Epipolar::failureLimit(const ImagePair& pair) const
@@ -80,8 +83,9 @@ double Epipolar::modelCost(const ImagePair& pair, const cv::Mat& model, double t
     if (!toMatrix(model, M))
         return 1;
     const cv::Matx33d F = toFundamental(pair, M);
-    return truncatedMean(pair.size(), threshold_,
-                         [&](int i) { return squaredSampsonDistance(F, pair.points1[i], pair.points2[i]); });
+    return truncatedMean(pair.size(), threshold_, [&](int i) {
+        return squaredSampsonDistance(F, pair.points1[i], pair.points2[i]);
+    });
 }
 
 double Epipolar::poseError(const ImagePair& pair, const Estimate& estimate) const

@@ -17,7 +17,8 @@ public:
 
     double modelError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
     double failureLimit(const ImagePair& pair) const CV_OVERRIDE;
-    double modelCost(const ImagePair& pair, const cv::Mat& model, double threshold) const CV_OVERRIDE;
+    double modelCost(const ImagePair& pair, const cv::Mat& model,
+                     double threshold) const CV_OVERRIDE;
     double poseError(const ImagePair& pair, const Estimate& estimate) const CV_OVERRIDE;
 
 protected:

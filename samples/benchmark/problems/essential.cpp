@@ -28,15 +28,17 @@ cv::UsacParams usacParamsOf(int flag, const Settings& settings)
                           : flag == cv::USAC_ACCURATE ? 25
                           : flag == cv::USAC_FAST     ? 5
                                                       : 15;
-    params.loMethod = flag == cv::USAC_MAGSAC                             ? cv::LOCAL_OPTIM_SIGMA
-                      : flag == cv::USAC_ACCURATE                         ? cv::LOCAL_OPTIM_GC
-                      : flag == cv::USAC_DEFAULT || flag == cv::USAC_FAST ? cv::LOCAL_OPTIM_INNER_AND_ITER_LO
-                                                                          : cv::LOCAL_OPTIM_INNER_LO;
+    params.loMethod = flag == cv::USAC_MAGSAC     ? cv::LOCAL_OPTIM_SIGMA
+                      : flag == cv::USAC_ACCURATE ? cv::LOCAL_OPTIM_GC
+                      : flag == cv::USAC_DEFAULT || flag == cv::USAC_FAST
+                          ? cv::LOCAL_OPTIM_INNER_AND_ITER_LO
+                          : cv::LOCAL_OPTIM_INNER_LO;
     return params;
 }
 
 //! Points of a camera as the camera `mean` sees them.
-cv::Mat toCamera(const std::vector<cv::Point2f>& points, const cv::Matx33d& K, const cv::Matx33d& mean)
+cv::Mat toCamera(const std::vector<cv::Point2f>& points, const cv::Matx33d& K,
+                 const cv::Matx33d& mean)
 {
     cv::Mat result;
     cv::undistortPoints(points, result, K, cv::noArray(), cv::noArray(), mean);
@@ -53,33 +55,37 @@ void Essential::checkTruth(const TruthReader& in, const ImagePair& pair) const
     in.require(pair.hasCamera2, "K2", "needed for E");
 }
 
-cv::Ptr<cv::usacv20::Usac> Essential::estimator(const ImagePair& pair, const cv::usacv20::Params& params) const
+cv::Ptr<cv::usacv20::Usac> Essential::estimator(const ImagePair& pair,
+                                                const cv::usacv20::Params& params) const
 {
     return cv::usacv20::Usac::create(type, pair.points1, pair.points2, params, pair.K1, pair.K2);
 }
 
-void Essential::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+void Essential::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                           Estimate& estimate) const
 {
-    estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2, cv::noArray(), cv::noArray(),
-                                          estimate.mask, params);
+    estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2,
+                                          cv::noArray(), cv::noArray(), estimate.mask, params);
 }
 
-void Essential::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+void Essential::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                           Estimate& estimate) const
 {
     const cv::Mat none;
     if (settings.maxIterations == ITERATIONS_OF_TWO_CAMERAS)
-        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, none, pair.K2, none, flag,
-                                              settings.confidence, settings.threshold, estimate.mask);
+        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, none, pair.K2,
+                                              none, flag, settings.confidence, settings.threshold,
+                                              estimate.mask);
     else if (flag == cv::RANSAC || flag == cv::LMEDS)
     {
         const cv::Matx33d mean = (pair.K1 + pair.K2) * 0.5;
-        estimate.model = cv::findEssentialMat(toCamera(pair.points1, pair.K1, mean),
-                                              toCamera(pair.points2, pair.K2, mean), mean, flag, settings.confidence,
-                                              settings.threshold, settings.maxIterations, estimate.mask);
+        estimate.model = cv::findEssentialMat(
+            toCamera(pair.points1, pair.K1, mean), toCamera(pair.points2, pair.K2, mean), mean,
+            flag, settings.confidence, settings.threshold, settings.maxIterations, estimate.mask);
     }
     else
-        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2, none, none, estimate.mask,
-                                              usacParamsOf(flag, settings));
+        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2, none,
+                                              none, estimate.mask, usacParamsOf(flag, settings));
 }
 
 cv::Matx33d Essential::toFundamental(const ImagePair& pair, const cv::Matx33d& model) const
@@ -87,6 +93,9 @@ cv::Matx33d Essential::toFundamental(const ImagePair& pair, const cv::Matx33d& m
     return pair.K2.inv().t() * model * pair.K1.inv();
 }
 
-cv::Matx33d Essential::toEssential(const ImagePair&, const cv::Matx33d& model) const { return model; }
+cv::Matx33d Essential::toEssential(const ImagePair&, const cv::Matx33d& model) const
+{
+    return model;
+}
 
 }  // namespace benchmark

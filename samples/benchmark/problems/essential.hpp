@@ -17,9 +17,12 @@ public:
 
     bool hasCamera1() const CV_OVERRIDE { return true; }
     bool hasCamera2() const CV_OVERRIDE { return true; }
-    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair, const cv::usacv20::Params& params) const CV_OVERRIDE;
-    void callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const CV_OVERRIDE;
-    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const CV_OVERRIDE;
+    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
+                                         const cv::usacv20::Params& params) const CV_OVERRIDE;
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
 
 protected:
     void checkTruth(const TruthReader& in, const ImagePair& pair) const CV_OVERRIDE;

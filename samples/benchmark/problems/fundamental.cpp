@@ -10,18 +10,24 @@ namespace benchmark {
 
 Fundamental::Fundamental() : Epipolar(cv::usacv20::FUNDAMENTAL, 'F', cv::Size(3, 3), 1, 1000) {}
 
-void Fundamental::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+void Fundamental::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                             Estimate& estimate) const
 {
     estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, estimate.mask, params);
 }
 
-void Fundamental::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+void Fundamental::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                             Estimate& estimate) const
 {
-    estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, flag, settings.threshold, settings.confidence,
-                                            settings.maxIterations, estimate.mask);
+    estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, flag, settings.threshold,
+                                            settings.confidence, settings.maxIterations,
+                                            estimate.mask);
 }
 
-cv::Matx33d Fundamental::toFundamental(const ImagePair&, const cv::Matx33d& model) const { return model; }
+cv::Matx33d Fundamental::toFundamental(const ImagePair&, const cv::Matx33d& model) const
+{
+    return model;
+}
 
 cv::Matx33d Fundamental::toEssential(const ImagePair& pair, const cv::Matx33d& model) const
 {

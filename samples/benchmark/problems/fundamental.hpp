@@ -15,8 +15,10 @@ class Fundamental : public Epipolar
 public:
     Fundamental();
 
-    void callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const CV_OVERRIDE;
-    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const CV_OVERRIDE;
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
 
 protected:
     cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;

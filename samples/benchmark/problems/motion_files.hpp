@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-//! Reads `X1 Y1 Z1 X2 Y2 Z2` lines into the points of both spaces. Raises std::runtime_error with file and line, as all
-//! here.
+//! Reads `X1 Y1 Z1 X2 Y2 Z2` lines into the points of both spaces. Raises std::runtime_error with
+//! file and line, as all here.
 void readSpacePoints(const std::string& file, ImagePair& pair);
 
 /** Reads what is known of the motion between two spaces, behind the points.

@@ -9,8 +9,8 @@
 
 namespace benchmark {
 
-/** Problems whose model is a motion, 3x4. Their error is that of the rotation in degrees; above 5, or with a center
-error above 5 %, an estimate is a failure. */
+/** Problems whose model is a motion, 3x4. Their error is that of the rotation in degrees; above 5,
+or with a center error above 5 %, an estimate is a failure. */
 class MotionKind : public ProblemKind
 {
 public:

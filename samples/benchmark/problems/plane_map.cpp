@@ -29,7 +29,8 @@ cv::Point2d map(const cv::Matx33d& M, const cv::Point2d& point)
     return cv::Point2d(p[0] / p[2], p[1] / p[2]);
 }
 
-double squaredTransferError(const cv::Matx33d& M, const cv::Point2d& point1, const cv::Point2d& point2)
+double squaredTransferError(const cv::Matx33d& M, const cv::Point2d& point1,
+                            const cv::Point2d& point2)
 {
     const cv::Point2d d = map(M, point1) - point2;
     return d.dot(d);
@@ -43,7 +44,8 @@ double PlaneMap::modelError(const ImagePair& pair, const cv::Mat& model) const
     if (!toMap(model, modelSize.height, M))
         return std::numeric_limits<double>::infinity();
     return rootOfMean((int)pair.truth1.size(), [&](int i) {
-        const cv::Point2d truth = pair.truthIsHomography ? map(pair.H, pair.truth1[i]) : pair.truth2[i];
+        const cv::Point2d truth = pair.truthIsHomography ? map(pair.H, pair.truth1[i])
+                                                         : pair.truth2[i];
         return squaredTransferError(M, pair.truth1[i], truth);
     });
 }
@@ -55,8 +57,9 @@ double PlaneMap::modelCost(const ImagePair& pair, const cv::Mat& model, double t
     cv::Matx33d M;
     if (!toMap(model, modelSize.height, M))
         return 1;
-    return truncatedMean(pair.size(), threshold_,
-                         [&](int i) { return squaredTransferError(M, pair.points1[i], pair.points2[i]); });
+    return truncatedMean(pair.size(), threshold_, [&](int i) {
+        return squaredTransferError(M, pair.points1[i], pair.points2[i]);
+    });
 }
 
 }  // namespace benchmark

@@ -9,8 +9,8 @@
 
 namespace benchmark {
 
-/** Maps of image 1 to image 2, a matrix of two or three rows that the homogeneous points are multiplied with. Errors
-are distances in image 2. */
+/** Maps of image 1 to image 2, a matrix of two or three rows that the homogeneous points are
+multiplied with. Errors are distances in image 2. */
 class PlaneMap : public ProblemKind
 {
 public:
@@ -18,7 +18,8 @@ public:
 
     double modelError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
     double failureLimit(const ImagePair& pair) const CV_OVERRIDE;
-    double modelCost(const ImagePair& pair, const cv::Mat& model, double threshold) const CV_OVERRIDE;
+    double modelCost(const ImagePair& pair, const cv::Mat& model,
+                     double threshold) const CV_OVERRIDE;
 };
 
 }  // namespace benchmark

@@ -27,8 +27,9 @@ const std::vector<const ProblemKind*>& kinds()
     static const Similarity similarity;
     static const AbsolutePose absolutePose;
     static const RigidMotion rigid(false), scaled(true);
-    static const std::vector<const ProblemKind*> all = {&homography, &fundamental,  &essential, &affinity,
-                                                        &similarity, &absolutePose, &rigid,     &scaled};
+    static const std::vector<const ProblemKind*> all = {&homography, &fundamental, &essential,
+                                                        &affinity,   &similarity,  &absolutePose,
+                                                        &rigid,      &scaled};
     return all;
 }
 
@@ -42,9 +43,10 @@ std::string allLetters()
 
 }  // namespace
 
-ProblemKind::ProblemKind(ProblemType type_, char letter_, const cv::Size& modelSize_, double threshold_,
-                         int maxIterations_)
-    : type(type_), letter(letter_), modelSize(modelSize_), threshold(threshold_), maxIterations(maxIterations_)
+ProblemKind::ProblemKind(ProblemType type_, char letter_, const cv::Size& modelSize_,
+                         double threshold_, int maxIterations_)
+    : type(type_), letter(letter_), modelSize(modelSize_), threshold(threshold_),
+      maxIterations(maxIterations_)
 {}
 
 void ProblemKind::read(const std::string& path, ImagePair& pair) const
@@ -62,9 +64,13 @@ double ProblemKind::poseError(const ImagePair&, const Estimate&) const { return 
 
 double ProblemKind::centerError(const ImagePair&, const cv::Mat&) const { return -1; }
 
-bool ProblemKind::failed(const ImagePair& pair, double error, double) const { return !(error <= failureLimit(pair)); }
+bool ProblemKind::failed(const ImagePair& pair, double error, double) const
+{
+    return !(error <= failureLimit(pair));
+}
 
-cv::Ptr<cv::usacv20::Usac> ProblemKind::estimator(const ImagePair& pair, const cv::usacv20::Params& params) const
+cv::Ptr<cv::usacv20::Usac> ProblemKind::estimator(const ImagePair& pair,
+                                                  const cv::usacv20::Params& params) const
 {
     return cv::usacv20::Usac::create(type, pair.points1, pair.points2, params);
 }

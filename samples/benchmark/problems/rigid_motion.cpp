@@ -30,8 +30,8 @@ cv::Vec3d toVec(const cv::Point3f& point) { return cv::Vec3d(point.x, point.y, p
 }  // namespace
 
 RigidMotion::RigidMotion(bool scaled_)
-    : MotionKind(scaled_ ? cv::usacv20::SIMILARITY_3D : cv::usacv20::RIGID_3D, scaled_ ? 'M' : 'R', THRESHOLD,
-                 MAX_ITERATIONS),
+    : MotionKind(scaled_ ? cv::usacv20::SIMILARITY_3D : cv::usacv20::RIGID_3D, scaled_ ? 'M' : 'R',
+                 THRESHOLD, MAX_ITERATIONS),
       scaled(scaled_)
 {}
 
@@ -46,7 +46,8 @@ double RigidMotion::modelError(const ImagePair& pair, const cv::Mat& model) cons
 {
     cv::Matx33d A;
     cv::Vec3d t;
-    return toMotion(model, A, t) ? angleBetween(closestRotation(A), pair.R) : std::numeric_limits<double>::infinity();
+    return toMotion(model, A, t) ? angleBetween(closestRotation(A), pair.R)
+                                 : std::numeric_limits<double>::infinity();
 }
 
 double RigidMotion::modelCost(const ImagePair& pair, const cv::Mat& model, double threshold_) const
@@ -70,29 +71,35 @@ double RigidMotion::centerError(const ImagePair& pair, const cv::Mat& model) con
     const cv::Matx33d difference = A - pair.scale * pair.R;
     const bool known = !pair.right.empty();
     const double error = rootOfMean(known ? (int)pair.right.size() : pair.size(), [&](int i) {
-        const cv::Vec3d d = difference * toVec(pair.objectPoints[known ? pair.right[i] : i]) + t - pair.t;
+        const cv::Vec3d d = difference * toVec(pair.objectPoints[known ? pair.right[i] : i]) + t -
+                            pair.t;
         return d.dot(d);
     });
     return 100 * error / pair.depth;
 }
 
-cv::Ptr<cv::usacv20::Usac> RigidMotion::estimator(const ImagePair& pair, const cv::usacv20::Params& params) const
+cv::Ptr<cv::usacv20::Usac> RigidMotion::estimator(const ImagePair& pair,
+                                                  const cv::usacv20::Params& params) const
 {
     return cv::usacv20::Usac::create(type, pair.objectPoints, pair.spacePoints2, params);
 }
 
-void RigidMotion::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+void RigidMotion::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                             Estimate& estimate) const
 {
     if (scaled)
-        estimate.model = cv::usacv20::estimateSimilarity3D(pair.objectPoints, pair.spacePoints2, params, estimate.mask);
+        estimate.model = cv::usacv20::estimateSimilarity3D(pair.objectPoints, pair.spacePoints2,
+                                                           params, estimate.mask);
     else
-        estimate.model = cv::usacv20::estimateRigid3D(pair.objectPoints, pair.spacePoints2, params, estimate.mask);
+        estimate.model = cv::usacv20::estimateRigid3D(pair.objectPoints, pair.spacePoints2, params,
+                                                      estimate.mask);
 }
 
-void RigidMotion::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+void RigidMotion::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                             Estimate& estimate) const
 {
-    if (!cv::estimateAffine3D(pair.objectPoints, pair.spacePoints2, estimate.model, estimate.mask, settings.threshold,
-                              settings.confidence))
+    if (!cv::estimateAffine3D(pair.objectPoints, pair.spacePoints2, estimate.model, estimate.mask,
+                              settings.threshold, settings.confidence))
         estimate = Estimate();
     else if (flag == AFFINE3D_REFIT)
         refit(pair, estimate);

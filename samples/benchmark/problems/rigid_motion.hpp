@@ -9,29 +9,36 @@
 
 namespace benchmark {
 
-/** R, the motion [R t] of space that takes points to their counterparts; M, the same with a scale, [s R t].
+/** R, the motion [R t] of space that takes points to their counterparts; M, the same with a scale,
+[s R t].
 
-An affine map has the rotation that is the closest to it. In the place of the error of a camera's center: the root mean
-square distance between where the estimated and the true motion take the right points, in percent of the size of the
-scene. calib3d has no such function; what comes closest are those of Rival. */
+An affine map has the rotation that is the closest to it. In the place of the error of a camera's
+center: the root mean square distance between where the estimated and the true motion take the right
+points, in percent of the size of the scene. calib3d has no such function; what comes closest are
+those of Rival. */
 class RigidMotion : public MotionKind
 {
 public:
-    /** AFFINE3D: `cv::estimateAffine3D(points1, points2, model, mask, threshold, confidence)`, RANSAC for an affine map
-    of space, at most 1000 samples of four points. AFFINE3D_REFIT: behind it the motion of least squares of its inliers
-    by the function of the same name that takes no threshold. */
+    /** AFFINE3D: `cv::estimateAffine3D(points1, points2, model, mask, threshold, confidence)`,
+    RANSAC for an affine map of space, at most 1000 samples of four points. AFFINE3D_REFIT: behind
+    it the motion of least squares of its inliers by the function of the same name that takes no
+    threshold. */
     enum Rival { AFFINE3D = 1000, AFFINE3D_REFIT };
 
     explicit RigidMotion(bool scaled);
 
     void read(const std::string& path, ImagePair& pair) const CV_OVERRIDE;
     double modelError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
-    double modelCost(const ImagePair& pair, const cv::Mat& model, double threshold) const CV_OVERRIDE;
+    double modelCost(const ImagePair& pair, const cv::Mat& model,
+                     double threshold) const CV_OVERRIDE;
     double centerError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
 
-    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair, const cv::usacv20::Params& params) const CV_OVERRIDE;
-    void callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const CV_OVERRIDE;
-    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const CV_OVERRIDE;
+    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
+                                         const cv::usacv20::Params& params) const CV_OVERRIDE;
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
 
 private:
     void refit(const ImagePair& pair, Estimate& estimate) const;

@@ -10,15 +10,18 @@ namespace benchmark {
 
 Similarity::Similarity() : PlaneMap(cv::usacv20::SIMILARITY, 'S', cv::Size(3, 2), 3, 2000) {}
 
-void Similarity::callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const
+void Similarity::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                            Estimate& estimate) const
 {
     estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask, params);
 }
 
-void Similarity::callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const
+void Similarity::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                            Estimate& estimate) const
 {
-    estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask, flag, settings.threshold,
-                                                 (size_t)settings.maxIterations, settings.confidence);
+    estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask, flag,
+                                                 settings.threshold, (size_t)settings.maxIterations,
+                                                 settings.confidence);
 }
 
 }  // namespace benchmark

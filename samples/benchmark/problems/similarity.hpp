@@ -9,14 +9,17 @@
 
 namespace benchmark {
 
-//! S, rotation, uniform scale and translation of image 1 to image 2. Defaults are those of calib3d's function.
+//! S, rotation, uniform scale and translation of image 1 to image 2. Defaults are those of
+//! calib3d's function.
 class Similarity : public PlaneMap
 {
 public:
     Similarity();
 
-    void callModule(const ImagePair& pair, const cv::usacv20::Params& params, Estimate& estimate) const CV_OVERRIDE;
-    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings, Estimate& estimate) const CV_OVERRIDE;
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
 };
 
 }  // namespace benchmark

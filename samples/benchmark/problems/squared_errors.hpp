@@ -11,8 +11,8 @@
 
 namespace benchmark {
 
-//! The model in double. A function that returns several stacked models is held to the first. @return false if it has
-//! another shape, or is not finite.
+//! The model in double. A function that returns several stacked models is held to the first.
+//! @return false if it has another shape, or is not finite.
 bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix);
 
 //! The 3x4 model [A t] in double. @return false if it has another shape, or is not finite.
@@ -49,7 +49,8 @@ double truncatedMean(int count, double threshold, const Error& errorOf)
     return sum / count;
 }
 
-//! Degrees; from the chord |R1 - R2| = 2 sqrt(2) sin(angle / 2), which is exact for small angles, too.
+//! Degrees; from the chord |R1 - R2| = 2 sqrt(2) sin(angle / 2), which is exact for small angles,
+//! too.
 double angleBetween(const cv::Matx33d& R1, const cv::Matx33d& R2);
 double angleBetween(const cv::Vec3d& a, const cv::Vec3d& b);
 

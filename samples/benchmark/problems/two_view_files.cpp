@@ -52,7 +52,9 @@ void readTwoViewTruth(const TruthReader& in, char letter, ImagePair& pair)
     in.read("R", [&](const Json& v) { hasR = toMatrix(v, pair.R); });
     in.read("t", [&](const Json& v) { hasT = toVector(v, pair.t); });
     in.read("gt_points", [&](const Json& v) { readTruePoints(v, pair); });
-    in.read("gt_kind", [&](const Json& v) { pair.truthIsHomography = !v.isNull() && v.string() == "homography"; });
+    in.read("gt_kind", [&](const Json& v) {
+        pair.truthIsHomography = !v.isNull() && v.string() == "homography";
+    });
     in.requireProblem(letter);
 
     pair.hasCamera1 = hasK1;
@@ -63,7 +65,8 @@ void readTwoViewTruth(const TruthReader& in, char letter, ImagePair& pair)
 void checkTruePoints(const TruthReader& in, const ImagePair& pair)
 {
     in.require(!pair.truth1.empty(), "gt_points", "none, the error cannot be measured");
-    in.require(pair.hasHomography || !pair.truthIsHomography, "H", "needed where gt_kind is homography");
+    in.require(pair.hasHomography || !pair.truthIsHomography, "H",
+               "needed where gt_kind is homography");
 }
 
 }  // namespace benchmark

@@ -23,8 +23,8 @@ void readDistortion(const Json& json, std::vector<double>& distortion)
         throw std::runtime_error("expected 4, 5, 8, 12 or 14 coefficients");
 }
 
-//! Median distance of the right matches from the camera along its axis, of all matches if it is not known which are
-//! right.
+//! Median distance of the right matches from the camera along its axis, of all matches if it is not
+//! known which are right.
 double depthOf(const ImagePair& pair, const std::vector<int>& right)
 {
     std::vector<double> depths;
@@ -68,7 +68,8 @@ void readScores(const std::string& file, ImagePair& pair)
         last = row.line;
     });
     if (count != pair.scores.size())
-        failAt(file, last, cv::format("%d scores, but %d correspondences", (int)count, pair.size()));
+        failAt(file, last,
+               cv::format("%d scores, but %d correspondences", (int)count, pair.size()));
 }
 
 void readIndices(const Json& json, int size, std::vector<int>& indices)

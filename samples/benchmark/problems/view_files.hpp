@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-//! Reads `X Y Z u v` lines into the object points and the points of image 2. Raises std::runtime_error with file and
-//! line, as all here.
+//! Reads `X Y Z u v` lines into the object points and the points of image 2. Raises
+//! std::runtime_error with file and line, as all here.
 void readObjectPoints(const std::string& file, ImagePair& pair);
 
 //! Reads a score a line, one for each match; where there is no such file, all are 1.

@@ -16,11 +16,14 @@ class CountingSolver : public cv::usacv20::MinimalSolver
 public:
     typedef cv::usacv20::Model Model;
 
-    explicit CountingSolver(const cv::Ptr<cv::usacv20::MinimalSolver>& solver_) : solver(solver_), computed(0) {}
+    explicit CountingSolver(const cv::Ptr<cv::usacv20::MinimalSolver>& solver_)
+        : solver(solver_), computed(0)
+    {}
 
     int sampleSize() const CV_OVERRIDE { return solver->sampleSize(); }
 
-    int solve(const cv::usacv20::Correspondences& points, const int* sample, Model* models) const CV_OVERRIDE
+    int solve(const cv::usacv20::Correspondences& points, const int* sample,
+              Model* models) const CV_OVERRIDE
     {
         samples.insert(samples.end(), sample, sample + sampleSize());
         const int count = solver->solve(points, sample, models);

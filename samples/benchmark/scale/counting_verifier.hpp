@@ -11,8 +11,9 @@ namespace benchmark {
 
 /** A verifier that counts the points that the models of the samples are tested with.
 
-It is asked before and after each block of points, so it learns of every one; blocks and decisions are those of the
-verifier behind it, without one the blocks of a run without verifier. For one thread. */
+It is asked before and after each block of points, so it learns of every one; blocks and decisions
+are those of the verifier behind it, without one the blocks of a run without verifier. For one
+thread. */
 class CountingVerifier : public cv::usacv20::Verifier
 {
 public:
@@ -27,8 +28,8 @@ public:
             verifier->start(context);
     }
 
-    bool preTest(const cv::usacv20::Context& context, const cv::usacv20::Model& model, cv::usacv20::Rng& rng,
-                 int& inliers, int& tested) const CV_OVERRIDE
+    bool preTest(const cv::usacv20::Context& context, const cv::usacv20::Model& model,
+                 cv::usacv20::Rng& rng, int& inliers, int& tested) const CV_OVERRIDE
     {
         const bool passed = !verifier || verifier->preTest(context, model, rng, inliers, tested);
         count += tested;

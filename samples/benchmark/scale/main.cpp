@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// How the time of robust estimators grows with the number of matches and with the part of wrong ones, on synthetic
-// scenes; and how near the search of the module's methods is to what its solver and its kernel need alone.
+// How the time of robust estimators grows with the number of matches and with the part of wrong
+// ones, on synthetic scenes; and how near the search of the module's methods is to what its solver
+// and its kernel need alone.
 //
 //     usac_scale --csv=scale.csv --boundCsv=bound.csv > scale.md
 //     python3 samples/benchmark/plot_scale.py scale.csv --out=pictures
@@ -65,8 +66,9 @@ void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& 
             for (size_t i = 0; method && i < options.boundInliers.size(); ++i)
             {
                 const ProblemType problem = options.problems[p];
-                method->prepare(toImagePair(options.scene(problem, options.size, options.boundInliers[i], 0)),
-                                options.settings(problem));
+                method->prepare(
+                    toImagePair(options.scene(problem, options.size, options.boundInliers[i], 0)),
+                    options.settings(problem));
                 SearchBound bound(options.methods[m], problem, options.boundInliers[i], options);
                 bound.run(method->parameters());
                 bound.markdown(std::cout);
@@ -83,9 +85,11 @@ void run(const ScaleOptions& options)
     for (size_t i = 0; i < options.methods.size(); ++i)
         methods.push_back(createMethod(options.methods[i]));
     cv::setNumThreads(options.threads);
-    std::cout << "# Scale\n\nOpenCV " << cv::getVersionString() << "; synthetic scenes, noise " << options.noise
-              << " px, " << options.repeats << " of each kind, seed " << options.seed << ", threads " << options.threads
-              << ".\n\nTimes over size and part of right matches: median CPU time of a call, ms / median error, px / "
+    std::cout << "# Scale\n\nOpenCV " << cv::getVersionString() << "; synthetic scenes, noise "
+              << options.noise << " px, " << options.repeats << " of each kind, seed "
+              << options.seed << ", threads " << options.threads
+              << ".\n\nTimes over size and part of right matches: median CPU time of a call, ms / "
+                 "median error, px / "
                  "failures, %; -: "
                  "not run, as the call before took more than "
               << options.limit << " ms.\n";

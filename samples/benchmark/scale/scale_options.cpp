@@ -11,29 +11,35 @@ namespace benchmark {
 
 namespace {
 
-const char KEYS[] =
-    "{help h usage ? | | print this }"
-    "{measure        |size,inliers,bound| what to do; size: time over the number of matches; inliers: over the part of "
-    "right "
-    "ones; bound: time of the search over its lower bound }"
-    "{problems       |H,F,E| which }"
-    "{methods        |USACV20,USACV20_FAST,cv:USAC_FAST,cv:USAC_MAGSAC| names with commas as for usac_benchmark; "
-    "bound: those of "
-    "the module }"
-    "{sizes          |50,100,200,500,1000,2000,5000,10000,20000,50000,100000,200000,500000,1000000| numbers of matches "
-    "}"
-    "{parts          |0.9,0.8,0.7,0.6,0.5,0.4,0.3,0.25,0.2,0.15,0.1,0.07,0.05| parts of right matches }"
-    "{boundParts     |0.1,0.2,0.3| the same for bound }"
-    "{size           |2000| matches where they are not what changes }"
-    "{part           |0.5| part of right matches where it is not what changes }"
-    "{noise          |0.5| standard deviation of the right matches in each coordinate, pixels }"
-    "{repeats        |9| scenes of each kind, with a seed of their own }"
-    "{limit          |2000| milliseconds; a method whose median call takes longer is not run on harder scenes }"
-    "{maxIters       | | most iterations (default: H 10000, F and E 1000) }"
-    "{seed           |1| of the first scene, the next ones count up }"
-    "{threads        |1| given to cv::setNumThreads; -1: all processors }"
-    "{csv            | | file for the times }"
-    "{boundCsv       | | file for the lower bounds }";
+const char KEYS[] = "{help h usage ? | | print this }"
+                    "{measure        |size,inliers,bound| what to do; size: time over the number "
+                    "of matches; inliers: over the part of "
+                    "right "
+                    "ones; bound: time of the search over its lower bound }"
+                    "{problems       |H,F,E| which }"
+                    "{methods        |USACV20,USACV20_FAST,cv:USAC_FAST,cv:USAC_MAGSAC| names with "
+                    "commas as for usac_benchmark; "
+                    "bound: those of "
+                    "the module }"
+                    "{sizes          "
+                    "|50,100,200,500,1000,2000,5000,10000,20000,50000,100000,200000,500000,1000000|"
+                    " numbers of matches "
+                    "}"
+                    "{parts          |0.9,0.8,0.7,0.6,0.5,0.4,0.3,0.25,0.2,0.15,0.1,0.07,0.05| "
+                    "parts of right matches }"
+                    "{boundParts     |0.1,0.2,0.3| the same for bound }"
+                    "{size           |2000| matches where they are not what changes }"
+                    "{part           |0.5| part of right matches where it is not what changes }"
+                    "{noise          |0.5| standard deviation of the right matches in each "
+                    "coordinate, pixels }"
+                    "{repeats        |9| scenes of each kind, with a seed of their own }"
+                    "{limit          |2000| milliseconds; a method whose median call takes longer "
+                    "is not run on harder scenes }"
+                    "{maxIters       | | most iterations (default: H 10000, F and E 1000) }"
+                    "{seed           |1| of the first scene, the next ones count up }"
+                    "{threads        |1| given to cv::setNumThreads; -1: all processors }"
+                    "{csv            | | file for the times }"
+                    "{boundCsv       | | file for the lower bounds }";
 
 bool isPart(double value) { return value > 0 && value <= 1; }
 
@@ -57,7 +63,8 @@ bool has(const std::vector<std::string>& names, const std::string& name)
 
 }  // namespace
 
-opencv_test::Scene ScaleOptions::scene(ProblemType problem, int size_, double part_, int repeat) const
+opencv_test::Scene ScaleOptions::scene(ProblemType problem, int size_, double part_,
+                                       int repeat) const
 {
     opencv_test::SceneOptions options;
     options.setSize(size_, part_);
@@ -81,12 +88,14 @@ void ScaleOptions::parseKinds(const cv::CommandLineParser& parser, const Argumen
     sweepSizes = has(what, "size");
     sweepInliers = has(what, "inliers");
     bound = has(what, "bound");
-    require(what.size() == (size_t)(sweepSizes + sweepInliers + bound), "--measure: expected size, inliers, bound");
+    require(what.size() == (size_t)(sweepSizes + sweepInliers + bound),
+            "--measure: expected size, inliers, bound");
     const std::vector<std::string> letters = namesOf(parser, arguments, "problems");
     for (size_t i = 0; i < letters.size(); ++i)
     {
         ProblemType problem = cv::usacv20::HOMOGRAPHY;
-        require(letters[i].size() == 1 && problemOf(letters[i][0], problem) && problem <= cv::usacv20::ESSENTIAL,
+        require(letters[i].size() == 1 && problemOf(letters[i][0], problem) &&
+                    problem <= cv::usacv20::ESSENTIAL,
                 "--problems: expected H, F, E");
         problems.push_back(problem);
     }
@@ -108,7 +117,8 @@ void ScaleOptions::parseScenes(const cv::CommandLineParser& parser, const Argume
     require(isPart(part), "--part: expected a number above 0 up to 1");
     require(noise >= 0, "--noise: expected 0 or more");
     require(seed >= 0, "--seed: expected 0 or more");
-    require(size * inliers.back() >= 1 && size * boundInliers.back() >= 1 && sizes.front() * part >= 1,
+    require(size * inliers.back() >= 1 && size * boundInliers.back() >= 1 &&
+                sizes.front() * part >= 1,
             "--size, --sizes: there is no right match");
 }
 
@@ -116,11 +126,11 @@ bool ScaleOptions::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about(
-        "Time over the size and over the hardness of synthetic scenes, and the time of the search over its lower "
-        "bound.\n"
-        "Methods: " +
-        knownMethods() + ".");
+    parser.about("Time over the size and over the hardness of synthetic scenes, and the time of "
+                 "the search over its lower "
+                 "bound.\n"
+                 "Methods: " +
+                 knownMethods() + ".");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();

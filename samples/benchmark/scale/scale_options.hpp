@@ -34,8 +34,8 @@ struct ScaleOptions
     //! What the methods are given.
     Settings settings(ProblemType problem) const;
 
-    /** Reads the command line. @return false if only help was asked for, which has been printed then.
-    A mistake raises std::runtime_error. */
+    /** Reads the command line. @return false if only help was asked for, which has been printed
+    then. A mistake raises std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:

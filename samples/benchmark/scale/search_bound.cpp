@@ -22,7 +22,8 @@ namespace {
 const int ROUNDS = 15;
 
 //! Wall time, as Report::searchMs. @param found output, number of models.
-double solverMsOf(const Usac& usac, const MinimalSolver& solver, const CountingSolver& samples, int& found)
+double solverMsOf(const Usac& usac, const MinimalSolver& solver, const CountingSolver& samples,
+                  int& found)
 {
     const Stopwatch watch;
     Model models[MAX_MODELS];
@@ -48,9 +49,10 @@ std::string perUnit(double ms, int64 count, double unit)
 
 }  // namespace
 
-SearchBound::SearchBound(const std::string& method_, ProblemType problem_, double part_, const ScaleOptions& options_)
-    : method(method_), problem(problem_), part(part_), options(options_), samples(0), solved(0), models(0), points(0),
-      searchMs(0), solverMs(0), kernelMs(0), allSolverMs(0)
+SearchBound::SearchBound(const std::string& method_, ProblemType problem_, double part_,
+                         const ScaleOptions& options_)
+    : method(method_), problem(problem_), part(part_), options(options_), samples(0), solved(0),
+      models(0), points(0), searchMs(0), solverMs(0), kernelMs(0), allSolverMs(0)
 {}
 
 void SearchBound::run(const Params& params)
@@ -69,7 +71,8 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
     const cv::Ptr<Usac> counted = createUsac(scene, params);
     const Components original = counted->components();
     if (original.score->wholeModel())
-        throw std::runtime_error(method + ": its quality looks at all points at once, they are not counted");
+        throw std::runtime_error(method +
+                                 ": its quality looks at all points at once, they are not counted");
     const cv::Ptr<CountingSolver> solver = cv::makePtr<CountingSolver>(original.minimalSolver);
     const cv::Ptr<CountingVerifier> verifier = cv::makePtr<CountingVerifier>(original.verifier);
     counted->components().minimalSolver = solver;
@@ -109,11 +112,14 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
 void SearchBound::markdownHeader(std::ostream& out)
 {
     out << "\n## Search and its lower bound\n\n"
-           "Solved: samples that reach the solver. Points: those that a model was tested with, mean. Bound: solver "
+           "Solved: samples that reach the solver. Points: those that a model was tested with, "
+           "mean. Bound: solver "
            "alone for the "
-           "samples solved + kernel alone for the points. Last column: the ratio if all samples drawn counted as "
+           "samples solved + kernel alone for the points. Last column: the ratio if all samples "
+           "drawn counted as "
            "solved.\n\n"
-           "| problem | method | matches | right | samples | solved | models | points | search ms | solver us a sample "
+           "| problem | method | matches | right | samples | solved | models | points | search ms "
+           "| solver us a sample "
            "| "
            "kernel ns a point | bound ms | ratio | ratio, all samples |\n"
            "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
@@ -122,24 +128,26 @@ void SearchBound::markdownHeader(std::ostream& out)
 void SearchBound::markdown(std::ostream& out) const
 {
     const double all = allSolverMs + kernelMs;
-    out << "| " << letterOf(problem) << " | " << method << " | " << options.size << cv::format(" | %g | ", part)
-        << samples << " | " << solved << " | " << models << " | " << perUnit((double)points, models, 1) << " | "
-        << cv::format("%.4g", searchMs) << " | " << perUnit(solverMs, solved, 1e3) << " | "
-        << perUnit(kernelMs, points, 1e6) << " | "
+    out << "| " << letterOf(problem) << " | " << method << " | " << options.size
+        << cv::format(" | %g | ", part) << samples << " | " << solved << " | " << models << " | "
+        << perUnit((double)points, models, 1) << " | " << cv::format("%.4g", searchMs) << " | "
+        << perUnit(solverMs, solved, 1e3) << " | " << perUnit(kernelMs, points, 1e6) << " | "
         << cv::format("%.4g | %.2f | %.2f |\n", boundMs(), searchMs / boundMs(), searchMs / all);
 }
 
 void SearchBound::csvHeader(std::ostream& out)
 {
-    out << "problem,method,size,inliers,scenes,samples,solved,models,points,search_ms,solver_ms,kernel_ms,bound_ms,"
+    out << "problem,method,size,inliers,scenes,samples,solved,models,points,search_ms,solver_ms,"
+           "kernel_ms,bound_ms,"
            "ratio\n";
 }
 
 void SearchBound::csv(std::ostream& out) const
 {
-    out << letterOf(problem) << ",\"" << method << "\"," << options.size << ',' << part << ',' << options.repeats << ','
-        << samples << ',' << solved << ',' << models << ',' << points
-        << cv::format(",%.6g,%.6g,%.6g,%.6g,%.4f\n", searchMs, solverMs, kernelMs, boundMs(), searchMs / boundMs());
+    out << letterOf(problem) << ",\"" << method << "\"," << options.size << ',' << part << ','
+        << options.repeats << ',' << samples << ',' << solved << ',' << models << ',' << points
+        << cv::format(",%.6g,%.6g,%.6g,%.6g,%.4f\n", searchMs, solverMs, kernelMs, boundMs(),
+                      searchMs / boundMs());
 }
 
 }  // namespace benchmark

@@ -12,19 +12,21 @@
 
 namespace benchmark {
 
-/** What the search of a run costs (Report::searchMs: all but reading the points, local optimization and polishing), and
-what it would cost at least: the minimal solver alone for the samples that it got, and the kernel alone for the points
-that the models were tested with.
+/** What the search of a run costs (Report::searchMs: all but reading the points, local optimization
+and polishing), and what it would cost at least: the minimal solver alone for the samples that it
+got, and the kernel alone for the points that the models were tested with.
 
-The solver is timed on the samples of the run, the kernel on models of the run over all points. A run of counting
-components tells how many there are; the same run without them is timed. All times are the least of several, as the same
-instructions run each time. One thread. */
+The solver is timed on the samples of the run, the kernel on models of the run over all points. A
+run of counting components tells how many there are; the same run without them is timed. All times
+are the least of several, as the same instructions run each time. One thread. */
 class SearchBound
 {
 public:
-    SearchBound(const std::string& method, ProblemType problem, double part, const ScaleOptions& options);
+    SearchBound(const std::string& method, ProblemType problem, double part,
+                const ScaleOptions& options);
 
-    //! Measures on all scenes. Raises std::runtime_error if what the method does with points cannot be counted.
+    //! Measures on all scenes. Raises std::runtime_error if what the method does with points cannot
+    //! be counted.
     void run(const cv::usacv20::Params& params);
 
     static void markdownHeader(std::ostream& out);
@@ -42,7 +44,8 @@ private:
     const ScaleOptions& options;
     // sums over the scenes
     int64 samples, solved, models, points;
-    double searchMs, solverMs, kernelMs, allSolverMs;  //!< the last one: as if all samples had been solved
+    double searchMs, solverMs, kernelMs,
+        allSolverMs;  //!< the last one: as if all samples had been solved
 };
 
 }  // namespace benchmark

@@ -14,7 +14,10 @@ namespace {
 const char* const NAMES[] = {"size", "inliers"};
 
 //! A number for a CSV file, empty if it is NaN.
-std::string field(double value) { return std::isnan(value) ? std::string() : cv::format("%.6g", value); }
+std::string field(double value)
+{
+    return std::isnan(value) ? std::string() : cv::format("%.6g", value);
+}
 
 }  // namespace
 
@@ -25,7 +28,8 @@ Sweep::Sweep(Kind kind_, ProblemType problem_, const ScaleOptions& options_)
     for (size_t i = 0; i < count; ++i)
     {
         const Point point = {kind == OVER_SIZE ? options.sizes[i] : options.size,
-                             kind == OVER_SIZE ? options.part : options.inliers[i], std::vector<Summary>()};
+                             kind == OVER_SIZE ? options.part : options.inliers[i],
+                             std::vector<Summary>()};
         points.push_back(point);
     }
 }
@@ -46,8 +50,8 @@ void Sweep::run(const std::vector<cv::Ptr<Method>>& methods, Meter& meter, Progr
     }
 }
 
-void Sweep::measure(Point& point, const std::vector<cv::Ptr<Method>>& methods, std::vector<bool>& active,
-                    Meter& meter) const
+void Sweep::measure(Point& point, const std::vector<cv::Ptr<Method>>& methods,
+                    std::vector<bool>& active, Meter& meter) const
 {
     ListResult result;
     result.problem = problem;
@@ -58,7 +62,8 @@ void Sweep::measure(Point& point, const std::vector<cv::Ptr<Method>>& methods, s
         for (size_t m = 0; m < methods.size(); ++m)
             if (active[m])
             {
-                result.runs[m].push_back(meter.measure(*methods[m], pair, options.settings(problem), repeat));
+                result.runs[m].push_back(
+                    meter.measure(*methods[m], pair, options.settings(problem), repeat));
                 result.runs[m].back().pair = repeat;
             }
     }
@@ -76,10 +81,11 @@ void Sweep::markdown(std::ostream& out) const
 {
     const Settings settings = options.settings(problem);
     out << "\n## " << letterOf(problem) << ": time over the "
-        << (kind == OVER_SIZE ? "number of matches, part of right ones " + cv::format("%g", options.part)
-                              : "part of right matches, " + cv::format("%d", options.size) + " matches")
-        << "\n\nThreshold " << settings.threshold << ", " << settings.maxIterations << " iterations.\n\n| "
-        << (kind == OVER_SIZE ? "matches" : "right") << " |";
+        << (kind == OVER_SIZE
+                ? "number of matches, part of right ones " + cv::format("%g", options.part)
+                : "part of right matches, " + cv::format("%d", options.size) + " matches")
+        << "\n\nThreshold " << settings.threshold << ", " << settings.maxIterations
+        << " iterations.\n\n| " << (kind == OVER_SIZE ? "matches" : "right") << " |";
     for (size_t m = 0; m < options.methods.size(); ++m)
         out << " " << options.methods[m] << " |";
     out << "\n|---:|";
@@ -92,7 +98,8 @@ void Sweep::markdown(std::ostream& out) const
         for (size_t m = 0; m < points[i].rows.size(); ++m)
         {
             const Summary& row = points[i].rows[m];
-            out << (row.lists ? cv::format(" %.3g / %.3g / %.0f |", row.medianCpu, row.medianError, row.failures)
+            out << (row.lists ? cv::format(" %.3g / %.3g / %.0f |", row.medianCpu, row.medianError,
+                                           row.failures)
                               : " - |");
         }
         out << "\n";
@@ -101,7 +108,8 @@ void Sweep::markdown(std::ostream& out) const
 
 void Sweep::csvHeader(std::ostream& out)
 {
-    out << "sweep,problem,size,inliers,method,runs,median_cpu_ms,median_wall_ms,median_error,failures_percent,"
+    out << "sweep,problem,size,inliers,method,runs,median_cpu_ms,median_wall_ms,median_error,"
+           "failures_percent,"
            "median_iterations\n";
 }
 
@@ -112,9 +120,10 @@ void Sweep::csv(std::ostream& out) const
         {
             const Summary& row = points[i].rows[m];
             if (row.lists)
-                out << NAMES[kind] << ',' << letterOf(problem) << ',' << points[i].size << ',' << points[i].part
-                    << ",\"" << options.methods[m] << "\"," << options.repeats << ',' << field(row.medianCpu) << ','
-                    << field(row.medianWall) << ',' << field(row.medianError) << ',' << field(row.failures) << ','
+                out << NAMES[kind] << ',' << letterOf(problem) << ',' << points[i].size << ','
+                    << points[i].part << ",\"" << options.methods[m] << "\"," << options.repeats
+                    << ',' << field(row.medianCpu) << ',' << field(row.medianWall) << ','
+                    << field(row.medianError) << ',' << field(row.failures) << ','
                     << field(row.medianIterations) << '\n';
         }
 }

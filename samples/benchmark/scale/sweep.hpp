@@ -14,10 +14,11 @@
 
 namespace benchmark {
 
-/** Times of all methods on scenes of growing hardness: more matches, or a smaller part of right ones.
+/** Times of all methods on scenes of growing hardness: more matches, or a smaller part of right
+ones.
 
-On each scene all methods run one after the other. A method whose median time is above ScaleOptions::limit does not run
-on the harder ones. */
+On each scene all methods run one after the other. A method whose median time is above
+ScaleOptions::limit does not run on the harder ones. */
 class Sweep
 {
 public:
@@ -42,8 +43,8 @@ private:
     };
 
     //! @param active which methods run; those that were too slow are taken out.
-    void measure(Point& point, const std::vector<cv::Ptr<Method>>& methods, std::vector<bool>& active,
-                 Meter& meter) const;
+    void measure(Point& point, const std::vector<cv::Ptr<Method>>& methods,
+                 std::vector<bool>& active, Meter& meter) const;
     std::string label(const Point& point) const;
 
     const Kind kind;

@@ -14,7 +14,8 @@ namespace benchmark {
 
 namespace {
 
-//! Thresholds; below, a quotient tells more of rounding than of the method, and the error itself is shown.
+//! Thresholds; below, a quotient tells more of rounding than of the method, and the error itself is
+//! shown.
 const double LITTLE_NOISE = 0.05;
 //! Right matches of a plane with relief as a drone sees it.
 const double AERIAL_RATIO = 0.9;
@@ -69,7 +70,8 @@ AccuracyTable::AccuracyTable(const StructuredOptions& options_) : options(option
         methods.push_back(createMethod(options.methods[i]));
 }
 
-Cell AccuracyTable::cellOf(ProblemType problem, const std::string& motion, int size, double ratio) const
+Cell AccuracyTable::cellOf(ProblemType problem, const std::string& motion, int size,
+                           double ratio) const
 {
     const bool aerial = motion == "aerial" && !options.ratiosGiven;
     const Cell cell = {problem, motion, "generic", size, aerial ? AERIAL_RATIO : ratio, "none"};
@@ -79,9 +81,11 @@ Cell AccuracyTable::cellOf(ProblemType problem, const std::string& motion, int s
 void AccuracyTable::run(std::ostream& out, std::ostream* csv)
 {
     if (csv)
-        *csv << "problem,motion,size,ratio,noise,method,runs,median_error,median_ratio,mean_ratio,median_pose,wrong_"
+        *csv << "problem,motion,size,ratio,noise,method,runs,median_error,median_ratio,mean_ratio,"
+                "median_pose,wrong_"
                 "percent\n";
-    const size_t each = options.motions.size() * options.sizes.size() * options.ratios.size() * options.noises.size();
+    const size_t each = options.motions.size() * options.sizes.size() * options.ratios.size() *
+                        options.noises.size();
     Progress progress((int)(each * options.problems.size()));
     opencv_test::SceneOptions unused;
     for (ProblemType problem : options.problems)
@@ -103,7 +107,8 @@ void AccuracyTable::run(std::ostream& out, std::ostream* csv)
 
 void AccuracyTable::header(ProblemType problem, std::ostream& out) const
 {
-    out << "\n## " << letterOf(problem) << "\n\n| motion | matches | right | noise / threshold | least squares |";
+    out << "\n## " << letterOf(problem)
+        << "\n\n| motion | matches | right | noise / threshold | least squares |";
     for (size_t m = 0; m < methods.size(); ++m)
         out << (methods[m]->solves(problem) ? " " + options.methods[m] + " |" : "");
     out << "\n|---|---:|---:|---:|---:|";
@@ -160,12 +165,12 @@ void AccuracyTable::row(const Cell& cell, double noise, std::ostream& out, std::
         csvRow(cell, noise, "least squares", reference, reference, *csv);
 }
 
-void AccuracyTable::csvRow(const Cell& cell, double noise, const std::string& method, const Errors& errors,
-                           const Errors& reference, std::ostream& csv) const
+void AccuracyTable::csvRow(const Cell& cell, double noise, const std::string& method,
+                           const Errors& errors, const Errors& reference, std::ostream& csv) const
 {
     const std::vector<double> ratios = quotients(errors.errors, errors.far, reference.errors);
-    csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.size << ',' << cell.ratio << ',' << noise
-        << ",\"" << method << "\"," << errors.errors.size()
+    csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.size << ',' << cell.ratio
+        << ',' << noise << ",\"" << method << "\"," << errors.errors.size()
         << cv::format(",%.6g,%.6g,%.6g", medianOf(errors.errors), medianOf(ratios), meanOf(ratios))
         << cv::format(",%.6g,%.6g", medianOf(errors.poses), percentOf(errors.wrong)) << std::endl;
 }

@@ -13,15 +13,16 @@
 
 namespace benchmark {
 
-/** Errors of methods against that of least squares over the right matches, over motions and noise. Wrong matches are
- * uniform. */
+/** Errors of methods against that of least squares over the right matches, over motions and noise.
+ Wrong matches are * uniform. */
 class AccuracyTable
 {
 public:
     //! Unknown methods raise std::runtime_error.
     explicit AccuracyTable(const StructuredOptions& options);
 
-    //! One table for each problem to `out`, one row for each cell and method to `csv`, if it is open.
+    //! One table for each problem to `out`, one row for each cell and method to `csv`, if it is
+    //! open.
     void run(std::ostream& out, std::ostream* csv);
 
 private:

@@ -22,7 +22,8 @@ void runModule(const ModuleMethod& method, const ImagePair& pair, Estimate& esti
 
 }  // namespace
 
-Call::Call(Method& method, const ImagePair& pair, const Settings& settings) : cpuUs(0), limited(false)
+Call::Call(Method& method, const ImagePair& pair, const Settings& settings)
+    : cpuUs(0), limited(false)
 {
     const ModuleMethod* const own = dynamic_cast<const ModuleMethod*>(&method);
     method.prepare(pair, settings);

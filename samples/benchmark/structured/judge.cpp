@@ -13,19 +13,24 @@ namespace benchmark {
 
 namespace {
 
-//! A model is worse from here on, in matches: less than half a wrong match is within what polishing can gain or lose.
+//! A model is worse from here on, in matches: less than half a wrong match is within what polishing
+//! can gain or lose.
 const double MARGIN = 0.5;
 //! An inlier of the true model is lost to another one beyond so many thresholds, ...
 const double LOST = 2;
-//! ... and a model that loses at most this part of them is the same one, found but less well refined.
+//! ... and a model that loses at most this part of them is the same one, found but less well
+//! refined.
 const double FEW = 0.01;
-//! Limits of a result that is right: thresholds, or deviations of the noise if that is more (H, F), and degrees (E).
+//! Limits of a result that is right: thresholds, or deviations of the noise if that is more (H, F),
+//! and degrees (E).
 const double WRONG_ERROR = 3, WRONG_POSE = 5;
 
 }  // namespace
 
-Judge::Judge(const opencv_test::Scene& scene_, const ImagePair& pair_, const Settings& settings_, double noise)
-    : scene(scene_), pair(pair_), settings(settings_), farLimit(WRONG_ERROR * std::max(settings_.threshold, noise)),
+Judge::Judge(const opencv_test::Scene& scene_, const ImagePair& pair_, const Settings& settings_,
+             double noise)
+    : scene(scene_), pair(pair_), settings(settings_),
+      farLimit(WRONG_ERROR * std::max(settings_.threshold, noise)),
       bestCost(std::numeric_limits<double>::infinity())
 {
     const TrueModel exact(scene);
@@ -54,7 +59,8 @@ double Judge::costOf(const cv::Mat& model) const
 
 double Judge::distance(const cv::Mat& model, int row) const
 {
-    return opencv_test::pixelError(scene, cv::Matx33d(model.ptr<double>()), pair.points1[row], pair.points2[row]);
+    return opencv_test::pixelError(scene, cv::Matx33d(model.ptr<double>()), pair.points1[row],
+                                   pair.points2[row]);
 }
 
 bool Judge::sameInliers(const cv::Mat& model) const
@@ -73,10 +79,13 @@ Verdict Judge::judge(const Estimate& estimate) const
 {
     Verdict verdict;
     verdict.error = modelError(pair, settings.problem, estimate.model);
-    verdict.poseError = settings.problem == cv::usacv20::ESSENTIAL ? poseError(pair, settings.problem, estimate) : -1;
+    verdict.poseError = settings.problem == cv::usacv20::ESSENTIAL
+                            ? poseError(pair, settings.problem, estimate)
+                            : -1;
     verdict.none = !(verdict.error < std::numeric_limits<double>::infinity());
     verdict.far = !(verdict.error <= farLimit);
-    verdict.wrong = verdict.poseError < 0 ? verdict.far : verdict.none || verdict.poseError > WRONG_POSE;
+    verdict.wrong = verdict.poseError < 0 ? verdict.far
+                                          : verdict.none || verdict.poseError > WRONG_POSE;
     verdict.worse = verdict.none || costOf(estimate.model) > bestCost + MARGIN;
     verdict.failed = verdict.none;
     if (verdict.worse && !verdict.none)

@@ -14,24 +14,29 @@ namespace benchmark {
 //! What is to be said about one model.
 struct Verdict
 {
-    bool worse;    //!< costs more than the true model
-    bool failed;   //!< a search failure: worse, and another model than the true one
-    bool far;      //!< RMS distance of the right matches without noise above three thresholds and three times the noise
-    bool wrong;    //!< H, F: far from the truth, whatever it costs; E: its pose is, by more than 5 degrees
+    bool worse;   //!< costs more than the true model
+    bool failed;  //!< a search failure: worse, and another model than the true one
+    bool far;  //!< RMS distance of the right matches without noise above three thresholds and three
+               //!< times the noise
+    bool wrong;    //!< H, F: far from the truth, whatever it costs; E: its pose is, by more than 5
+                   //!< degrees
     bool none;     //!< no model; counts as worse, failed, far and wrong, too
-    double error;  //!< RMS distance of the right matches without noise, pixels; infinite without a model
+    double error;  //!< RMS distance of the right matches without noise, pixels; infinite without a
+                   //!< model
     double poseError;  //!< degrees; negative for H and F
 };
 
 /** Compares models with the one that made a scene.
 
-The true model is the cheaper one of two: that which made the scene, and its least-squares fit to the right matches. The
-cost is that of MSAC, the sum of min(1, (error / threshold)^2) over all matches. */
+The true model is the cheaper one of two: that which made the scene, and its least-squares fit to
+the right matches. The cost is that of MSAC, the sum of min(1, (error / threshold)^2) over all
+matches. */
 class Judge
 {
 public:
     //! @param noise of the scene, pixels
-    Judge(const opencv_test::Scene& scene, const ImagePair& pair, const Settings& settings, double noise);
+    Judge(const opencv_test::Scene& scene, const ImagePair& pair, const Settings& settings,
+          double noise);
 
     Verdict judge(const Estimate& estimate) const;
 

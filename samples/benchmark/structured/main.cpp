@@ -2,10 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// How often robust estimators miss the model that made a scene, and how exact they are, on synthetic scenes with the
-// structure of real ones: motions of machines, planes, repeated matches, structured wrong ones, scores of any quality.
+// How often robust estimators miss the model that made a scene, and how exact they are, on
+// synthetic scenes with the structure of real ones: motions of machines, planes, repeated matches,
+// structured wrong ones, scores of any quality.
 //
-//     usac_structured --mode=search --methods=USACV20,cv:USAC_ACCURATE --runs=50 --csv=search.csv > search.md
+//     usac_structured --mode=search --methods=USACV20,cv:USAC_ACCURATE --runs=50 --csv=search.csv >
+//     search.md
 //     usac_structured --mode=accuracy --methods=USACV20,cv:USAC_ACCURATE --runs=200 > accuracy.md
 
 #include <iostream>
@@ -19,9 +21,10 @@ namespace {
 
 void heading(const StructuredOptions& options, const char* title)
 {
-    std::cout << "# " << title << "\n\nOpenCV " << cv::getVersionString() << "; threshold " << options.threshold
-              << " px, confidence " << options.confidence << ", at most " << options.maxIterations << " iterations, "
-              << options.runs << " scenes of each cell, seed " << options.seed << ".\n";
+    std::cout << "# " << title << "\n\nOpenCV " << cv::getVersionString() << "; threshold "
+              << options.threshold << " px, confidence " << options.confidence << ", at most "
+              << options.maxIterations << " iterations, " << options.runs
+              << " scenes of each cell, seed " << options.seed << ".\n";
 }
 
 int program(int argc, char** argv)

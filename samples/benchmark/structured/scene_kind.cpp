@@ -24,7 +24,8 @@ struct NamedScores
     ScoreModel model;
 };
 
-const NamedScores MISLEADING[] = {{"second", SCORES_OF_SECOND}, {"place", SCORES_OF_PLACE}, {"near", SCORES_NEAR}};
+const NamedScores MISLEADING[] = {
+    {"second", SCORES_OF_SECOND}, {"place", SCORES_OF_PLACE}, {"near", SCORES_NEAR}};
 
 struct NamedMotion
 {
@@ -34,10 +35,17 @@ struct NamedMotion
 };
 
 const NamedMotion MOTIONS[] = {
-    {"general", MOTION_GENERAL, 12, 1},  {"forward", MOTION_FORWARD, 2, 1},     {"forward0", MOTION_FORWARD, 0, 1},
-    {"sideways", MOTION_SIDEWAYS, 2, 1}, {"rectified", MOTION_RECTIFIED, 0, 1}, {"planar", MOTION_PLANAR, 12, 1},
-    {"car", MOTION_CAR, 12, 1},          {"narrow", MOTION_GENERAL, 12, 0.01},  {"rotation", MOTION_GENERAL, 12, 0.001},
-    {"frontal", MOTION_SIDEWAYS, 0, 1},  {"aerial", MOTION_RECTIFIED, 0, 1},
+    {"general", MOTION_GENERAL, 12, 1},
+    {"forward", MOTION_FORWARD, 2, 1},
+    {"forward0", MOTION_FORWARD, 0, 1},
+    {"sideways", MOTION_SIDEWAYS, 2, 1},
+    {"rectified", MOTION_RECTIFIED, 0, 1},
+    {"planar", MOTION_PLANAR, 12, 1},
+    {"car", MOTION_CAR, 12, 1},
+    {"narrow", MOTION_GENERAL, 12, 0.01},
+    {"rotation", MOTION_GENERAL, 12, 0.001},
+    {"frontal", MOTION_SIDEWAYS, 0, 1},
+    {"aerial", MOTION_RECTIFIED, 0, 1},
 };
 
 struct NamedOutliers
@@ -47,18 +55,22 @@ struct NamedOutliers
 };
 
 const NamedOutliers OUTLIERS[] = {
-    {"generic", OUTLIERS_UNIFORM},       {"clustered", OUTLIERS_CLUSTERED}, {"local", OUTLIERS_LOCAL},
-    {"manyToOne", OUTLIERS_MANY_TO_ONE}, {"targets", OUTLIERS_TARGETS},     {"line", OUTLIERS_LINE},
-    {"second", OUTLIERS_SECOND_MODEL},   {"duplicates", OUTLIERS_UNIFORM},  {"copies", OUTLIERS_UNIFORM},
+    {"generic", OUTLIERS_UNIFORM},     {"clustered", OUTLIERS_CLUSTERED},
+    {"local", OUTLIERS_LOCAL},         {"manyToOne", OUTLIERS_MANY_TO_ONE},
+    {"targets", OUTLIERS_TARGETS},     {"line", OUTLIERS_LINE},
+    {"second", OUTLIERS_SECOND_MODEL}, {"duplicates", OUTLIERS_UNIFORM},
+    {"copies", OUTLIERS_UNIFORM},
 };
 
 //! Wrong matches that agree with each other: a name and percent of all matches.
-const NamedOutliers AGREEING[] = {{"shift", OUTLIERS_SHIFT}, {"moving", OUTLIERS_PLANE}, {"place", OUTLIERS_PLACE}};
+const NamedOutliers AGREEING[] = {
+    {"shift", OUTLIERS_SHIFT}, {"moving", OUTLIERS_PLANE}, {"place", OUTLIERS_PLACE}};
 
 //! The part of a name that is `word` and a number of percent; 0 if it is none.
 double partOf(const std::string& name, const std::string& word)
 {
-    const std::string number = name.compare(0, word.size(), word) == 0 ? name.substr(word.size()) : std::string();
+    const std::string number = name.compare(0, word.size(), word) == 0 ? name.substr(word.size())
+                                                                       : std::string();
     const bool digits = !number.empty() && number.size() < 4 &&
                         number.find_first_not_of("0123456789") == std::string::npos;
     const int percent = digits ? std::atoi(number.c_str()) : 0;
@@ -113,7 +125,8 @@ bool setKind(const std::string& name, SceneOptions& options)
         if (partOf(name, known.name) > 0)
         {
             options.outlierModel = known.model;
-            options.structured = cvRound((options.inliers + options.outliers) * partOf(name, known.name));
+            options.structured = cvRound((options.inliers + options.outliers) *
+                                         partOf(name, known.name));
             return true;
         }
     for (const NamedOutliers& known : OUTLIERS)
@@ -175,7 +188,8 @@ std::string Cell::value(const std::string& axis) const
 
 std::string Cell::name() const
 {
-    return value("problem") + " " + motion + " " + kind + " " + value("size") + " " + value("ratio") + " " + order;
+    return value("problem") + " " + motion + " " + kind + " " + value("size") + " " +
+           value("ratio") + " " + order;
 }
 
 }  // namespace benchmark

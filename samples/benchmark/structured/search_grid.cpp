@@ -16,10 +16,16 @@ namespace {
 const char SUFFIX[] = "+scores";
 
 //! The name with scores: "USACV20{runnersUp=1}" becomes "USACV20+scores{runnersUp=1}".
-std::string scoredName(std::string name) { return name.insert(std::min(name.find('{'), name.size()), SUFFIX); }
+std::string scoredName(std::string name)
+{
+    return name.insert(std::min(name.find('{'), name.size()), SUFFIX);
+}
 
 //! Of calib3d's flags one alone makes use of scores.
-bool takesScores(const std::string& name) { return name.compare(0, 3, "cv:") != 0 || name == "cv:USAC_PROSAC"; }
+bool takesScores(const std::string& name)
+{
+    return name.compare(0, 3, "cv:") != 0 || name == "cv:USAC_PROSAC";
+}
 
 }  // namespace
 
@@ -56,7 +62,8 @@ std::vector<Cell> SearchGrid::cells() const
                         {
                             const Cell cell = {problem, motion, kind, size, ratio, order};
                             if (!cell.options(options.spare, scene) || scene.inliers == last)
-                                continue;  // few matches have the same number of right ones for several parts
+                                continue;  // few matches have the same number of right ones for
+                                           // several parts
                             last = scene.inliers;
                             result.push_back(cell);
                         }
@@ -86,7 +93,8 @@ void SearchGrid::run(std::ostream* csv)
     }
 }
 
-void SearchGrid::measure(const Cell& cell, const opencv_test::SceneOptions& sceneOptions, std::ostream* csv)
+void SearchGrid::measure(const Cell& cell, const opencv_test::SceneOptions& sceneOptions,
+                         std::ostream* csv)
 {
     std::vector<Tally> tallies(methods.size());
     opencv_test::SceneOptions own = sceneOptions;
@@ -111,9 +119,9 @@ void SearchGrid::measure(const Cell& cell, const opencv_test::SceneOptions& scen
             continue;
         tallyOf(groupOf(cell), m).add(tallies[m], cell.name());
         if (csv)
-            *csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.kind << ',' << cell.size << ','
-                 << cell.value("ratio") << ',' << cell.order << ",\"" << options.methods[m] << "\"," << tallies[m].csv()
-                 << std::endl;
+            *csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.kind << ','
+                 << cell.size << ',' << cell.value("ratio") << ',' << cell.order << ",\""
+                 << options.methods[m] << "\"," << tallies[m].csv() << std::endl;
     }
 }
 
@@ -160,7 +168,8 @@ void SearchGrid::full(std::ostream& out) const
     for (const Group& group : groups)
         for (size_t m = 0; m < methods.size(); ++m)
             if (!group.second[m].empty())
-                out << "| " << group.first << options.methods[m] << " | " << group.second[m].markdown() << "\n";
+                out << "| " << group.first << options.methods[m] << " | "
+                    << group.second[m].markdown() << "\n";
 }
 
 void SearchGrid::brief(std::ostream& out) const

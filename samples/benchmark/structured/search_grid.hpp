@@ -15,7 +15,8 @@
 
 namespace benchmark {
 
-/** How often methods miss the true model, over a grid of scenes. In each scene all methods run one after the other. */
+/** How often methods miss the true model, over a grid of scenes. In each scene all methods run one
+after the other. */
 class SearchGrid
 {
 public:

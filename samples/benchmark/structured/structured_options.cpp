@@ -11,57 +11,75 @@ namespace benchmark {
 
 namespace {
 
-const char KEYS[] =
-    "{help h usage ? | | print this }"
-    "{mode           |search| search: how often the true model is missed; accuracy: errors against least squares over "
-    "the right "
-    "matches }"
-    "{methods        |USACV20| names with commas as for usac_benchmark; orders other than none: the module's get the "
-    "scores }"
-    "{problems       |H,F,E| which }"
-    "{motions        | | of the camera (default: search: general; accuracy: "
-    "general,forward,forward0,sideways,rectified,planar,"
-    "car,narrow,aerial) }"
-    "{kinds          |generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line| search: wrong "
-    "matches and repetitions; also local, partSecond, plane1 to plane100 }"
-    "{sizes          | | numbers of matches (default: search: 15,20,30,50,100,300,1000,10000; accuracy: 300) }"
-    "{ratios         | | parts of right matches (default: search: 0.3,0.5,0.6,0.7,0.9,0.95; accuracy: 0.7, aerial 0.9) "
-    "}"
-    "{orders         |none,0.95,0.8,0.5,0.05| search: none: without scores; else the probability that a right match "
-    "has a better "
-    "score than a wrong one; second: those of the second motion have the best scores; place: right ones of one place; "
-    "near: all that are near to a point }"
-    "{by             |problem,kind,order| search: a row for each combination of some of: problem, motion, kind, size, "
-    "ratio, "
-    "order }"
-    "{table          |full| search: full: all figures, a row for each method; brief: failures, a column for each "
-    "method }"
-    "{noise          |0.5| search: standard deviation of the right matches in each coordinate, pixels }"
-    "{noises         |0,0.0333333,0.1,0.333333,1| accuracy: the same in thresholds }"
-    "{threshold      |1.5| pixels }"
-    "{confidence     |0.99| asked for }"
-    "{maxIters       |100000| most iterations }"
-    "{maxItersInverted |5000| most iterations for orders below 0.5, but at least three times what the confidence takes "
-    "}"
-    "{spare          |3| search: least number of different right matches beyond a sample; cells with less are left out "
-    "}"
-    "{runs           |20| scenes of each cell, with a seed of their own }"
-    "{seed           |1| of the first scene, the next ones count up }"
-    "{threads        |1| given to cv::setNumThreads; -1: all processors }"
-    "{csv            | | file for the figures of each cell }";
+const char
+    KEYS[] = "{help h usage ? | | print this }"
+             "{mode           |search| search: how often the true model is missed; accuracy: "
+             "errors against least squares over "
+             "the right "
+             "matches }"
+             "{methods        |USACV20| names with commas as for usac_benchmark; orders other than "
+             "none: the module's get the "
+             "scores }"
+             "{problems       |H,F,E| which }"
+             "{motions        | | of the camera (default: search: general; accuracy: "
+             "general,forward,forward0,sideways,rectified,planar,"
+             "car,narrow,aerial) }"
+             "{kinds          "
+             "|generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line| "
+             "search: wrong "
+             "matches and repetitions; also local, partSecond, plane1 to plane100 }"
+             "{sizes          | | numbers of matches (default: search: "
+             "15,20,30,50,100,300,1000,10000; accuracy: 300) }"
+             "{ratios         | | parts of right matches (default: search: "
+             "0.3,0.5,0.6,0.7,0.9,0.95; accuracy: 0.7, aerial 0.9) "
+             "}"
+             "{orders         |none,0.95,0.8,0.5,0.05| search: none: without scores; else the "
+             "probability that a right match "
+             "has a better "
+             "score than a wrong one; second: those of the second motion have the best scores; "
+             "place: right ones of one place; "
+             "near: all that are near to a point }"
+             "{by             |problem,kind,order| search: a row for each combination of some of: "
+             "problem, motion, kind, size, "
+             "ratio, "
+             "order }"
+             "{table          |full| search: full: all figures, a row for each method; brief: "
+             "failures, a column for each "
+             "method }"
+             "{noise          |0.5| search: standard deviation of the right matches in each "
+             "coordinate, pixels }"
+             "{noises         |0,0.0333333,0.1,0.333333,1| accuracy: the same in thresholds }"
+             "{threshold      |1.5| pixels }"
+             "{confidence     |0.99| asked for }"
+             "{maxIters       |100000| most iterations }"
+             "{maxItersInverted |5000| most iterations for orders below 0.5, but at least three "
+             "times what the confidence takes "
+             "}"
+             "{spare          |3| search: least number of different right matches beyond a sample; "
+             "cells with less are left out "
+             "}"
+             "{runs           |20| scenes of each cell, with a seed of their own }"
+             "{seed           |1| of the first scene, the next ones count up }"
+             "{threads        |1| given to cv::setNumThreads; -1: all processors }"
+             "{csv            | | file for the figures of each cell }";
 
-const char SEARCH_SIZES[] = "15,20,30,50,100,300,1000,10000", SEARCH_RATIOS[] = "0.3,0.5,0.6,0.7,0.9,0.95";
-const char ACCURACY_MOTIONS[] = "general,forward,forward0,sideways,rectified,planar,car,narrow,aerial";
-const char* const OF_SEARCH[] = {"kinds", "orders", "by", "table", "noise", "maxItersInverted", "spare"};
+const char SEARCH_SIZES[] = "15,20,30,50,100,300,1000,10000",
+           SEARCH_RATIOS[] = "0.3,0.5,0.6,0.7,0.9,0.95";
+const char
+    ACCURACY_MOTIONS[] = "general,forward,forward0,sideways,rectified,planar,car,narrow,aerial";
+const char* const OF_SEARCH[] = {"kinds", "orders",           "by",   "table",
+                                 "noise", "maxItersInverted", "spare"};
 const char* const AXES[] = {"problem", "motion", "kind", "size", "ratio", "order"};
 
-std::vector<double> numbersOf(const std::vector<std::string>& texts, const std::string& option, double most)
+std::vector<double> numbersOf(const std::vector<std::string>& texts, const std::string& option,
+                              double most)
 {
     std::vector<double> numbers;
     for (size_t i = 0; i < texts.size(); ++i)
     {
         numbers.push_back(toNumber(texts[i], option));
-        require(numbers[i] >= 0 && numbers[i] <= most, "--" + option + ": " + texts[i] + " is out of range");
+        require(numbers[i] >= 0 && numbers[i] <= most,
+                "--" + option + ": " + texts[i] + " is out of range");
     }
     return numbers;
 }
@@ -80,7 +98,8 @@ Settings StructuredOptions::settings(const Cell& cell) const
     {
         const double good = std::pow(cell.ratio, sampleSizeOf(cell.problem));
         const double needed = good < 1 ? std::log(1 - confidence) / std::log1p(-good) : 1;
-        result.maxIterations = (int)std::max((double)maxIterationsInverted, std::min(3 * needed, 1e9));
+        result.maxIterations = (int)std::max((double)maxIterationsInverted,
+                                             std::min(3 * needed, 1e9));
     }
     return result;
 }
@@ -91,7 +110,8 @@ void StructuredOptions::parseGrid(const cv::CommandLineParser& parser, const Arg
     for (size_t i = 0; i < letters.size(); ++i)
     {
         ProblemType problem = cv::usacv20::HOMOGRAPHY;
-        require(letters[i].size() == 1 && problemOf(letters[i][0], problem) && problem <= cv::usacv20::ESSENTIAL,
+        require(letters[i].size() == 1 && problemOf(letters[i][0], problem) &&
+                    problem <= cv::usacv20::ESSENTIAL,
                 "--problems: expected H, F, E");
         problems.push_back(problem);
     }
@@ -100,13 +120,15 @@ void StructuredOptions::parseGrid(const cv::CommandLineParser& parser, const Arg
     kinds = namesOf(parser, arguments, "kinds");
     orders = namesOf(parser, arguments, "orders");
     by = namesOf(parser, arguments, "by");
-    const std::vector<std::string> counts = namesOf(parser, arguments, "sizes", search ? SEARCH_SIZES : "300");
+    const std::vector<std::string> counts = namesOf(parser, arguments, "sizes",
+                                                    search ? SEARCH_SIZES : "300");
     for (size_t i = 0; i < counts.size(); ++i)
     {
         sizes.push_back(toInteger(counts[i], "sizes"));
         require(sizes[i] > 0 && sizes[i] <= 1000000, "--sizes: expected numbers from 1 to 1000000");
     }
-    ratios = numbersOf(namesOf(parser, arguments, "ratios", search ? SEARCH_RATIOS : "0.7"), "ratios", 1);
+    ratios = numbersOf(namesOf(parser, arguments, "ratios", search ? SEARCH_RATIOS : "0.7"),
+                       "ratios", 1);
     ratiosGiven = !arguments.all("ratios").empty();
     noises = numbersOf(namesOf(parser, arguments, "noises"), "noises", 100);
     opencv_test::SceneOptions unused;
@@ -119,7 +141,8 @@ void StructuredOptions::parseGrid(const cv::CommandLineParser& parser, const Arg
     for (size_t i = 0; i < orders.size(); ++i)
     {
         require(orders[i] == "none" || setOrder(orders[i], unused),
-                "--orders: expected none, second, place, near or numbers above 0 up to 1, not " + orders[i]);
+                "--orders: expected none, second, place, near or numbers above 0 up to 1, not " +
+                    orders[i]);
     }
 }
 
@@ -141,15 +164,18 @@ void StructuredOptions::parseNumbers(const cv::CommandLineParser& parser)
     require(noise >= 0, "--noise: expected 0 or more");
     require(threshold > 0, "--threshold: expected a number above 0");
     require(confidence > 0 && confidence < 1, "--confidence: expected a number between 0 and 1");
-    require(maxIterations > 0 && maxIterationsInverted > 0, "--maxIters, --maxItersInverted: expected numbers above 0");
-    require(spare >= 0 && runs > 0 && seed >= 0, "--spare, --seed: expected 0 or more; --runs: above 0");
+    require(maxIterations > 0 && maxIterationsInverted > 0,
+            "--maxIters, --maxItersInverted: expected numbers above 0");
+    require(spare >= 0 && runs > 0 && seed >= 0,
+            "--spare, --seed: expected 0 or more; --runs: above 0");
 }
 
 bool StructuredOptions::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Failures of the search, and accuracy, on synthetic scenes with the structure that real ones have.\n"
+    parser.about("Failures of the search, and accuracy, on synthetic scenes with the structure "
+                 "that real ones have.\n"
                  "Methods: " +
                  knownMethods() + ".");
     if (parser.has("help") || argc == 1)
@@ -162,7 +188,8 @@ bool StructuredOptions::parse(int argc, char** argv)
     accuracy = mode == "accuracy";
     require(search || accuracy, "--mode: expected search or accuracy");
     for (const char* option : OF_SEARCH)
-        require(search || arguments.all(option).empty(), std::string("--") + option + ": for --mode=search only");
+        require(search || arguments.all(option).empty(),
+                std::string("--") + option + ": for --mode=search only");
     require(accuracy || arguments.all("noises").empty(), "--noises: for --mode=accuracy only");
     parseGrid(parser, arguments);
     parseNumbers(parser);

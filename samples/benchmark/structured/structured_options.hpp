@@ -31,8 +31,8 @@ struct StructuredOptions
     //! What the methods are given in a cell.
     Settings settings(const Cell& cell) const;
 
-    /** Reads the command line. @return false if only help was asked for, which has been printed then.
-    A mistake raises std::runtime_error. */
+    /** Reads the command line. @return false if only help was asked for, which has been printed
+    then. A mistake raises std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:

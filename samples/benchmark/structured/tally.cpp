@@ -22,7 +22,10 @@ double median(std::vector<float> values)
     return values[values.size() / 2];
 }
 
-std::string percent(int count, int of) { return of ? cv::format("%.1f", 100. * count / of) : std::string("-"); }
+std::string percent(int count, int of)
+{
+    return of ? cv::format("%.1f", 100. * count / of) : std::string("-");
+}
 
 }  // namespace
 
@@ -33,19 +36,21 @@ Proportion::Proportion(int count, int of_) : of(of_), value(0), low(0), high(1)
     const double n = of, z2 = QUANTILE * QUANTILE;
     value = count / n;
     const double center = (value + z2 / (2 * n)) / (1 + z2 / n);
-    const double half = QUANTILE / (1 + z2 / n) * std::sqrt(value * (1 - value) / n + z2 / (4 * n * n));
+    const double half = QUANTILE / (1 + z2 / n) *
+                        std::sqrt(value * (1 - value) / n + z2 / (4 * n * n));
     low = count == 0 ? 0 : center - half;
     high = count == of ? 1 : center + half;
 }
 
 std::string Proportion::text() const
 {
-    return of ? cv::format("%.2f [%.2f, %.2f]", 100 * value, 100 * low, 100 * high) : std::string("-");
+    return of ? cv::format("%.2f [%.2f, %.2f]", 100 * value, 100 * low, 100 * high)
+              : std::string("-");
 }
 
 Tally::Tally()
-    : calls(0), limited(0), failed(0), limitedFailed(0), worse(0), wrong(0), none(0), iterations(0), tells(true),
-      worstRate(0)
+    : calls(0), limited(0), failed(0), limitedFailed(0), worse(0), wrong(0), none(0), iterations(0),
+      tells(true), worstRate(0)
 {}
 
 void Tally::add(const Call& call, const Verdict& verdict)
@@ -84,35 +89,41 @@ double Tally::meanIterations() const { return tells && calls > 0 ? iterations / 
 
 std::string Tally::markdownHeader()
 {
-    return "calls | search failures, % | worst cell, % | ended by the limit, % | of these failed, % | higher cost, % | "
+    return "calls | search failures, % | worst cell, % | ended by the limit, % | of these failed, "
+           "% | higher cost, % | "
            "wrong, % | no model, % | mean iterations | median CPU, us |";
 }
 
 std::string Tally::markdown() const
 {
-    const std::string worst = worstCell.empty() ? "-" : cv::format("%.1f: ", 100 * worstRate) + worstCell;
+    const std::string worst = worstCell.empty() ? "-"
+                                                : cv::format("%.1f: ", 100 * worstRate) + worstCell;
     const std::string loops = meanIterations() < 0 ? "-" : cv::format("%.0f", meanIterations());
-    return cv::format("%d | ", calls) + failures().text() + " | " + worst + " | " + percent(limited, calls) + " | " +
-           percent(limitedFailed, limited) + " | " + percent(worse, calls) + " | " + percent(wrong, calls) + " | " +
-           percent(none, calls) + " | " + loops + cv::format(" | %.0f |", median(times));
+    return cv::format("%d | ", calls) + failures().text() + " | " + worst + " | " +
+           percent(limited, calls) + " | " + percent(limitedFailed, limited) + " | " +
+           percent(worse, calls) + " | " + percent(wrong, calls) + " | " + percent(none, calls) +
+           " | " + loops + cv::format(" | %.0f |", median(times));
 }
 
 std::string Tally::brief() const
 {
-    return failures().text() + (limitedFailed ? " + " + percent(limitedFailed, calls) : std::string());
+    return failures().text() +
+           (limitedFailed ? " + " + percent(limitedFailed, calls) : std::string());
 }
 
 std::string Tally::csvHeader()
 {
-    return "calls,failures,failures_low,failures_high,limited,limited_failures,worse,wrong,no_model,mean_iterations,"
+    return "calls,failures,failures_low,failures_high,limited,limited_failures,worse,wrong,no_"
+           "model,mean_iterations,"
            "median_cpu_us";
 }
 
 std::string Tally::csv() const
 {
     const Proportion p = failures();
-    return cv::format("%d,%d,%.6g,%.6g,%d,%d,%d,%d,%d,%.6g,%.6g", calls, failed - limitedFailed, p.low, p.high, limited,
-                      limitedFailed, worse, wrong, none, meanIterations(), median(times));
+    return cv::format("%d,%d,%.6g,%.6g,%d,%d,%d,%d,%d,%.6g,%.6g", calls, failed - limitedFailed,
+                      p.low, p.high, limited, limitedFailed, worse, wrong, none, meanIterations(),
+                      median(times));
 }
 
 }  // namespace benchmark

@@ -43,7 +43,8 @@ public:
     enum { COLUMNS = 10 };  //!< of a Markdown table
     static std::string markdownHeader();
     std::string markdown() const;
-    //! One entry of a table: the search failures, and behind a plus the part of the calls that the limit let fail.
+    //! One entry of a table: the search failures, and behind a plus the part of the calls that the
+    //! limit let fail.
     std::string brief() const;
     static std::string csvHeader();
     std::string csv() const;

@@ -17,13 +17,17 @@ namespace {
 
 typedef cv::Vec<double, TrueModel::MAX_DIRECTIONS> Step;
 
-//! Of the numeric derivatives, in units of the normalized image plane. The error of a central difference is of the
-//! order of its square, that of rounding 1e-16 divided by it: 1e-10, far below what the last steps need.
+//! Of the numeric derivatives, in units of the normalized image plane. The error of a central
+//! difference is of the order of its square, that of rounding 1e-16 divided by it: 1e-10, far below
+//! what the last steps need.
 const double DIFFERENCE = 1e-6;
 //! Steps are few, as the search starts at the truth.
 const int MAX_STEPS = 60;
 
-cv::Matx33d crossMatrix(const cv::Vec3d& v) { return cv::Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0); }
+cv::Matx33d crossMatrix(const cv::Vec3d& v)
+{
+    return cv::Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0);
+}
 
 double sumOfSquares(const std::vector<double>& values)
 {
@@ -42,7 +46,10 @@ TrueModel::TrueModel(const opencv_test::Scene& scene_) : scene(&scene_), R(scene
     setMatrix(scene->problem == HOMOGRAPHY ? K.inv() * scene->model * K : crossMatrix(t) * R);
 }
 
-int TrueModel::directions() const { return scene->problem == HOMOGRAPHY ? 9 : scene->problem == FUNDAMENTAL ? 8 : 6; }
+int TrueModel::directions() const
+{
+    return scene->problem == HOMOGRAPHY ? 9 : scene->problem == FUNDAMENTAL ? 8 : 6;
+}
 
 void TrueModel::setMatrix(const cv::Matx33d& M)
 {
@@ -102,7 +109,8 @@ void TrueModel::residuals(const std::vector<int>& rows, std::vector<double>& val
             continue;
         }
         const cv::Vec3d b = model.t() * x2;
-        values.push_back(x2.dot(a) / std::sqrt(a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1]));
+        values.push_back(x2.dot(a) /
+                         std::sqrt(a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1]));
     }
 }
 
@@ -152,7 +160,8 @@ TrueModel TrueModel::leastSquares(const std::vector<int>& rows) const
             damping *= 10;
             continue;
         }
-        // What is left is quadratic in the distance to the minimum: less than 1e-5 of the effect of the noise.
+        // What is left is quadratic in the distance to the minimum: less than 1e-5 of the effect of
+        // the noise.
         const bool arrived = cost - nextCost < 1e-10 * cost;
         best = next;
         cost = nextCost;

@@ -10,9 +10,9 @@
 
 namespace benchmark {
 
-/** A model as a point of its manifold: H up to scale, F of rank 2, E = [t]x R. All in the coordinates of the normalized
-image plane, where entries are of about unit size; one camera matrix with one focal length keeps errors proportional to
-pixels. */
+/** A model as a point of its manifold: H up to scale, F of rank 2, E = [t]x R. All in the
+coordinates of the normalized image plane, where entries are of about unit size; one camera matrix
+with one focal length keeps errors proportional to pixels. */
 class TrueModel
 {
 public:
@@ -21,9 +21,9 @@ public:
     //! The model that made the scene.
     explicit TrueModel(const opencv_test::Scene& scene);
 
-    /** Least squares of the transfer (H) or Sampson distances of the points with noise, from this model:
-    Levenberg-Marquardt with numeric derivatives until nothing changes any more. Shares no code with the module, whose
-    solvers are what is measured.
+    /** Least squares of the transfer (H) or Sampson distances of the points with noise, from this
+    model: Levenberg-Marquardt with numeric derivatives until nothing changes any more. Shares no
+    code with the module, whose solvers are what is measured.
     @param rows which rows of the scene take part */
     TrueModel leastSquares(const std::vector<int>& rows) const;
 

@@ -19,7 +19,8 @@ void makeFolder(const std::string& folder)
 
 }  // namespace
 
-ListWriter::ListWriter(const std::string& folder_, const std::string& name_, const std::string& letters)
+ListWriter::ListWriter(const std::string& folder_, const std::string& name_,
+                       const std::string& letters)
     : folder(folder_), name(name_), count(0)
 {
     makeFolder(folder + "/lists");

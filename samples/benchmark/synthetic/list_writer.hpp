@@ -14,8 +14,9 @@ namespace benchmark {
 
 /** Makes the folders of a data set, its lists and the names of its pairs.
 
-`<folder>/lists/<name>.<letter>.list` for each letter names the pairs, whose files are `<folder>/pairs/<name>/<number>`
-with an extension. Files of the same names are replaced. What cannot be written raises std::runtime_error. */
+`<folder>/lists/<name>.<letter>.list` for each letter names the pairs, whose files are
+`<folder>/pairs/<name>/<number>` with an extension. Files of the same names are replaced. What
+cannot be written raises std::runtime_error. */
 class ListWriter
 {
 public:
@@ -40,7 +41,8 @@ void writeScores(const std::string& file, const std::vector<float>& scores);
 //! A new JSON file. One that cannot be opened raises std::runtime_error.
 void openJson(cv::FileStorage& out, const std::string& file);
 //! Writes the first rows of a matrix.
-void writeMatrix(cv::FileStorage& out, const std::string& name, const cv::Matx33d& matrix, int rows = 3);
+void writeMatrix(cv::FileStorage& out, const std::string& name, const cv::Matx33d& matrix,
+                 int rows = 3);
 void writeVector(cv::FileStorage& out, const std::string& name, const cv::Vec3d& vector);
 //! Writes the letters of the problems that a pair is for.
 void writeProblems(cv::FileStorage& out, const std::string& letters);

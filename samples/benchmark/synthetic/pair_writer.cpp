@@ -31,7 +31,8 @@ void writeModel(cv::FileStorage& out, const Scene& scene)
 
 }  // namespace
 
-PairWriter::PairWriter(const std::string& folder, const std::string& name, const std::string& letters_)
+PairWriter::PairWriter(const std::string& folder, const std::string& name,
+                       const std::string& letters_)
     : letters(letters_), list(folder, name, letters_)
 {}
 
@@ -46,8 +47,8 @@ void PairWriter::writeCorrespondences(const std::string& file, const Scene& scen
 {
     std::ofstream out(file.c_str());
     for (int i = 0; i < scene.size(); ++i)
-        out << cv::format("%.4f %.4f %.4f %.4f %.6g\n", scene.points1[i].x, scene.points1[i].y, scene.points2[i].x,
-                          scene.points2[i].y, scene.scores[i]);
+        out << cv::format("%.4f %.4f %.4f %.4f %.6g\n", scene.points1[i].x, scene.points1[i].y,
+                          scene.points2[i].x, scene.points2[i].y, scene.scores[i]);
     closeFile(out, file);
 }
 
@@ -57,8 +58,8 @@ void PairWriter::writeTruth(const std::string& file, const Scene& scene) const
     openJson(out, file);
     writeProblems(out, letters);
     for (int image = 1; image <= 2; ++image)
-        out << cv::format("size%d", image) << "[:" << (int)opencv_test::SCENE_WIDTH << (int)opencv_test::SCENE_HEIGHT
-            << "]";
+        out << cv::format("size%d", image) << "[:" << (int)opencv_test::SCENE_WIDTH
+            << (int)opencv_test::SCENE_HEIGHT << "]";
     writeModel(out, scene);
     out << "gt_kind"
         << "exact"
@@ -67,7 +68,8 @@ void PairWriter::writeTruth(const std::string& file, const Scene& scene) const
     for (int i = 0, written = 0; i < scene.size() && written < MAX_TRUE_POINTS; ++i)
         if (scene.truth[i])
         {
-            out << "[:" << scene.clean1[i].x << scene.clean1[i].y << scene.clean2[i].x << scene.clean2[i].y << "]";
+            out << "[:" << scene.clean1[i].x << scene.clean1[i].y << scene.clean2[i].x
+                << scene.clean2[i].y << "]";
             ++written;
         }
     out << "]";

@@ -10,7 +10,8 @@
 
 namespace benchmark {
 
-/** Writes scenes of two images as a data set of the benchmark, `.corr` and `.json` for each pair, see ListWriter. */
+/** Writes scenes of two images as a data set of the benchmark, `.corr` and `.json` for each pair,
+see ListWriter. */
 class PairWriter
 {
 public:

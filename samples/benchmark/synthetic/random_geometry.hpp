@@ -25,7 +25,8 @@ std::vector<int> shuffled(int size, cv::RNG& rng);
 @param copy `copy(row, from)` makes one that repeats another one
 @return for each row, whether it is right */
 template <class Make, class Copy>
-std::vector<uchar> makeRows(int inliers, int outliers, int duplicates, cv::RNG& rng, const Make& make, const Copy& copy)
+std::vector<uchar> makeRows(int inliers, int outliers, int duplicates, cv::RNG& rng,
+                            const Make& make, const Copy& copy)
 {
     const int size = inliers + outliers, own = inliers - duplicates;
     CV_Assert(own > 0);

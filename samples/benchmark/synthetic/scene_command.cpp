@@ -13,33 +13,43 @@ using namespace opencv_test;
 
 namespace {
 
-const char KEYS[] =
-    "{help h usage ? | | print this }"
-    "{out            | | folder of data to write to; made if it is not there }"
-    "{scene          |general| general: F and E; plane: F and E, many points on one plane; planar: H; affinity: A; "
-    "similarity: S; view: P, object points at any depth; viewPlane: P, on a plane; rigid: R, points of space; "
-    "rigidScaled: M, the same with a scale }"
-    "{name           | | of the data set (default: synthetic_<scene>) }"
-    "{pairs          |10| number of pairs }"
-    "{size           |1000| matches of a pair }"
-    "{inliers        |0.5| part of them that is right, above 0 }"
-    "{noise          |0.5| standard deviation of the right matches in each coordinate, pixels; R, M: in space 2, where "
-    "the cloud is 200 wide times the scale }"
-    "{planeFraction  |0.8| --scene=plane: part of the right matches that is on the plane }"
-    "{thickness      |0| --scene=viewPlane: standard deviation of the distances from the plane over its own distance; "
-    "R, M: if given, the cloud is a plane with that part of its width, else a cube }"
-    "{distortion     |0| P: first radial coefficient of the camera, -0.5 to 0.5 }"
-    "{duplicates     |0| part of the right matches that repeats others }"
-    "{angle          |12| rotation between the cameras, degrees; not for P, R and M, where any pose is drawn }"
-    "{outliers       |uniform| wrong matches; uniform: anywhere; local: right but for 5 to 50 pixels in image 2; "
-    "manyToOne: about ten with the same point of image 2, that of a right match; clustered: from one square of 80 "
-    "pixels to another; second: they agree with another model, in a square of 160 pixels (P, R, M: as "
-    "many as half of the right ones, the others are anywhere). P, R, M: not local and manyToOne; R, M: cubes of an "
-    "eighth and a quarter of the width }"
-    "{scores         |0.5| probability that a right match has a better score than a wrong one; 0.5: scores tell "
-    "nothing, "
-    "1: all }"
-    "{seed           |1| of the first pair, the next ones count up }";
+const char
+    KEYS[] = "{help h usage ? | | print this }"
+             "{out            | | folder of data to write to; made if it is not there }"
+             "{scene          |general| general: F and E; plane: F and E, many points on one "
+             "plane; planar: H; affinity: A; "
+             "similarity: S; view: P, object points at any depth; viewPlane: P, on a plane; rigid: "
+             "R, points of space; "
+             "rigidScaled: M, the same with a scale }"
+             "{name           | | of the data set (default: synthetic_<scene>) }"
+             "{pairs          |10| number of pairs }"
+             "{size           |1000| matches of a pair }"
+             "{inliers        |0.5| part of them that is right, above 0 }"
+             "{noise          |0.5| standard deviation of the right matches in each coordinate, "
+             "pixels; R, M: in space 2, where "
+             "the cloud is 200 wide times the scale }"
+             "{planeFraction  |0.8| --scene=plane: part of the right matches that is on the plane }"
+             "{thickness      |0| --scene=viewPlane: standard deviation of the distances from the "
+             "plane over its own distance; "
+             "R, M: if given, the cloud is a plane with that part of its width, else a cube }"
+             "{distortion     |0| P: first radial coefficient of the camera, -0.5 to 0.5 }"
+             "{duplicates     |0| part of the right matches that repeats others }"
+             "{angle          |12| rotation between the cameras, degrees; not for P, R and M, "
+             "where any pose is drawn }"
+             "{outliers       |uniform| wrong matches; uniform: anywhere; local: right but for 5 "
+             "to 50 pixels in image 2; "
+             "manyToOne: about ten with the same point of image 2, that of a right match; "
+             "clustered: from one square of 80 "
+             "pixels to another; second: they agree with another model, in a square of 160 pixels "
+             "(P, R, M: as "
+             "many as half of the right ones, the others are anywhere). P, R, M: not local and "
+             "manyToOne; R, M: cubes of an "
+             "eighth and a quarter of the width }"
+             "{scores         |0.5| probability that a right match has a better score than a wrong "
+             "one; 0.5: scores tell "
+             "nothing, "
+             "1: all }"
+             "{seed           |1| of the first pair, the next ones count up }";
 
 bool isPart(double value) { return value >= 0 && value <= 1; }
 
@@ -47,7 +57,8 @@ bool isPart(double value) { return value >= 0 && value <= 1; }
 struct SceneKind
 {
     const char* name;
-    ProblemType problem;  //!< of the generator of image pairs; views and motions of space have others
+    ProblemType
+        problem;  //!< of the generator of image pairs; views and motions of space have others
     const char* letters;
 };
 
@@ -66,8 +77,9 @@ struct OutlierKind
 };
 
 const OutlierKind OUTLIERS[] = {
-    {"uniform", OUTLIERS_UNIFORM},     {"local", OUTLIERS_LOCAL},         {"manyToOne", OUTLIERS_MANY_TO_ONE},
-    {"clustered", OUTLIERS_CLUSTERED}, {"second", OUTLIERS_SECOND_MODEL},
+    {"uniform", OUTLIERS_UNIFORM},       {"local", OUTLIERS_LOCAL},
+    {"manyToOne", OUTLIERS_MANY_TO_ONE}, {"clustered", OUTLIERS_CLUSTERED},
+    {"second", OUTLIERS_SECOND_MODEL},
 };
 
 //! The kind of that name; there being none raises std::runtime_error with the names of all.
@@ -87,7 +99,8 @@ const Kind& find(const Kind (&kinds)[count], const std::string& name, const char
 //! What the options of a kind of scene are for that kind alone.
 void requireKinds(const std::string& scene, const SceneCommand& command, const Arguments& arguments)
 {
-    require(scene == "plane" || arguments.all("planeFraction").empty(), "--planeFraction: for --scene=plane only");
+    require(scene == "plane" || arguments.all("planeFraction").empty(),
+            "--planeFraction: for --scene=plane only");
     require(scene == "viewPlane" || command.isSpace() || arguments.all("thickness").empty(),
             "--thickness: for --scene=viewPlane, rigid and rigidScaled only");
     require(command.isView() || arguments.all("distortion").empty(),
@@ -97,7 +110,8 @@ void requireKinds(const std::string& scene, const SceneCommand& command, const A
 }
 
 //! Reads the options of pairs of images.
-void readImages(const cv::CommandLineParser& parser, const std::string& scene, SceneOptions& options)
+void readImages(const cv::CommandLineParser& parser, const std::string& scene,
+                SceneOptions& options)
 {
     const int size = integerOf(parser, "size"), seed = integerOf(parser, "seed");
     const double inliers = numberOf(parser, "inliers"), duplicates = numberOf(parser, "duplicates");
@@ -109,14 +123,16 @@ void readImages(const cv::CommandLineParser& parser, const std::string& scene, S
     options.seed = seed;
     require(options.noise >= 0, "--noise: expected 0 or more");
     require(seed >= 0, "--seed: expected 0 or more");
-    require(options.angle >= 0 && options.angle <= 60, "--angle: expected a number between 0 and 60");
+    require(options.angle >= 0 && options.angle <= 60,
+            "--angle: expected a number between 0 and 60");
     require(isPart(inliers) && isPart(options.planeFraction) && duplicates >= 0 && duplicates < 1,
             "--inliers, --planeFraction, --duplicates: expected numbers between 0 and 1");
     require(options.scoreInformation > 0 && options.scoreInformation <= 1,
             "--scores: expected a number above 0 up to 1");
     options.setSize(size, inliers);
     options.duplicates = (int)(options.inliers * duplicates);
-    require(options.inliers > 0 && options.outliers >= 0, "--size, --inliers: there is no right match");
+    require(options.inliers > 0 && options.outliers >= 0,
+            "--size, --inliers: there is no right match");
 }
 
 //! What views and motions of space have in common with pairs of images.
@@ -142,8 +158,8 @@ double readThickness(const cv::CommandLineParser& parser)
 }
 
 //! Reads the options of views. @param images what both have in common
-void readView(const cv::CommandLineParser& parser, const std::string& scene, const SceneOptions& images,
-              ViewOptions& options)
+void readView(const cv::CommandLineParser& parser, const std::string& scene,
+              const SceneOptions& images, ViewOptions& options)
 {
     readMatches(images, options);
     options.onPlane = scene == "viewPlane";
@@ -159,8 +175,8 @@ bool SceneCommand::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about(
-        "Writes synthetic scenes with exact truth as data for usac_benchmark. The same options write the same files.");
+    parser.about("Writes synthetic scenes with exact truth as data for usac_benchmark. The same "
+                 "options write the same files.");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();
@@ -174,7 +190,8 @@ bool SceneCommand::parse(int argc, char** argv)
     letters = kind.letters;
     pairs = integerOf(parser, "pairs");
     require(!folder.empty(), "--out: expected a folder");
-    require(name.find_first_of("/\\") == std::string::npos, "--name: expected a name without folders");
+    require(name.find_first_of("/\\") == std::string::npos,
+            "--name: expected a name without folders");
     require(pairs > 0, "--pairs: expected a number above 0");
     requireKinds(scene, *this, arguments);
     readImages(parser, scene, images);

@@ -28,7 +28,8 @@ struct SceneCommand
     bool isView() const { return letters == "P"; }
     bool isSpace() const { return letters == "R" || letters == "M"; }
 
-    //! @return false if only help was asked for, which has been printed then. A mistake raises std::runtime_error.
+    //! @return false if only help was asked for, which has been printed then. A mistake raises
+    //! std::runtime_error.
     bool parse(int argc, char** argv);
 };
 

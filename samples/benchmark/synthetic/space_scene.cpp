@@ -15,7 +15,8 @@ using cv::Vec3d;
 
 namespace {
 
-const double WIDTH = 200, DISTANCE = 300;  //!< of the cloud; of both clouds from the origins of their spaces
+const double WIDTH = 200,
+             DISTANCE = 300;  //!< of the cloud; of both clouds from the origins of their spaces
 const double CLUSTER = WIDTH / 8, PATCH = WIDTH / 4;
 const double MIN_TURN = 15, MAX_TURN = 40, SHIFT = 0.15 * WIDTH;  //!< degrees; of the second motion
 const double LARGEST_SCALE = 2;
@@ -35,8 +36,9 @@ struct Cube
 Cube randomCube(RNG& rng, double side)
 {
     const double most = WIDTH / 2 - side;
-    const Cube cube = {
-        Vec3d(rng.uniform(-WIDTH / 2, most), rng.uniform(-WIDTH / 2, most), rng.uniform(-WIDTH / 2, most)), side};
+    const Cube cube = {Vec3d(rng.uniform(-WIDTH / 2, most), rng.uniform(-WIDTH / 2, most),
+                             rng.uniform(-WIDTH / 2, most)),
+                       side};
     return cube;
 }
 
@@ -44,7 +46,8 @@ Cube randomCube(RNG& rng, double side)
 class SpaceGeometry
 {
 public:
-    SpaceGeometry(const SpaceOptions& options_, SpaceScene& scene, RNG& rng) : options(options_), motion(scene)
+    SpaceGeometry(const SpaceOptions& options_, SpaceScene& scene, RNG& rng)
+        : options(options_), motion(scene)
     {
         axes = rotationAbout(randomDirection(rng), rng.uniform(0., 180.));
         middle = randomDirection(rng) * DISTANCE;

@@ -15,22 +15,25 @@ namespace benchmark {
 struct SpaceOptions
 {
     SpaceOptions()
-        : inliers(200), outliers(100), duplicates(0), noise(0.5), scaled(false), flat(false), thickness(0),
-          outlierModel(opencv_test::OUTLIERS_UNIFORM), scoreInformation(0.5), seed(1)
+        : inliers(200), outliers(100), duplicates(0), noise(0.5), scaled(false), flat(false),
+          thickness(0), outlierModel(opencv_test::OUTLIERS_UNIFORM), scoreInformation(0.5), seed(1)
     {}
 
     int inliers, outliers;
     int duplicates;  //!< of the right matches, this many are copies of others
-    double noise;  //!< standard deviation of the points of space 2 in each coordinate; that cloud is 200 wide times the
-                   //!< scale
-    bool scaled;   //!< the motion has a scale between 1/2 and 2; else 1
-    bool flat;     //!< all points of space 1 on a plane; else they fill a cube
-    double thickness;  //!< of that plane: standard deviation of the distances from it over the width of the cloud
-    /** OUTLIERS_UNIFORM: a point of the cloud with any point of the cube around the moved cloud. OUTLIERS_CLUSTERED:
-    from a cube of an eighth of the width to another one. OUTLIERS_SECOND_MODEL: right for another motion, in a cube of
-    a quarter of the width, half as many as there are right ones at most; the others anywhere. */
+    double noise;    //!< standard deviation of the points of space 2 in each coordinate; that cloud
+                     //!< is 200 wide times the scale
+    bool scaled;     //!< the motion has a scale between 1/2 and 2; else 1
+    bool flat;       //!< all points of space 1 on a plane; else they fill a cube
+    double thickness;  //!< of that plane: standard deviation of the distances from it over the
+                       //!< width of the cloud
+    /** OUTLIERS_UNIFORM: a point of the cloud with any point of the cube around the moved cloud.
+    OUTLIERS_CLUSTERED: from a cube of an eighth of the width to another one. OUTLIERS_SECOND_MODEL:
+    right for another motion, in a cube of a quarter of the width, half as many as there are right
+    ones at most; the others anywhere. */
     opencv_test::OutlierModel outlierModel;
-    double scoreInformation;  //!< probability that a right match has a better score than a wrong one, below 1 or 1
+    double scoreInformation;  //!< probability that a right match has a better score than a wrong
+                              //!< one, below 1 or 1
     uint64 seed;
 };
 

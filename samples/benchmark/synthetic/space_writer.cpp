@@ -6,7 +6,8 @@
 
 namespace benchmark {
 
-SpaceWriter::SpaceWriter(const std::string& folder, const std::string& name, const std::string& letter_)
+SpaceWriter::SpaceWriter(const std::string& folder, const std::string& name,
+                         const std::string& letter_)
     : letter(letter_), list(folder, name, letter_)
 {}
 

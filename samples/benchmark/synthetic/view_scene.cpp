@@ -17,9 +17,11 @@ using cv::Vec3d;
 
 namespace {
 
-const double WIDTH = opencv_test::SCENE_WIDTH, HEIGHT = opencv_test::SCENE_HEIGHT, FOCAL = 600, MARGIN = 5;
+const double WIDTH = opencv_test::SCENE_WIDTH, HEIGHT = opencv_test::SCENE_HEIGHT, FOCAL = 600,
+             MARGIN = 5;
 const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6.5, LEAST_DEPTH = 1, MOST_DEPTH = 20;
-const double MAX_TILT = 50, MIN_TURN = 15, MAX_TURN = 40;  //!< degrees; of the plane, of the second pose
+const double MAX_TILT = 50, MIN_TURN = 15,
+             MAX_TURN = 40;  //!< degrees; of the plane, of the second pose
 //! Sides of the squares of clustered matches and of those of a second pose, pixels.
 const double CLUSTER = 80, PATCH = 160;
 
@@ -28,13 +30,17 @@ struct Square
     Point2d corner;
     double side;
 
-    Point2d draw(RNG& rng) const { return corner + Point2d(rng.uniform(0., side), rng.uniform(0., side)); }
+    Point2d draw(RNG& rng) const
+    {
+        return corner + Point2d(rng.uniform(0., side), rng.uniform(0., side));
+    }
 };
 
 Square randomSquare(RNG& rng, double side)
 {
-    const Square square = {
-        Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - side), rng.uniform(MARGIN, HEIGHT - MARGIN - side)), side};
+    const Square square = {Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - side),
+                                   rng.uniform(MARGIN, HEIGHT - MARGIN - side)),
+                           side};
     return square;
 }
 
@@ -43,15 +49,16 @@ Point2d randomPixel(RNG& rng)
     return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
 }
 
-/** Makes single matches. Its random numbers are those that the caller hands over, but for the geometry, which is made
-from the seed. Points X are in the coordinates of the camera. */
+/** Makes single matches. Its random numbers are those that the caller hands over, but for the
+geometry, which is made from the seed. Points X are in the coordinates of the camera. */
 class ViewGeometry
 {
 public:
     ViewGeometry(const ViewOptions& options_, RNG& rng) : options(options_)
     {
         const double tilt = rng.uniform(0., MAX_TILT), heading = rng.uniform(0., 2 * CV_PI);
-        normal = rotationAbout(Vec3d(std::cos(heading), std::sin(heading), 0), tilt) * Vec3d(0, 0, 1);
+        normal = rotationAbout(Vec3d(std::cos(heading), std::sin(heading), 0), tilt) *
+                 Vec3d(0, 0, 1);
         turn = rotationAbout(randomDirection(rng), rng.uniform(MIN_TURN, MAX_TURN));
         shift = randomDirection(rng) * 0.5;
         from = randomSquare(rng, CLUSTER);
@@ -69,7 +76,8 @@ public:
     //! The i-th wrong match. @return whether it gets noise
     bool wrong(int i, RNG& rng, Vec3d& X, Point2d& x) const
     {
-        if (options.outlierModel == opencv_test::OUTLIERS_SECOND_MODEL && i < options.inliers / 2 && second(rng, X, x))
+        if (options.outlierModel == opencv_test::OUTLIERS_SECOND_MODEL && i < options.inliers / 2 &&
+            second(rng, X, x))
             return true;
         if (options.outlierModel == opencv_test::OUTLIERS_CLUSTERED)
         {
@@ -105,11 +113,12 @@ private:
         const Point2d p(X[0] / X[2], X[1] / X[2]);
         const Point2d distorted = p * (1 + options.distortion * p.dot(p));
         x = Point2d(FOCAL * distorted.x + WIDTH / 2, FOCAL * distorted.y + HEIGHT / 2);
-        return X[2] > LEAST_DEPTH && x.x > MARGIN && x.x < WIDTH - MARGIN && x.y > MARGIN && x.y < HEIGHT - MARGIN;
+        return X[2] > LEAST_DEPTH && x.x > MARGIN && x.x < WIDTH - MARGIN && x.y > MARGIN &&
+               x.y < HEIGHT - MARGIN;
     }
 
-    //! A point of the object with the image of the object as it stands after another motion. @return false if the
-    //! square of its points is out of sight then
+    //! A point of the object with the image of the object as it stands after another motion.
+    //! @return false if the square of its points is out of sight then
     bool second(RNG& rng, Vec3d& X, Point2d& x) const
     {
         const Vec3d middle(0, 0, MIDDLE);

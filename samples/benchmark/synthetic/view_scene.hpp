@@ -15,21 +15,25 @@ namespace benchmark {
 struct ViewOptions
 {
     ViewOptions()
-        : inliers(200), outliers(100), duplicates(0), noise(0.5), onPlane(false), thickness(0), distortion(0),
-          outlierModel(opencv_test::OUTLIERS_UNIFORM), scoreInformation(0.5), seed(1)
+        : inliers(200), outliers(100), duplicates(0), noise(0.5), onPlane(false), thickness(0),
+          distortion(0), outlierModel(opencv_test::OUTLIERS_UNIFORM), scoreInformation(0.5), seed(1)
     {}
 
     int inliers, outliers;
-    int duplicates;     //!< of the right matches, this many are copies of others
-    double noise;       //!< standard deviation of the points of the image in each coordinate, pixels
-    bool onPlane;       //!< all object points on a plane, at most 50 degrees off the image; else at depths from 4 to 9
-    double thickness;   //!< of that plane: standard deviation of the distances from it over its own distance
+    int duplicates;    //!< of the right matches, this many are copies of others
+    double noise;      //!< standard deviation of the points of the image in each coordinate, pixels
+    bool onPlane;      //!< all object points on a plane, at most 50 degrees off the image; else at
+                       //!< depths from 4 to 9
+    double thickness;  //!< of that plane: standard deviation of the distances from it over its own
+                       //!< distance
     double distortion;  //!< first radial coefficient
-    /** OUTLIERS_UNIFORM: an object point with any point of the image. OUTLIERS_CLUSTERED: object points that are seen
-    in one square of 80 pixels, with points of another one. OUTLIERS_SECOND_MODEL: right for another pose, in a square
-    of 160 pixels, half as many as there are right ones at most; the others anywhere. */
+    /** OUTLIERS_UNIFORM: an object point with any point of the image. OUTLIERS_CLUSTERED: object
+    points that are seen in one square of 80 pixels, with points of another one.
+    OUTLIERS_SECOND_MODEL: right for another pose, in a square of 160 pixels, half as many as there
+    are right ones at most; the others anywhere. */
     opencv_test::OutlierModel outlierModel;
-    double scoreInformation;  //!< probability that a right match has a better score than a wrong one, below 1 or 1
+    double scoreInformation;  //!< probability that a right match has a better score than a wrong
+                              //!< one, below 1 or 1
     uint64 seed;
 };
 

@@ -16,7 +16,8 @@ void writeMatches(const std::string& file, const ViewScene& scene)
     for (int i = 0; i < scene.size(); ++i)
     {
         const cv::Point3d& X = scene.objectPoints[i];
-        out << cv::format("%.6f %.6f %.6f %.4f %.4f\n", X.x, X.y, X.z, scene.points[i].x, scene.points[i].y);
+        out << cv::format("%.6f %.6f %.6f %.4f %.4f\n", X.x, X.y, X.z, scene.points[i].x,
+                          scene.points[i].y);
     }
     closeFile(out, file);
 }
@@ -41,7 +42,9 @@ void writeTruth(const std::string& file, const ViewScene& scene)
 
 }  // namespace
 
-ViewWriter::ViewWriter(const std::string& folder, const std::string& name) : list(folder, name, LETTER) {}
+ViewWriter::ViewWriter(const std::string& folder, const std::string& name)
+    : list(folder, name, LETTER)
+{}
 
 void ViewWriter::write(const ViewScene& scene)
 {

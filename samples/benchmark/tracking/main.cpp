@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// What the model of the frame before (Params::initialModel) gives a tracker: sequences of a camera that moves smoothly
-// and once jumps, with and without it, for several limits of the samples.
+// What the model of the frame before (Params::initialModel) gives a tracker: sequences of a camera
+// that moves smoothly and once jumps, with and without it, for several limits of the samples.
 //
 //     usac_tracking --problems=P --ratios=0.2,0.6 --limits=1,32 > tracking.md
 
@@ -21,9 +21,10 @@ namespace {
 //! Names of Beginning.
 const char* const BEGINNINGS[] = {"no", "yes", "yes or again"};
 
-//! Runs all trackers on a frame each, in turn, so that a disturbance of the machine hurts all alike; each frame begins
-//! with another one.
-void runAll(const TrackingOptions& options, SequenceOptions sequence, std::vector<Tracker>& trackers)
+//! Runs all trackers on a frame each, in turn, so that a disturbance of the machine hurts all
+//! alike; each frame begins with another one.
+void runAll(const TrackingOptions& options, SequenceOptions sequence,
+            std::vector<Tracker>& trackers)
 {
     for (int k = 0; k < options.sequences; ++k)
     {
@@ -45,13 +46,15 @@ void write(char letter, double ratio, const std::vector<Tracker>& trackers, std:
     for (const Tracker& tracker : trackers)
     {
         const double time = tracker.meanCpuMs(), part = time / trackers[0].meanCpuMs();
-        std::cout << cv::format("| %c | %g | %s | %d | %.3f | %.1f | %.1f | %.3f | %.2f | %.1f |\n", letter, ratio,
-                                BEGINNINGS[tracker.begins()], tracker.limit(), tracker.medianError(),
-                                tracker.failures(), tracker.meanSamples(), time, part, tracker.meanRecovery());
+        std::cout << cv::format("| %c | %g | %s | %d | %.3f | %.1f | %.1f | %.3f | %.2f | %.1f |\n",
+                                letter, ratio, BEGINNINGS[tracker.begins()], tracker.limit(),
+                                tracker.medianError(), tracker.failures(), tracker.meanSamples(),
+                                time, part, tracker.meanRecovery());
         if (csv)
             *csv << cv::format("%c,%g,%s,%d,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", letter, ratio,
-                               BEGINNINGS[tracker.begins()], tracker.limit(), tracker.frames(), tracker.medianError(),
-                               tracker.failures(), tracker.meanSamples(), time, part, tracker.meanRecovery());
+                               BEGINNINGS[tracker.begins()], tracker.limit(), tracker.frames(),
+                               tracker.medianError(), tracker.failures(), tracker.meanSamples(),
+                               time, part, tracker.meanRecovery());
     }
     std::cout << std::flush;
 }
@@ -65,10 +68,13 @@ int program(int argc, char** argv)
     std::ofstream csv;
     openOutput(csv, options.csv);
     if (csv.is_open())
-        csv << "problem,ratio,initial_model,limit,frames,median_error,failures_percent,mean_samples,mean_cpu_ms,"
+        csv << "problem,ratio,initial_model,limit,frames,median_error,failures_percent,mean_"
+               "samples,mean_cpu_ms,"
                "cpu_ratio,recovery\n";
-    std::cout << "| problem | right | initial model | most samples | median error | failures, % | samples | CPU, ms | "
-                 "ratio | frames lost behind the jump |\n|---|---|---|---|---|---|---|---|---|---|\n";
+    std::cout
+        << "| problem | right | initial model | most samples | median error | failures, % | "
+           "samples | CPU, ms | "
+           "ratio | frames lost behind the jump |\n|---|---|---|---|---|---|---|---|---|---|\n";
     for (ProblemType problem : options.problems)
         for (double ratio : options.ratios)
         {
@@ -79,8 +85,9 @@ int program(int argc, char** argv)
             for (int limit : options.limits)
                 for (Beginning beginning : {BEGIN_ANEW, BEGIN_WITH_LAST, BEGIN_WITH_LAST_OR_AGAIN})
                     trackers.push_back(Tracker(problem, beginning, limit));
-            const SequenceOptions sequence = {problem,       options.size,       ratio,       options.noise,
-                                              options.speed, options.frames / 2, options.seed};
+            const SequenceOptions sequence = {problem,       options.size,  ratio,
+                                              options.noise, options.speed, options.frames / 2,
+                                              options.seed};
             runAll(options, sequence, trackers);
             write(kind.letter, ratio, trackers, csv.is_open() ? &csv : 0);
         }

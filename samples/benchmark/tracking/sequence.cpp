@@ -27,7 +27,10 @@ Matx33d rotationOf(const Vec3d& vector)
     return R;
 }
 
-Point2d randomPixel(cv::RNG& rng) { return Point2d(rng.uniform(0., WIDTH), rng.uniform(0., HEIGHT)); }
+Point2d randomPixel(cv::RNG& rng)
+{
+    return Point2d(rng.uniform(0., WIDTH), rng.uniform(0., HEIGHT));
+}
 
 bool isInside(const Point2d& p) { return p.x >= 0 && p.x < WIDTH && p.y >= 0 && p.y < HEIGHT; }
 
@@ -68,7 +71,9 @@ ImagePair Sequence::frame(int number) const
     const Matx33d place(DISTANCE / FOCAL, 0, -WIDTH / 2 * DISTANCE / FOCAL, 0, DISTANCE / FOCAL,
                         -HEIGHT / 2 * DISTANCE / FOCAL, 0, 0, 1);
     const Matx33d& R = pair.R;
-    pair.H = CAMERA * Matx33d(R(0, 0), R(0, 1), pair.t[0], R(1, 0), R(1, 1), pair.t[1], R(2, 0), R(2, 1), pair.t[2]) *
+    pair.H = CAMERA *
+             Matx33d(R(0, 0), R(0, 1), pair.t[0], R(1, 0), R(1, 1), pair.t[1], R(2, 0), R(2, 1),
+                     pair.t[2]) *
              place;
     pair.hasHomography = pair.truthIsHomography = plane;
     const int right = cvRound(options.size * options.inliers);
@@ -79,8 +84,10 @@ ImagePair Sequence::frame(int number) const
         while (!isInside(x))
         {
             x1 = randomPixel(rng);
-            X = Vec3d(rng.uniform(-BOX_X, BOX_X), rng.uniform(-BOX_Y, BOX_Y), rng.uniform(-BOX_Z, BOX_Z));
-            x = plane ? project(pair.H, Vec3d(x1.x, x1.y, 1)) : project(CAMERA, pair.R * X + pair.t);
+            X = Vec3d(rng.uniform(-BOX_X, BOX_X), rng.uniform(-BOX_Y, BOX_Y),
+                      rng.uniform(-BOX_Z, BOX_Z));
+            x = plane ? project(pair.H, Vec3d(x1.x, x1.y, 1))
+                      : project(CAMERA, pair.R * X + pair.t);
         }
         if (i < right && plane)
         {

@@ -15,14 +15,15 @@ struct SequenceOptions
     ProblemType problem;  //!< HOMOGRAPHY or ABSOLUTE_POSE
     int size;             //!< matches of a frame
     double inliers;       //!< part of them that is right
-    double noise;         //!< standard deviation of the points of the image in each coordinate, pixels
-    double speed;         //!< 1: about 1.4 pixels a frame
-    int jump;             //!< frame before which the camera jumps to another place
+    double noise;  //!< standard deviation of the points of the image in each coordinate, pixels
+    double speed;  //!< 1: about 1.4 pixels a frame
+    int jump;      //!< frame before which the camera jumps to another place
     int seed;
 };
 
-/** Frames of a camera that moves smoothly about a box of object points (P) or a picture on a plane (H), 640 x 480
-pixels, and once jumps. Each frame has matches of its own, wrong ones anywhere in the image. */
+/** Frames of a camera that moves smoothly about a box of object points (P) or a picture on a plane
+(H), 640 x 480 pixels, and once jumps. Each frame has matches of its own, wrong ones anywhere in the
+image. */
 class Sequence
 {
 public:

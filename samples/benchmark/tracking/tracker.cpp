@@ -19,13 +19,16 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-int inliersOf(const Estimate& estimate) { return estimate.mask.empty() ? 0 : cv::countNonZero(estimate.mask); }
+int inliersOf(const Estimate& estimate)
+{
+    return estimate.mask.empty() ? 0 : cv::countNonZero(estimate.mask);
+}
 
 }  // namespace
 
 Tracker::Tracker(ProblemType problem_, Beginning beginning_, int maxIterations)
-    : problem(problem_), beginning(beginning_), lastInliers(0), samples(0), cpuMs(0), failed(0), sequences(0), lost(0),
-      isLost(true)
+    : problem(problem_), beginning(beginning_), lastInliers(0), samples(0), cpuMs(0), failed(0),
+      sequences(0), lost(0), isLost(true)
 {
     params.threshold = kindOf(problem).threshold;
     params.maxIterations = maxIterations;
@@ -50,7 +53,8 @@ Estimate Tracker::estimate(const ImagePair& frame, const cv::usacv20::Params& wi
 
 void Tracker::count(const ImagePair& frame, const cv::usacv20::Params& with)
 {
-    cv::usacv20::Report report;  // of a run that is not timed, as counting independent inliers takes its time
+    cv::usacv20::Report
+        report;  // of a run that is not timed, as counting independent inliers takes its time
     cv::Mat mask;
     kindOf(problem).estimator(frame, with)->run(mask, &report);
     samples += report.iterations;

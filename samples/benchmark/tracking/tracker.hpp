@@ -16,8 +16,8 @@ namespace benchmark {
 enum Beginning {
     BEGIN_ANEW,       //!< nothing
     BEGIN_WITH_LAST,  //!< each frame begins with it
-    /** The same; where there is none, or the new one has less than half of its inliers, the frame is estimated again,
-    as without it and with the limit of the problem. */
+    /** The same; where there is none, or the new one has less than half of its inliers, the frame
+    is estimated again, as without it and with the limit of the problem. */
     BEGIN_WITH_LAST_OR_AGAIN
 };
 
@@ -36,11 +36,12 @@ public:
     Beginning begins() const { return beginning; }
     int limit() const { return params.maxIterations; }
 
-    double medianError() const;   //!< a failure counts as infinite
-    double failures() const;      //!< percent
-    double meanSamples() const;   //!< a frame
-    double meanCpuMs() const;     //!< a frame
-    double meanRecovery() const;  //!< frames behind a jump until the first that is no failure, all of them if none is
+    double medianError() const;  //!< a failure counts as infinite
+    double failures() const;     //!< percent
+    double meanSamples() const;  //!< a frame
+    double meanCpuMs() const;    //!< a frame
+    double meanRecovery()
+        const;  //!< frames behind a jump until the first that is no failure, all of them if none is
     int frames() const { return (int)errors.size(); }
 
 private:

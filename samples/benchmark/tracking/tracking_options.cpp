@@ -16,7 +16,8 @@ const char KEYS[] = "{help h usage ? | | print this }"
                     "{limits         |1,8,32,128| most samples, beside the default of the problem }"
                     "{frames         |300| of a sequence; before the middle one the camera jumps }"
                     "{size           |1000| matches of a frame }"
-                    "{noise          |0.5| standard deviation of the right matches in each coordinate, pixels }"
+                    "{noise          |0.5| standard deviation of the right matches in each "
+                    "coordinate, pixels }"
                     "{speed          |2| 1: about 1.4 pixels a frame }"
                     "{sequences      |3| with a seed of their own }"
                     "{seed           |1| of the first sequence, the next ones count up }"
@@ -28,7 +29,8 @@ bool TrackingOptions::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("What the model of the frame before gives a tracker: sequences with and without it.");
+    parser.about(
+        "What the model of the frame before gives a tracker: sequences with and without it.");
     if (parser.has("help"))
     {
         parser.printMessage();
@@ -44,7 +46,8 @@ bool TrackingOptions::parse(int argc, char** argv)
     for (const std::string& ratio : namesOf(parser, arguments, "ratios"))
     {
         ratios.push_back(toNumber(ratio, "ratios"));
-        require(ratios.back() > 0 && ratios.back() <= 1, "--ratios: expected numbers above 0 up to 1");
+        require(ratios.back() > 0 && ratios.back() <= 1,
+                "--ratios: expected numbers above 0 up to 1");
     }
     for (const std::string& limit : namesOf(parser, arguments, "limits"))
     {
@@ -58,7 +61,8 @@ bool TrackingOptions::parse(int argc, char** argv)
     noise = numberOf(parser, "noise");
     speed = numberOf(parser, "speed");
     csv = parser.get<cv::String>("csv");
-    require(frames > 1 && size > 0 && sequences > 0, "--frames, --size, --sequences: expected numbers above 0, 1");
+    require(frames > 1 && size > 0 && sequences > 0,
+            "--frames, --size, --sequences: expected numbers above 0, 1");
     require(noise >= 0 && speed >= 0 && seed >= 0, "--noise, --speed, --seed: expected 0 or more");
     return true;
 }

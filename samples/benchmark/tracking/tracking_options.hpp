@@ -21,8 +21,8 @@ struct TrackingOptions
     double noise, speed;
     std::string csv;  //!< file to write, empty: none
 
-    /** Reads the command line. @return false if only help was asked for, which has been printed then.
-    A mistake raises std::runtime_error. */
+    /** Reads the command line. @return false if only help was asked for, which has been printed
+    then. A mistake raises std::runtime_error. */
     bool parse(int argc, char** argv);
 };
 

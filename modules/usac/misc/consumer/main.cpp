@@ -25,7 +25,9 @@ int main()
                               cv::usacv20::findHomography(src, dst, methods[1], 1.0)};
     double worst = 0;
     for (const cv::Mat& H : models)
-        worst = std::max(worst, H.empty() ? 1 : cv::norm(H, truth, cv::NORM_INF) / cv::norm(truth, cv::NORM_INF));
+        worst = std::max(worst, H.empty() ? 1
+                                          : cv::norm(H, truth, cv::NORM_INF) /
+                                                cv::norm(truth, cv::NORM_INF));
     std::cout << "relative error of the homographies: " << worst << std::endl;
     return worst < 1e-6 ? 0 : 1;
 }

@@ -31,7 +31,8 @@ int main(int count, char** files)
     for (int i = 1; i < count; ++i)
     {
         std::ifstream in(files[i], std::ios::binary);
-        const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+        const std::string bytes((std::istreambuf_iterator<char>(in)),
+                                std::istreambuf_iterator<char>());
         std::printf("%s, %d bytes\n", files[i], (int)bytes.size());
         std::fflush(stdout);
         LLVMFuzzerTestOneInput((const uint8_t*)bytes.data(), bytes.size());

@@ -40,11 +40,18 @@ static usacv20::Params exchange(const UsacParams& params)
 
 static bool isUsac(int method) { return method >= USAC_DEFAULT && method <= USAC_MAGSAC; }
 
-//! 1. cv::findFundamentalMat takes a confidence of 0 or 1 for 0.99; for this module that is a mistake in the call.
-static double confidenceOf(double confidence) { return confidence > 0 && confidence < 1 ? confidence : 0.99; }
+//! 1. cv::findFundamentalMat takes a confidence of 0 or 1 for 0.99; for this module that is a
+//!    mistake in the call.
+static double confidenceOf(double confidence)
+{
+    return confidence > 0 && confidence < 1 ? confidence : 0.99;
+}
 
 //! 2. F has unit norm; that of OpenCV's flags has f33 = 1.
-static Mat scaled(const Mat& F) { return F.empty() || F.at<double>(2, 2) == 0 ? F : Mat(F / F.at<double>(2, 2)); }
+static Mat scaled(const Mat& F)
+{
+    return F.empty() || F.at<double>(2, 2) == 0 ? F : Mat(F / F.at<double>(2, 2));
+}
 
 static usacv20::Params anySide(usacv20::Params params)
 {
@@ -52,10 +59,11 @@ static usacv20::Params anySide(usacv20::Params params)
     return params;
 }
 
-/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras; those of test_fundam.cpp
-look anywhere, and no sample of points before and behind a camera gives the right model. All points are right there.
-Where not all are inliers, the model is estimated without that test, too; it is returned if all are inliers of that one,
-or if there is no other (11 of 1000 calls).
+/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras;
+those of test_fundam.cpp look anywhere, and no sample of points before and behind a camera gives the
+right model. All points are right there. Where not all are inliers, the model is estimated without
+that test, too; it is returned if all are inliers of that one, or if there is no other (11 of 1000
+calls).
 
 @param find, findAnywhere calls with and without the test; they take the place of the mask */
 template <typename Find, typename FindAnywhere>
@@ -71,7 +79,8 @@ Mat maybeBehind(int method, OutputArray mask, const Find& find, const FindAnywhe
     return better ? other : model;
 }
 
-//! 4. For E, OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the threshold, not the
+//! 4. For E, OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the
+//!    threshold, not the
 //! Sampson one.
 static usacv20::Params symmetric(usacv20::Params params)
 {
@@ -79,67 +88,78 @@ static usacv20::Params symmetric(usacv20::Params params)
     return params;
 }
 
-Mat exchangedHomography(InputArray points1, InputArray points2, int, double threshold, OutputArray mask, int maxIters,
-                        double confidence)
+Mat exchangedHomography(InputArray points1, InputArray points2, int, double threshold,
+                        OutputArray mask, int maxIters, double confidence)
 {
     return findHomography(points1, points2, exchange(), threshold, mask, maxIters, confidence);
 }
 
-Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, int, double threshold)
+Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, int,
+                        double threshold)
 {
     return findHomography(points1, points2, mask, exchange(), threshold);
 }
 
-Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params)
+Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask,
+                        const UsacParams& params)
 {
     return findHomography(points1, points2, mask, exchange(params));
 }
 
-Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold, double confidence,
-                            int maxIters, OutputArray mask)
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold,
+                            double confidence, int maxIters, OutputArray mask)
 {
     confidence = confidenceOf(confidence);
     return scaled(maybeBehind(
         method, mask,
         [&](Mat& inliers) {
-            return findFundamentalMat(points1, points2, exchange(), threshold, confidence, maxIters, inliers);
+            return findFundamentalMat(points1, points2, exchange(), threshold, confidence, maxIters,
+                                      inliers);
         },
         [&](Mat& inliers) {
-            return findFundamentalMat(points1, points2, inliers, anySide(exchange(threshold, confidence, maxIters)));
+            return findFundamentalMat(points1, points2, inliers,
+                                      anySide(exchange(threshold, confidence, maxIters)));
         }));
 }
 
-Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold, double confidence,
-                            OutputArray mask)
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold,
+                            double confidence, OutputArray mask)
 {
     confidence = confidenceOf(confidence);
     return scaled(maybeBehind(
         method, mask,
-        [&](Mat& inliers) { return findFundamentalMat(points1, points2, exchange(), threshold, confidence, inliers); },
         [&](Mat& inliers) {
-            return findFundamentalMat(points1, points2, inliers, anySide(exchange(threshold, confidence, 1000)));
+            return findFundamentalMat(points1, points2, exchange(), threshold, confidence, inliers);
+        },
+        [&](Mat& inliers) {
+            return findFundamentalMat(points1, points2, inliers,
+                                      anySide(exchange(threshold, confidence, 1000)));
         }));
 }
 
-Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method, double threshold,
-                            double confidence)
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method,
+                            double threshold, double confidence)
 {
     confidence = confidenceOf(confidence);
     return scaled(maybeBehind(
         method, mask,
-        [&](Mat& inliers) { return findFundamentalMat(points1, points2, inliers, exchange(), threshold, confidence); },
         [&](Mat& inliers) {
-            return findFundamentalMat(points1, points2, inliers, anySide(exchange(threshold, confidence, 1000)));
+            return findFundamentalMat(points1, points2, inliers, exchange(), threshold, confidence);
+        },
+        [&](Mat& inliers) {
+            return findFundamentalMat(points1, points2, inliers,
+                                      anySide(exchange(threshold, confidence, 1000)));
         }));
 }
 
-Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params)
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
+                            const UsacParams& params)
 {
     return scaled(findFundamentalMat(points1, points2, mask, exchange(params)));
 }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence,
-                          double threshold, int maxIters, OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method,
+                          double confidence, double threshold, int maxIters, OutputArray mask)
 {
     if (isUsac(method))
         return findEssentialMat(points1, points2, K, K, noArray(), noArray(), mask,
@@ -147,7 +167,8 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, 
     return maybeBehind(
         method, mask,
         [&](Mat& inliers) {
-            return findEssentialMat(points1, points2, K, exchange(), confidence, threshold, maxIters, inliers);
+            return findEssentialMat(points1, points2, K, exchange(), confidence, threshold,
+                                    maxIters, inliers);
         },
         [&](Mat& inliers) {
             return findEssentialMat(points1, points2, K, K, noArray(), noArray(), inliers,
@@ -155,32 +176,42 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, 
         });
 }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence,
-                          double threshold, OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method,
+                          double confidence, double threshold, OutputArray mask)
 {
     if (isUsac(method))
-        return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, 1000, mask);
+        return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, 1000,
+                                     mask);
     return maybeBehind(
         method, mask,
-        [&](Mat& inliers) { return findEssentialMat(points1, points2, K, exchange(), confidence, threshold, inliers); },
+        [&](Mat& inliers) {
+            return findEssentialMat(points1, points2, K, exchange(), confidence, threshold,
+                                    inliers);
+        },
         [&](Mat& inliers) {
             return findEssentialMat(points1, points2, K, K, noArray(), noArray(), inliers,
                                     anySide(exchange(threshold, confidence, 1000)));
         });
 }
 
-static Matx33d cameraOf(double focal, Point2d pp) { return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1); }
+static Matx33d cameraOf(double focal, Point2d pp)
+{
+    return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
+}
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
-                          double confidence, double threshold, int maxIters, OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp,
+                          int method, double confidence, double threshold, int maxIters,
+                          OutputArray mask)
 {
     const Matx33d K = cameraOf(focal, pp);
     if (isUsac(method))
-        return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, maxIters, mask);
+        return exchangedEssentialMat(points1, points2, K, method, confidence, threshold, maxIters,
+                                     mask);
     return maybeBehind(
         method, mask,
         [&](Mat& inliers) {
-            return findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, maxIters, inliers);
+            return findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold,
+                                    maxIters, inliers);
         },
         [&](Mat& inliers) {
             return findEssentialMat(points1, points2, K, K, noArray(), noArray(), inliers,
@@ -188,8 +219,8 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, 
         });
 }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
-                          double confidence, double threshold, OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp,
+                          int method, double confidence, double threshold, OutputArray mask)
 {
     const Matx33d K = cameraOf(focal, pp);
     if (isUsac(method))
@@ -197,7 +228,8 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, 
     return maybeBehind(
         method, mask,
         [&](Mat& inliers) {
-            return findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold, inliers);
+            return findEssentialMat(points1, points2, focal, pp, exchange(), confidence, threshold,
+                                    inliers);
         },
         [&](Mat& inliers) {
             return findEssentialMat(points1, points2, K, K, noArray(), noArray(), inliers,
@@ -205,26 +237,30 @@ Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, 
         });
 }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray distortion1, InputArray K2,
-                          InputArray distortion2, int method, double confidence, double threshold, OutputArray mask)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1,
+                          InputArray distortion1, InputArray K2, InputArray distortion2, int method,
+                          double confidence, double threshold, OutputArray mask)
 {
     if (isUsac(method))
         return findEssentialMat(points1, points2, K1, K2, distortion1, distortion2, mask,
                                 symmetric(exchange(threshold, confidence, 1000)));
-    return findEssentialMat(points1, points2, K1, distortion1, K2, distortion2, exchange(), confidence, threshold,
-                            mask);
+    return findEssentialMat(points1, points2, K1, distortion1, K2, distortion2, exchange(),
+                            confidence, threshold, mask);
 }
 
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2, InputArray distortion1,
-                          InputArray distortion2, OutputArray mask, const UsacParams& params)
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2,
+                          InputArray distortion1, InputArray distortion2, OutputArray mask,
+                          const UsacParams& params)
 {
-    return findEssentialMat(points1, points2, K1, K2, distortion1, distortion2, mask, symmetric(exchange(params)));
+    return findEssentialMat(points1, points2, K1, K2, distortion1, distortion2, mask,
+                            symmetric(exchange(params)));
 }
 
-Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers, int, double threshold, size_t maxIters,
-                      double confidence, size_t refineIters)
+Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers, int, double threshold,
+                      size_t maxIters, double confidence, size_t refineIters)
 {
-    return estimateAffine2D(from, to, inliers, exchange(), threshold, maxIters, confidence, refineIters);
+    return estimateAffine2D(from, to, inliers, exchange(), threshold, maxIters, confidence,
+                            refineIters);
 }
 
 Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers, const UsacParams& params)
@@ -232,28 +268,36 @@ Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers, const
     return estimateAffine2D(from, to, inliers, exchange(params));
 }
 
-Mat exchangedAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, int, double threshold,
-                             size_t maxIters, double confidence, size_t refineIters)
+Mat exchangedAffinePartial2D(InputArray from, InputArray to, OutputArray inliers, int,
+                             double threshold, size_t maxIters, double confidence,
+                             size_t refineIters)
 {
-    return estimateAffinePartial2D(from, to, inliers, exchange(), threshold, maxIters, confidence, refineIters);
+    return estimateAffinePartial2D(from, to, inliers, exchange(), threshold, maxIters, confidence,
+                                   refineIters);
 }
 
-bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray K, InputArray distortion,
-                        OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess, int maxIters, float threshold,
-                        double confidence, OutputArray inliers, int)
+bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray K,
+                        InputArray distortion, OutputArray rvec, OutputArray tvec,
+                        bool useExtrinsicGuess, int maxIters, float threshold, double confidence,
+                        OutputArray inliers, int)
 {
-    // 5. OpenCV's flags other than SOLVEPNP_ITERATIVE do not look at the guess, which may be empty then.
+    // 5. OpenCV's flags other than SOLVEPNP_ITERATIVE do not look at the guess, which may be empty
+    //    then.
     useExtrinsicGuess = useExtrinsicGuess && !rvec.empty() && !tvec.empty();
-    return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, useExtrinsicGuess, maxIters, threshold,
-                          confidence, inliers, exchange());
+    return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, useExtrinsicGuess,
+                          maxIters, threshold, confidence, inliers, exchange());
 }
 
-bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray K, InputArray distortion,
-                        OutputArray rvec, OutputArray tvec, OutputArray inliers, const UsacParams& params)
+bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray K,
+                        InputArray distortion, OutputArray rvec, OutputArray tvec,
+                        OutputArray inliers, const UsacParams& params)
 {
-    if (K.empty())  // 6. OpenCV estimates the camera matrix, too, from samples of six points; here it has to be known
-        return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, inliers, params);
-    return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, inliers, exchange(params));
+    if (K.empty())  // 6. OpenCV estimates the camera matrix, too, from samples of six points; here
+                    // it has to be known
+        return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, inliers,
+                              params);
+    return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, inliers,
+                          exchange(params));
 }
 
 }  // namespace cv

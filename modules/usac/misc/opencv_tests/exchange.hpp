@@ -5,10 +5,10 @@
 #ifndef OPENCV_USACV20_EXCHANGE_HPP
 #define OPENCV_USACV20_EXCHANGE_HPP
 
-// Included before the first line of each of OpenCV's test files: their calls of findHomography, findFundamentalMat,
-// findEssentialMat, estimateAffine2D, estimateAffinePartial2D and solvePnPRansac go to functions with the same
-// arguments, which put a flag of this module in the place of OpenCV's. The headers come first, so that the names in
-// them stay what they are.
+// Included before the first line of each of OpenCV's test files: their calls of findHomography,
+// findFundamentalMat, findEssentialMat, estimateAffine2D, estimateAffinePartial2D and
+// solvePnPRansac go to functions with the same arguments, which put a flag of this module in the
+// place of OpenCV's. The headers come first, so that the names in them stay what they are.
 
 #include "opencv2/ts.hpp"
 #include "opencv2/calib3d.hpp"
@@ -23,49 +23,59 @@ struct Exchange
     static int calls;
 };
 
-Mat exchangedHomography(InputArray points1, InputArray points2, int method = 0, double threshold = 3,
-                        OutputArray mask = noArray(), int maxIters = 2000, double confidence = 0.995);
-Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, int method = 0, double threshold = 3);
-Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params);
+Mat exchangedHomography(InputArray points1, InputArray points2, int method = 0,
+                        double threshold = 3, OutputArray mask = noArray(), int maxIters = 2000,
+                        double confidence = 0.995);
+Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask, int method = 0,
+                        double threshold = 3);
+Mat exchangedHomography(InputArray points1, InputArray points2, OutputArray mask,
+                        const UsacParams& params);
 
-Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold, double confidence,
-                            int maxIters, OutputArray mask = noArray());
-Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method = FM_RANSAC, double threshold = 3,
-                            double confidence = 0.99, OutputArray mask = noArray());
-Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, int method = FM_RANSAC,
-                            double threshold = 3, double confidence = 0.99);
-Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask, const UsacParams& params);
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method, double threshold,
+                            double confidence, int maxIters, OutputArray mask = noArray());
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, int method = FM_RANSAC,
+                            double threshold = 3, double confidence = 0.99,
+                            OutputArray mask = noArray());
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
+                            int method = FM_RANSAC, double threshold = 3, double confidence = 0.99);
+Mat exchangedFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
+                            const UsacParams& params);
 
 Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method = RANSAC,
                           double confidence = 0.999, double threshold = 1, int maxIters = 1000,
                           OutputArray mask = noArray());
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method, double confidence,
-                          double threshold, OutputArray mask);
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal = 1, Point2d pp = Point2d(),
-                          int method = RANSAC, double confidence = 0.999, double threshold = 1, int maxIters = 1000,
-                          OutputArray mask = noArray());
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp, int method,
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K, int method,
                           double confidence, double threshold, OutputArray mask);
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray distortion1, InputArray K2,
-                          InputArray distortion2, int method = RANSAC, double confidence = 0.999, double threshold = 1,
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal = 1,
+                          Point2d pp = Point2d(), int method = RANSAC, double confidence = 0.999,
+                          double threshold = 1, int maxIters = 1000, OutputArray mask = noArray());
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, double focal, Point2d pp,
+                          int method, double confidence, double threshold, OutputArray mask);
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1,
+                          InputArray distortion1, InputArray K2, InputArray distortion2,
+                          int method = RANSAC, double confidence = 0.999, double threshold = 1,
                           OutputArray mask = noArray());
-Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2, InputArray distortion1,
-                          InputArray distortion2, OutputArray mask, const UsacParams& params);
+Mat exchangedEssentialMat(InputArray points1, InputArray points2, InputArray K1, InputArray K2,
+                          InputArray distortion1, InputArray distortion2, OutputArray mask,
+                          const UsacParams& params);
 
-Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers = noArray(), int method = RANSAC,
-                      double threshold = 3, size_t maxIters = 2000, double confidence = 0.99, size_t refineIters = 10);
-Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers, const UsacParams& params);
-Mat exchangedAffinePartial2D(InputArray from, InputArray to, OutputArray inliers = noArray(), int method = RANSAC,
-                             double threshold = 3, size_t maxIters = 2000, double confidence = 0.99,
-                             size_t refineIters = 10);
+Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers = noArray(),
+                      int method = RANSAC, double threshold = 3, size_t maxIters = 2000,
+                      double confidence = 0.99, size_t refineIters = 10);
+Mat exchangedAffine2D(InputArray from, InputArray to, OutputArray inliers,
+                      const UsacParams& params);
+Mat exchangedAffinePartial2D(InputArray from, InputArray to, OutputArray inliers = noArray(),
+                             int method = RANSAC, double threshold = 3, size_t maxIters = 2000,
+                             double confidence = 0.99, size_t refineIters = 10);
 
-bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray K, InputArray distortion,
-                        OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess = false, int maxIters = 100,
-                        float threshold = 8, double confidence = 0.99, OutputArray inliers = noArray(),
+bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray K,
+                        InputArray distortion, OutputArray rvec, OutputArray tvec,
+                        bool useExtrinsicGuess = false, int maxIters = 100, float threshold = 8,
+                        double confidence = 0.99, OutputArray inliers = noArray(),
                         int method = SOLVEPNP_ITERATIVE);
-bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray K, InputArray distortion,
-                        OutputArray rvec, OutputArray tvec, OutputArray inliers,
-                        const UsacParams& params = UsacParams());
+bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray K,
+                        InputArray distortion, OutputArray rvec, OutputArray tvec,
+                        OutputArray inliers, const UsacParams& params = UsacParams());
 
 }  // namespace cv
 

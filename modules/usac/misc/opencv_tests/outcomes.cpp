@@ -37,7 +37,8 @@ static std::vector<std::string> flagsOf(const std::string& list)
     std::istringstream names(list);
     for (std::string name; std::getline(names, name, ','); result.push_back(name))
         if (!all.count(name))
-            CV_Error_(cv::Error::StsParseError, ("list of differences: %s is no flag", name.c_str()));
+            CV_Error_(cv::Error::StsParseError,
+                      ("list of differences: %s is no flag", name.c_str()));
     return result;
 }
 
@@ -63,7 +64,8 @@ Outcomes::Outcomes(const std::string& listOfDifferences) : passed(0), failed(0)
         if ((kind != "fails" && kind != "data") || reason.empty())
             CV_Error_(cv::Error::StsParseError,
                       ("%s: cannot read the line: %s", listOfDifferences.c_str(), line.c_str()));
-        const std::vector<std::string> names = kind == "fails" ? flagsOf(where) : std::vector<std::string>();
+        const std::vector<std::string> names = kind == "fails" ? flagsOf(where)
+                                                               : std::vector<std::string>();
         if (!isForVersion(version, CV_VERSION))
             continue;
         if (kind == "data")
@@ -109,7 +111,8 @@ void Outcomes::OnTestProgramStart(const testing::UnitTest&)
     for (const std::string& name : missingTests())
     {
         ++failed;
-        unexpected += "on the list, but not among the tests of OpenCV " CV_VERSION ": " + name + "\n";
+        unexpected += "on the list, but not among the tests of OpenCV " CV_VERSION ": " + name +
+                      "\n";
     }
 }
 
@@ -136,7 +139,8 @@ void Outcomes::OnTestEnd(const testing::TestInfo& test)
     else
     {
         ++failed;
-        unexpected += (fine ? "on the list, but passes: " : "FAILED: ") + name + " with " + flag + "\n";
+        unexpected += (fine ? "on the list, but passes: " : "FAILED: ") + name + " with " + flag +
+                      "\n";
     }
 }
 
@@ -144,5 +148,6 @@ void Outcomes::OnTestProgramEnd(const testing::UnitTest&)
 {
     for (std::set<std::string>::const_iterator i = notOurs.begin(); i != notOurs.end(); ++i)
         std::cout << "not counted, calls no function of this module: " << *i << "\n";
-    std::cout << expected << unexpected << passed << " passed, " << failed << " failed" << std::endl;
+    std::cout << expected << unexpected << passed << " passed, " << failed << " failed"
+              << std::endl;
 }

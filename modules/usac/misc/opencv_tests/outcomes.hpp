@@ -10,11 +10,13 @@
 #include <vector>
 #include "opencv2/ts.hpp"
 
-/** Runs all tests once with each flag of the module, compares what comes out with the list of differences, and counts.
+/** Runs all tests once with each flag of the module, compares what comes out with the list of
+differences, and counts.
 
-Only a test that has called one of the exchanged functions counts. One that fails with a flag for which it is on the
-list is neither passed nor failed; one that is on the list and passes is a failure, and so is one that is on the list
-and not among the tests, so that the list stays true. The tests of the list itself (test_outcomes.cpp) count, too. */
+Only a test that has called one of the exchanged functions counts. One that fails with a flag for
+which it is on the list is neither passed nor failed; one that is on the list and passes is a
+failure, and so is one that is on the list and not among the tests, so that the list stays true. The
+tests of the list itself (test_outcomes.cpp) count, too. */
 class Outcomes : public testing::EmptyTestEventListener
 {
 public:

@@ -15,7 +15,8 @@ namespace {
 TEST(Usac_Differences, versions)
 {
     EXPECT_TRUE(isForVersion("", "4.6.0"));
-    const char* const versions[] = {"3.4.20", "4.6.0", "4.9.1", "4.10.0", "4.10.1-dev", "4.11.0", "5.0.0"};
+    const char* const versions[] = {"3.4.20",     "4.6.0",  "4.9.1", "4.10.0",
+                                    "4.10.1-dev", "4.11.0", "5.0.0"};
     for (int i = 0; i < 7; ++i)
     {
         EXPECT_EQ(i >= 3, isForVersion(">=4.10", versions[i])) << versions[i];
@@ -24,7 +25,8 @@ TEST(Usac_Differences, versions)
         EXPECT_EQ(i < 2, isForVersion("<4.9", versions[i])) << versions[i];
     }
     EXPECT_TRUE(isForVersion(">=4.6", CV_VERSION)) << "the module needs it";
-    const char* const mistakes[] = {"4.10", "=4.10", ">4.10", ">=", "<", ">=4", "<4.x", ">=4.10-dev", "<=4.10"};
+    const char* const mistakes[] = {"4.10", "=4.10", ">4.10",      ">=",    "<",
+                                    ">=4",  "<4.x",  ">=4.10-dev", "<=4.10"};
     for (const char* mistake : mistakes)
         EXPECT_THROW(isForVersion(mistake, "4.10.0"), cv::Exception) << mistake;
 }
@@ -60,8 +62,9 @@ TEST(Usac_Differences, lines)
     EXPECT_EQ("yes", reasonOf(lines, "USACV20", "A.now"));
     EXPECT_EQ("", reasonOf(lines, "USACV20", "A.before"));
     EXPECT_EQ("", reasonOf(lines, "USACV20", "A.b"));
-    const char* const mistakes[] = {"fails * A.b",      "fail * A.b why",           "fails NOFLAG A.b why",
-                                    "fails= * A.b why", "fails<4.6 NOFLAG A.b why", "data>=x file A.b why"};
+    const char* const mistakes[] = {
+        "fails * A.b",      "fail * A.b why",           "fails NOFLAG A.b why",
+        "fails= * A.b why", "fails<4.6 NOFLAG A.b why", "data>=x file A.b why"};
     for (const char* mistake : mistakes)
         EXPECT_EQ("refused", reasonOf(mistake, "USACV20", "A.b")) << mistake;
 }
@@ -70,9 +73,10 @@ TEST(Usac_Differences, lines)
 TEST(Usac_Differences, everyTestIsThere)
 {
     const std::string path = cv::tempfile(".txt");
-    std::ofstream(path.c_str()) << "fails * Usac_Differences.lines is there\nfails * Usac_Differences.gone is not\n"
-                                   "fails<4.6 * Usac_Differences.goneToo is not for this version\n"
-                                   "data file Usac_Differences.without is not\n";
+    std::ofstream(path.c_str())
+        << "fails * Usac_Differences.lines is there\nfails * Usac_Differences.gone is not\n"
+           "fails<4.6 * Usac_Differences.goneToo is not for this version\n"
+           "data file Usac_Differences.without is not\n";
     const std::vector<std::string> missing = Outcomes(path).missingTests();
     std::remove(path.c_str());
     ASSERT_EQ(2u, missing.size());

@@ -23,7 +23,8 @@ static std::vector<int> numbersOf(const std::string& version)
             ++i;
     }
     if (numbers.size() < 2)
-        CV_Error_(cv::Error::StsParseError, ("list of differences: %s is no version", version.c_str()));
+        CV_Error_(cv::Error::StsParseError,
+                  ("list of differences: %s is no version", version.c_str()));
     return numbers;
 }
 
@@ -33,11 +34,14 @@ bool isForVersion(const std::string& condition, const std::string& version)
         return true;
     const bool before = condition[0] == '<';
     if (!before && condition.compare(0, 2, ">=") != 0)
-        CV_Error_(cv::Error::StsParseError,
-                  ("list of differences: >=VERSION or <VERSION is expected, not %s", condition.c_str()));
+        CV_Error_(
+            cv::Error::StsParseError,
+            ("list of differences: >=VERSION or <VERSION is expected, not %s", condition.c_str()));
     const std::string limit = condition.substr(before ? 1 : 2);
     if (limit.find_first_not_of("0123456789.") != std::string::npos)
-        CV_Error_(cv::Error::StsParseError, ("list of differences: %s is no version", limit.c_str()));
+        CV_Error_(cv::Error::StsParseError,
+                  ("list of differences: %s is no version", limit.c_str()));
     const std::vector<int> numbers = numbersOf(version), first = numbersOf(limit);
-    return before == std::lexicographical_compare(numbers.begin(), numbers.end(), first.begin(), first.end());
+    return before ==
+           std::lexicographical_compare(numbers.begin(), numbers.end(), first.begin(), first.end());
 }

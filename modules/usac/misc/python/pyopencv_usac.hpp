@@ -7,7 +7,8 @@
 
 #ifdef HAVE_OPENCV_USAC
 
-//! "cv2.usacv20.Report(cost=0.25, degenerate=False, ...)": all attributes of an object that are no methods.
+//! "cv2.usacv20.Report(cost=0.25, degenerate=False, ...)": all attributes of an object that are no
+//! methods.
 static PyObject* pyopencv_usacv20_repr(PyObject* self, const char* type)
 {
     PySafeObject names(PyObject_Dir(self));
@@ -32,9 +33,15 @@ static PyObject* pyopencv_usacv20_repr(PyObject* self, const char* type)
     return PyString_FromString(cv::format("cv2.usacv20.%s(%s)", type, text.c_str()).c_str());
 }
 
-static PyObject* pyopencv_usacv20_Params_fields(PyObject* self) { return pyopencv_usacv20_repr(self, "Params"); }
+static PyObject* pyopencv_usacv20_Params_fields(PyObject* self)
+{
+    return pyopencv_usacv20_repr(self, "Params");
+}
 
-static PyObject* pyopencv_usacv20_Report_fields(PyObject* self) { return pyopencv_usacv20_repr(self, "Report"); }
+static PyObject* pyopencv_usacv20_Report_fields(PyObject* self)
+{
+    return pyopencv_usacv20_repr(self, "Report");
+}
 
 // OpenCV's macros, which come after this file, register pyopencv_<class>_repr as __repr__.
 #define pyopencv_usacv20_Params_repr pyopencv_usacv20_Params_fields

@@ -17,8 +17,8 @@
 namespace cv {
 
 #ifdef OPENCV_BINDING_PARSER
-// The enumerators of an enum class would become cv2.UsacV20Method_USACV20 and so on. The generator takes the names from
-// here; the code that it writes uses the constants of params.hpp.
+// The enumerators of an enum class would become cv2.UsacV20Method_USACV20 and so on. The generator
+// takes the names from here; the code that it writes uses the constants of params.hpp.
 enum UsacV20Method {
     USACV20 = 0x4000,
     USACV20_FAST = 0x4001,
@@ -31,9 +31,11 @@ enum UsacV20Method {
 
 namespace usacv20 {
 
-/** @brief What usacv20.progress does in Python: another thread sees how far the runs are, and stops them.
+/** @brief What usacv20.progress does in Python: another thread sees how far the runs are, and stops
+them.
 
-OpenCV's generator binds no functions as arguments: the threads that run enter it, and the one that waits for them asks. */
+OpenCV's generator binds no functions as arguments: the threads that run enter it, and the one that
+waits for them asks. */
 class CV_EXPORTS_W RunControl
 {
 public:
@@ -75,9 +77,9 @@ private:
     std::atomic<bool> stopped;
 };
 
-// The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in the place of the flag. In C++ they are in
-// the namespace cv alone: a second set would make a call below `using namespace cv` ambiguous, as the class Params
-// leads to the namespace cv::usacv20.
+// The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in the place of the
+// flag. In C++ they are in the namespace cv alone: a second set would make a call below `using
+// namespace cv` ambiguous, as the class Params leads to the namespace cv::usacv20.
 
 //! @overload
 CV_EXPORTS_W inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
@@ -94,33 +96,38 @@ CV_EXPORTS_W inline Mat findFundamentalMat(InputArray points1, InputArray points
 }
 
 //! @overload
-CV_EXPORTS_W inline Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1,
-                                         InputArray cameraMatrix2, InputArray dist_coeff1, InputArray dist_coeff2,
+CV_EXPORTS_W inline Mat findEssentialMat(InputArray points1, InputArray points2,
+                                         InputArray cameraMatrix1, InputArray cameraMatrix2,
+                                         InputArray dist_coeff1, InputArray dist_coeff2,
                                          OutputArray mask, const Params& params)
 {
-    return cv::findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, dist_coeff1, dist_coeff2, mask, params);
+    return cv::findEssentialMat(points1, points2, cameraMatrix1, cameraMatrix2, dist_coeff1,
+                                dist_coeff2, mask, params);
 }
 
 //! @overload
-CV_EXPORTS_W inline Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers, const Params& params)
+CV_EXPORTS_W inline Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers,
+                                         const Params& params)
 {
     return cv::estimateAffine2D(pts1, pts2, inliers, params);
 }
 
 //! @overload
-CV_EXPORTS_W inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers,
-                                                const Params& params)
+CV_EXPORTS_W inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2,
+                                                OutputArray inliers, const Params& params)
 {
     return cv::estimateAffinePartial2D(pts1, pts2, inliers, params);
 }
 
 //! @overload
 // `params` has a default for its place among the arguments: the last one, as in OpenCV's function.
-CV_EXPORTS_W inline bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray cameraMatrix,
-                                        InputArray distCoeffs, OutputArray rvec, OutputArray tvec, OutputArray inliers,
+CV_EXPORTS_W inline bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints,
+                                        InputOutputArray cameraMatrix, InputArray distCoeffs,
+                                        OutputArray rvec, OutputArray tvec, OutputArray inliers,
                                         const Params& params = usacv20::Params())
 {
-    return cv::solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, inliers, params);
+    return cv::solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec,
+                              inliers, params);
 }
 
 }  // namespace usacv20

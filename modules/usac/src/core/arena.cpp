@@ -27,11 +27,12 @@ namespace usacv20 {
 namespace {
 
 constexpr int ALIGNMENT = 64;
-/** Bytes of a block, unless a single array is larger. At the end of its life glibc gives memory back to the system,
-and then each page that the next Usac writes to is a page fault, a quarter of the time of a call; but not if a block
-that it has taken from the system by itself (128 kB and more, up to 32 MB) was freed before, and no more than twice as
-much is free now. So the least is above the first bound, and the largest below the second one; in between blocks double,
-so that not each call with a few more points is the first of its size. Pages that nobody writes to cost nothing. */
+/** Bytes of a block, unless a single array is larger. At the end of its life glibc gives memory
+back to the system, and then each page that the next Usac writes to is a page fault, a quarter of
+the time of a call; but not if a block that it has taken from the system by itself (128 kB and more,
+up to 32 MB) was freed before, and no more than twice as much is free now. So the least is above the
+first bound, and the largest below the second one; in between blocks double, so that not each call
+with a few more points is the first of its size. Pages that nobody writes to cost nothing. */
 constexpr size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
 
 //! The size of a block of so many bytes.
@@ -79,7 +80,8 @@ void Arena::release()
     top = 0;
 }
 
-//! Appends a block of so many bytes at least, of as many as all others have if that is more and not too much.
+//! Appends a block of so many bytes at least, of as many as all others have if that is more and not
+//! too much.
 Arena::Block* Arena::add(size_t bytes)
 {
     const size_t header = rounded(sizeof(Block)),
@@ -171,7 +173,9 @@ size_t Arena::capacity() const
     return bytes;
 }
 
-Arena::Scope::Scope(Arena& arena_) : arena(arena_), block(arena_.top), end(arena_.top ? arena_.top->high : 0) {}
+Arena::Scope::Scope(Arena& arena_)
+    : arena(arena_), block(arena_.top), end(arena_.top ? arena_.top->high : 0)
+{}
 
 Arena::Scope::~Scope()
 {

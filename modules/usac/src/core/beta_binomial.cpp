@@ -30,14 +30,16 @@ double betaBinomialTail(int successes, int trials, int earlierSuccesses, int ear
     const double n = trials, c = earlierSuccesses, f = earlierTrials - earlierSuccesses;
     const bool upper = successes > n * (c + 1) / (c + f + 2);
     double k = upper ? successes : successes - 1;
-    double term = std::exp(logFactorial(n) - logFactorial(k) - logFactorial(n - k) + logFactorial(k + c) +
-                           logFactorial(n - k + f) - logFactorial(n + c + f + 1) + logFactorial(c + f + 1) -
-                           logFactorial(c) - logFactorial(f));
+    double term = std::exp(logFactorial(n) - logFactorial(k) - logFactorial(n - k) +
+                           logFactorial(k + c) + logFactorial(n - k + f) -
+                           logFactorial(n + c + f + 1) + logFactorial(c + f + 1) - logFactorial(c) -
+                           logFactorial(f));
     double sum = 0;
     for (; k >= 0 && k <= n && term > 1e-17 * sum; k += upper ? 1 : -1)
     {
         sum += term;
-        term *= upper ? (n - k) / (k + 1) * ((k + c + 1) / (n - k + f)) : k / (n - k + 1) * ((n - k + f + 1) / (k + c));
+        term *= upper ? (n - k) / (k + 1) * ((k + c + 1) / (n - k + f))
+                      : k / (n - k + 1) * ((n - k + f + 1) / (k + c));
     }
     return upper ? std::min(sum, 1.) : std::max(1 - sum, 0.);
 }

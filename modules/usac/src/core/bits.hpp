@@ -32,8 +32,9 @@ inline int lowestOne(uint64 word)
 #endif
 }
 
-/** A word whose bit i says whether errors[i] <= limit, of at most #WORD_BITS errors; NaN is not. The comparison becomes
-vector code; a multiplication brings the ones of eight bytes together in the highest byte. */
+/** A word whose bit i says whether errors[i] <= limit, of at most #WORD_BITS errors; NaN is not.
+The comparison becomes vector code; a multiplication brings the ones of eight bytes together in the
+highest byte. */
 inline uint64 within(const float* errors, int count, float limit)
 {
 #if defined __BYTE_ORDER__ && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__

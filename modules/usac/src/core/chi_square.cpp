@@ -9,7 +9,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Part of the inliers with the largest noise that are within the threshold, as in @cite barath2019magsac.
+//! Part of the inliers with the largest noise that are within the threshold, as in
+//! @cite barath2019magsac.
 constexpr double QUANTILE = 0.99;
 
 double chiSquareDistribution(double x, int degrees)

@@ -15,9 +15,9 @@ double chiSquareDistribution(double x, int degrees);
 //! The x at which chiSquareDistribution is p; 0 <= p < 1.
 double chiSquareQuantile(double p, int degrees);
 
-/** The threshold in units of the largest standard deviation of the noise, sigma_max: the root of the 0.99 quantile, as
-in @cite barath2019magsac. So Params::threshold says what sigma_max is, and losses that are marginalized over the noise
-up to sigma_max end at the threshold. */
+/** The threshold in units of the largest standard deviation of the noise, sigma_max: the root of
+the 0.99 quantile, as in @cite barath2019magsac. So Params::threshold says what sigma_max is, and
+losses that are marginalized over the noise up to sigma_max end at the threshold. */
 double thresholdInSigmas(int degrees);
 
 }  // namespace usacv20

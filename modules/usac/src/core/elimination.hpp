@@ -11,13 +11,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Null space of a matrix with more columns than rows, by Gauss-Jordan elimination; the pivot of a row is its
-largest element @cite golub2013matrix. The matrix is given column by column: all loops over rows have a fixed length and
-become vector code.
+/** @brief Null space of a matrix with more columns than rows, by Gauss-Jordan elimination; the
+pivot of a row is its largest element @cite golub2013matrix. The matrix is given column by column:
+all loops over rows have a fixed length and become vector code.
 
 @param A columns of the matrix, the ROWS elements filled up with zeros; destroyed
 @param basis output, COLS - ROWS vectors; each has a 1 where the others have a 0
-@return false if the rank is lower than ROWS: a pivot is not above 1e-9 times the largest element. */
+@return false if the rank is lower than ROWS: a pivot is not above 1e-9 times the largest element.
+*/
 template <int ROWS, int COLS, int PADDED>
 bool nullSpace(double (&A)[COLS][PADDED], double (&basis)[COLS - ROWS][COLS])
 {

@@ -36,7 +36,8 @@ double exponentialSeries(double x)
     return sum;
 }
 
-//! x^a exp(-x) / (x+1-a - 1(1-a) / (x+3-a - 2(2-a) / (x+5-a - ...))), evaluated from the front by Lentz's method.
+//! x^a exp(-x) / (x+1-a - 1(1-a) / (x+3-a - 2(2-a) / (x+5-a - ...))), evaluated from the front by
+//! Lentz's method.
 double upperFraction(double a, double x)
 {
     double b = x + 1 - a, c = 1 / DBL_MIN, d = 1 / b, h = d;

@@ -8,14 +8,17 @@
 namespace cv {
 namespace usacv20 {
 
-/* Incomplete gamma functions by their power series below x = a + 1 and by their continued fraction above
+/* Incomplete gamma functions by their power series below x = a + 1 and by their continued fraction
+above
 @cite press2007numerical; relative error about 1e-14. */
 
-//! The gamma function of a multiple of 1/2; that of libm differs in the last bit between the versions of glibc.
+//! The gamma function of a multiple of 1/2; that of libm differs in the last bit between the
+//! versions of glibc.
 double gammaFunction(double a);
 //! Integral of t^(a-1) exp(-t) over 0 .. x; a > 0, x >= 0.
 double lowerGamma(double a, double x);
-//! The same over x .. infinity; a >= 0, x >= 0. For a = 0 this is the exponential integral, infinite at x = 0.
+//! The same over x .. infinity; a >= 0, x >= 0. For a = 0 this is the exponential integral,
+//! infinite at x = 0.
 double upperGamma(double a, double x);
 
 }  // namespace usacv20

@@ -10,9 +10,10 @@ namespace usacv20 {
 
 /** @brief How PROSAC's set of the best points grows @cite chum2005matching.
 
-Of T_N = 200 000 uniform samples of N points, or of as many as there are different ones, T_n = T_N prod_{i<m} (n - i)/(N
-- i) would lie within the n best. The set grows from n to n + 1 when the ceiling of that many samples has been drawn:
-T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
+Of T_N = 200 000 uniform samples of N points, or of as many as there are different ones, T_n = T_N
+prod_{i<m} (n - i)/(N
+- i) would lie within the n best. The set grows from n to n + 1 when the ceiling of that many
+samples has been drawn: T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
 class Growth
 {
 public:
@@ -22,10 +23,11 @@ public:
     void grow();
     //! Number n of best points.
     int size() const { return n; }
-    //! T'_n: this many samples are drawn before the set grows; all of them lie within the n best points.
+    //! T'_n: this many samples are drawn before the set grows; all of them lie within the n best
+    //! points.
     double samples() const { return limit; }
-    //! T_n: of uniform samples of the n best points, so many have as many good ones as the T'_n have at least, on
-    //! average.
+    //! T_n: of uniform samples of the n best points, so many have as many good ones as the T'_n
+    //! have at least, on average.
     double uniformSamples() const { return expected; }
 
 private:
@@ -40,7 +42,9 @@ class GrowingSet
 public:
     //! That of no points.
     GrowingSet() : growth(0, 1), total(0), drawn(0) {}
-    GrowingSet(int sampleSize, int pointCount) : growth(sampleSize, pointCount), total(pointCount), drawn(0) {}
+    GrowingSet(int sampleSize, int pointCount)
+        : growth(sampleSize, pointCount), total(pointCount), drawn(0)
+    {}
 
     //! Moves on to the next sample.
     void next();

@@ -8,7 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Numbers that are known to the compiler, to hand the columns of a datum to a formula as arguments.
+//! Numbers that are known to the compiler, to hand the columns of a datum to a formula as
+//! arguments.
 template <int... K>
 struct Indices
 {};

@@ -38,14 +38,16 @@ void assignCells(const Correspondences& p, int array, ushort* cells)
     std::fill(cells, cells + p.size, (ushort)0);
     for (int k = first; k < first + axes; ++k)
     {
-        const float low = p.lower[k], range = p.upper[k] - low, scale = range > 0 ? CELL_DIVISIONS / range : 0;
+        const float low = p.lower[k], range = p.upper[k] - low,
+                    scale = range > 0 ? CELL_DIVISIONS / range : 0;
         const float* const values = p.column[k];
         for (int i = 0; i < p.size; ++i)
             cells[i] = (ushort)(cells[i] * CELL_DIVISIONS + division(values[i], low, scale));
     }
 }
 
-CellPairs::CellPairs(const Correspondences& p, const uchar* mask, uchar value, Arena& arena, int merged)
+CellPairs::CellPairs(const Correspondences& p, const uchar* mask, uchar value, Arena& arena,
+                     int merged)
     : cells(CELLS / (merged * merged))
 {
     Arena::Scope scope(arena);

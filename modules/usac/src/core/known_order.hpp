@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! True if the order of the points is somebody's knowledge: scores, or the caller's order; else it is a guess.
+//! True if the order of the points is somebody's knowledge: scores, or the caller's order; else it
+//! is a guess.
 inline bool orderIsKnown(const Context& context)
 {
     const Ptr<Ordering>& ordering = context.components.ordering;

@@ -28,9 +28,10 @@ struct Polynomial
     }
 };
 
-/** Sturm's sequence p, p', -(p mod p'), ... Two neighbors are linked by f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0,
-so that the whole sequence at x costs three operations an element, from the last one upwards. Where a degree is (nearly)
-skipped, as for x^3 - 1, there is no such link: the sequence is then not regular and must not be used. */
+/** Sturm's sequence p, p', -(p mod p'), ... Two neighbors are linked by f[k-1] = (a x + b) f[k] - s
+f[k+1] with s > 0, so that the whole sequence at x costs three operations an element, from the last
+one upwards. Where a degree is (nearly) skipped, as for x^3 - 1, there is no such link: the sequence
+is then not regular and must not be used. */
 class SturmSequence
 {
 public:
@@ -57,7 +58,8 @@ public:
             }
             --degree;
             link.s = largest;
-            regular = degree == 0 || !(largest > 1e-14) || std::abs(rest[degree - 1]) > 1e-5 * largest;
+            regular = degree == 0 || !(largest > 1e-14) ||
+                      std::abs(rest[degree - 1]) > 1e-5 * largest;
             if (degree == 0 || !(largest > 1e-14) || !regular)
             {
                 link.s = 0;  // g divides f as far as the precision tells: the sequence ends here
@@ -103,8 +105,8 @@ private:
     int count, lastDegree;
 };
 
-//! The root in (low, high], where the polynomial changes its sign: Newton's steps, bisection where they leave the
-//! bracket.
+//! The root in (low, high], where the polynomial changes its sign: Newton's steps, bisection where
+//! they leave the bracket.
 double refine(const Polynomial& p, double low, double high, double atLow)
 {
     double x = 0.5 * (low + high);
@@ -120,7 +122,8 @@ double refine(const Polynomial& p, double low, double high, double atLow)
         if (!inside)
             next = 0.5 * (low + high);
         if (std::abs(next - x) <=
-            (inside ? 1e-9 : 4e-16) * std::abs(x))  // the error of a step of Newton is that of the last one squared
+            (inside ? 1e-9 : 4e-16) *
+                std::abs(x))  // the error of a step of Newton is that of the last one squared
             return next;
         x = next;
     }
@@ -128,8 +131,8 @@ double refine(const Polynomial& p, double low, double high, double atLow)
 }
 
 //! Roots in (low, high], of which there are fromLow - fromHigh.
-int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double high, int fromLow, int fromHigh,
-            int depth, double* roots)
+int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double high, int fromLow,
+            int fromHigh, int depth, double* roots)
 {
     const int expected = fromLow - fromHigh;
     if (expected <= 0)
@@ -153,11 +156,12 @@ int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double 
     return left + isolate(p, sturm, middle, high, fromMiddle, fromHigh, depth - 1, roots + left);
 }
 
-//! Where #realRoots changes from the polynomial to the reversed one; no round number, as Sturm's interval excludes it.
+//! Where #realRoots changes from the polynomial to the reversed one; no round number, as Sturm's
+//! interval excludes it.
 constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
 
-//! Roots in (LOWEST, HIGHEST], between the roots of the derivative: slower than Sturm's sequence, but without its
-//! exceptions.
+//! Roots in (LOWEST, HIGHEST], between the roots of the derivative: slower than Sturm's sequence,
+//! but without its exceptions.
 int betweenExtrema(const Polynomial& p, double* roots)
 {
     if (p.degree <= 1)
@@ -194,7 +198,8 @@ int rootsNearZero(const double* c, int degree, double* roots)
     const SturmSequence sturm(p);
     if (!sturm.regular)
         return betweenExtrema(p, roots);
-    return isolate(p, sturm, LOWEST, HIGHEST, sturm.changes(LOWEST), sturm.changes(HIGHEST), 40, roots);
+    return isolate(p, sturm, LOWEST, HIGHEST, sturm.changes(LOWEST), sturm.changes(HIGHEST), 40,
+                   roots);
 }
 
 //! One of Newton's steps towards a root, where it helps.
@@ -207,13 +212,14 @@ double polish(const Polynomial& p, double x)
     return std::abs(newValue) < std::abs(value) ? next : x;
 }
 
-/** Roots of a cubic in closed form, by Viete's cosines or Cardano's cube root @cite press2007numerical; double roots
-once. The leading coefficient must not be small. */
+/** Roots of a cubic in closed form, by Viete's cosines or Cardano's cube root
+@cite press2007numerical; double roots once. The leading coefficient must not be small. */
 int cubicRoots(const double* c, double* roots)
 {
     const Polynomial p = {c, 3};
     const double a = c[2] / c[3], b = c[1] / c[3], d = c[0] / c[3];
-    const double Q = (a * a - 3 * b) / 9, R = (2 * a * a * a - 9 * a * b + 27 * d) / 54, excess = R * R - Q * Q * Q;
+    const double Q = (a * a - 3 * b) / 9, R = (2 * a * a * a - 9 * a * b + 27 * d) / 54,
+                 excess = R * R - Q * Q * Q;
     const bool twice = std::abs(excess) <= 1e-13 * R * R;
     int count = 1;
     if (excess < 0 && !twice)
@@ -224,7 +230,8 @@ int cubicRoots(const double* c, double* roots)
     }
     else
     {
-        const double A = (R > 0 ? -1 : 1) * std::cbrt(std::abs(R) + std::sqrt(std::max(excess, 0.))),
+        const double A = (R > 0 ? -1 : 1) *
+                         std::cbrt(std::abs(R) + std::sqrt(std::max(excess, 0.))),
                      B = A != 0 ? Q / A : 0;
         roots[0] = A + B - a / 3;
         if (twice && A != 0)

@@ -31,7 +31,8 @@ public:
     {
         uint64 bits[DIMENSIONS];
         std::memcpy(bits, cell.val, sizeof(bits));
-        // small whole numbers have zeros but for their highest bits, which a product moves nowhere but up
+        // small whole numbers have zeros but for their highest bits, which a product moves nowhere
+        // but up
         uint64 h = bits[0];
         for (int k = 1; k < DIMENSIONS; ++k)
             h ^= bits[k] << k | bits[k] >> (64 - k);
@@ -51,8 +52,8 @@ private:
 };
 
 template <int DIMENSIONS>
-void markInCells(const double* const* columns, const int* order, const uchar* mask, int count, double side,
-                 uchar* repeated, Arena& arena)
+void markInCells(const double* const* columns, const int* order, const uchar* mask, int count,
+                 double side, uchar* repeated, Arena& arena)
 {
     int marked = 0;
     for (int i = 0; i < count; ++i)
@@ -64,7 +65,8 @@ void markInCells(const double* const* columns, const int* order, const uchar* ma
             const int point = order ? order[i] : i;
             Vec<double, DIMENSIONS> cell;
             for (int k = 0; k < DIMENSIONS; ++k)
-                cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) + 0.;  // no -0
+                cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) +
+                          0.;  // no -0
             if (!cells.insert(cell))
                 repeated[i] = 1;
         }
@@ -72,8 +74,8 @@ void markInCells(const double* const* columns, const int* order, const uchar* ma
 
 }  // namespace
 
-int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask, int count,
-                       double threshold1, double threshold2, Arena& arena)
+int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask,
+                       int count, double threshold1, double threshold2, Arena& arena)
 {
     Arena::Scope scope(arena);
     uchar *const repeated1 = scope.take<uchar>(count), *const repeated2 = scope.take<uchar>(count);
@@ -81,15 +83,16 @@ int independentInliers(const double* const* columns, const int* coordinates, con
     std::fill(repeated2, repeated2 + count, (uchar)0);
     const int repetitions = std::max(
         markRepeated(columns, coordinates[0], 0, mask, count, threshold1, repeated1, arena),
-        markRepeated(columns + coordinates[0], coordinates[1], 0, mask, count, threshold2, repeated2, arena));
+        markRepeated(columns + coordinates[0], coordinates[1], 0, mask, count, threshold2,
+                     repeated2, arena));
     int inliers = 0;
     for (int i = 0; i < count; ++i)
         inliers += mask[i] != 0;
     return inliers - repetitions;
 }
 
-int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask, int count,
-                 double side, uchar* repeated, Arena& arena)
+int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
+                 int count, double side, uchar* repeated, Arena& arena)
 {
     if (dimensions == 1)
         markInCells<1>(columns, order, mask, count, side, repeated, arena);
@@ -103,12 +106,15 @@ int markRepeated(const double* const* columns, int dimensions, const int* order,
     return sum;
 }
 
-int markRepeated(const Correspondences& p, const int* order, const uchar* mask, int count, double threshold,
-                 uchar* repeated, Arena& arena)
+int markRepeated(const Correspondences& p, const int* order, const uchar* mask, int count,
+                 double threshold, uchar* repeated, Arena& arena)
 {
-    const double threshold1 = p.problem->commonUnit() ? threshold * p.frame[0].scale / p.frame[1].scale : 0;
+    const double threshold1 = p.problem->commonUnit()
+                                  ? threshold * p.frame[0].scale / p.frame[1].scale
+                                  : 0;
     markRepeated(p.exact, p.coordinates[0], order, mask, count, threshold1, repeated, arena);
-    return markRepeated(p.exact + p.coordinates[0], p.coordinates[1], order, mask, count, threshold, repeated, arena);
+    return markRepeated(p.exact + p.coordinates[0], p.coordinates[1], order, mask, count, threshold,
+                        repeated, arena);
 }
 
 }  // namespace usacv20

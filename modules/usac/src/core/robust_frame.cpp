@@ -12,12 +12,13 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: no run of the lists differs but for one or two of H. They guard against hostile input.
+// Half and double of these: no run of the lists differs but for one or two of H. They guard against
+// hostile input.
 
 //! Values that a first look takes.
 constexpr int SAMPLE = 31;
-//! In mean deviations: a value further out dominates the mean. In those of the first look: so large a mean deviation is
-//! that of values far out.
+//! In mean deviations: a value further out dominates the mean. In those of the first look: so large
+//! a mean deviation is that of values far out.
 constexpr double FAR_OUT = 20, SPOILT = 100;
 
 //! Median of values and median of their distances from it, but for those that are equal to it.
@@ -86,8 +87,8 @@ double meanDistance(const double* values, int count, double center)
 
 }  // namespace
 
-void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high,
-                 Arena& arena)
+void robustFrame(const double* values, int count, double& center, double& deviation, double& low,
+                 double& high, Arena& arena)
 {
     center = deviation = low = high = 0;
     if (count == 0)
@@ -97,7 +98,8 @@ void robustFrame(const double* values, int count, double& center, double& deviat
     double sampleCenter, sampleDeviation;
     medianFrame(values, std::min<int>(count, SAMPLE), sampleCenter, sampleDeviation, arena);
     const double largest = std::max(high - center, center - low);
-    if (!(largest <= FAR_OUT * deviation) || (sampleDeviation > 0 && deviation > SPOILT * sampleDeviation))
+    if (!(largest <= FAR_OUT * deviation) ||
+        (sampleDeviation > 0 && deviation > SPOILT * sampleDeviation))
         medianFrame(values, count, center, deviation, arena);
 }
 

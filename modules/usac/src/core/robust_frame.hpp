@@ -10,11 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** Center and mean deviation of values in random order, and their range. Mean values where the data are sane, medians
-where points lie so far out that they would dominate the means: single points, or so many of the first ones that most
-points are next to nothing. */
-void robustFrame(const double* values, int count, double& center, double& deviation, double& low, double& high,
-                 Arena& arena);
+/** Center and mean deviation of values in random order, and their range. Mean values where the data
+are sane, medians where points lie so far out that they would dominate the means: single points, or
+so many of the first ones that most points are next to nothing. */
+void robustFrame(const double* values, int count, double& center, double& deviation, double& low,
+                 double& high, Arena& arena);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** Probability that a sample of m of n points has inliers only, if there are `inliers` of them. `exact`: no point is
-drawn twice, C(inliers, m) / C(n, m); else (inliers / n)^m. */
+/** Probability that a sample of m of n points has inliers only, if there are `inliers` of them.
+`exact`: no point is drawn twice, C(inliers, m) / C(n, m); else (inliers / n)^m. */
 double goodSampleProbability(double inliers, int n, int m, bool exact = true);
 //! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX where it is no int.
 int samplesNeeded(double p, double logFailure);

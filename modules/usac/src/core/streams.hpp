@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Who draws random numbers beside the samples, which have the streams 0 .. 2^31 of Rng. Each has numbers of its own.
+//! Who draws random numbers beside the samples, which have the streams 0 .. 2^31 of Rng. Each has
+//! numbers of its own.
 enum Stream {
     STREAM_ROTATION = 1,  //!< where the verifier begins
     STREAM_REFINEMENT,    //!< of an iteration: local optimization and checks

@@ -12,17 +12,17 @@ namespace usacv20 {
 
 namespace {
 
-//! A sample of several times the minimal size is near its least squares after so many steps from the model. 2: time of
-//! F -7 %, errors +3 %; 6: errors within 2 %.
+//! A sample of several times the minimal size is near its least squares after so many steps from
+//! the model. 2: time of F -7 %, errors +3 %; 6: errors within 2 %.
 constexpr int FIT_STEPS = 3;
 
-/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see GraphCutOptimizer for a
-faster one.
+/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see
+GraphCutOptimizer for a faster one.
 
-Each alternation cuts the graph for the inliers of the model (Labeling) and fits models to random samples of them, of
-Params::localSampleMultiple times the minimal size, or to all if there are not as many. The first alternation without a
-better model is the last. Their number and that of their samples are bounded by Params::localIterations and
-Params::localSamples. */
+Each alternation cuts the graph for the inliers of the model (Labeling) and fits models to random
+samples of them, of Params::localSampleMultiple times the minimal size, or to all if there are not
+as many. The first alternation without a better model is the last. Their number and that of their
+samples are bounded by Params::localIterations and Params::localSamples. */
 class GcRansacOptimizer : public LocalOptimizer
 {
 public:
@@ -41,9 +41,11 @@ public:
             if (inliers.size() <= m)
                 break;
             better = false;
-            const int size = m * params.localSampleMultiple, samples = inliers.size() > size ? params.localSamples : 1;
+            const int size = m * params.localSampleMultiple,
+                      samples = inliers.size() > size ? params.localSamples : 1;
             for (int k = 0; k < samples && !context.stop(); ++k)
-                better |= inliers.improve(context, inliers.select(state.rng, size), model, quality, FIT_STEPS);
+                better |= inliers.improve(context, inliers.select(state.rng, size), model, quality,
+                                          FIT_STEPS);
             improved |= better;
         }
         return improved;

@@ -16,9 +16,11 @@ void InlierSet::within(const Context& context, const Model& model, double multip
     const float limit = (float)(multiple * multiple * points.threshold * points.threshold);
     context.components.residual->squaredErrors(points, model, 0, points.size, errors);
     count = 0;
-    for (int i = 0; i < points.size; i += WORD_BITS)  // a branch for each point could not be foretold
-        for (uint64 word = usacv20::within(errors + i, std::min(points.size - i, (int)WORD_BITS), limit); word;
-             word &= word - 1)
+    for (int i = 0; i < points.size;
+         i += WORD_BITS)  // a branch for each point could not be foretold
+        for (uint64 word =
+                 usacv20::within(errors + i, std::min(points.size - i, (int)WORD_BITS), limit);
+             word; word &= word - 1)
             members[count++] = i + lowestOne(word);
 }
 
@@ -34,7 +36,8 @@ bool InlierSet::fit(const Context& context, int first, Model& model, int iterati
     return context.nonMinimalSolver().fit(context.points, members, first, 0, model, iterations);
 }
 
-bool InlierSet::improve(const Context& context, int first, Model& model, Quality& quality, int iterations) const
+bool InlierSet::improve(const Context& context, int first, Model& model, Quality& quality,
+                        int iterations) const
 {
     Model fitted = model;
     return fit(context, first, fitted, iterations) && keepBetter(context, fitted, model, quality);

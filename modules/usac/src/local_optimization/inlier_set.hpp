@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief What the local optimizers share: a set of points, random parts of it, and fits that are kept if they are
- * better. */
+/** @brief What the local optimizers share: a set of points, random parts of it, and fits that are
+ kept if they are * better. */
 class InlierSet
 {
 public:
@@ -26,12 +26,14 @@ public:
     }
     //! Takes the points with errors up to a multiple of the threshold.
     void within(const Context& context, const Model& model, double multiple);
-    //! Brings `most` random members to the front, all if there are not as many. @return their number
+    //! Brings `most` random members to the front, all if there are not as many. @return their
+    //! number
     int select(Rng& rng, int most);
     //! Least squares over the `first` members from `model`; false if they determine none.
     bool fit(const Context& context, int first, Model& model, int iterations = 10) const;
     //! The same; the fit replaces the model if its quality is better.
-    bool improve(const Context& context, int first, Model& model, Quality& quality, int iterations = 10) const;
+    bool improve(const Context& context, int first, Model& model, Quality& quality,
+                 int iterations = 10) const;
 
     int size() const { return count; }
 

@@ -10,10 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-//! K of a point at 3.25 thresholds; below it the exponential is spared. Half, double: the same to some thousandths.
+//! K of a point at 3.25 thresholds; below it the exponential is spared. Half, double: the same to
+//! some thousandths.
 constexpr float NEGLIGIBLE = 0.005f;
-//! Tests of a point, as Watch counts them, that edges and cut take for each, without a kd-tree: 100 ns of a million.
-//! Half, double: as those of Watch.
+//! Tests of a point, as Watch counts them, that edges and cut take for each, without a kd-tree: 100
+//! ns of a million. Half, double: as those of Watch.
 constexpr double CUT_WORK = 50;
 
 }  // namespace
@@ -43,9 +44,10 @@ int Labeling::degreeOf(const Vec2i* edges, int count)
     return most;
 }
 
-/* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier and by lambda (1 -
-a) if q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets its label before any cut: most points
-at first sight, as lambda times the number of edges is not enough. */
+/* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier
+and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets
+its label before any cut: most points at first sight, as lambda times the number of edges is not
+enough. */
 void Labeling::fix(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     if (degree < 0)
@@ -91,7 +93,8 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     weigh(context, model);
     const float lambda = (float)context.params.spatialWeight;
     const Vec2i* edges = 0;
-    int count = context.stopBefore(size * CUT_WORK) ? 0 : context.neighborhood().edges(context, edges);
+    int count = context.stopBefore(size * CUT_WORK) ? 0
+                                                    : context.neighborhood().edges(context, edges);
     if (context.stop(0))  // while it looked for them
         count = 0;
     fix(context.arena, edges, count, lambda);
@@ -103,8 +106,8 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     return found;
 }
 
-/* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the last term being one arc
-of the graph. */
+/* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the
+last term being one arc of the graph. */
 void Labeling::label(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     const int nodes = openCount;

@@ -16,15 +16,17 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Spatially coherent inliers of a model: the labeling of least energy @cite barath2018graph.
+/** @brief Spatially coherent inliers of a model: the labeling of least energy
+@cite barath2018graph.
 
-With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as inlier and K_p as outlier. An edge (p, q) costs
-lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are outliers, 1 - (K_p + K_q) / 2 if both are inliers. The
-sum over edges is submodular, so a minimal cut is the exact minimum.
+With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as inlier and K_p as outlier.
+An edge (p, q) costs lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are outliers, 1 -
+(K_p + K_q) / 2 if both are inliers. The sum over edges is submodular, so a minimal cut is the exact
+minimum.
 
-Points that no labeling of their neighbors can turn, most of them in practice, get their label before and are no nodes
-of the graph; those far from the model (K_p below #NEGLIGIBLE) are always outliers. O(N) time to set up; the cut is
-linear in practice. */
+Points that no labeling of their neighbors can turn, most of them in practice, get their label
+before and are no nodes of the graph; those far from the model (K_p below #NEGLIGIBLE) are always
+outliers. O(N) time to set up; the cut is linear in practice. */
 class Labeling
 {
 public:

@@ -26,7 +26,9 @@ RunnerUp* make(Arena& arena, int count)
 
 }  // namespace
 
-RunnersUp::RunnersUp(int most_, Arena& arena_) : most(most_), kept(0), given(0), count(0), arena(arena_) {}
+RunnersUp::RunnersUp(int most_, Arena& arena_)
+    : most(most_), kept(0), given(0), count(0), arena(arena_)
+{}
 
 void RunnersUp::insert(const RunnerUp& item)
 {

@@ -35,11 +35,12 @@ struct RunnerUp
 
 /** @brief Models of samples that never were the best of all.
 
-With noise, the better sample often gives the worse model, and only local optimization tells @cite lebeda2012fixing.
-Those that beat all samples before are optimized at once; some of the others, when the search is about to end: those
-with the most inliers that the best model does not explain. By their cost they would be variants of one wrong model
-where there is one: the F of points with a common shift, or of a plane that moves by itself, is a family, of which the
-optimized member is the best model and all others cost less than what samples of right matches give before they are
+With noise, the better sample often gives the worse model, and only local optimization tells
+@cite lebeda2012fixing. Those that beat all samples before are optimized at once; some of the
+others, when the search is about to end: those with the most inliers that the best model does not
+explain. By their cost they would be variants of one wrong model where there is one: the F of points
+with a common shift, or of a plane that moves by itself, is a family, of which the optimized member
+is the best model and all others cost less than what samples of right matches give before they are
 optimized. Each is given once. */
 class RunnersUp
 {
@@ -50,7 +51,10 @@ public:
     //! True if it keeps nothing.
     bool none() const { return most == 0; }
     //! False if a model with so many unexplained inliers would not be kept.
-    bool wants(int unexplained) const { return count < most || unexplained >= kept[most - 1].unexplained; }
+    bool wants(int unexplained) const
+    {
+        return count < most || unexplained >= kept[most - 1].unexplained;
+    }
     //! Keeps the model if it is one of those to be kept.
     void add(const Candidate& candidate, const InlierBits& inliers);
     //! The best model has these inliers now.
@@ -58,8 +62,8 @@ public:
     const InlierBits& best() const { return known; }
     //! The most unexplained inliers of those kept.
     int mostUnexplained() const { return count > 0 ? kept[0].unexplained : 0; }
-    //! Gives those kept since the last call, most unexplained inliers first, for equal numbers the lowest cost; valid
-    //! until the next call. @return their number
+    //! Gives those kept since the last call, most unexplained inliers first, for equal numbers the
+    //! lowest cost; valid until the next call. @return their number
     int take(const RunnerUp*& taken);
     //! Forgets all, also those that it has given.
     void clear();
@@ -69,9 +73,9 @@ private:
 
     const int most;
     InlierBits known;  //!< of the best model
-    RunnerUp* kept;    //!< in the order of take(), with room for one more; memory once there was one
-    RunnerUp* given;   //!< by the last take()
-    int count;         //!< of those kept
+    RunnerUp* kept;   //!< in the order of take(), with room for one more; memory once there was one
+    RunnerUp* given;  //!< by the last take()
+    int count;        //!< of those kept
     Arena& arena;
 };
 

@@ -35,9 +35,11 @@ void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model
         indices[i] = near[i].index;
 }
 
-void SigmaConsensus::marginalize(const Context& context, PointSubset& subset, const Model& model, int part)
+void SigmaConsensus::marginalize(const Context& context, PointSubset& subset, const Model& model,
+                                 int part)
 {
-    const MarginalizedWeights& table = MarginalizedWeights::of(context.points.problem->errorDimension());
+    const MarginalizedWeights& table = MarginalizedWeights::of(
+        context.points.problem->errorDimension());
     const double* const squared = subset.squaredErrors(*context.components.residual, model);
     const double scale = 1 / (context.points.threshold * context.points.threshold);
     const double end = (double)part / partitions, begin = (part - 1.0) / partitions;
@@ -89,8 +91,9 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
 
 namespace {
 
-/** Local optimization by SigmaConsensus: the marginalized fit, again from its result, Params::localIterations times at
-most. A fit that is better replaces the model; the first that is not is the last. */
+/** Local optimization by SigmaConsensus: the marginalized fit, again from its result,
+Params::localIterations times at most. A fit that is better replaces the model; the first that is
+not is the last. */
 class SigmaConsensusOptimizer : public LocalOptimizer
 {
 public:

@@ -10,21 +10,25 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief sigma-consensus @cite barath2019magsac: one fit that is marginalized over the scale of the noise.
+/** @brief sigma-consensus @cite barath2019magsac: one fit that is marginalized over the scale of
+the noise.
 
-The scales 0 .. sigma_max are cut into #PARTITIONS equal parts. For the scales of one part the model is the least
-squares fit to the points that are within thresholdInSigmas times its largest sigma of the given model; if they are too
-few, it is the given model. A point's weight is its likelihood under the model of each scale, marginalized over the
-scale as in MarginalizedWeights: within a part the integral is that class's formula, taken between the ends of the part.
-The result is the fit with these weights.
+The scales 0 .. sigma_max are cut into #PARTITIONS equal parts. For the scales of one part the model
+is the least squares fit to the points that are within thresholdInSigmas times its largest sigma of
+the given model; if they are too few, it is the given model. A point's weight is its likelihood
+under the model of each scale, marginalized over the scale as in MarginalizedWeights: within a part
+the integral is that class's formula, taken between the ends of the part. The result is the fit with
+these weights.
 
-The points are those within the threshold of the given model, or #MAX_FIT random ones of them. So the cost of the fits,
-one for each part and the last, is bounded; besides there is one pass over all points. */
+The points are those within the threshold of the given model, or #MAX_FIT random ones of them. So
+the cost of the fits, one for each part and the last, is bounded; besides there is one pass over all
+points. */
 class SigmaConsensus
 {
 public:
-    /** Parts: as many as the program of the paper's authors takes. 3: time -13 %; 10: +22 to +31 %, errors within 1 %,
-    see doc/constants.md. Points: 250: time -6 to -14 %, 1000: +3 to +12 %, errors within 1 %. */
+    /** Parts: as many as the program of the paper's authors takes. 3: time -13 %; 10: +22 to +31 %,
+    errors within 1 %, see doc/constants.md. Points: 250: time -6 to -14 %, 1000: +3 to +12 %,
+    errors within 1 %. */
     enum { PARTITIONS = 5, MAX_FIT = 500 };
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}

@@ -17,12 +17,13 @@ constexpr int MAX_FIT = 500;
 //! So many fits in a row that are no better are the last. 1, 4: errors the same.
 constexpr int FAILURES = 2;
 
-/** @brief The local optimization of MAGSAC++ @cite barath2020magsac: re-weighted least squares with the weights of
-MarginalizedWeights.
+/** @brief The local optimization of MAGSAC++ @cite barath2020magsac: re-weighted least squares with
+the weights of MarginalizedWeights.
 
-Params::localIterations re-weightings at most. Each takes all points within the threshold of the last fit, or #MAX_FIT
-random ones if there are more: enough while the weights still change. The best of the fits is kept if it is better than
-the model; the second fit in a row that is no better is the last. */
+Params::localIterations re-weightings at most. Each takes all points within the threshold of the
+last fit, or #MAX_FIT random ones if there are more: enough while the weights still change. The best
+of the fits is kept if it is better than the model; the second fit in a row that is no better is the
+last. */
 class SigmaConsensusPlusPlus : public LocalOptimizer
 {
 public:
@@ -33,7 +34,8 @@ public:
         bool improved = false;
         Model fitted = model;
         int failures = 0;
-        for (int i = 0; i < context.params.localIterations && failures < FAILURES && !context.stop(); ++i)
+        for (int i = 0;
+             i < context.params.localIterations && failures < FAILURES && !context.stop(); ++i)
         {
             reweighted.weigh(context, context.points.threshold, fitted);
             reweighted.reduce(MAX_FIT, state.rng);

@@ -11,14 +11,15 @@ namespace usacv20 {
 
 namespace {
 
-//! Layers, each twice as wide as the one before; most neighbors that are kept unless the caller asks for more. Half,
-//! double: H of some pairs changes with the layers, nothing else; see doc/constants.md.
+//! Layers, each twice as wide as the one before; most neighbors that are kept unless the caller
+//! asks for more. Half, double: H of some pairs changes with the layers, nothing else; see
+//! doc/constants.md.
 constexpr int LAYERS = 4, WIDEST = 512;
 //! Most edges of a point to others. 4: time -18 to -23 %, errors of F +3 %; 16: time +8 to +10 %.
 constexpr int LINKS = 8;
 
-//! Tests of a point, as Watch counts them: of the tree and of the order of the edges for each point and edge, of a
-//! search. Half, double: as those of Watch.
+//! Tests of a point, as Watch counts them: of the tree and of the order of the edges for each point
+//! and edge, of a search. Half, double: as those of Watch.
 constexpr double BUILD_WORK = 300, SORT_WORK = 60, FIND_WORK = 2000;
 
 typedef cvflann::L2<float> SquaredDistance;
@@ -27,8 +28,8 @@ typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, without r
 //! Squared distance and index of a point.
 typedef std::pair<float, int> Found;
 
-//! The nearest points within a radius, at most `capacity` of them, in a heap. FLANN's sets have no such bound, or no
-//! radius.
+//! The nearest points within a radius, at most `capacity` of them, in a heap. FLANN's sets have no
+//! such bound, or no radius.
 class NearestWithin : public cvflann::ResultSet<float>
 {
 public:
@@ -39,7 +40,10 @@ public:
     }
 
     bool full() const CV_OVERRIDE { return found.size() == capacity; }
-    float worstDist() const CV_OVERRIDE { return full() ? std::min(found.front().first, beyond) : beyond; }
+    float worstDist() const CV_OVERRIDE
+    {
+        return full() ? std::min(found.front().first, beyond) : beyond;
+    }
 
     void addPoint(float distance, int index) CV_OVERRIDE
     {
@@ -67,18 +71,20 @@ struct Reach
     double squaredRadius;  //!< pixels
 };
 
-/** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in pixels, by an exact
-kd-tree of cv::flann. Where the arrays have no common unit (Problem::commonUnit; a pose) in that of the last one.
+/** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in
+pixels, by an exact kd-tree of cv::flann. Where the arrays have no common unit (Problem::commonUnit;
+a pose) in that of the last one.
 
-Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbors have k, 2 k, 4 k
-and 8 k of them, those of a radius r have the points within r, 2 r, 4 r and 8 r. P-NAPSAC needs layers that grow, as it
-asks for ever more members; the finest one is what the parameters say. The graph cut uses that one, NAPSAC the coarsest.
-More than #WIDEST neighbors are kept only if k itself is larger; of more points within a radius, the nearest ones. So
-memory is O(N) whatever the radius. Edges link each point to its nearest neighbors in the finest layer, at most #LINKS
-of them: with more, the spatial coherence would outweigh the error of a point.
+Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbors
+have k, 2 k, 4 k and 8 k of them, those of a radius r have the points within r, 2 r, 4 r and 8 r.
+P-NAPSAC needs layers that grow, as it asks for ever more members; the finest one is what the
+parameters say. The graph cut uses that one, NAPSAC the coarsest. More than #WIDEST neighbors are
+kept only if k itself is larger; of more points within a radius, the nearest ones. So memory is O(N)
+whatever the radius. Edges link each point to its nearest neighbors in the finest layer, at most
+#LINKS of them: with more, the spatial coherence would outweigh the error of a point.
 
-The tree is built at first use in O(N log N); neighbors are looked for when a point is asked about for the first time,
-in O(log N) each, as samplers see but few of many points. */
+The tree is built at first use in O(N log N); neighbors are looked for when a point is asked about
+for the first time, in O(log N) each, as samplers see but few of many points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:
@@ -134,7 +140,10 @@ private:
         int counts[LAYERS];  //!< members of each of them
     };
 
-    static bool isLess(const Vec2i& a, const Vec2i& b) { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); }
+    static bool isLess(const Vec2i& a, const Vec2i& b)
+    {
+        return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
+    }
 
     //! The point without its neighbors: the run has to end.
     static int alone(const Context& context, int point, const int*& members)
@@ -183,8 +192,10 @@ private:
         for (int i = 0; i < size; ++i)
             for (int k = 0; k < columns; ++k)
             {
-                const double value = p.exact[first + k][i] / (first + k < p.coordinates[0] ? unit1 : unit2);
-                coordinates[(size_t)columns * i + k] = (float)std::max(-LARGEST, std::min(value, LARGEST));
+                const double value = p.exact[first + k][i] /
+                                     (first + k < p.coordinates[0] ? unit1 : unit2);
+                coordinates[(size_t)columns * i + k] = (float)std::max(-LARGEST,
+                                                                       std::min(value, LARGEST));
             }
         known = context.arena.take<Surroundings>(size);
         std::fill(known, known + size, Surroundings());
@@ -198,7 +209,8 @@ private:
     void find(int point, const Reach& wanted)
     {
         const int capacity = (int)std::min<int64>((int64)wanted.neighbors + 1, size);
-        NearestWithin result(capacity, (float)std::min<double>(wanted.squaredRadius, FLT_MAX), found);
+        NearestWithin result(capacity, (float)std::min<double>(wanted.squaredRadius, FLT_MAX),
+                             found);
         tree->findNeighbors(result, coordinates + (size_t)columns * point, exact);
         std::sort(found.begin(), found.end());
         size_t self = 0;  // which many equal points may have kept out
@@ -211,7 +223,8 @@ private:
     int countWithin(const Reach& wanted) const
     {
         int count = 1;
-        while (count < (int)found.size() && count <= wanted.neighbors && found[count].first <= wanted.squaredRadius)
+        while (count < (int)found.size() && count <= wanted.neighbors &&
+               found[count].first <= wanted.squaredRadius)
             ++count;
         return count;
     }
@@ -222,9 +235,10 @@ private:
     int size;            //!< points
     Ptr<KdTree> tree;
     const cvflann::SearchParams exact;
-    Surroundings* known;       //!< of each point
-    std::vector<Found> found;  //!< by the last search; keeps its memory, bounded by the members of a point
-    Vec2i* links;              //!< null: nobody has asked for them
+    Surroundings* known;  //!< of each point
+    std::vector<Found>
+        found;     //!< by the last search; keeps its memory, bounded by the members of a point
+    Vec2i* links;  //!< null: nobody has asked for them
     int linkCount;
 };
 

@@ -10,28 +10,28 @@ namespace usacv20 {
 
 namespace {
 
-//! Bits of a code; those of a cell's number along an axis of four: 16, 8, 4 and 2 cells, as the program of the authors
-//! of
-//! @cite barath2019progressive has them; most bits of less axes.
+//! Bits of a code; those of a cell's number along an axis of four: 16, 8, 4 and 2 cells, as the
+//! program of the authors of @cite barath2019progressive has them; most bits of less axes.
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
-//! Edges of a point to later ones in its cell of the second layer. One edge: errors within 1 %; six: time +2 to +5 %;
-//! cells of the finest layer and those of the third: errors within 2 %.
+//! Edges of a point to later ones in its cell of the second layer. One edge: errors within 1 %;
+//! six: time +2 to +5 %; cells of the finest layer and those of the third: errors within 2 %.
 constexpr int LINKS = 3;
 
 /** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite
 barath2019progressive.
 
-The finest layer divides each of four axes into 16 cells, the next ones into 8, 4 and 2. With the bits of the four cell
-numbers interleaved (Morton's code, 16 bits), the points of a cell of any layer are neighbors in the sorted list of
-codes: one sorted list serves all layers. Less axes have more layers, as the code has 16 bits. Points outside the range
-where nearly all points lie fall into the outermost cells. O(N) memory and time (radix sort), O(log N) a query; edges
-link each point to the next #LINKS in its cell. */
+The finest layer divides each of four axes into 16 cells, the next ones into 8, 4 and 2. With the
+bits of the four cell numbers interleaved (Morton's code, 16 bits), the points of a cell of any
+layer are neighbors in the sorted list of codes: one sorted list serves all layers. Less axes have
+more layers, as the code has 16 bits. Points outside the range where nearly all points lie fall into
+the outermost cells. O(N) memory and time (radix sort), O(log N) a query; edges link each point to
+the next #LINKS in its cell. */
 class GridNeighborhood : public Neighborhood
 {
 public:
     explicit GridNeighborhood(int columns)
-        : axes(columns), bits(std::min<int>(CODE_BITS / columns, MOST_BITS)), size(0), codes(0), sorted(0), rank(0),
-          sortedCodes(0), links(0), linkCount(0)
+        : axes(columns), bits(std::min<int>(CODE_BITS / columns, MOST_BITS)), size(0), codes(0),
+          sorted(0), rank(0), sortedCodes(0), links(0), linkCount(0)
     {}
 
     void start(const Context&) CV_OVERRIDE
@@ -46,14 +46,17 @@ public:
     {
         build(context);
         const int shift = axes * layer, cell = codes[point] >> shift;
-        int first = rank[point], last = first + 1;  // in the cell; bounds double their distance until they are outside
+        int first = rank[point],
+            last = first + 1;  // in the cell; bounds double their distance until they are outside
         for (int step = 1; first > 0 && sortedCodes[first - 1] >> shift == cell; step *= 2)
             first = std::max(first - step, 0);
-        first = (int)(std::lower_bound(sortedCodes + first, sortedCodes + rank[point], cell << shift, lessCode) -
+        first = (int)(std::lower_bound(sortedCodes + first, sortedCodes + rank[point],
+                                       cell << shift, lessCode) -
                       sortedCodes);
         for (int step = 1; last < size && sortedCodes[last] >> shift == cell; step *= 2)
             last = std::min(last + step, size);
-        last = (int)(std::lower_bound(sortedCodes + rank[point], sortedCodes + last, (cell + 1) << shift, lessCode) -
+        last = (int)(std::lower_bound(sortedCodes + rank[point], sortedCodes + last,
+                                      (cell + 1) << shift, lessCode) -
                      sortedCodes);
         members = sorted + first;
         return last - first;

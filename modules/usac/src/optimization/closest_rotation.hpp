@@ -11,14 +11,15 @@
 namespace cv {
 namespace usacv20 {
 
-/** The rotation that is the closest to a matrix M in the Frobenius norm, and has the largest trace of R^T M, by the
-singular value decomposition. All of it is NaN where M is not finite. */
+/** The rotation that is the closest to a matrix M in the Frobenius norm, and has the largest trace
+of R^T M, by the singular value decomposition. All of it is NaN where M is not finite. */
 struct ClosestRotation
 {
     explicit ClosestRotation(const Eigen::Matrix3d& M)
     {
         const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // which leaves the factors as they happen to be where M is not finite
+#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // which leaves the factors as they happen to be where M is not
+                                     // finite
         const bool solved = svd.info() == Eigen::Success;
 #else
         const bool solved = M.allFinite();
@@ -36,7 +37,8 @@ struct ClosestRotation
         if (mirrored)
             U.col(2) = -U.col(2);
         rotation = U * svd.matrixV().transpose();
-        scale = (singularValues[0] + singularValues[1] + (mirrored ? -1 : 1) * singularValues[2]) / 3;
+        scale = (singularValues[0] + singularValues[1] + (mirrored ? -1 : 1) * singularValues[2]) /
+                3;
     }
 
     Eigen::Matrix3d rotation;

@@ -19,30 +19,33 @@ struct AroundModel
     Parameterization operator()(const Model& model) const { return Parameterization(model); }
 };
 
-/** @brief Least squares of the geometric error by Gauss and Newton's method, damped as by Levenberg and Marquardt
-@cite more1978levenberg after a step that does not lower the cost.
+/** @brief Least squares of the geometric error by Gauss and Newton's method, damped as by Levenberg
+and Marquardt @cite more1978levenberg after a step that does not lower the cost.
 
-Minimizes the sum of (weighted) squared errors of a Residual over the models of one kind, from the given one, in a
-minimal parameterization of that kind (DIMENSION parameters of NUMBERS entries, project(), plus(), model(),
-hasFullRank()). Starting from a
-model, not from nothing, it needs no linear estimate and is not confused by planar scenes, on which the eight-point
-method fails. About 40 (H) or 100 (F, E) operations a point and iteration, twice that for the symmetric errors.
+Minimizes the sum of (weighted) squared errors of a Residual over the models of one kind, from the
+given one, in a minimal parameterization of that kind (DIMENSION parameters of NUMBERS entries,
+project(), plus(), model(), hasFullRank()). Starting from a model, not from nothing, it needs no
+linear estimate and is not confused by planar scenes, on which the eight-point method fails. About
+40 (H) or 100 (F, E) operations a point and iteration, twice that for the symmetric errors.
 
-The first step is not damped: a polisher asks for one step at a time, and any damping that is worth its name would stop
-the movement in a weakly determined direction (along the epipole under a forward motion) each time anew. */
+The first step is not damped: a polisher asks for one step at a time, and any damping that is worth
+its name would stop the movement in a weakly determined direction (along the epipole under a forward
+motion) each time anew. */
 template <class Parameterization, class Around = AroundModel<Parameterization>>
 class LeastSquaresSolver : public NonMinimalSolver
 {
 public:
-    //! `errorDimension_`: Problem::errorDimension(); `around_`: makes the parameterization around a model
-    LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_, const Around& around_ = Around())
+    //! `errorDimension_`: Problem::errorDimension(); `around_`: makes the parameterization around a
+    //! model
+    LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_,
+                       const Around& around_ = Around())
         : residual(residual_), errorDimension(errorDimension_), around(around_), arena(0)
     {}
 
     void start(const Context& context) CV_OVERRIDE { arena = &context.arena; }
 
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int iterations) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
     {
         if (errorDimension * count < DIMENSION)
             return false;
@@ -86,9 +89,10 @@ private:
     typedef typename Parameterization::Matrix Matrix;
     typedef NormalEquationsOf<Parameterization::NUMBERS> Equations;
 
-    //! Takes the step if it lowers the cost; with the new normal equations, or with the cost alone if it is the last
-    //! one.
-    bool tryStep(const PointChunks& chunks, const Step& step, bool last, Parameterization& here, Equations& sums) const
+    //! Takes the step if it lowers the cost; with the new normal equations, or with the cost alone
+    //! if it is the last one.
+    bool tryStep(const PointChunks& chunks, const Step& step, bool last, Parameterization& here,
+                 Equations& sums) const
     {
         const Parameterization trial = here.plus(step);
         Equations trialSums;
@@ -104,9 +108,10 @@ private:
         return true;
     }
 
-    /** Step of the damped normal equations on the tangent space, and by how much it lowers the cost where the residuals
-    are linear. False if they are singular or not finite. */
-    static bool solve(const Parameterization& here, const Equations& sums, double damping, Step& step, double& gain)
+    /** Step of the damped normal equations on the tangent space, and by how much it lowers the cost
+    where the residuals are linear. False if they are singular or not finite. */
+    static bool solve(const Parameterization& here, const Equations& sums, double damping,
+                      Step& step, double& gain)
     {
         Matrix A;
         Step b, added;
@@ -122,14 +127,16 @@ private:
         return step.allFinite();
     }
 
-    // Half and double of these, doc/constants.md: errors the same to some thousandths, time within 3 %.
+    // Half and double of these, doc/constants.md: errors the same to some thousandths, time within
+    // 3 %.
 
     //! So many steps that did not lower the cost are not counted.
     enum { RETRIES = 2 };
-    //! What is added to the diagonal of the normal equations: a part of it after a step that failed, and of their mean
-    //! always.
+    //! What is added to the diagonal of the normal equations: a part of it after a step that
+    //! failed, and of their mean always.
     static const double FIRST_DAMPING, SINGULAR;
-    //! Expected decrease, a part of the cost, of a step that is the last one, and of one that is not worth its while.
+    //! Expected decrease, a part of the cost, of a step that is the last one, and of one that is
+    //! not worth its while.
     static const double SETTLED, ARRIVED;
 
     const Ptr<Residual> residual;

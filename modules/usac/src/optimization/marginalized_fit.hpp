@@ -10,9 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief One step of re-weighted least squares with the weights of MAGSAC++ @cite barath2020magsac, in two parts.
+/** @brief One step of re-weighted least squares with the weights of MAGSAC++
+@cite barath2020magsac, in two parts.
 
-As the weights fall with the error, a fit to all weighted points never raises the loss that they belong to. */
+As the weights fall with the error, a fit to all weighted points never raises the loss that they
+belong to. */
 class MarginalizedFit
 {
 public:
@@ -26,13 +28,15 @@ public:
         weights = scope.take<double>(points);
         count = 0;
     }
-    //! Weighs the points within the threshold of the model. @return the loss of all points, see MarginalizedWeights
+    //! Weighs the points within the threshold of the model. @return the loss of all points, see
+    //! MarginalizedWeights
     double weigh(const Context& context, double threshold, const Model& model);
     //! Points with a weight.
     int size() const { return count; }
     //! Keeps `most` of the weighted points, a random choice.
     void reduce(int most, Rng& rng);
-    //! Fits to the weighted points, starting from `model`. False if they are too few or determine none.
+    //! Fits to the weighted points, starting from `model`. False if they are too few or determine
+    //! none.
     bool fit(const Context& context, Model& model) const;
 
 private:

@@ -13,12 +13,14 @@ namespace {
 
 // Half and double of these: doc/constants.md.
 
-//! Where expectation and maximization begin, the variance in squared thresholds, and how many steps they take. On
-//! the lists errors stay within 1 %. Structured scenes, H: half of each +3 to +8 %, double -1 to -3 %.
+//! Where expectation and maximization begin, the variance in squared thresholds, and how many steps
+//! they take. On the lists errors stay within 1 %. Structured scenes, H: half of each +3 to +8 %,
+//! double -1 to -3 %.
 constexpr double FIRST_VARIANCE = 0.15, FIRST_PART = 0.7;
 constexpr int STEPS = 4;
-//! The tail begins so many standard deviations out. It is one if it has so many standard deviations of their number
-//! more points than outliers explain, and so much of the core. Half: the same; double: errors of H +1 % on the lists.
+//! The tail begins so many standard deviations out. It is one if it has so many standard deviations
+//! of their number more points than outliers explain, and so much of the core. Half: the same;
+//! double: errors of H +1 % on the lists.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
@@ -53,7 +55,8 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
         return 1 / thresholdInSigmas(degrees);
     for (int i = 0; i < BINS; ++i)
         near[i] /= std::max(members[i], 1);
-    const double outlier = 1. / power(REACH, degrees);  // densities of the error to the power of the degrees of freedom
+    const double outlier = 1. / power(REACH, degrees);  // densities of the error to the power of
+                                                        // the degrees of freedom
     double variance = FIRST_VARIANCE, part = FIRST_PART;
     for (int step = 0; step < STEPS; ++step)
     {

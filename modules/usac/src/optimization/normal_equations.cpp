@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Of the error of a projection by a matrix of 3 rows of N: products of the point with itself (the upper triangle)
-times 1, u, v, u^2 + v^2; the gradient; the cost. */
+/** Of the error of a projection by a matrix of 3 rows of N: products of the point with itself (the
+upper triangle) times 1, u, v, u^2 + v^2; the gradient; the cost. */
 template <int N>
 void fromProjectionSums(const double* sums, NormalEquationsOf<3 * N>& equations)
 {
@@ -33,8 +33,8 @@ void fromProjectionSums(const double* sums, NormalEquationsOf<3 * N>& equations)
     equations.cost = sums[4 * PRODUCTS + 3 * N];
 }
 
-//! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of the triangle holds
-//! the gradient and the cost.
+//! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of
+//! the triangle holds the gradient and the cost.
 void fromEpipolarSums(const double* sums, NormalEquations& equations)
 {
     for (int row = 0, n = 0; row < 9; ++row)
@@ -46,8 +46,8 @@ void fromEpipolarSums(const double* sums, NormalEquations& equations)
     equations.cost = sums[54];
 }
 
-/** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG = -G dH G the
-derivatives by H, entries row by row, are those by G times -G (x) G^T. */
+/** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG =
+-G dH G the derivatives by H, entries row by row, are those by G times -G (x) G^T. */
 void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
 {
     Eigen::Matrix<double, 9, 9, Eigen::RowMajor> L;
@@ -64,7 +64,8 @@ template <int SIZE>
 void addPoints(const Residual& residual, const PointChunks& points, const Model& model,
                NormalEquationsOf<SIZE>& equations)
 {
-    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * SIZE];
+    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS],
+        derivative[Residual::MAX_COMPONENTS * SIZE];
     equations.JtJ.setZero();
     equations.Jtr.setZero();
     equations.cost = 0;
@@ -96,7 +97,8 @@ double costOfPoints(const Residual& residual, const PointChunks& points, const M
 }  // namespace
 
 template <>
-void NormalEquationsOf<9>::accumulate(const Residual& residual, const PointChunks& points, const Model& model)
+void NormalEquationsOf<9>::accumulate(const Residual& residual, const PointChunks& points,
+                                      const Model& model)
 {
     const Residual::Kind kind = residual.kind();
     if (kind == Residual::CUSTOM)
@@ -125,7 +127,8 @@ void NormalEquationsOf<9>::accumulate(const Residual& residual, const PointChunk
 }
 
 template <>
-void NormalEquationsOf<12>::accumulate(const Residual& residual, const PointChunks& points, const Model& model)
+void NormalEquationsOf<12>::accumulate(const Residual& residual, const PointChunks& points,
+                                       const Model& model)
 {
     if (residual.kind() != Residual::REPROJECTION)
     {
@@ -138,7 +141,8 @@ void NormalEquationsOf<12>::accumulate(const Residual& residual, const PointChun
 }
 
 template <int SIZE>
-double NormalEquationsOf<SIZE>::costOf(const Residual& residual, const PointChunks& points, const Model& model)
+double NormalEquationsOf<SIZE>::costOf(const Residual& residual, const PointChunks& points,
+                                       const Model& model)
 {
     const Residual::Kind kind = residual.kind();
     const SumsKernel kernel = kind == Residual::CUSTOM ? 0 : kernels().costs[kind];

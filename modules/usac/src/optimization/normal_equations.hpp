@@ -11,8 +11,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** Gauss-Newton sums of an error in the entries of the model, `SIZE` of them: JtJ, Jtr and the cost r^T r. A
-parameterization projects them onto its tangent space afterwards, so that the work of a point is the same for all. */
+/** Gauss-Newton sums of an error in the entries of the model, `SIZE` of them: JtJ, Jtr and the cost
+r^T r. A parameterization projects them onto its tangent space afterwards, so that the work of a
+point is the same for all. */
 template <int SIZE>
 struct NormalEquationsOf
 {
@@ -20,7 +21,8 @@ struct NormalEquationsOf
     Eigen::Matrix<double, SIZE, 1> Jtr;
     double cost;
 
-    //! Sums over the points, by a kernel or, for residuals of a program's own, by Residual::linearize().
+    //! Sums over the points, by a kernel or, for residuals of a program's own, by
+    //! Residual::linearize().
     void accumulate(const Residual& residual, const PointChunks& points, const Model& model);
 
     //! The cost alone, for a fraction of the time.

@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-PointChunks::PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
-                         Arena* arena)
+PointChunks::PointChunks(const Correspondences& points, const int* indices, int count,
+                         const double* weights, Arena* arena)
     : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK), columns(points.columns()),
       scope(arena ? *arena : own), rows(few)
 {
@@ -24,7 +24,8 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
 
 //! `width` is the number of columns, as a constant where that is known.
 template <class Width>
-void PointChunks::gather(const Correspondences& points, const int* indices, const double* weights, Width width)
+void PointChunks::gather(const Correspondences& points, const int* indices, const double* weights,
+                         Width width)
 {
     for (int c = 0; c < chunks; ++c)
     {
@@ -38,7 +39,8 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
             chunk[width][k] = weights ? weights[first + k] : 1;
         }
         for (int row = 0; row <= width; ++row)  // the last point again, without weight
-            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK, row < width ? chunk[row][here - 1] : 0.);
+            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK,
+                      row < width ? chunk[row][here - 1] : 0.);
     }
 }
 
@@ -53,11 +55,13 @@ bool PointChunks::get(int index, double* datum, double& weight) const
     return true;
 }
 
-void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const
+void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool swapped,
+                      double* sums) const
 {
     static const double zeros[EPIPOLAR_SUMS][SUMS_LANES] = {{0}};
     double lanes[EPIPOLAR_SUMS][SUMS_LANES];
-    std::memcpy(lanes, zeros, count * sizeof(lanes[0]));  // a fill of this size is a slow instruction
+    std::memcpy(lanes, zeros,
+                count * sizeof(lanes[0]));  // a fill of this size is a slow instruction
     for (int c = 0; c < chunks; ++c)
     {
         const Row* chunk = rows + c * (columns + 1);

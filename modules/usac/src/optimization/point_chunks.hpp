@@ -12,16 +12,19 @@
 namespace cv {
 namespace usacv20 {
 
-/** Some of the points and their weights, gathered once for all steps of a fit, in the chunks that a SumsKernel takes.
+/** Some of the points and their weights, gathered once for all steps of a fit, in the chunks that a
+SumsKernel takes.
  */
 class PointChunks
 {
 public:
-    //! At least one point; `weights` may be null for ones. More than a few points take memory from the arena, or from
-    //! the heap if it is null.
-    PointChunks(const Correspondences& points, const int* indices, int count, const double* weights, Arena* arena = 0);
+    //! At least one point; `weights` may be null for ones. More than a few points take memory from
+    //! the arena, or from the heap if it is null.
+    PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
+                Arena* arena = 0);
 
-    //! The first `count` sums of a kernel over all chunks. `swapped`: images 1 and 2 of two views change roles.
+    //! The first `count` sums of a kernel over all chunks. `swapped`: images 1 and 2 of two views
+    //! change roles.
     void sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const;
 
     //! A point, #MAX_COLUMNS numbers at most, and its weight; false beyond the last one.
@@ -32,7 +35,8 @@ private:
     enum { TWO_VIEW_ROWS = 5, LOCAL_ROWS = 16 * TWO_VIEW_ROWS };
 
     template <class Width>
-    void gather(const Correspondences& points, const int* indices, const double* weights, Width width);
+    void gather(const Correspondences& points, const int* indices, const double* weights,
+                Width width);
 
     const int size, chunks, columns;
     Arena own;  //!< empty where there is another one

@@ -10,15 +10,15 @@ namespace usacv20 {
 
 namespace {
 
-//! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e + 1)) from e =
-//! LOWEST on.
+//! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e
+//! + 1)) from e = LOWEST on.
 constexpr int LOWEST = -4, BINS = 128;
-//! Derived, see the class; they multiply as REACH in usac.cpp does.
-//! Median of the points within the r that is found, in standard deviations of the noise; of one to three degrees of
-//! freedom.
+//! Derived, see the class; they multiply as REACH in usac.cpp does. Median of the points within the
+//! r that is found, in standard deviations of the noise; of one to three degrees of freedom.
 constexpr double MEDIANS[] = {0.64, 1.15, 1.52};
 
-//! Exponent and first bit of the mantissa. Larger ones than there are bins for, and NaN, are in none.
+//! Exponent and first bit of the mantissa. Larger ones than there are bins for, and NaN, are in
+//! none.
 int binOf(float square)
 {
     unsigned bits;
@@ -54,23 +54,26 @@ double volumeOf(double square, int degrees)
     return degrees == 2 ? square : degrees == 1 ? std::sqrt(square) : square * std::sqrt(square);
 }
 
-//! The median error of the points up to a bin, with errors evenly spread (over the area, over the volume) in their bin.
+//! The median error of the points up to a bin, with errors evenly spread (over the area, over the
+//! volume) in their bin.
 double medianOf(const int* members, int last, int within, int degrees)
 {
     const double half = 0.5 * within;
     int bin = 0, before = 0;
     while (bin < last && before + members[bin] < half)
         before += members[bin++];
-    const double part = (half - before) / std::max(members[bin], 1), begin = bin > 0 ? endOf(bin - 1) : 0,
-                 end = endOf(bin);
-    const double first = volumeOf(begin, degrees), volume = first + part * (volumeOf(end, degrees) - first);
+    const double part = (half - before) / std::max(members[bin], 1),
+                 begin = bin > 0 ? endOf(bin - 1) : 0, end = endOf(bin);
+    const double first = volumeOf(begin, degrees),
+                 volume = first + part * (volumeOf(end, degrees) - first);
     return degrees == 2 ? std::sqrt(volume) : degrees == 1 ? volume : std::cbrt(volume);
 }
 
 }  // namespace
 
-SignificantScale::Found SignificantScale::estimate(const float* squaredErrors, int count, const float* wrongErrors,
-                                                   int wrongCount, double threshold, double chance, int degrees,
+SignificantScale::Found SignificantScale::estimate(const float* squaredErrors, int count,
+                                                   const float* wrongErrors, int wrongCount,
+                                                   double threshold, double chance, int degrees,
                                                    int sampleSize, double widest)
 {
     const int size = std::min<int>(count, MOST);
@@ -88,7 +91,9 @@ SignificantScale::Found SignificantScale::estimate(const float* squaredErrors, i
                                   (double)wrongWithin / std::max(wrongCount, 1));
         if (p >= 1 || endOf(bin) > widest * widest)
             break;
-        const double value = within > sampleSize ? surprise(within - sampleSize, size - sampleSize, p) : 0;
+        const double value = within > sampleSize
+                                 ? surprise(within - sampleSize, size - sampleSize, p)
+                                 : 0;
         if (value > best)
         {
             best = value;

@@ -10,21 +10,23 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Standard deviation of the noise of the inliers from the errors alone, whatever the threshold is.
+/** @brief Standard deviation of the noise of the inliers from the errors alone, whatever the
+threshold is.
 
-Inliers are the points within the r at which they are the least likely by chance: a point is within r of a wrong model
-with the probability p(r) = chance (r / threshold)^degrees, or as often as points of other matches are if that is more
-(where points are in clusters, p(r) is far from that of points anywhere), and by Chernoff's bound k of n points are so
-at most with the probability exp(-n D(k/n, p)), D being the divergence of Kullback and Leibler; r has the least bound,
-as in an a-contrario RANSAC
-@cite moisan2004probabilistic. With Gaussian noise that is 2.4 to 2.9 sigma for two degrees of freedom (errors in the
-plane), 1.7 to 2.4 sigma for one and 2.9 to 3.2 sigma for three, with 10 to 100 % of inliers, so their median is 1.15,
-0.64 or 1.52 sigma, up to 3 %. It is the median that gives the scale: where half of the inliers are much closer than
-others (a second plane, not far from the first), it is that half's. The points of the sample are inliers anyway and do
-not count for the bound.
+Inliers are the points within the r at which they are the least likely by chance: a point is within
+r of a wrong model with the probability p(r) = chance (r / threshold)^degrees, or as often as points
+of other matches are if that is more (where points are in clusters, p(r) is far from that of points
+anywhere), and by Chernoff's bound k of n points are so at most with the probability exp(-n D(k/n,
+p)), D being the divergence of Kullback and Leibler; r has the least bound, as in an a-contrario
+RANSAC @cite moisan2004probabilistic. With Gaussian noise that is 2.4 to 2.9 sigma for two degrees
+of freedom (errors in the plane), 1.7 to 2.4 sigma for one and 2.9 to 3.2 sigma for three, with 10
+to 100 % of inliers, so their median is 1.15, 0.64 or 1.52 sigma, up to 3 %. It is the median that
+gives the scale: where half of the inliers are much closer than others (a second plane, not far from
+the first), it is that half's. The points of the sample are inliers anyway and do not count for the
+bound.
 
-The radii grow by factors of 1.15 and 1.22, from a quarter of the threshold up to where p is 1. At most #MOST errors are
-looked at, the first ones. */
+The radii grow by factors of 1.15 and 1.22, from a quarter of the threshold up to where p is 1. At
+most #MOST errors are looked at, the first ones. */
 class SignificantScale
 {
 public:
@@ -44,8 +46,9 @@ public:
     @param sampleSize m points of a minimal sample
     @param widest radius that is looked at, in thresholds
     */
-    static Found estimate(const float* squaredErrors, int count, const float* wrongErrors, int wrongCount,
-                          double threshold, double chance, int degrees, int sampleSize, double widest = DBL_MAX);
+    static Found estimate(const float* squaredErrors, int count, const float* wrongErrors,
+                          int wrongCount, double threshold, double chance, int degrees,
+                          int sampleSize, double widest = DBL_MAX);
 };
 
 }  // namespace usacv20

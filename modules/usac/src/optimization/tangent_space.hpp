@@ -23,7 +23,8 @@ inline Eigen::Matrix3d rotationOf(const Eigen::Vector3d& w)
     return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
 }
 
-//! What a matrix changes by when it is turned about an axis, by the angle: the cross product with each column.
+//! What a matrix changes by when it is turned about an axis, by the angle: the cross product with
+//! each column.
 inline Eigen::Matrix3d turnedAbout(const Eigen::Vector3d& axis, const Eigen::Matrix3d& matrix)
 {
     Eigen::Matrix3d turned;
@@ -32,10 +33,13 @@ inline Eigen::Matrix3d turnedAbout(const Eigen::Vector3d& axis, const Eigen::Mat
     return turned;
 }
 
-//! Normal equations in the parameters from those in the entries of the model: A = B^T JtJ B, b = B^T Jtr.
+//! Normal equations in the parameters from those in the entries of the model: A = B^T JtJ B, b =
+//! B^T Jtr.
 template <int DIMENSION, int SIZE>
-void projectOnTangents(const NormalEquationsOf<SIZE>& sums, const Eigen::Matrix<double, SIZE, DIMENSION>& basis,
-                       Eigen::Matrix<double, DIMENSION, DIMENSION>& A, Eigen::Matrix<double, DIMENSION, 1>& b)
+void projectOnTangents(const NormalEquationsOf<SIZE>& sums,
+                       const Eigen::Matrix<double, SIZE, DIMENSION>& basis,
+                       Eigen::Matrix<double, DIMENSION, DIMENSION>& A,
+                       Eigen::Matrix<double, DIMENSION, 1>& b)
 {
     const Eigen::Matrix<double, SIZE, DIMENSION> image = sums.JtJ.lazyProduct(basis);
     for (int j = 0; j < DIMENSION; ++j)

@@ -12,18 +12,19 @@ namespace usacv20 {
 
 namespace {
 
-//! Ranks of the points, and points that every place is taken to have beside those that are there. Half (2 others),
-//! double: errors of H and F within 1 %, of E within 4 %, the noise of the search.
+//! Ranks of the points, and points that every place is taken to have beside those that are there.
+//! Half (2 others), double: errors of H and F within 1 %, of E within 4 %, the noise of the search.
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
 
-/** @brief Local density of the points in the joint space, relative to their density in the images (paper, section
-"Other features").
+/** @brief Local density of the points in the joint space, relative to their density in the images
+(paper, section "Other features").
 
-Right matches come in groups: of the points that share a point's cell in image 1 or image 2, most also share its cell in
-the other image. Points are ordered by this fraction, s / (s + n + #ORDERING_OTHERS) with s points in both cells and on
-average n more in one of them. The absolute density alone would put the one most crowded place of the images first,
-right or wrong. Counts and a bucket sort; points of equal rank keep their pseudo-random order, repeated matches are
-last. O(N). */
+Right matches come in groups: of the points that share a point's cell in image 1 or image 2, most
+also share its cell in the other image. Points are ordered by this fraction, s / (s + n +
+#ORDERING_OTHERS) with s points in both cells and on average n more in one of them. The absolute
+density alone would put the one most crowded place of the images first, right or wrong. Counts and a
+bucket sort; points of equal rank keep their pseudo-random order, repeated matches are last. O(N).
+*/
 class DensityOrdering : public Ordering
 {
 public:
@@ -33,7 +34,8 @@ public:
     {
         const Correspondences& p = context.points;
         Arena::Scope scope(context.arena);
-        ushort *const cells1 = scope.take<ushort>(p.size), *const cells2 = scope.take<ushort>(p.size);
+        ushort *const cells1 = scope.take<ushort>(p.size), *const cells2 = scope.take<ushort>(
+                                                               p.size);
         assignCells(p, 0, cells1);
         assignCells(p, 1, cells2);
         int in1[CELLS] = {0}, in2[CELLS] = {0};
@@ -51,7 +53,8 @@ public:
         {
             const int support = both[cells1[i] * CELLS + cells2[i]] - 1;
             const double others = 0.5 * (in1[cells1[i]] + in2[cells2[i]]) - 1 - support;
-            bucket[i] = (uchar)((BUCKETS - 1) * (1 - support / (support + others + ORDERING_OTHERS)));
+            bucket[i] = (uchar)((BUCKETS - 1) *
+                                (1 - support / (support + others + ORDERING_OTHERS)));
             ++start[bucket[i] + 1];
         }
         for (int b = 0; b < BUCKETS; ++b)

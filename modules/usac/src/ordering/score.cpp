@@ -14,12 +14,15 @@ namespace {
 struct ByValue
 {
     explicit ByValue(const float* values_) : values(values_) {}
-    bool operator()(int a, int b) const { return values[a] < values[b] || (values[a] == values[b] && a < b); }
+    bool operator()(int a, int b) const
+    {
+        return values[a] < values[b] || (values[a] == values[b] && a < b);
+    }
     const float* values;
 };
 
-/** Given scores, best first; points of equal score keep their pseudo-random order, repeated matches are
-last. O(N log N). */
+/** Given scores, best first; points of equal score keep their pseudo-random order, repeated matches
+are last. O(N log N). */
 class ScoreOrdering : public Ordering
 {
 public:

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Least squares over all inliers, again while the new inliers make the model better (Algorithm 1, last line). Only
-a model of lower cost is taken, so the sets cannot alternate for ever. */
+/** Least squares over all inliers, again while the new inliers make the model better (Algorithm 1,
+last line). Only a model of lower cost is taken, so the sets cannot alternate for ever. */
 class LeastSquaresPolisher : public Polisher
 {
 public:
@@ -25,7 +25,9 @@ public:
         int* const inliers = scope.take<int>(p.size);
         Quality quality = context.rate(model);
         const double work = context.points.size * FIT_WORK;
-        for (int i = 0; i < context.params.polishingSteps && !(i > 0 ? context.stop() : context.stopBefore(work)); ++i)
+        for (int i = 0; i < context.params.polishingSteps &&
+                        !(i > 0 ? context.stop() : context.stopBefore(work));
+             ++i)
         {
             parts.residual->squaredErrors(model, p.exact, p.size, errors);
             int count = 0;

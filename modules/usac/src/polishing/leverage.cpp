@@ -21,19 +21,20 @@ namespace {
 constexpr double BULK = 0.85;
 //! Leverage, at most 1, of a point that a parameter may hang on.
 constexpr double HIGH = 0.4;
-//! Points that come back: their error is at most so many standard deviations of what is predicted, and, in the first
-//! of two rounds, their leverage is at most that.
+//! Points that come back: their error is at most so many standard deviations of what is predicted,
+//! and, in the first of two rounds, their leverage is at most that.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
-/** By how much the sum of squared errors has to be less, in variances of the noise: that of the first fit, else nothing
-is to be expected, and that of the result. By chance two parameters gain 6 in one of 20 cases; then the result is as
-good as the model. */
+/** By how much the sum of squared errors has to be less, in variances of the noise: that of the
+first fit, else nothing is to be expected, and that of the result. By chance two parameters gain 6
+in one of 20 cases; then the result is as good as the model. */
 constexpr double HOPE = 3, GAIN = 6;
-/** The same where the inliers leave the epipole free: so many of them are on a plane. Another epipole then turns the
-direction in which all errors are measured, and the difference of two sums of n squares has a deviation of at most
-2 sqrt(n) variances. With GAIN alone 4 % of F with 95 % of the right matches on a plane lose those off it. */
+/** The same where the inliers leave the epipole free: so many of them are on a plane. Another
+epipole then turns the direction in which all errors are measured, and the difference of two sums of
+n squares has a deviation of at most 2 sqrt(n) variances. With GAIN alone 4 % of F with 95 % of the
+right matches on a plane lose those off it. */
 constexpr double PLANAR = 0.85, FREE_GAIN = 20, TURNED = 1.5;
-//! A model with no more parameters, E, is not free on a plane, but has two solutions, which fits of its points confuse:
-//! in 10 of 200 scenes of nothing but a plane they led to neither.
+//! A model with no more parameters, E, is not free on a plane, but has two solutions, which fits of
+//! its points confuse: in 10 of 200 scenes of nothing but a plane they led to neither.
 constexpr int DETERMINED = 5;
 //! The noise is no less, in thresholds: there float errors end.
 constexpr double LEAST_NOISE = 1e-3;
@@ -43,8 +44,8 @@ constexpr int STEPS = 5;
 }  // namespace
 
 Leverage::Leverage(const Context& search_, const Context& polish, double threshold)
-    : search(search_), context(polish), parts(polish.components), limit(threshold * threshold), errors(0), looked(0),
-      inliers(), bulk(), all(0)
+    : search(search_), context(polish), parts(polish.components), limit(threshold * threshold),
+      errors(0), looked(0), inliers(), bulk(), all(0)
 {}
 
 void Leverage::improve(Model& model, Quality& quality)
@@ -143,7 +144,8 @@ double Leverage::surpriseOf(int lost) const
     const double size = p.size - all + lost, part = lost / size;
     if (part <= chance)
         return 0;
-    return size * (part * std::log(part / chance) + (part < 1 ? (1 - part) * std::log((1 - part) / (1 - chance)) : 0));
+    return size * (part * std::log(part / chance) +
+                   (part < 1 ? (1 - part) * std::log((1 - part) / (1 - chance)) : 0));
 }
 
 double Leverage::byChance() const { return 2 * std::log((double)context.points.size - all); }
@@ -158,8 +160,9 @@ bool Leverage::findBulk(const Model& model)
     for (int k = 0; k < count; ++k)
         order[k] = k;
     bulk.count = (int)(BULK * count);
-    std::nth_element(order, order + bulk.count, order + count,
-                     [&own](int a, int b) { return own[a] < own[b] || (own[a] == own[b] && a < b); });
+    std::nth_element(order, order + bulk.count, order + count, [&own](int a, int b) {
+        return own[a] < own[b] || (own[a] == own[b] && a < b);
+    });
     std::sort(order, order + bulk.count);  // whatever order the library leaves
     for (int k = 0; k < bulk.count; ++k)
         bulk.indices[k] = inliers.indices[order[k]];
@@ -171,7 +174,8 @@ bool Leverage::fit(const Points& points, int first, Model& model) const
     const NonMinimalSolver& solver = *parts.nonMinimalSolver;
     Model other = model;
     const bool fits = solver.fit(context.points, points.indices, points.count, 0, model, STEPS);
-    if (sampled(points, first, other) && solver.fit(context.points, points.indices, points.count, 0, other, STEPS) &&
+    if (sampled(points, first, other) &&
+        solver.fit(context.points, points.indices, points.count, 0, other, STEPS) &&
         (!fits || sumOf(points, other) < sumOf(points, model)))
     {
         model = other;
@@ -230,19 +234,23 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
     for (int k = 0; k < near.count; ++k)
         if (own[k] <= most && errors[near.indices[k]] <= noise * (1 + own[k]))
             result.indices[result.count++] = near.indices[k];
-    return result.count > context.points.problem->dimension() && result.count > parts.minimalSolver->sampleSize();
+    return result.count > context.points.problem->dimension() &&
+           result.count > parts.minimalSolver->sampleSize();
 }
 
 //! In all entries of the model. It has fewer parameters, but that is the same for all points.
 template <int ENTRIES>
-bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points, double* result) const
+bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points,
+                           double* result) const
 {
     typedef Eigen::Matrix<double, ENTRIES, ENTRIES> Square;
     typedef Eigen::Matrix<double, ENTRIES, 1> Row;
     const Correspondences& p = context.points;
     NormalEquationsOf<ENTRIES> sums;
-    sums.accumulate(*parts.residual, PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
-    // Errors do not depend on the scale of the model. A residual of a program may be undefined: then the trace is NaN.
+    sums.accumulate(*parts.residual,
+                    PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
+    // Errors do not depend on the scale of the model. A residual of a program may be undefined:
+    // then the trace is NaN.
     const Row scale = Eigen::Map<const Row>(model.val);
     Square A = sums.JtJ;
     A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());
@@ -251,7 +259,8 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     if (llt.info() != Eigen::Success)
         return false;
     const Square inverse = llt.matrixL().solve(Square::Identity());
-    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], derivative[Residual::MAX_COMPONENTS * ENTRIES];
+    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS],
+        derivative[Residual::MAX_COMPONENTS * ENTRIES];
     for (int k = 0; k < points.count; ++k)
     {
         for (int c = 0; c < p.columns(); ++c)
@@ -262,7 +271,8 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     return true;
 }
 
-bool Leverage::leverages(const Model& model, const Points& fitted, const Points& points, double* result) const
+bool Leverage::leverages(const Model& model, const Points& fitted, const Points& points,
+                         double* result) const
 {
     return model.size() == 9    ? leveragesOf<9>(model, fitted, points, result)
            : model.size() == 12 ? leveragesOf<12>(model, fitted, points, result)

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Tests of a point, as Watch counts them, that a fit to its end takes for each: 100 ns of a million. Half, double: as
-//! those of Watch.
+//! Tests of a point, as Watch counts them, that a fit to its end takes for each: 100 ns of a
+//! million. Half, double: as those of Watch.
 constexpr double FIT_WORK = 50;
 
 //! See LeastSquaresPolisher.

@@ -12,31 +12,34 @@ namespace usacv20 {
 
 namespace {
 
-// What half and double of these do is in doc/constants.md. Failures: of 8400 scenes of few points and a wide threshold,
-// those whose error is more than 1.1 times that of least squares, worst of the flags.
+// What half and double of these do is in doc/constants.md. Failures: of 8400 scenes of few points
+// and a wide threshold, those whose error is more than 1.1 times that of least squares, worst of
+// the flags.
 
-//! Samples of the inliers, and of the inliers and each of the points outside, that it starts from. Half of both: 2
-//! failures for 0; double: not measured.
+//! Samples of the inliers, and of the inliers and each of the points outside, that it starts from.
+//! Half of both: 2 failures for 0; double: not measured.
 constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
-//! Probability that a point is an inlier of a wrong model from which on the threshold is wide. Half: the same; double:
-//! 7 of 200 H of 25 to 300 points fail for 3, without it 45.
+//! Probability that a point is an inlier of a wrong model from which on the threshold is wide.
+//! Half: the same; double: 7 of 200 H of 25 to 300 points fail for 3, without it 45.
 constexpr double WIDE = 0.2;
 //! A part of the loss that another minimum must be below. 0.95: the same; 0.8: 10 failures.
 constexpr double CLEAR = 0.9;
-/** The same of models that the checks refuse, to the power of half the degrees of freedom that are left: as far as the
-better fit may be chance. Half, double: the same. */
+/** The same of models that the checks refuse, to the power of half the degrees of freedom that are
+left: as far as the better fit may be chance. Half, double: the same. */
 constexpr double UNLIKELY = 0.1;
-//! Probability that random points fit a model of which no sample has passed the checks. Half, double: the same.
+//! Probability that random points fit a model of which no sample has passed the checks. Half,
+//! double: the same.
 constexpr double CHANCE = 1e-6;
-//! What a degree of freedom of another point adds to the loss, in that of the inliers: 8 is exceeded by one right point
-//! in a hundred where ten degrees are left. Half: the ten inliers of OpenCV's EKcase are 9; double: the same.
+//! What a degree of freedom of another point adds to the loss, in that of the inliers: 8 is
+//! exceeded by one right point in a hundred where ten degrees are left. Half: the ten inliers of
+//! OpenCV's EKcase are 9; double: the same.
 constexpr double GROWN = 8;
 
 }  // namespace
 
 Restarts::Restarts(const Context& search_, const Context& polish, State& state_)
-    : search(search_), context(polish), parts(polish.components), state(state_), m(parts.minimalSolver->sampleSize()),
-      count(0), all(0), outside(0), loss(0)
+    : search(search_), context(polish), parts(polish.components), state(state_),
+      m(parts.minimalSolver->sampleSize()), count(0), all(0), outside(0), loss(0)
 {}
 
 void Restarts::improve(Model& model, Quality& quality)
@@ -95,7 +98,8 @@ bool Restarts::begin(Model& model, Quality& quality)
     for (int i = 0; i < count; ++i)
         members[i] = i;
     const double random = std::min(p.problem->randomInlierRatio(p), 1.);
-    const double part = std::pow(std::pow(CHANCE, 1. / (count - m)) / random, 2. / p.problem->errorDimension());
+    const double part = std::pow(std::pow(CHANCE, 1. / (count - m)) / random,
+                                 2. / p.problem->errorDimension());
     loss = count * std::min(part, 1.);
     bool found = false;
     for (int i = 0; i < RESTARTS && !context.stop(); ++i)
@@ -170,7 +174,8 @@ bool Restarts::restart(int index, int size, Model& model, Quality& quality)
     bool better = false;
     for (int valid = 0; valid < 2; ++valid)
         if (best[valid] >= 0 && (fit(size, models[best[valid]]) || size == m))
-            better |= accept(models[best[valid]], size, (valid ? CLEAR : refused) * before, model, quality);
+            better |= accept(models[best[valid]], size, (valid ? CLEAR : refused) * before, model,
+                             quality);
     return better;
 }
 

@@ -15,9 +15,10 @@ namespace {
 //! same.
 constexpr double SETTLED = 1e-5;
 
-/** Re-weighted least squares over all points with the weights of MAGSAC++ @cite barath2020magsac, within the threshold
-of the score. A fit is taken while it lowers the loss of these weights, which the theory promises of each: that loss is
-what it minimizes, so not the cost of the run's own quality but this decides. */
+/** Re-weighted least squares over all points with the weights of MAGSAC++ @cite barath2020magsac,
+within the threshold of the score. A fit is taken while it lowers the loss of these weights, which
+the theory promises of each: that loss is what it minimizes, so not the cost of the run's own
+quality but this decides. */
 class ReweightedPolisher : public Polisher
 {
 public:
@@ -29,7 +30,9 @@ public:
         const double threshold = context.components.score->threshold(context, model);
         double loss = reweighted.weigh(context, threshold, model);
         const double work = context.points.size * FIT_WORK;
-        for (int i = 0; i < context.params.polishingSteps && !(i > 0 ? context.stop() : context.stopBefore(work)); ++i)
+        for (int i = 0; i < context.params.polishingSteps &&
+                        !(i > 0 ? context.stop() : context.stopBefore(work));
+             ++i)
         {
             Model fitted = model;
             if (!reweighted.fit(context, fitted))

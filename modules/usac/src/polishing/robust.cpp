@@ -14,29 +14,32 @@ namespace {
 
 // Half and double of these on lists and on structured scenes: doc/constants.md.
 
-/** Standard deviations: 1.6 % (F, E) and 2.3 % (H) less accurate than least squares under normal noise. Half: errors on
-the lists +2 to +11 %, on the scenes +24 to +61 %; double: +2 % (F, E), on the scenes +8 %, H -7 %. */
+/** Standard deviations: 1.6 % (F, E) and 2.3 % (H) less accurate than least squares under normal
+noise. Half: errors on the lists +2 to +11 %, on the scenes +24 to +61 %; double: +2 % (F, E), on
+the scenes +8 %, H -7 %. */
 constexpr double SUPPORT = 5.3;
-//! Thresholds, points: the steps but for the last two look at the first points until so many are so near. Half: time
-//! and errors within 1 %; double: time within 3 %.
+//! Thresholds, points: the steps but for the last two look at the first points until so many are so
+//! near. Half: time and errors within 1 %; double: time within 3 %.
 constexpr int REACH = 3, FEW = 500;
-//! Points that are looked at together, and steps of the last fit, to its end. Half, double: the same.
+//! Points that are looked at together, and steps of the last fit, to its end. Half, double: the
+//! same.
 constexpr int BLOCK = 256, LAST = 10;
-//! Least decrease of the loss, in mean points near, and relative change of the scale that are worth another step. Half,
-//! double: errors within 0.4 %, time within 2 %.
+//! Least decrease of the loss, in mean points near, and relative change of the scale that are worth
+//! another step. Half, double: errors within 0.4 %, time within 2 %.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
-//! Decrease of the loss, a part of that of the points near, after which the noise is estimated again. Half, double:
-//! errors within 0.1 %, time within 2 %.
+//! Decrease of the loss, a part of that of the points near, after which the noise is estimated
+//! again. Half, double: errors within 0.1 %, time within 2 %.
 constexpr double MARKED = 0.1;
 
-/** Gauss and Newton's method on the geometric error under Tukey's biweight @cite beaton1974fitting, by weights
-w = (1 - (error / support)^2)^2 that are renewed. The support is #SUPPORT standard deviations of the noise (NoiseScale),
-at which the biweight is nearly as accurate as least squares under normal noise. What is further away has no say: a
-wrong match far from the others in the images (near the epipole, say) would pull at F with even a hundredth of its
-weight.
+/** Gauss and Newton's method on the geometric error under Tukey's biweight @cite beaton1974fitting,
+by weights w = (1 - (error / support)^2)^2 that are renewed. The support is #SUPPORT standard
+deviations of the noise (NoiseScale), at which the biweight is nearly as accurate as least squares
+under normal noise. What is further away has no say: a wrong match far from the others in the images
+(near the epipole, say) would pull at F with even a hundredth of its weight.
 
-It ends when it has arrived: when the last step has lowered the loss by less than a tenth of that of a mean point near,
-whatever the threshold is; or after Params::polishingSteps, of which the last is a fit to the end. */
+It ends when it has arrived: when the last step has lowered the loss by less than a tenth of that of
+a mean point near, whatever the threshold is; or after Params::polishingSteps, of which the last is
+a fit to the end. */
 class RobustPolisher : public Polisher
 {
 public:
@@ -55,27 +58,30 @@ public:
             int looked = look(context, model, i + 2 < steps ? wanted : p.size);
             double loss = i > 0 ? weigh(p, sigma, looked) : 0;
             const double decrease = lossBefore - loss;
-            const bool settled = looked == lookedBefore && decrease < SETTLED * lossNear / std::max(count, 1);
+            const bool settled = looked == lookedBefore &&
+                                 decrease < SETTLED * lossNear / std::max(count, 1);
             if (settled && looked < p.size)
                 looked = look(context, model, wanted = p.size);
             if (i == 0 || i == steps / 2 || settled || decrease > MARKED * lossNear)
             {
                 const double before = sigma;
                 sigma = NoiseScale::estimate(errors, looked, p.threshold, degrees);
-                if (settled && lookedBefore == p.size && std::abs(sigma - before) < SAME_SCALE * sigma)
+                if (settled && lookedBefore == p.size &&
+                    std::abs(sigma - before) < SAME_SCALE * sigma)
                     return;
                 loss = weigh(p, sigma, looked);
             }
             lossBefore = loss;
             lookedBefore = looked;
-            if (!context.nonMinimalSolver().fit(p, near, count, weights, model, i + 1 < steps ? 1 : LAST))
+            if (!context.nonMinimalSolver().fit(p, near, count, weights, model,
+                                                i + 1 < steps ? 1 : LAST))
                 return;
         }
     }
 
 private:
-    //! Errors of the first points until `wanted` are within #REACH thresholds, or a block more. @return how many it
-    //! took
+    //! Errors of the first points until `wanted` are within #REACH thresholds, or a block more.
+    //! @return how many it took
     int look(const Context& context, const Model& model, int wanted)
     {
         const Correspondences& p = context.points;
@@ -93,8 +99,8 @@ private:
         return looked;
     }
 
-    /** Finds the points within the support of those looked at, and their weights. @return the loss of those looked at,
-    of which each takes at most 1 */
+    /** Finds the points within the support of those looked at, and their weights. @return the loss
+    of those looked at, of which each takes at most 1 */
     double weigh(const Correspondences& p, double sigma, int looked)
     {
         const double support = SUPPORT * sigma * p.threshold, scale = 1 / (support * support);

@@ -21,7 +21,8 @@ constexpr int HALVES = 60;
 //! What rounding leaves of the equations, in radii of the point or of the image plane.
 constexpr double EXACT = 1e-14;
 
-//! The projection onto a sensor that is turned about the axes x and y, straightened so that the center stays.
+//! The projection onto a sensor that is turned about the axes x and y, straightened so that the
+//! center stays.
 Matx33d tiltOf(double x, double y)
 {
     if (x == 0 && y == 0)
@@ -34,7 +35,8 @@ Matx33d tiltOf(double x, double y)
 
 }  // namespace
 
-Distortion::Distortion(const Mat& coefficients) : identity(true), straight(true), c(), limit(INFINITY)
+Distortion::Distortion(const Mat& coefficients)
+    : identity(true), straight(true), c(), limit(INFINITY)
 {
     Mat doubles;  // continuous, which a column of a matrix is not
     coefficients.convertTo(doubles, CV_64F);
@@ -60,7 +62,8 @@ double Distortion::radial(double squared, double* derivative) const
     return above * below;
 }
 
-//! The least q > 0 at which the radius seen, r radial(r^2), no longer grows or the denominator is 0.
+//! The least q > 0 at which the radius seen, r radial(r^2), no longer grows or the denominator is
+//! 0.
 double Distortion::firstFold() const
 {
     const double N[4] = {1, c[K1], c[K2], c[K3]}, D[4] = {1, c[K4], c[K5], c[K6]};
@@ -107,8 +110,9 @@ bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
     *derivative = J;
     if (straight)
         return true;
-    const Matx22d projected((tilt(0, 0) - d[0] * tilt(2, 0)) * inverse, (tilt(0, 1) - d[0] * tilt(2, 1)) * inverse,
-                            (tilt(1, 0) - d[1] * tilt(2, 0)) * inverse, (tilt(1, 1) - d[1] * tilt(2, 1)) * inverse);
+    const Matx22d projected(
+        (tilt(0, 0) - d[0] * tilt(2, 0)) * inverse, (tilt(0, 1) - d[0] * tilt(2, 1)) * inverse,
+        (tilt(1, 0) - d[1] * tilt(2, 0)) * inverse, (tilt(1, 1) - d[1] * tilt(2, 1)) * inverse);
     *derivative = projected * J;
     return true;
 }
@@ -134,7 +138,8 @@ bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
     return low > 0;
 }
 
-//! From the point itself, which is enough for an ordinary lens, or else from that of the radial terms.
+//! From the point itself, which is enough for an ordinary lens, or else from that of the radial
+//! terms.
 bool Distortion::undistort(const Vec2d& d, Vec2d& p) const
 {
     p = d;

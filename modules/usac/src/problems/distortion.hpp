@@ -12,14 +12,15 @@ namespace usacv20 {
 
 /** @brief How a lens moves points of the normalized image plane: OpenCV's model.
 
-Rational radial terms k1 to k6, tangential p1, p2, thin prism s1 to s4, tilt of the sensor tau_x, tau_y; in the order
-k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y (see cv::projectPoints). A model of few coefficients is one of the
-middle of the image: from some radius on, the radial terms fold the plane back upon itself. What lies outside the first
-fold is not seen. */
+Rational radial terms k1 to k6, tangential p1, p2, thin prism s1 to s4, tilt of the sensor tau_x,
+tau_y; in the order k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y (see cv::projectPoints). A model
+of few coefficients is one of the middle of the image: from some radius on, the radial terms fold
+the plane back upon itself. What lies outside the first fold is not seen. */
 class Distortion
 {
 public:
-    //! @param coefficients the first of them, any depth, as readDistortion() returns them; empty: nothing is moved
+    //! @param coefficients the first of them, any depth, as readDistortion() returns them; empty:
+    //! nothing is moved
     explicit Distortion(const Mat& coefficients);
 
     bool none() const { return identity; }

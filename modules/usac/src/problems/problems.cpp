@@ -15,8 +15,8 @@
 namespace cv {
 namespace usacv20 {
 
-Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
-                           InputArray distCoeffs2)
+Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2,
+                           InputArray distCoeffs1, InputArray distCoeffs2)
 {
     switch (type)
     {
@@ -24,7 +24,8 @@ Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArra
     case FUNDAMENTAL: return createFundamentalProblem();
     case AFFINITY: return createAffinityProblem();
     case SIMILARITY: return createSimilarityProblem();
-    case ESSENTIAL: return createEssentialProblem(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
+    case ESSENTIAL:
+        return createEssentialProblem(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2);
     case ABSOLUTE_POSE: return createAbsolutePoseProblem(cameraMatrix1, distCoeffs1);
     case RIGID_3D: return createRigid3DProblem();
     case SIMILARITY_3D: return createSimilarity3DProblem();

@@ -10,10 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The problem of a type. To add one: its folder, its enumerator and one line here. The cameras are for
-#ESSENTIAL, as for Usac::create. */
-Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
-                           InputArray distCoeffs2);
+/** @brief The problem of a type. To add one: its folder, its enumerator and one line here. The
+cameras are for #ESSENTIAL, as for Usac::create. */
+Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2,
+                           InputArray distCoeffs1, InputArray distCoeffs2);
 
 }  // namespace usacv20
 }  // namespace cv

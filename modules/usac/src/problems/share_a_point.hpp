@@ -22,14 +22,18 @@ inline bool samePlace(const Correspondences& p, int array, int i, int j)
     return true;
 }
 
-//! True if two matches have the same point in either array: at most one of them is right, or they are the same.
+//! True if two matches have the same point in either array: at most one of them is right, or they
+//! are the same.
 inline bool shareAPoint(const Correspondences& p, int i, int j)
 {
     return samePlace(p, 0, i, j) || (p.coordinates[1] > 0 && samePlace(p, 1, i, j));
 }
 
 //! True if two matches are the same.
-inline bool sameMatch(const Correspondences& p, int i, int j) { return samePlace(p, 0, i, j) && samePlace(p, 1, i, j); }
+inline bool sameMatch(const Correspondences& p, int i, int j)
+{
+    return samePlace(p, 0, i, j) && samePlace(p, 1, i, j);
+}
 
 //! True if `share(i, k)` is, for two points i and k of a sample of m.
 template <class Share>
@@ -42,7 +46,8 @@ inline bool anyPair(const int* sample, int m, const Share& share)
     return false;
 }
 
-//! True if two points of a sample of m have the same number in a column. `m` may be a constant: then there is no loop.
+//! True if two points of a sample of m have the same number in a column. `m` may be a constant:
+//! then there is no loop.
 template <class Size>
 inline bool anyEqual(const float* column, const int* sample, Size m)
 {
@@ -57,8 +62,9 @@ inline bool anyEqual(const float* column, const int* sample, Size m)
     return equal;
 }
 
-/** False if no two matches of a sample have the same first number of an array, so that they do not share a point of it.
-Hardly any sample has, and this is soon told: without branches that depend on the points. */
+/** False if no two matches of a sample have the same first number of an array, so that they do not
+share a point of it. Hardly any sample has, and this is soon told: without branches that depend on
+the points. */
 inline bool mayShareAPoint(const Correspondences& p, int array, const int* sample, int m)
 {
     const float* const column = p.column[array ? p.coordinates[0] : 0];
@@ -74,21 +80,27 @@ inline bool mayShareAPoint(const Correspondences& p, int array, const int* sampl
 //! True if two matches of a sample share a point, see shareAPoint().
 inline bool anyShareAPoint(const Correspondences& p, const int* sample, int m)
 {
-    return (mayShareAPoint(p, 0, sample, m) || (p.coordinates[1] > 0 && mayShareAPoint(p, 1, sample, m))) &&
+    return (mayShareAPoint(p, 0, sample, m) ||
+            (p.coordinates[1] > 0 && mayShareAPoint(p, 1, sample, m))) &&
            anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
 }
 
-//! True if a match is twice in a sample of m, and no two different ones share a point: of these one would be wrong.
+//! True if a match is twice in a sample of m, and no two different ones share a point: of these one
+//! would be wrong.
 inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 {
-    return mayShareAPoint(p, 0, sample, m) && anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
-           !anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
+    return mayShareAPoint(p, 0, sample, m) &&
+           anyPair(sample, m, [&p](int i, int k) { return sameMatch(p, i, k); }) &&
+           !anyPair(sample, m,
+                    [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
 }
 
-//! The scale between the images of a small surface is less. Half: the same; double: on scenes of matches to one or two
-//! points 3 of 704 F are wrong for 1. Half, double of this and of the next, lists: no run but one or two of E differs.
+//! The scale between the images of a small surface is less. Half: the same; double: on scenes of
+//! matches to one or two points 3 of 704 F are wrong for 1. Half, double of this and of the next,
+//! lists: no run but one or two of E differs.
 constexpr int FAR_APART = 10;
-//! Points so many thresholds from each other may be one, but for the noise; at most one part in so many of the image.
+//! Points so many thresholds from each other may be one, but for the noise; at most one part in so
+//! many of the image.
 constexpr int NEAR_THRESHOLDS = 2, NEAR_PART = 50;
 
 template <class T>
@@ -97,18 +109,20 @@ T square(T x)
     return x * x;
 }
 
-//! Squared distances in the two images below which two points may be one but for the noise, and above which they are
-//! far apart.
+//! Squared distances in the two images below which two points may be one but for the noise, and
+//! above which they are far apart.
 struct TargetLimits
 {
-    /** Two thresholds are near, but no more than a fiftieth of the image: a threshold may be as wide as an image.
+    /** Two thresholds are near, but no more than a fiftieth of the image: a threshold may be as
+    wide as an image.
     @param threshold of the errors
     @param sizes extents of the points in the two images, above 0 */
     TargetLimits(double threshold, const float* sizes)
     {
         for (int k = 0; k < 2; ++k)
         {
-            const float distance = std::min((float)(NEAR_THRESHOLDS * threshold), sizes[k] / NEAR_PART);
+            const float distance = std::min((float)(NEAR_THRESHOLDS * threshold),
+                                            sizes[k] / NEAR_PART);
             near[k] = square(distance);
             far[1 - k] = square(FAR_APART * distance * sizes[1 - k] / sizes[k]);
         }
@@ -117,15 +131,16 @@ struct TargetLimits
     float near[2], far[2];
 };
 
-/** True if two matches have the same point of an image; or if they are, but for the noise each, matches of one point of
-an image, but FAR_APART times as far from each other in the other image: at most one of them is right. */
+/** True if two matches have the same point of an image; or if they are, but for the noise each,
+matches of one point of an image, but FAR_APART times as far from each other in the other image: at
+most one of them is right. */
 inline bool shareATarget(const Correspondences& p, const TargetLimits& limits, int i, int j)
 {
     const float dx1 = p.column[X1][i] - p.column[X1][j], dy1 = p.column[Y1][i] - p.column[Y1][j],
                 dx2 = p.column[X2][i] - p.column[X2][j], dy2 = p.column[Y2][i] - p.column[Y2][j];
     const float first = dx1 * dx1 + dy1 * dy1, second = dx2 * dx2 + dy2 * dy2;
-    return (first <= limits.near[0] && second > limits.far[1]) || (second <= limits.near[1] && first > limits.far[0]) ||
-           shareAPoint(p, i, j);
+    return (first <= limits.near[0] && second > limits.far[1]) ||
+           (second <= limits.near[1] && first > limits.far[0]) || shareAPoint(p, i, j);
 }
 
 }  // namespace usacv20

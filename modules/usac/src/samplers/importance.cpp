@@ -15,14 +15,16 @@ constexpr int TRIES = 64;
 
 /** @brief Points as often as their weights w_i, Params::scores, say.
 
-A point is drawn with probability w_i / sum(w), a repeated one is drawn again; so the k-th point has the probability
-w_i / (sum(w) - sum of the points drawn before). Points of weight 0 are not drawn, unless fewer than m others exist:
-then all of these are in each sample, and the rest is uniform among the points of weight 0.
+A point is drawn with probability w_i / sum(w), a repeated one is drawn again; so the k-th point has
+the probability w_i / (sum(w) - sum of the points drawn before). Points of weight 0 are not drawn,
+unless fewer than m others exist: then all of these are in each sample, and the rest is uniform
+among the points of weight 0.
 
-Walker's alias method @cite walker1977efficient in the form of Vose @cite vose1991linear: of n columns of equal
-probability each belongs to one point up to a height and to another one above it. Built once in O(N); O(1) a draw, with
-the resolution of 32 random bits. Where the points drawn before have nearly all of the weight, repetitions do not end:
-after #TRIES of them the next point is found by a pass over the other weights, O(N). */
+Walker's alias method @cite walker1977efficient in the form of Vose @cite vose1991linear: of n
+columns of equal probability each belongs to one point up to a height and to another one above it.
+Built once in O(N); O(1) a draw, with the resolution of 32 random bits. Where the points drawn
+before have nearly all of the weight, repetitions do not end: after #TRIES of them the next point is
+found by a pass over the other weights, O(N). */
 class ImportanceSampler : public Sampler
 {
 public:

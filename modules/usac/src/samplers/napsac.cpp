@@ -15,13 +15,15 @@ constexpr int TRIES = 100;
 
 /** @brief NAPSAC: any point and its neighbors @cite nasuto2002napsac.
 
-The first point is uniform, the others are uniform among its neighbors in the coarsest layer of the graph. Finer layers
-find more samples of inliers only, but a model of points that are close to each other is inaccurate and, where they lie
-on a plane, wrong: on an office scene they gave twice as many wrong fundamental and essential matrices.
+The first point is uniform, the others are uniform among its neighbors in the coarsest layer of the
+graph. Finer layers find more samples of inliers only, but a model of points that are close to each
+other is inaccurate and, where they lie on a plane, wrong: on an office scene they gave twice as
+many wrong fundamental and essential matrices.
 
-A point with fewer neighbors than a sample needs is most likely a wrong match. The paper gives the sample up; here
-another first point is drawn, which is the same without a lost iteration. Where #TRIES of them have too few neighbors,
-hardly any point has enough, and the sample is drawn from all points. */
+A point with fewer neighbors than a sample needs is most likely a wrong match. The paper gives the
+sample up; here another first point is drawn, which is the same without a lost iteration. Where
+#TRIES of them have too few neighbors, hardly any point has enough, and the sample is drawn from all
+points. */
 class NapsacSampler : public Sampler
 {
 public:
@@ -35,7 +37,8 @@ public:
         {
             sample[0] = state.rng.uniform(size);
             const int* members;
-            const int count = neighborhood.members(context, neighborhood.layers() - 1, sample[0], members);
+            const int count = neighborhood.members(context, neighborhood.layers() - 1, sample[0],
+                                                   members);
             if (count >= m)
             {
                 drawOthers(state.rng, members, count, m, sample);

@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Samples of the n best points with slowly growing n, each new point in all samples until the next one arrives;
-uniform once n is everything @cite chum2005matching. */
+/** Samples of the n best points with slowly growing n, each new point in all samples until the next
+one arrives; uniform once n is everything @cite chum2005matching. */
 class ProsacSampler : public Sampler
 {
 public:
@@ -45,7 +45,10 @@ public:
 
     int subsetSize(const Context&) const CV_OVERRIDE { return growth.size(); }
 
-    double growingShare(const Context& context) const CV_OVERRIDE { return 1. / context.params.orderedEvery; }
+    double growingShare(const Context& context) const CV_OVERRIDE
+    {
+        return 1. / context.params.orderedEvery;
+    }
 
 private:
     GrowingSet growth;

@@ -18,8 +18,9 @@ inline void drawUniform(const Context& context, State& state, int* sample)
     state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
 }
 
-/** @brief True if the sampler shall draw the sample as it prefers, see Params::orderedEvery; it does then not count for
-the criteria, unless all samples are of this kind. Else it has been drawn from all points. */
+/** @brief True if the sampler shall draw the sample as it prefers, see Params::orderedEvery; it
+does then not count for the criteria, unless all samples are of this kind. Else it has been drawn
+from all points. */
 inline bool isOrdered(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -32,11 +33,14 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! As isOrdered() where the order is somebody's knowledge (orderIsKnown()): what State::wanted says.
+//! As isOrdered() where the order is somebody's knowledge (orderIsKnown()): what State::wanted
+//! says.
 inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
-    const int step = state.wanted == SAMPLES_ORDERED ? 1 : state.wanted == SAMPLES_HALF ? std::min(every, 2) : every;
+    const int step = state.wanted == SAMPLES_ORDERED ? 1
+                     : state.wanted == SAMPLES_HALF  ? std::min(every, 2)
+                                                     : every;
     if (state.iteration % step != 0)
     {
         drawUniform(context, state, sample);
@@ -58,8 +62,8 @@ Ptr<Sampler> createNapsacSampler();
 //! Points as often as their scores say, see ImportanceSampler.
 Ptr<Sampler> createImportanceSampler();
 
-//! Fills places 1 .. m-1 of a sample with distinct points other than sample[0]. `members` are `count` >= m, sample[0]
-//! among them.
+//! Fills places 1 .. m-1 of a sample with distinct points other than sample[0]. `members` are
+//! `count` >= m, sample[0] among them.
 inline void drawOthers(Rng& rng, const int* members, int count, int m, int* sample)
 {
     for (int k = 1; k < m;)

@@ -16,7 +16,8 @@ class UniformSampler : public Sampler
 public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
-        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
+        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(),
+                           sample);
     }
 };
 

@@ -8,7 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-void countOnce(const Context& context, int kept, PointSubset& subset, const Model& model, Quality& quality)
+void countOnce(const Context& context, int kept, PointSubset& subset, const Model& model,
+               Quality& quality)
 {
     const int count = subset.size();
     const double* const errors = subset.squaredErrors(*context.components.residual, model);
@@ -16,8 +17,8 @@ void countOnce(const Context& context, int kept, PointSubset& subset, const Mode
     float* const floats = scope.take<float>(count);
     std::copy(errors, errors + count, floats);
     Quality sum(0, 0);
-    context.components.score->accumulate(floats, count, (float)(context.points.threshold * context.points.threshold),
-                                         sum);
+    context.components.score->accumulate(
+        floats, count, (float)(context.points.threshold * context.points.threshold), sum);
     const int lost = sum.inliers - kept;
     if (kept > 0 && lost <= 0)
         return;

@@ -10,14 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Points that are no independent evidence (one match several times, matches of one place): lowers a quality as
-if no more than `kept` of those that are inliers were there.
+/** @brief Points that are no independent evidence (one match several times, matches of one place):
+lowers a quality as if no more than `kept` of those that are inliers were there.
 
 @param kept 1: they count once; 0: not at all, as a point that is not among them stands for them
 @param subset these points
 @param model that the quality is of
-@param quality in, out: inliers and cost of all points. The score must be a sum over the points (Score::wholeModel()) */
-void countOnce(const Context& context, int kept, PointSubset& subset, const Model& model, Quality& quality);
+@param quality in, out: inliers and cost of all points. The score must be a sum over the points
+(Score::wholeModel()) */
+void countOnce(const Context& context, int kept, PointSubset& subset, const Model& model,
+               Quality& quality);
 
 }  // namespace usacv20
 }  // namespace cv

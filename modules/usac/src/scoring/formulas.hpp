@@ -8,20 +8,23 @@
 namespace cv {
 namespace usacv20 {
 
-/* The formulas of the geometric errors, each once, for float and double. They stand inside an unnamed namespace because
-this file is compiled several times for different instruction sets, and inline functions with external linkage would be
-merged by the linker. `m` is the model, row by row, NUMBERS of them; a datum has COLUMNS numbers. Where an error is not
-defined the result is NaN or infinite. */
+/* The formulas of the geometric errors, each once, for float and double. They stand inside an
+unnamed namespace because this file is compiled several times for different instruction sets, and
+inline functions with external linkage would be merged by the linker. `m` is the model, row by row,
+NUMBERS of them; a datum has COLUMNS numbers. Where an error is not defined the result is NaN or
+infinite. */
 namespace {
 
-//! Truncated squared error in units of the squared threshold @cite torr2000mlesac, the cost of MSAC.
+//! Truncated squared error in units of the squared threshold @cite torr2000mlesac, the cost of
+//! MSAC.
 inline float msacCost(float squaredError, float scale)
 {
     const float cost = squaredError * scale;
     return cost < 1.f ? cost : 1.f;  // also for NaN
 }
 
-/** Transfer error in image 2, squared: |p(H x1) - x2|^2 with p the perspective division @cite hartley2003multiple. */
+/** Transfer error in image 2, squared: |p(H x1) - x2|^2 with p the perspective division
+@cite hartley2003multiple. */
 struct TransferError
 {
     enum { COLUMNS = 4, NUMBERS = 9 };
@@ -41,13 +44,15 @@ template <typename T>
 struct EpipolarLines
 {
     EpipolarLines(const T* m, T x1, T y1, T x2, T y2)
-        : a(m[0] * x1 + m[1] * y1 + m[2]), b(m[3] * x1 + m[4] * y1 + m[5]), d(m[0] * x2 + m[3] * y2 + m[6]),
-          e(m[1] * x2 + m[4] * y2 + m[7]), r(x2 * a + y2 * b + (m[6] * x1 + m[7] * y1 + m[8]))
+        : a(m[0] * x1 + m[1] * y1 + m[2]), b(m[3] * x1 + m[4] * y1 + m[5]),
+          d(m[0] * x2 + m[3] * y2 + m[6]), e(m[1] * x2 + m[4] * y2 + m[7]),
+          r(x2 * a + y2 * b + (m[6] * x1 + m[7] * y1 + m[8]))
     {}
     T a, b, d, e, r;
 };
 
-/** Sampson distance, squared: (x2^T F x1)^2 / (|(F x1)_{1,2}|^2 + |(F^T x2)_{1,2}|^2) @cite hartley2003multiple. */
+/** Sampson distance, squared: (x2^T F x1)^2 / (|(F x1)_{1,2}|^2 + |(F^T x2)_{1,2}|^2)
+@cite hartley2003multiple. */
 struct SampsonError
 {
     enum { COLUMNS = 4, NUMBERS = 9 };
@@ -60,8 +65,9 @@ struct SampsonError
     }
 };
 
-/** Symmetric transfer error, squared: that of H in image 2 plus that of its inverse in image 1 @cite
-hartley2003multiple. The adjugate serves as the inverse, since a factor cancels; it is the same for all points. */
+/** Symmetric transfer error, squared: that of H in image 2 plus that of its inverse in image 1
+@cite hartley2003multiple. The adjugate serves as the inverse, since a factor cancels; it is the
+same for all points. */
 struct SymmetricTransferError
 {
     enum { COLUMNS = 4, NUMBERS = 9 };
@@ -69,15 +75,17 @@ struct SymmetricTransferError
     template <typename T>
     static inline T squared(const T* m, T x1, T y1, T x2, T y2)
     {
-        const T a[9] = {m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8], m[1] * m[5] - m[2] * m[4],
-                        m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
-                        m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]};
-        return TransferError::squared(m, x1, y1, x2, y2) + TransferError::squared(a, x2, y2, x1, y1);
+        const T a[9] = {
+            m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8], m[1] * m[5] - m[2] * m[4],
+            m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
+            m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]};
+        return TransferError::squared(m, x1, y1, x2, y2) +
+               TransferError::squared(a, x2, y2, x1, y1);
     }
 };
 
-/** Symmetric epipolar distance, squared: (x2^T F x1)^2 (1 / |(F x1)_{1,2}|^2 + 1 / |(F^T x2)_{1,2}|^2)
-@cite hartley2003multiple. */
+/** Symmetric epipolar distance, squared: (x2^T F x1)^2 (1 / |(F x1)_{1,2}|^2 + 1 / |(F^T
+x2)_{1,2}|^2) @cite hartley2003multiple. */
 struct SymmetricEpipolarError
 {
     enum { COLUMNS = 4, NUMBERS = 9 };
@@ -90,8 +98,8 @@ struct SymmetricEpipolarError
     }
 };
 
-/** Reprojection error, squared: |p(P X) - x|^2 for a point X of space and the 3x4 matrix P of a camera @cite
-hartley2003multiple. What is not in front of the camera is not seen: infinite. */
+/** Reprojection error, squared: |p(P X) - x|^2 for a point X of space and the 3x4 matrix P of a
+camera @cite hartley2003multiple. What is not in front of the camera is not seen: infinite. */
 struct ReprojectionError
 {
     enum { COLUMNS = 5, NUMBERS = 12 };

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Which of the first points are inliers of a model, a bit each: the points are in random order, so that these stand
-//! for all.
+//! Which of the first points are inliers of a model, a bit each: the points are in random order, so
+//! that these stand for all.
 class InlierBits
 {
 public:

@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-void InlierScore::accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const
+void InlierScore::accumulate(float* squaredErrors, int count, float squaredThreshold,
+                             Quality& sum) const
 {
     for (int i = 0; i < count; ++i)
     {

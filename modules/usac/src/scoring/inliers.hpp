@@ -10,12 +10,13 @@
 namespace cv {
 namespace usacv20 {
 
-/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold, else 1; the errors
-themselves are not used. One pass over the points, fused with the residual. */
+/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold, else
+1; the errors themselves are not used. One pass over the points, fused with the residual. */
 class InlierScore : public Score
 {
 public:
-    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE;
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE;
     FusedKernel fused(const Residual& residual) const CV_OVERRIDE;
 };
 

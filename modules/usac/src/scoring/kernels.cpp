@@ -15,7 +15,8 @@ static Kernels bestKernels()
 #ifdef USACV20_HAVE_AVX512
     if (checkHardwareSupport(CV_CPU_AVX512_SKX) && checkHardwareSupport(CV_CPU_AVX_512F) &&
         checkHardwareSupport(CV_CPU_AVX_512BW) && checkHardwareSupport(CV_CPU_AVX_512DQ) &&
-        checkHardwareSupport(CV_CPU_AVX_512VL))  // OPENCV_CPU_DISABLE can name the group or one of them
+        checkHardwareSupport(
+            CV_CPU_AVX_512VL))  // OPENCV_CPU_DISABLE can name the group or one of them
         return avx512Kernels();
 #endif
 #ifdef USACV20_HAVE_AVX2

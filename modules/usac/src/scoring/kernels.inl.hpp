@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* No include guard: each source file that sets an instruction set includes this once. Nothing but the kernels may be
-instantiated here, as inline functions of other headers would be merged with those of the other instruction sets. */
+/* No include guard: each source file that sets an instruction set includes this once. Nothing but
+the kernels may be instantiated here, as inline functions of other headers would be merged with
+those of the other instruction sets. */
 
 #include <cmath>
 #include <limits>
@@ -18,11 +19,13 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Partial sums of a block; as many as the widest registers have, whatever the registers of this build.
+//! Partial sums of a block; as many as the widest registers have, whatever the registers of this
+//! build.
 constexpr int LANES = 16;
 
 template <class Error, typename... Columns>
-inline void errorsOf(const float* m, int count, float* USAC_RESTRICT errors, const Columns* USAC_RESTRICT... column)
+inline void errorsOf(const float* m, int count, float* USAC_RESTRICT errors,
+                     const Columns* USAC_RESTRICT... column)
 {
     USAC_SIMD
     for (int i = 0; i < count; ++i)
@@ -30,13 +33,15 @@ inline void errorsOf(const float* m, int count, float* USAC_RESTRICT errors, con
 }
 
 template <class Error, int... K>
-inline void errorsOf(const Correspondences& points, const float* m, int begin, int end, float* errors, Indices<K...>)
+inline void errorsOf(const Correspondences& points, const float* m, int begin, int end,
+                     float* errors, Indices<K...>)
 {
     errorsOf<Error>(m, end - begin, errors, (points.column[K] + begin)...);
 }
 
 template <class Error>
-void errorKernel(const Correspondences& points, const float* model, int begin, int end, float* errors)
+void errorKernel(const Correspondences& points, const float* model, int begin, int end,
+                 float* errors)
 {
     float m[Error::NUMBERS];
     for (int i = 0; i < Error::NUMBERS; ++i)
@@ -55,10 +60,11 @@ struct InlierCost
     static inline float of(float error, float limit, float) { return error <= limit ? 0.f : 1.f; }
 };
 
-//! Adds #LANES points to the lanes. The loop has a constant length and touches no memory twice: it becomes vector code.
+//! Adds #LANES points to the lanes. The loop has a constant length and touches no memory twice: it
+//! becomes vector code.
 template <class Error, class Cost, typename... Columns>
-inline void addLanes(const float* m, float limit, float scale, float* USAC_RESTRICT cost, int* USAC_RESTRICT inliers,
-                     const Columns* USAC_RESTRICT... column)
+inline void addLanes(const float* m, float limit, float scale, float* USAC_RESTRICT cost,
+                     int* USAC_RESTRICT inliers, const Columns* USAC_RESTRICT... column)
 {
     USAC_SIMD
     for (int k = 0; k < LANES; ++k)
@@ -70,8 +76,8 @@ inline void addLanes(const float* m, float limit, float scale, float* USAC_RESTR
 }
 
 template <class Error, class Cost, int... K>
-inline void scoreOf(const Correspondences& points, const float* m, float limit, int begin, int end, Quality& sum,
-                    Indices<K...>)
+inline void scoreOf(const Correspondences& points, const float* m, float limit, int begin, int end,
+                    Quality& sum, Indices<K...>)
 {
     const float scale = 1 / limit;
     float cost[LANES] = {0};
@@ -96,12 +102,14 @@ inline void scoreOf(const Correspondences& points, const float* m, float limit, 
 }
 
 template <class Error, class Cost>
-void scoreKernel(const Correspondences& points, const float* model, float limit, int begin, int end, Quality& sum)
+void scoreKernel(const Correspondences& points, const float* model, float limit, int begin, int end,
+                 Quality& sum)
 {
     float m[Error::NUMBERS];
     for (int i = 0; i < Error::NUMBERS; ++i)
         m[i] = model[i];
-    scoreOf<Error, Cost>(points, m, limit, begin, end, sum, typename IndicesTo<Error::COLUMNS>::Type());
+    scoreOf<Error, Cost>(points, m, limit, begin, end, sum,
+                         typename IndicesTo<Error::COLUMNS>::Type());
 }
 
 template <class Error>
@@ -119,9 +127,11 @@ Kernels allKernels()
     Kernels all;
     addKernels<TransferError>(Residual::TRANSFER, transferSums, transferCost, all);
     addKernels<SampsonError>(Residual::SAMPSON, sampsonSums, sampsonCost, all);
-    addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost, all);
+    addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost,
+                                       all);
     all.arcs = arcsKernel;
-    addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums, symmetricEpipolarCost, all);
+    addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums,
+                                       symmetricEpipolarCost, all);
     addKernels<ReprojectionError>(Residual::REPROJECTION, reprojectionSums, reprojectionCost, all);
     addKernels<SpaceTransferError>(Residual::SPACE_TRANSFER, 0, 0, all);
     return all;

@@ -13,21 +13,24 @@ namespace usacv20 {
 
 namespace {
 
-//! Of @cite rousseeuw1984least: inliers are within so many standard deviations; what small sets add to the scale, over
-//! n
+//! Of @cite rousseeuw1984least: inliers are within so many standard deviations; what small sets add
+//! to the scale, over n
 //! - m.
 constexpr double DEVIATIONS = 2.5, SMALL_SETS = 5;
 
-/** Least median of squares @cite rousseeuw1984least. Needs no threshold and at least half of the points right.
+/** Least median of squares @cite rousseeuw1984least. Needs no threshold and at least half of the
+points right.
 
-The cost of a model is s / (s + extent) for each point, s being the root of the median squared error and `extent` that
-of the points (outlierExtent), so it is the median error as a part of the image where that is small. Quality::inliers
-are the points up to the median, the half that the method presumes to be right. A multiple of the median would not do: a
-wrong model has a large median, most points lie within its multiples, and the termination would believe them.
+The cost of a model is s / (s + extent) for each point, s being the root of the median squared error
+and `extent` that of the points (outlierExtent), so it is the median error as a part of the image
+where that is small. Quality::inliers are the points up to the median, the half that the method
+presumes to be right. A multiple of the median would not do: a wrong model has a large median, most
+points lie within its multiples, and the termination would believe them.
 
-The threshold of the final inliers is q c (1 + 5 / (n - m)) s: c makes s the standard deviation of Gaussian noise
-(1.4826 for F and E), the next factor is Rousseeuw's for small sets, and q is 2.5 for one degree of freedom (F, E) and
-as unlikely for two (H). It does not fall below the rounding of the errors. Linear time. */
+The threshold of the final inliers is q c (1 + 5 / (n - m)) s: c makes s the standard deviation of
+Gaussian noise (1.4826 for F and E), the next factor is Rousseeuw's for small sets, and q is 2.5 for
+one degree of freedom (F, E) and as unlikely for two (H). It does not fall below the rounding of the
+errors. Linear time. */
 class LmedsScore : public Score
 {
 public:
@@ -82,7 +85,8 @@ private:
     {
         const double factor = sigmas * (1 + SMALL_SETS / std::max(beside, 1));
         const double rounding = 8 * FLT_EPSILON * extent;
-        return std::min(std::max(factor * factor * squaredMedian, rounding * rounding), (double)FLT_MAX);
+        return std::min(std::max(factor * factor * squaredMedian, rounding * rounding),
+                        (double)FLT_MAX);
     }
 
     //! Of numbers that it reorders; NaN counts as infinite, as nth_element knows no order of it.

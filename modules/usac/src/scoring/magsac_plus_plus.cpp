@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss of the weights that are marginalized over
-the scale of the noise, see MarginalizedWeights. A look-up for each inlier. */
+/** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss of the weights that are
+marginalized over the scale of the noise, see MarginalizedWeights. A look-up for each inlier. */
 class MagsacPlusPlusScore : public Score
 {
 public:
@@ -22,7 +22,8 @@ public:
 
     double inlierPart() const CV_OVERRIDE { return part; }
 
-    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE
     {
         const int near = keepInliers(squaredErrors, count, squaredThreshold);
         const float factor = 1 / squaredThreshold;

@@ -9,8 +9,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Half, double: no run of the lists differs.
-//! Steps of expectation and maximization at most, and the change of the part of inliers that is the last.
+//! Half, double: no run of the lists differs. Steps of expectation and maximization at most, and
+//! the change of the part of inliers that is the last.
 constexpr int MAX_ITERATIONS = 50;
 constexpr double SETTLED = 1e-4;
 

@@ -12,12 +12,13 @@ namespace usacv20 {
 
 namespace {
 
-/** MSAC @cite torr2000mlesac: the cost of a point is min(error^2 / threshold^2, 1). One pass over the points, fused
-with the residual. */
+/** MSAC @cite torr2000mlesac: the cost of a point is min(error^2 / threshold^2, 1). One pass over
+the points, fused with the residual. */
 class MsacScore : public Score
 {
 public:
-    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE
     {
         const float scale = 1 / squaredThreshold;
         for (int i = 0; i < count; ++i)

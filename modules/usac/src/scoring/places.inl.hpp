@@ -11,8 +11,8 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-/* The place u + t v of a line as a number that grows with t and needs no arc tangent: t = s / c itself up to 1, beyond
-that 2 - 1 / t. The circle closes at -1 and 3. */
+/* The place u + t v of a line as a number that grows with t and needs no arc tangent: t = s / c
+itself up to 1, beyond that 2 - 1 / t. The circle closes at -1 and 3. */
 inline float placeOf(float s, float c)
 {
     const bool small = std::abs(s) <= std::abs(c);

@@ -15,13 +15,15 @@ namespace {
 //! Most points of one block, whose errors stay in the first cache. Half, double: the same.
 constexpr int BLOCK = 256;
 
-/** One model against the points: the fused kernel where score and residual have one, else errors, then score. */
+/** One model against the points: the fused kernel where score and residual have one, else errors,
+then score. */
 class Judge
 {
 public:
     Judge(const Context& context, const Score& score_, const Model& model_)
-        : points(context.points), score(score_), residual(*context.components.residual), kernel(score.fused(residual)),
-          limit((float)(points.threshold * points.threshold)), model(model_)
+        : points(context.points), score(score_), residual(*context.components.residual),
+          kernel(score.fused(residual)), limit((float)(points.threshold * points.threshold)),
+          model(model_)
     {
         toFloat(model, m, residual.homogeneous());
     }
@@ -49,7 +51,8 @@ private:
 };
 
 //! Block after block; false if the model was dropped.
-bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double bound, int start, Rating& rating)
+bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double bound, int start,
+                Rating& rating)
 {
     int tested = 0;
     while (tested < size)
@@ -57,7 +60,8 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
         int position = start + tested;
         if (position >= size)
             position -= size;
-        const int block = verifier ? std::max(1, std::min<int>(verifier->nextBlock(tested), BLOCK)) : BLOCK;
+        const int block = verifier ? std::max(1, std::min<int>(verifier->nextBlock(tested), BLOCK))
+                                   : BLOCK;
         const int count = std::min(block, std::min(size - tested, size - position));
         rating.costBefore = rating.quality.cost;
         judge.add(position, position + count, rating.quality);
@@ -75,12 +79,13 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
 }
 
 //! All points at once. A verifier looks at the numbers of inliers before.
-void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
-               Rating& rating, float* errors)
+void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound,
+               int start, Rating& rating, float* errors)
 {
     const Correspondences& points = context.points;
     const InlierScore counter;
-    if (verifier && !rateBlocks(Judge(context, counter, model), points.size, verifier, DBL_MAX, start, rating))
+    if (verifier &&
+        !rateBlocks(Judge(context, counter, model), points.size, verifier, DBL_MAX, start, rating))
     {
         rating.costBefore = 0;  // that was the counter's
         return;
@@ -94,15 +99,16 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
 
 }  // namespace
 
-Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
-            float* errors)
+Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound,
+            int start, float* errors)
 {
     Rating rating = {Quality(0, 0), false, false, 0, 0, 0};
     const Score& score = *context.components.score;
     if (score.wholeModel())
         rateWhole(context, verifier, model, bound, start, rating, errors);
     else
-        rating.complete = rateBlocks(Judge(context, score, model), context.points.size, verifier, bound, start, rating);
+        rating.complete = rateBlocks(Judge(context, score, model), context.points.size, verifier,
+                                     bound, start, rating);
     return rating;
 }
 

@@ -14,7 +14,8 @@ namespace usacv20 {
 namespace {
 
 template <class Error, int... K>
-void errorsOf(const double* m, const double* const* columns, int count, double* errors, Indices<K...>)
+void errorsOf(const double* m, const double* const* columns, int count, double* errors,
+              Indices<K...>)
 {
     for (int i = 0; i < count; ++i)
         errors[i] = Error::squared(m, columns[K][i]...);
@@ -33,9 +34,11 @@ public:
         kernels().errors[KIND](points, m, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count,
+                       double* errors) const CV_OVERRIDE
     {
-        errorsOf<Error>(model.val, columns, count, errors, typename IndicesTo<Error::COLUMNS>::Type());
+        errorsOf<Error>(model.val, columns, count, errors,
+                        typename IndicesTo<Error::COLUMNS>::Type());
     }
 
     Kind kind() const CV_OVERRIDE { return KIND; }
@@ -58,16 +61,19 @@ public:
         return 1;
     }
 
-    int linearize(const Model& model, const double* datum, double* error, double* derivative) const CV_OVERRIDE
+    int linearize(const Model& model, const double* datum, double* error,
+                  double* derivative) const CV_OVERRIDE
     {
         const EpipolarLines<double> l(model.val, datum[0], datum[1], datum[2], datum[3]);
-        const double square = l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e, root = std::sqrt(square);
+        const double square = l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e,
+                     root = std::sqrt(square);
         const double x1[3] = {datum[0], datum[1], 1}, x2[3] = {datum[2], datum[3], 1};
         const double line1[3] = {l.d, l.e, 0}, line2[3] = {l.a, l.b, 0};
         const double inverse = 1 / root, factor = l.r / square;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                derivative[3 * i + j] = inverse * (x2[i] * x1[j] - factor * (line2[i] * x1[j] + line1[j] * x2[i]));
+                derivative[3 * i + j] = inverse * (x2[i] * x1[j] -
+                                                   factor * (line2[i] * x1[j] + line1[j] * x2[i]));
         *error = l.r / root;
         return 1;
     }
@@ -75,7 +81,10 @@ public:
 
 }  // namespace
 
-Ptr<Residual> createTransferResidual() { return makePtr<FormulaResidual<TransferError, Residual::TRANSFER>>(); }
+Ptr<Residual> createTransferResidual()
+{
+    return makePtr<FormulaResidual<TransferError, Residual::TRANSFER>>();
+}
 
 Ptr<Residual> createSampsonResidual() { return makePtr<SampsonResidual>(); }
 

@@ -18,7 +18,8 @@ Ptr<Score> createMsacScore();
 Ptr<Score> createMlesacScore();
 //! See LmedsScore.
 Ptr<Score> createLmedsScore();
-//! See MagsacScore. @param reach Params::reach: inliers are the points within 1 / reach of the threshold of the cost
+//! See MagsacScore. @param reach Params::reach: inliers are the points within 1 / reach of the
+//! threshold of the cost
 Ptr<Score> createMagsacScore(int errorDimension, double reach);
 //! See MagsacPlusPlusScore. @param reach as above
 Ptr<Score> createMagsacPlusPlusScore(int errorDimension, double reach);
@@ -34,12 +35,13 @@ struct Rating
     double costBefore;  //!< the last block that was looked at
 };
 
-/** Rates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points. After each block the
-verifier may drop the model, and it is dropped when its cost reaches the bound. The blocks start at point `start`
-and wrap around, so that no point is always the first to be asked. `errors` is memory for as many numbers as there are
-points, for scores that want all errors at once (Score::wholeModel); else it may be null. */
-Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound, int start,
-            float* errors);
+/** Rates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points.
+After each block the verifier may drop the model, and it is dropped when its cost reaches the bound.
+The blocks start at point `start` and wrap around, so that no point is always the first to be asked.
+`errors` is memory for as many numbers as there are points, for scores that want all errors at once
+(Score::wholeModel); else it may be null. */
+Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound,
+            int start, float* errors);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -2,18 +2,21 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* Gauss-Newton sums of the geometric errors over a chunk of points, in vector code. No include guard: compiled once for
-each instruction set by scoring/kernels.inl.hpp. The sums run in lanes that the caller adds in a fixed order. */
+/* Gauss-Newton sums of the geometric errors over a chunk of points, in vector code. No include
+guard: compiled once for each instruction set by scoring/kernels.inl.hpp. The sums run in lanes that
+the caller adds in a fixed order. */
 
 namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Cost of a point behind the camera, a squared error: no sum of errors of points in front of it is as large.
+//! Cost of a point behind the camera, a squared error: no sum of errors of points in front of it is
+//! as large.
 constexpr double BEHIND = 1e200;
 
 //! Adds a[i] b[i] to the lanes.
-inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b, double* USAC_RESTRICT lanes)
+inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b,
+                        double* USAC_RESTRICT lanes)
 {
     double sum[SUMS_LANES];
     for (int k = 0; k < SUMS_LANES; ++k)
@@ -29,8 +32,9 @@ inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRI
 }
 
 //! The same for a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1], of which each value is read once.
-inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK], const double (*USAC_RESTRICT b)[SUMS_CHUNK],
-                        double* USAC_RESTRICT lanes00, double* USAC_RESTRICT lanes01, double* USAC_RESTRICT lanes10,
+inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
+                        const double (*USAC_RESTRICT b)[SUMS_CHUNK], double* USAC_RESTRICT lanes00,
+                        double* USAC_RESTRICT lanes01, double* USAC_RESTRICT lanes10,
                         double* USAC_RESTRICT lanes11)
 {
     double sum00[SUMS_LANES], sum01[SUMS_LANES], sum10[SUMS_LANES], sum11[SUMS_LANES];
@@ -61,18 +65,21 @@ inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK], const doubl
     }
 }
 
-/** Transfer error: residuals (u - x2, v - y2) with (u, v) = p(H x1). The derivatives by the rows of H are p / w times
-(1, 0, -u) and (0, 1, -v), with p = (x1, y1, 1): all blocks of JtJ are multiples of p p^T / w^2.
-sums: p p^T as 6 numbers times 1, u, v, u^2 + v^2 (24); the gradient (9); the cost. */
+/** Transfer error: residuals (u - x2, v - y2) with (u, v) = p(H x1). The derivatives by the rows of
+H are p / w times (1, 0, -u) and (0, 1, -v), with p = (x1, y1, 1): all blocks of JtJ are multiples
+of p p^T / w^2. sums: p p^T as 6 numbers times 1, u, v, u^2 + v^2 (24); the gradient (9); the cost.
+*/
 void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     const double *x = chunk[0], *y = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
-    double pp[6][SUMS_CHUNK], factor[4][SUMS_CHUNK], p[3][SUMS_CHUNK], g[3][SUMS_CHUNK], cost[SUMS_CHUNK];
+    double pp[6][SUMS_CHUNK], factor[4][SUMS_CHUNK], p[3][SUMS_CHUNK], g[3][SUMS_CHUNK],
+        cost[SUMS_CHUNK];
     USAC_SIMD
     for (int i = 0; i < SUMS_CHUNK; ++i)
     {
         const double w = 1 / (m[6] * x[i] + m[7] * y[i] + m[8]);
-        const double u = (m[0] * x[i] + m[1] * y[i] + m[2]) * w, v = (m[3] * x[i] + m[4] * y[i] + m[5]) * w;
+        const double u = (m[0] * x[i] + m[1] * y[i] + m[2]) * w,
+                     v = (m[3] * x[i] + m[4] * y[i] + m[5]) * w;
         const double ru = u - x2[i], rv = v - y2[i], ww = weight[i] * w * w;
         pp[0][i] = ww * x[i] * x[i];
         pp[1][i] = ww * x[i] * y[i];
@@ -95,7 +102,8 @@ void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     for (int f = 0; f < 4; f += 2)
         for (int j = 0; j < 6; j += 2)
         {
-            double(*const first)[SUMS_LANES] = sums + 6 * f + j, (*const second)[SUMS_LANES] = first + 6;
+            double(*const first)[SUMS_LANES] = sums + 6 * f + j,
+                          (*const second)[SUMS_LANES] = first + 6;
             addProducts(factor + f, pp + j, first[0], first[1], second[0], second[1]);
         }
     for (int row = 0; row < 3; ++row)
@@ -120,13 +128,17 @@ void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     addProducts(cost, weight, sums[0]);
 }
 
-/** Reprojection error of a 3x4 camera matrix: as transferSums, with p = (X, Y, Z, 1), whose products are 10 numbers.
-Points behind the camera do not move the model; each costs more than any model is worth. sums: p p^T as 10 numbers times
-1, u, v, u^2 + v^2 (40); the gradient (12); the cost. */
-void reprojectionSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+/** Reprojection error of a 3x4 camera matrix: as transferSums, with p = (X, Y, Z, 1), whose
+products are 10 numbers. Points behind the camera do not move the model; each costs more than any
+model is worth. sums: p p^T as 10 numbers times 1, u, v, u^2 + v^2 (40); the gradient (12); the
+cost. */
+void reprojectionSums(const double (*chunk)[SUMS_CHUNK], const double* m,
+                      double (*sums)[SUMS_LANES])
 {
-    const double *X = chunk[0], *Y = chunk[1], *Z = chunk[2], *x2 = chunk[3], *y2 = chunk[4], *weight = chunk[5];
-    double pp[10][SUMS_CHUNK], factor[4][SUMS_CHUNK], p[4][SUMS_CHUNK], g[3][SUMS_CHUNK], cost[SUMS_CHUNK];
+    const double *X = chunk[0], *Y = chunk[1], *Z = chunk[2], *x2 = chunk[3], *y2 = chunk[4],
+                 *weight = chunk[5];
+    double pp[10][SUMS_CHUNK], factor[4][SUMS_CHUNK], p[4][SUMS_CHUNK], g[3][SUMS_CHUNK],
+        cost[SUMS_CHUNK];
     USAC_SIMD
     for (int i = 0; i < SUMS_CHUNK; ++i)
     {
@@ -162,7 +174,8 @@ void reprojectionSums(const double (*chunk)[SUMS_CHUNK], const double* m, double
     for (int f = 0; f < 4; f += 2)
         for (int j = 0; j < 10; j += 2)
         {
-            double(*const first)[SUMS_LANES] = sums + 10 * f + j, (*const second)[SUMS_LANES] = first + 10;
+            double(*const first)[SUMS_LANES] = sums + 10 * f + j,
+                          (*const second)[SUMS_LANES] = first + 10;
             addProducts(factor + f, pp + j, first[0], first[1], second[0], second[1]);
         }
     for (int row = 0; row < 3; ++row)
@@ -172,9 +185,11 @@ void reprojectionSums(const double (*chunk)[SUMS_CHUNK], const double* m, double
 }
 
 //! The cost alone, in the first sum.
-void reprojectionCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+void reprojectionCost(const double (*chunk)[SUMS_CHUNK], const double* m,
+                      double (*sums)[SUMS_LANES])
 {
-    const double *X = chunk[0], *Y = chunk[1], *Z = chunk[2], *x2 = chunk[3], *y2 = chunk[4], *weight = chunk[5];
+    const double *X = chunk[0], *Y = chunk[1], *Z = chunk[2], *x2 = chunk[3], *y2 = chunk[4],
+                 *weight = chunk[5];
     double cost[SUMS_CHUNK];
     USAC_SIMD
     for (int i = 0; i < SUMS_CHUNK; ++i)
@@ -187,10 +202,11 @@ void reprojectionCost(const double (*chunk)[SUMS_CHUNK], const double* m, double
     addProducts(cost, weight, sums[0]);
 }
 
-/** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2 for Sampson's
-distance, where (a, b) are the first two entries of F x1 (FIRST) and (d, e) those of F^T x2 (SECOND); one pair alone
-gives the distance to the line in one image. dr/dF = (x2 x1^T - N/D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D). sums:
-the lower triangle of JtJ row by row (45); the gradient (9); the cost. */
+/** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2
+for Sampson's distance, where (a, b) are the first two entries of F x1 (FIRST) and (d, e) those of
+F^T x2 (SECOND); one pair alone gives the distance to the line in one image. dr/dF = (x2 x1^T - N/D
+((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D). sums: the lower triangle of JtJ row by row (45); the
+gradient (9); the cost. */
 template <bool FIRST, bool SECOND>
 void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
@@ -199,12 +215,14 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     USAC_SIMD
     for (int i = 0; i < SUMS_CHUNK; ++i)
     {
-        const double l0 = m[0] * x1[i] + m[1] * y1[i] + m[2], l1 = m[3] * x1[i] + m[4] * y1[i] + m[5];
+        const double l0 = m[0] * x1[i] + m[1] * y1[i] + m[2],
+                     l1 = m[3] * x1[i] + m[4] * y1[i] + m[5];
         const double N = x2[i] * l0 + y2[i] * l1 + m[6] * x1[i] + m[7] * y1[i] + m[8];
         const double a = FIRST ? l0 : 0, b = FIRST ? l1 : 0;
         const double d = SECOND ? m[0] * x2[i] + m[3] * y2[i] + m[6] : 0;
         const double e = SECOND ? m[1] * x2[i] + m[4] * y2[i] + m[7] : 0;
-        const double D = a * a + b * b + d * d + e * e + 1e-200;  // 0 where both points are epipoles, as is N
+        const double D = a * a + b * b + d * d + e * e +
+                         1e-200;  // 0 where both points are epipoles, as is N
         const double s = 1 / std::sqrt(D), q = N * s * s;
         const double left0 = s * (x2[i] - q * a), left1 = s * (y2[i] - q * b);
         const double right0 = s * q * d, right1 = s * q * e;
@@ -227,9 +245,11 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     }
     for (int row = 0; row < 10; row += 2)
     {
-        double(*const first)[SUMS_LANES] = sums + row * (row + 1) / 2, (*const second)[SUMS_LANES] = first + row + 1;
+        double(*const first)[SUMS_LANES] = sums + row * (row + 1) / 2,
+                      (*const second)[SUMS_LANES] = first + row + 1;
         for (int col = 0; col < row; col += 2)
-            addProducts(weighted + row, J + col, first[col], first[col + 1], second[col], second[col + 1]);
+            addProducts(weighted + row, J + col, first[col], first[col + 1], second[col],
+                        second[col + 1]);
         addProducts(weighted[row], J[row], first[row]);
         addProducts(weighted[row + 1], J[row], second[row]);
         addProducts(weighted[row + 1], J[row + 1], second[row + 1]);
@@ -264,13 +284,15 @@ void sampsonCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*su
     epipolarCost<true, true>(chunk, m, sums);
 }
 
-void symmetricEpipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+void symmetricEpipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m,
+                           double (*sums)[SUMS_LANES])
 {
     epipolarSums<true, false>(chunk, m, sums);
     epipolarSums<false, true>(chunk, m, sums);
 }
 
-void symmetricEpipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
+void symmetricEpipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m,
+                           double (*sums)[SUMS_LANES])
 {
     epipolarCost<true, false>(chunk, m, sums);
     epipolarCost<false, true>(chunk, m, sums);

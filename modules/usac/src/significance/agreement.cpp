@@ -14,17 +14,18 @@ namespace {
 //! Wrong matches of each point, at least. 2, 8: no run of the lists differs.
 constexpr int PARTNERS = 4;
 
-/** Some of the points, with the numbers that a residual wants: double for one of the caller's own, which may know
-nothing of Correspondences but those of the estimation, float for the others. */
+/** Some of the points, with the numbers that a residual wants: double for one of the caller's own,
+which may know nothing of Correspondences but those of the estimation, float for the others. */
 template <typename T>
 class Pairing
 {
 public:
-    Pairing(const Residual& residual_, const Model& model_, const Correspondences& points_, const T* const* from,
-            int count, double threshold, Arena::Scope& scope)
+    Pairing(const Residual& residual_, const Model& model_, const Correspondences& points_,
+            const T* const* from, int count, double threshold, Arena::Scope& scope)
         : residual(residual_), model(model_), points(points_), columns(points.columns()),
-          firstMoved(points.coordinates[1] ? points.coordinates[0] : columns - 1), limit((T)(threshold * threshold)),
-          size(count), stride(2 * count), memory(scope.take<T>((columns + 1) * (size_t)stride))
+          firstMoved(points.coordinates[1] ? points.coordinates[0] : columns - 1),
+          limit((T)(threshold * threshold)), size(count), stride(2 * count),
+          memory(scope.take<T>((columns + 1) * (size_t)stride))
     {
         for (int k = 0; k < columns; ++k)
             std::copy(from[k], from[k] + count, row(k));
@@ -40,8 +41,8 @@ public:
         return sum;
     }
 
-    //! Leaves out what is marked, and writes array 2 a second time behind the first: the last points have partners,
-    //! too. Of a single array it is the last column.
+    //! Leaves out what is marked, and writes array 2 a second time behind the first: the last
+    //! points have partners, too. Of a single array it is the last column.
     int drop(const uchar* repeated)
     {
         int kept = 0;
@@ -58,7 +59,8 @@ public:
         return size;
     }
 
-    //! How many points of array 1 agree with those that stand `partner` places further in array 2, after drop().
+    //! How many points of array 1 agree with those that stand `partner` places further in array 2,
+    //! after drop().
     int agreeing(int partner)
     {
         computeErrors(partner);
@@ -103,7 +105,8 @@ void Pairing<float>::computeErrors(int partner)
 }
 
 template <typename T>
-Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double threshold, int pairs, Arena& arena)
+Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double threshold,
+                int pairs, Arena& arena)
 {
     Arena::Scope scope(arena);
     uchar *const mask = scope.take<uchar>(count), *const repeated = scope.take<uchar>(count);
@@ -113,7 +116,8 @@ Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double
     found.inliers -= markRepeated(p, 0, mask, count, threshold, repeated, arena);
     found.points = pairing.drop(repeated);
     found.pairs = found.agreeing = 0;
-    const int partners = std::min(std::max<int>(PARTNERS, pairs / std::max(found.points, 1)), found.points - 1);
+    const int partners = std::min(std::max<int>(PARTNERS, pairs / std::max(found.points, 1)),
+                                  found.points - 1);
     for (int partner = 1; partner <= partners; ++partner)
     {
         found.agreeing += pairing.agreeing(partner);
@@ -124,8 +128,8 @@ Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double
 
 }  // namespace
 
-Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& p, int size,
-                         double threshold, int pairs, Arena& arena)
+Agreement countAgreement(const Residual& residual, const Model& model, const Correspondences& p,
+                         int size, double threshold, int pairs, Arena& arena)
 {
     Arena::Scope scope(arena);
     if (residual.kind() == Residual::CUSTOM)
@@ -137,8 +141,8 @@ Agreement countAgreement(const Residual& residual, const Model& model, const Cor
     return count(pairing, p, size, threshold, pairs, arena);
 }
 
-int wrongErrors(const Residual& residual, const Model& model, const Correspondences& p, int count, float* errors,
-                Arena& arena)
+int wrongErrors(const Residual& residual, const Model& model, const Correspondences& p, int count,
+                float* errors, Arena& arena)
 {
     Arena::Scope scope(arena);
     const bool custom = residual.kind() == Residual::CUSTOM;

@@ -13,10 +13,11 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these, doc/constants.md: no right model of the lists is refused; with 2048 pairs one of E less.
+// Half and double of these, doc/constants.md: no right model of the lists is refused; with 2048
+// pairs one of E less.
 
-//! Inliers beside a sample that are looked at first, so many times more if they do not settle it; wrong matches of all
-//! points, for a probability with a standard deviation of 1 %.
+//! Inliers beside a sample that are looked at first, so many times more if they do not settle it;
+//! wrong matches of all points, for a probability with a standard deviation of 1 %.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
 //! Wider thresholds that are looked at, in units of the given one.
 constexpr double WIDE[] = {4, 16};
@@ -32,7 +33,8 @@ double trialsOf(const SearchEffort& effort, int points)
     const double logSamples = logFactorial(n) - logFactorial(m) - logFactorial(n - m);
     const double drawn = std::max(effort.samples, 1.);
     const double models = std::max(effort.models, 1.) * std::min(1., std::exp(logSamples) / drawn);
-    const double more = std::max((n - m) / (m + 1), 1.), optimized = effort.countsInliers ? more : std::sqrt(more);
+    const double more = std::max((n - m) / (m + 1), 1.),
+                 optimized = effort.countsInliers ? more : std::sqrt(more);
     return std::max(models, 1.) * optimized * (effort.ownThreshold ? std::max(n - m, 1.) : 1.);
 }
 
@@ -40,10 +42,12 @@ double trialsOf(const SearchEffort& effort, int points)
 
 const double Significance::MAIN_SHARE = 0.8, Significance::WIDE_SHARE = 0.1;
 
-Significance::Significance(const Residual& residual_, const Model& model_, const Correspondences& points_,
-                           double threshold_, const SearchEffort& effort, Arena& arena_, const Context* context_)
-    : residual(residual_), model(model_), points(points_), threshold(threshold_), sampleSize(effort.sampleSize),
-      trials(trialsOf(effort, points_.size)), arena(arena_), context(context_), size(points_.size), last()
+Significance::Significance(const Residual& residual_, const Model& model_,
+                           const Correspondences& points_, double threshold_,
+                           const SearchEffort& effort, Arena& arena_, const Context* context_)
+    : residual(residual_), model(model_), points(points_), threshold(threshold_),
+      sampleSize(effort.sampleSize), trials(trialsOf(effort, points_.size)), arena(arena_),
+      context(context_), size(points_.size), last()
 {}
 
 bool Significance::shorten(double count)
@@ -56,7 +60,8 @@ bool Significance::shorten(double count)
 
 double Significance::chance(int inliers, double clear)
 {
-    const double first = std::ceil((sampleSize + FIRST_INLIERS) * (double)points.size / std::max(inliers, 1));
+    const double first = std::ceil((sampleSize + FIRST_INLIERS) * (double)points.size /
+                                   std::max(inliers, 1));
     for (double count = first; count < MORE * size && !shorten(count); count *= MORE)
     {
         last = look((int)std::min<double>(count, size), 1, 0);
@@ -74,9 +79,11 @@ double Significance::chance(int inliers, double clear)
 
 bool Significance::decisive(double inlierRatio, double limit) const
 {
-    // where inliers are there several times the other matches are, too; but a model that takes everything to one place
-    // has few independent inliers, however many independent points there are
-    const double inliers = size - last.points + last.inliers, different = inliers > 0 ? last.inliers / inliers : 1;
+    // where inliers are there several times the other matches are, too; but a model that takes
+    // everything to one place has few independent inliers, however many independent points there
+    // are
+    const double inliers = size - last.points + last.inliers,
+                 different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);
     uchar *const all = scope.take<uchar>(size), *const repeated = scope.take<uchar>(size);
     std::fill(all, all + size, (uchar)1);
@@ -97,8 +104,8 @@ double Significance::chanceOf(const Agreement& found, double share) const
 {
     if (found.inliers <= sampleSize)
         return 1;
-    const double p = betaBinomialTail(found.inliers - sampleSize, found.points - sampleSize, found.agreeing,
-                                      found.pairs);
+    const double p = betaBinomialTail(found.inliers - sampleSize, found.points - sampleSize,
+                                      found.agreeing, found.pairs);
     return -std::expm1(trials / share * std::log1p(-p));
 }
 

@@ -11,8 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Do the inliers of a model come early in an order? Their rank sum against that of the other points (Mann,
-Whitney), in standard deviations of what it is in an order that tells nothing.
+/** @brief Do the inliers of a model come early in an order? Their rank sum against that of the
+other points (Mann, Whitney), in standard deviations of what it is in an order that tells nothing.
 
 The first m inliers do not count, as the model may have been made of them, nor do repeated ones.
 @param inliers which of the `size` points are inliers, best point first
@@ -21,8 +21,9 @@ The first m inliers do not count, as the model may have been made of them, nor d
 @param m size of a sample */
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m);
 
-/** @brief Would another motion be seen by its neighbors that stay neighbors? Where two motions are as smooth as each
-other, its matches are in the same cell of both arrays as often as those of the best model.
+/** @brief Would another motion be seen by its neighbors that stay neighbors? Where two motions are
+as smooth as each other, its matches are in the same cell of both arrays as often as those of the
+best model.
 @param own pairs of inliers of the best model
 @param rest pairs of the points that it does not explain
 @param other number of matches of the other motion among these

@@ -10,17 +10,18 @@ namespace usacv20 {
 
 namespace {
 
-//! Parts of the range of the noise, as many as the program of the paper's authors takes. 3: time -5 to -14 %; 10:
-//! +16 to +46 %, errors within 2 %.
+//! Parts of the range of the noise, as many as the program of the paper's authors takes. 3: time -5
+//! to -14 %; 10: +16 to +46 %, errors within 2 %.
 constexpr int PARTITIONS = 5;
 
-/** MAGSAC @cite barath2019magsac: the samples that the standard criterion asks for, averaged over the scale of the
-noise, uniform in 0 .. sigma_max. For the scales i sigma_max / #PARTITIONS the inliers of the best model are the points
-within i / #PARTITIONS of the threshold.
+/** MAGSAC @cite barath2019magsac: the samples that the standard criterion asks for, averaged over
+the scale of the noise, uniform in 0 .. sigma_max. For the scales i sigma_max / #PARTITIONS the
+inliers of the best model are the points within i / #PARTITIONS of the threshold.
 
-The finest scale has the fewest inliers and asks for the most samples, so the criterion is stricter than the standard
-one. It suits a threshold that is several times that of the noise; where it is about that of the noise, the finest scale
-leaves too few inliers for an end before Params::maxIterations. One pass over the points. */
+The finest scale has the fewest inliers and asks for the most samples, so the criterion is stricter
+than the standard one. It suits a threshold that is several times that of the noise; where it is
+about that of the noise, the finest scale leaves too few inliers for an end before
+Params::maxIterations. One pass over the points. */
 class MagsacTermination : public Termination
 {
 public:

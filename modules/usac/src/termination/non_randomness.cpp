@@ -37,8 +37,8 @@ double binomial(double k, double n, double p)
         return std::exp(n * std::log1p(-p));
     if (k == n)
         return std::exp(n * std::log(p));
-    const double exponent = stirlingError(n) - stirlingError(k) - stirlingError(n - k) - deviance(k, n * p) -
-                            deviance(n - k, n * (1 - p));
+    const double exponent = stirlingError(n) - stirlingError(k) - stirlingError(n - k) -
+                            deviance(k, n * p) - deviance(n - k, n * (1 - p));
     return std::exp(exponent) * std::sqrt(n / (2 * CV_PI * k * (n - k)));
 }
 

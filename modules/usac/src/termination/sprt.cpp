@@ -10,9 +10,10 @@ namespace usacv20 {
 
 namespace {
 
-/** SPRT: as the standard criterion, but a good model may have been dropped by the test. Under the l-th test this
-happens with a probability of at most A_l^-h, with h the root of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 -
-delta_l) / (1 - epsilon_l))^h = 1 for the inlier ratio epsilon of the best model @cite chum2008optimal. */
+/** SPRT: as the standard criterion, but a good model may have been dropped by the test. Under the
+l-th test this happens with a probability of at most A_l^-h, with h the root of epsilon (delta_l /
+epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1 for the inlier ratio epsilon of
+the best model @cite chum2008optimal. */
 class SprtTermination : public Termination
 {
 public:
@@ -41,8 +42,9 @@ public:
     int reason() const CV_OVERRIDE { return STOP_SPRT; }
 
 private:
-    /** The positive root h, by Newton's method from above: the left side is convex, so that it never steps over the
-    root. 0 if the test would more often than not drop a model with this epsilon. */
+    /** The positive root h, by Newton's method from above: the left side is convex, so that it
+    never steps over the root. 0 if the test would more often than not drop a model with this
+    epsilon. */
     static double exponent(const SequentialTest& test, double epsilon)
     {
         const double inlier = std::log(test.delta / test.epsilon);
@@ -50,11 +52,13 @@ private:
         if (epsilon * inlier + (1 - epsilon) * outlier >= 0)
             return 0;
         double h = 1;
-        while (h < 1000 && epsilon * std::exp(h * inlier) + (1 - epsilon) * std::exp(h * outlier) < 1)
+        while (h < 1000 &&
+               epsilon * std::exp(h * inlier) + (1 - epsilon) * std::exp(h * outlier) < 1)
             h *= 2;
         for (int i = 0; i < 40; ++i)
         {
-            const double a = epsilon * std::exp(h * inlier), b = (1 - epsilon) * std::exp(h * outlier);
+            const double a = epsilon * std::exp(h * inlier),
+                         b = (1 - epsilon) * std::exp(h * outlier);
             const double step = (a + b - 1) / (a * inlier + b * outlier);
             if (!(step > 1e-9 * h))
                 break;

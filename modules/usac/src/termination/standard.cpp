@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Standard: the samples after which at least one of inliers only has been drawn with the wanted confidence, if the
-best model so far has all inliers @cite fischler1981random. */
+/** Standard: the samples after which at least one of inliers only has been drawn with the wanted
+confidence, if the best model so far has all inliers @cite fischler1981random. */
 class StandardTermination : public Termination
 {
 public:

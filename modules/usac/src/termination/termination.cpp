@@ -8,10 +8,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! Each sample has been drawn but for this probability; it matters to a handful of points only. Half, double: no run of
-//! the lists differs.
+//! Each sample has been drawn but for this probability; it matters to a handful of points only.
+//! Half, double: no run of the lists differs.
 constexpr double MISSED = 1e-6;
-//! Samples that are drawn in any case before the run ends for that, as they cost nothing. Half, double: no run differs.
+//! Samples that are drawn in any case before the run ends for that, as they cost nothing. Half,
+//! double: no run differs.
 constexpr int LEAST_EXHAUSTIVE = 100;
 
 double keptProbability(const Context& context, double inliers)
@@ -25,7 +26,8 @@ double copiesOf(const State& state, int n, int m)
 {
     if (state.repeatedSamples == 0)
         return 1;
-    const double passed = (state.countedSamples + 1.) / (state.countedSamples + state.repeatedSamples + 1.);
+    const double passed = (state.countedSamples + 1.) /
+                          (state.countedSamples + state.repeatedSamples + 1.);
     return 1 - std::log(passed) / (m * (m - 1) / 2) * (n - 1);
 }
 
@@ -51,8 +53,10 @@ int exhaustiveSamples(const Context& context)
     const int n = context.points.size, m = context.components.minimalSolver->sampleSize();
     if (context.components.terminations.empty())
         return INT_MAX;
-    return std::max(samplesNeeded(goodSampleProbability(m, n, m, true) * keptProbability(context, m), std::log(MISSED)),
-                    LEAST_EXHAUSTIVE);
+    return std::max(
+        samplesNeeded(goodSampleProbability(m, n, m, true) * keptProbability(context, m),
+                      std::log(MISSED)),
+        LEAST_EXHAUSTIVE);
 }
 
 }  // namespace usacv20

@@ -25,17 +25,20 @@ const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 
 //! F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
 constexpr double FREEDOM_MORE = 2;
-/* F where E was refused, though the focal lengths are known, tells that these are wrong: what is asked of it is the
-significance to this power, 10^-8 by default, and it is searched for in LEAST_SAMPLES only. */
+/* F where E was refused, though the focal lengths are known, tells that these are wrong: what is
+asked of it is the significance to this power, 10^-8 by default, and it is searched for in
+LEAST_SAMPLES only. */
 constexpr double ALONE = 2;
 //! Standard deviations of a count: one in a thousand is larger by chance.
 constexpr double DEVIATIONS = 3;
-//! F that starts from E draws as good as no samples of its own: its local optimization does the work.
+//! F that starts from E draws as good as no samples of its own: its local optimization does the
+//! work.
 constexpr int SAMPLES_FROM_E = 10;
-//! An H with most of the points is found within 17 samples with a chance of 1 - 10^-4 (0.8^4 of the samples are right).
+//! An H with most of the points is found within 17 samples with a chance of 1 - 10^-4 (0.8^4 of the
+//! samples are right).
 constexpr int SAMPLES_IN_INLIERS = 100;
-//! The largest chance of a model, a probability, where Params::significance is 0. A hundredth of what is asked of a
-//! single estimation, as most pairs of a collection have no overlap.
+//! The largest chance of a model, a probability, where Params::significance is 0. A hundredth of
+//! what is asked of a single estimation, as most pairs of a collection have no overlap.
 constexpr double SIGNIFICANCE = 1e-4;
 
 Points pointsOf(const Mat& given, const char* name, const Mat& camera, const Mat& distCoeffs)
@@ -60,7 +63,10 @@ Points chosen(const Points& points, const Mat& mask)
     return result;
 }
 
-std::vector<double> numbersOf(const Matx33d& matrix) { return std::vector<double>(matrix.val, matrix.val + 9); }
+std::vector<double> numbersOf(const Matx33d& matrix)
+{
+    return std::vector<double>(matrix.val, matrix.val + 9);
+}
 
 //! There is no model.
 String whyNot(const Report& report)
@@ -68,7 +74,8 @@ String whyNot(const Report& report)
     switch (report.stop)
     {
     case STOP_NOT_SIGNIFICANT:
-        return format("random matches would give as good a model with a chance of %.2g", report.chance);
+        return format("random matches would give as good a model with a chance of %.2g",
+                      report.chance);
     case STOP_TOO_FEW_POINTS: return "too few points";
     case STOP_TIME: return "time";
     case STOP_CANCELLED: return "cancelled";
@@ -87,24 +94,27 @@ PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const Two
     for (int k = 0; k < 2; ++k)
     {
         if (!cameras[k]->empty())
-            (k ? camera2 : camera1) = readCamera(*cameras[k], k ? "cameraMatrix2" : "cameraMatrix1");
+            (k ? camera2 : camera1) = readCamera(*cameras[k],
+                                                 k ? "cameraMatrix2" : "cameraMatrix1");
         else if (!lenses[k]->empty())
-            CV_Error_(Error::StsBadArg,
-                      ("distCoeffs%d: a distortion needs cameraMatrix%d, which is empty", k + 1, k + 1));
+            CV_Error_(
+                Error::StsBadArg,
+                ("distCoeffs%d: a distortion needs cameraMatrix%d, which is empty", k + 1, k + 1));
         readDistortion(*lenses[k], k ? "distCoeffs2" : "distCoeffs1");
     }
     points1 = pointsOf(pair.points1, "points1", pair.cameraMatrix1, pair.distCoeffs1);
     points2 = pointsOf(pair.points2, "points2", pair.cameraMatrix2, pair.distCoeffs2);
     if (points1.size() != points2.size())
         CV_Error_(Error::StsUnmatchedSizes,
-                  ("points1 and points2: lists of the same length are expected, not of %d and %d", (int)points1.size(),
-                   (int)points2.size()));
+                  ("points1 and points2: lists of the same length are expected, not of %d and %d",
+                   (int)points1.size(), (int)points2.size()));
     checkTaken(pair.taken1, "taken1");
     checkTaken(pair.taken2, "taken2");
     if (scores.empty())
         scores = params.scores;
     if (!scores.empty() && scores.size() != points1.size())
-        CV_Error_(Error::StsUnmatchedSizes, ("scores: 0 or %d are expected, not %d", size(), (int)scores.size()));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("scores: 0 or %d are expected, not %d", size(), (int)scores.size()));
 }
 
 void PairModels::checkTaken(const Mat& given, const char* name) const
@@ -113,7 +123,8 @@ void PairModels::checkTaken(const Mat& given, const char* name) const
     Arena::Scope scope(arena);
     const int count = given.empty() ? size() : readPoints(given, 2, name, scope).rows;
     if (count != size())
-        CV_Error_(Error::StsUnmatchedSizes, ("%s: 0 or %d points are expected, not %d", name, size(), count));
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("%s: 0 or %d points are expected, not %d", name, size(), count));
 }
 
 Params PairModels::options(int most) const
@@ -219,10 +230,12 @@ void PairModels::homographyOfInliers(const PairModel& explained)
                 given.scores.push_back(scores[i]);
     }
     Report report;
-    // Its chance, which takes time, is of no use: a report is asked for only where the run may be cancelled.
+    // Its chance, which takes time, is of no use: a report is asked for only where the run may be
+    // cancelled.
     Report* const asked = BatchProgress::isWatched() ? &report : 0;
-    const Mat found =
-        Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second, given)->run(noArray(), asked);
+    const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second,
+                                   given)
+                          ->run(noArray(), asked);
     cancelled = cancelled || report.stop == STOP_CANCELLED;
     if (found.empty())
         return;
@@ -247,7 +260,8 @@ void PairModels::account(const Report& report)
     cancelled = cancelled || report.stop == STOP_CANCELLED;
 }
 
-void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report, PairModel& model)
+void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask,
+                      const Report& report, PairModel& model)
 {
     account(report);
     const int inliers = matrix.empty() ? 0 : countNonZero(mask);
@@ -268,7 +282,8 @@ void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, c
     if (why.empty() || report.chance < refused.chance)
     {
         why = String(kind.name) + ": " +
-              (matrix.empty() ? whyNot(report) : format("%d inliers, %d are needed", inliers, rules.minInliers));
+              (matrix.empty() ? whyNot(report)
+                              : format("%d inliers, %d are needed", inliers, rules.minInliers));
         refused = report;
     }
     if (report.iterations < params.maxIterations ||
@@ -297,13 +312,15 @@ const PairModel* PairModels::base() const
         return &E;
     const std::vector<double> errors = sampsonDistances(fundamental(E.matrix), points1, points2);
     // The band beside that of the inliers is twice as wide.
-    const int beside = withinDistances(errors, 3 * params.threshold) - withinDistances(errors, params.threshold);
+    const int beside = withinDistances(errors, 3 * params.threshold) -
+                       withinDistances(errors, params.threshold);
     return surplus <= DEVIATIONS * std::sqrt(beside / 2.) ? &E : &F;
 }
 
 int PairModels::withinDistances(const std::vector<double>& errors, double limit) const
 {
-    return (int)std::count_if(errors.begin(), errors.end(), [limit](double error) { return error <= limit; });
+    return (int)std::count_if(errors.begin(), errors.end(),
+                              [limit](double error) { return error <= limit; });
 }
 
 Matx33d PairModels::fundamental(const Matx33d& essential) const
@@ -312,7 +329,8 @@ Matx33d PairModels::fundamental(const Matx33d& essential) const
     return result * (1 / norm(result));
 }
 
-void PairModels::directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const
+void PairModels::directions(const Mat& mask, std::vector<Vec3d>& first,
+                            std::vector<Vec3d>& second) const
 {
     const Matx33d inverse1 = camera1.inv(), inverse2 = camera2.inv();
     for (int i = 0; i < mask.rows; ++i)
@@ -328,9 +346,11 @@ bool PairModels::turn(const PairModel& explained, Matx33d& R) const
     std::vector<Vec3d> first, second;
     directions(H.mask, first, second);
     R = fitRotation(first, second);
-    const std::vector<double> errors = mapDistances(camera2 * R * camera1.inv(), chosen(points1, explained.mask),
+    const std::vector<double> errors = mapDistances(camera2 * R * camera1.inv(),
+                                                    chosen(points1, explained.mask),
                                                     chosen(points2, explained.mask));
-    return withinDistances(errors, planarDistance() * params.threshold) > rules.planarRatio * explained.inliers;
+    return withinDistances(errors, planarDistance() * params.threshold) >
+           rules.planarRatio * explained.inliers;
 }
 
 }  // namespace usacv20

@@ -48,13 +48,18 @@ public:
     void directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const;
     //! Why there is no model.
     String reason() const;
-    //! The rotation of the camera that explains the inliers of `explained`. @return false if there is none
+    //! The rotation of the camera that explains the inliers of `explained`. @return false if there
+    //! is none
     bool turn(const PairModel& explained, Matx33d& R) const;
     //! Do the inliers of H make a pair with these inliers planar or panoramic?
-    bool mostlyOnPlane(const PairModel& inliers) const { return H.inliers > rules.planarRatio * inliers.inliers; }
+    bool mostlyOnPlane(const PairModel& inliers) const
+    {
+        return H.inliers > rules.planarRatio * inliers.inliers;
+    }
 
-    //! Within how many thresholds of the pair the errors of H in one image are, and the distances to H in both: the
-    //! quantiles 0.95 of two degrees of freedom over that of one @cite hartley2003multiple (table 4.2), and two images.
+    //! Within how many thresholds of the pair the errors of H in one image are, and the distances
+    //! to H in both: the quantiles 0.95 of two degrees of freedom over that of one
+    //! @cite hartley2003multiple (table 4.2), and two images.
     static double planarReach() { return std::sqrt(2 * 5.991 / 3.841); }
     static double planarDistance() { return std::sqrt(5.991 / 3.841); }
 
@@ -71,26 +76,28 @@ private:
     void checkTaken(const Mat& given, const char* name) const;
     void searchEssential();
     void searchFundamental();
-    //! Where F would tell that the focal lengths are wrong, the search of E may have missed what F has found: E starts
-    //! from it.
+    //! Where F would tell that the focal lengths are wrong, the search of E may have missed what F
+    //! has found: E starts from it.
     void improveEssential();
     void searchHomography();
-    //! Of the matches that E or F explains. @param result the outcome of the search on entry, of the caller's images on
-    //! return
+    //! Of the matches that E or F explains. @param result the outcome of the search on entry, of
+    //! the caller's images on return
     void homographyOfInliers(const PairModel& explained);
     Ptr<Usac> essential(const Params& options) const;
     Params options(int iterations) const;
     int samples(int sampleSize) const;
     //! What a search among all matches has found.
-    void take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report, PairModel& model);
+    void take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report,
+              PairModel& model);
     void account(const Report& report);
     void refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report);
     int withinDistances(const std::vector<double>& errors, double limit) const;
 
     bool isCalibrated;
     std::vector<float> scores;
-    String why;      //!< the best model was refused
-    String limited;  //!< models whose search the limit of the samples has ended before its confidence
+    String why;  //!< the best model was refused
+    String
+        limited;  //!< models whose search the limit of the samples has ended before its confidence
 };
 
 }  // namespace usacv20

@@ -28,7 +28,8 @@ Matx33d toMatx(const Eigen::Matrix3d& A)
     return result;
 }
 
-//! Jacobian of the map at a point: squared distance of a match to the nearest one that is mapped exactly.
+//! Jacobian of the map at a point: squared distance of a match to the nearest one that is mapped
+//! exactly.
 double squaredDistance(const Matx33d& H, const Point2d& from, double w, const Point2d& to)
 {
     const double u = (H(0, 0) * from.x + H(0, 1) * from.y + H(0, 2)) / w;
@@ -49,8 +50,10 @@ std::vector<double> sampsonDistances(const Matx33d& F, const Points& points1, co
     for (size_t i = 0; i < points1.size(); ++i)
     {
         const Point2d &p = points1[i], &q = points2[i];
-        const double a2 = F(0, 0) * p.x + F(0, 1) * p.y + F(0, 2), b2 = F(1, 0) * p.x + F(1, 1) * p.y + F(1, 2);
-        const double a1 = F(0, 0) * q.x + F(1, 0) * q.y + F(2, 0), b1 = F(0, 1) * q.x + F(1, 1) * q.y + F(2, 1);
+        const double a2 = F(0, 0) * p.x + F(0, 1) * p.y + F(0, 2),
+                     b2 = F(1, 0) * p.x + F(1, 1) * p.y + F(1, 2);
+        const double a1 = F(0, 0) * q.x + F(1, 0) * q.y + F(2, 0),
+                     b1 = F(0, 1) * q.x + F(1, 1) * q.y + F(2, 1);
         const double algebraic = q.x * a2 + q.y * b2 + F(2, 0) * p.x + F(2, 1) * p.y + F(2, 2);
         result[i] = std::abs(algebraic) / std::sqrt(a1 * a1 + b1 * b1 + a2 * a2 + b2 * b2);
     }
@@ -88,7 +91,8 @@ double squaredArea(const Points& points)
         xy += p.x * p.y;
         yy += p.y * p.y;
     }
-    const double vx = xx / n - x * x / (n * n), vxy = xy / n - x * y / (n * n), vy = yy / n - y * y / (n * n);
+    const double vx = xx / n - x * x / (n * n), vxy = xy / n - x * y / (n * n),
+                 vy = yy / n - y * y / (n * n);
     return vx * vy - vxy * vxy;
 }
 
@@ -96,16 +100,21 @@ Matx33d essentialOf(const Matx33d& F, const Matx33d& camera1, const Matx33d& cam
 {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(toEigen(camera2.t() * F * camera1),
                                                 Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return toMatx(svd.matrixU() * Eigen::Vector3d(1, 1, 0).asDiagonal() * svd.matrixV().transpose());
+    return toMatx(svd.matrixU() * Eigen::Vector3d(1, 1, 0).asDiagonal() *
+                  svd.matrixV().transpose());
 }
 
-Matx33d nearestRotation(const Matx33d& matrix) { return toMatx(ClosestRotation(toEigen(matrix)).rotation); }
+Matx33d nearestRotation(const Matx33d& matrix)
+{
+    return toMatx(ClosestRotation(toEigen(matrix)).rotation);
+}
 
 Matx33d fitRotation(const std::vector<Vec3d>& directions1, const std::vector<Vec3d>& directions2)
 {
     Matx33d sum = Matx33d::zeros();
     for (size_t i = 0; i < directions1.size(); ++i)
-        sum += directions2[i] * directions1[i].t() * (1 / (norm(directions1[i]) * norm(directions2[i])));
+        sum += directions2[i] * directions1[i].t() *
+               (1 / (norm(directions1[i]) * norm(directions2[i])));
     return nearestRotation(sum);
 }
 

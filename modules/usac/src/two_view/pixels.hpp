@@ -13,11 +13,14 @@ namespace usacv20 {
 
 typedef std::vector<Point2d> Points;
 
-//! In pixels: the error of each match under x2^T F x1 = 0 to first order @cite hartley2003multiple (11.4.3).
-std::vector<double> sampsonDistances(const Matx33d& F, const Points& points1, const Points& points2);
+//! In pixels: the error of each match under x2^T F x1 = 0 to first order @cite hartley2003multiple
+//! (11.4.3).
+std::vector<double> sampsonDistances(const Matx33d& F, const Points& points1,
+                                     const Points& points2);
 
-/** In pixels: Sampson distance of each match, to first order that to the nearest one that H maps exactly, in both
-images. Infinite where H takes the point to the other side of the camera than most of the points. */
+/** In pixels: Sampson distance of each match, to first order that to the nearest one that H maps
+exactly, in both images. Infinite where H takes the point to the other side of the camera than most
+of the points. */
 std::vector<double> mapDistances(const Matx33d& H, const Points& points1, const Points& points2);
 
 //! The square of the area that the points cover, up to a factor; some of them tell it.

@@ -10,13 +10,14 @@ namespace usacv20 {
 
 namespace {
 
-/* The local optimization makes a model of a sample with a wrong point right, too, the more easily the more points are
-right. Of E, a sample counts as (right matches / EASY)^2 that have to be right, at most EASIEST. Measured with USACV20,
-200 scenes each, from what a quarter of the samples or less finds: 1.2 (18 right matches), 1.5 (20), 2.1 (24), more than
-12 (40 and 50). Of F and H and the other presets it was not measured, they count as 1. */
+/* The local optimization makes a model of a sample with a wrong point right, too, the more easily
+the more points are right. Of E, a sample counts as (right matches / EASY)^2 that have to be right,
+at most EASIEST. Measured with USACV20, 200 scenes each, from what a quarter of the samples or less
+finds: 1.2 (18 right matches), 1.5 (20), 2.1 (24), more than 12 (40 and 50). Of F and H and the
+other presets it was not measured, they count as 1. */
 constexpr double EASY = 15, EASIEST = 4;
-//! Ratios that stand for those between the least of a collection and `inlierRatio`. 4: up to 25 % fewer samples; 16:
-//! within 11 %, 64: within 16 %.
+//! Ratios that stand for those between the least of a collection and `inlierRatio`. 4: up to 25 %
+//! fewer samples; 16: within 11 %, 64: within 16 %.
 constexpr int TAIL = 8;
 constexpr int E_SAMPLE = 5;
 
@@ -29,7 +30,8 @@ bool isMeasured(const Params& params)
            params.localSamples == usual.localSamples && params.polishing == usual.polishing;
 }
 
-//! The part of the samples, drawn without replacement, whose points all are right. A model has at least a sample.
+//! The part of the samples, drawn without replacement, whose points all are right. A model has at
+//! least a sample.
 double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, double ratio)
 {
     double count = std::ceil(ratio * matches);
@@ -43,20 +45,23 @@ double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, doub
 }
 
 //! Logarithm of the chance that one sample does not find a pair.
-double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, int matches, double ratio)
+double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, int matches,
+                      double ratio)
 {
     const double right = rightSamples(rules, sampleSize, matches, ratio);
     if (right >= 1)
         return -HUGE_VAL;
     const double easy = std::max(ratio * matches, (double)rules.minInliers) / EASY;
-    return (sampleSize == E_SAMPLE && measured ? std::min(std::max(easy * easy, 1.), EASIEST) : 1) * std::log1p(-right);
+    return (sampleSize == E_SAMPLE && measured ? std::min(std::max(easy * easy, 1.), EASIEST) : 1) *
+           std::log1p(-right);
 }
 
 //! Pairs of a collection as the samples see them.
 class Collection
 {
 public:
-    Collection(const TwoViewRules& rules, bool measured, int sampleSize, int matches) : slowest(-HUGE_VAL)
+    Collection(const TwoViewRules& rules, bool measured, int sampleSize, int matches)
+        : slowest(-HUGE_VAL)
     {
         double least = 1;
         for (size_t i = 0; i < rules.ratios.size(); ++i)
@@ -67,7 +72,8 @@ public:
         }
         const double between = rules.ratios.empty() ? 0 : least - rules.inlierRatio;
         for (int i = 0; i < TAIL; ++i)
-            add(missedBySample(rules, measured, sampleSize, matches, rules.inlierRatio + between * (i + 0.5) / TAIL),
+            add(missedBySample(rules, measured, sampleSize, matches,
+                               rules.inlierRatio + between * (i + 0.5) / TAIL),
                 1. / TAIL);
         for (size_t i = 0; i < weights.size(); ++i)
             weights[i] /= rules.ratios.size() + 1;
@@ -98,29 +104,35 @@ private:
         weights.push_back(weight);
     }
 
-    std::vector<double> logarithms, weights;  //!< of the chance that a sample misses one; of all pairs
+    std::vector<double> logarithms,
+        weights;  //!< of the chance that a sample misses one; of all pairs
 };
 
 void checkRatio(double value, const char* name)
 {
     if (!(value >= 0 && value <= 1))
-        CV_Error_(Error::StsOutOfRange, ("%s: a number from 0 to 1 is expected, not %g", name, value));
+        CV_Error_(Error::StsOutOfRange,
+                  ("%s: a number from 0 to 1 is expected, not %g", name, value));
 }
 
 }  // namespace
 
-TwoViewRules::TwoViewRules() : minInliers(15), inlierRatio(0.25), planarRatio(0.8), calibrationRatio(0.95) {}
+TwoViewRules::TwoViewRules()
+    : minInliers(15), inlierRatio(0.25), planarRatio(0.8), calibrationRatio(0.95)
+{}
 
 void TwoViewRules::check() const
 {
     if (minInliers < 1)
-        CV_Error_(Error::StsOutOfRange, ("minInliers: a positive number is expected, not %d", minInliers));
+        CV_Error_(Error::StsOutOfRange,
+                  ("minInliers: a positive number is expected, not %d", minInliers));
     checkRatio(inlierRatio, "inlierRatio");
     checkRatio(planarRatio, "planarRatio");
     checkRatio(calibrationRatio, "calibrationRatio");
     for (size_t i = 0; i < ratios.size(); ++i)
         if (!(ratios[i] > 0 && ratios[i] <= 1))
-            CV_Error_(Error::StsOutOfRange, ("ratios: numbers above 0 and up to 1 are expected, not %g", ratios[i]));
+            CV_Error_(Error::StsOutOfRange,
+                      ("ratios: numbers above 0 and up to 1 are expected, not %g", ratios[i]));
 }
 
 double TwoViewRules::samples(const Params& params, int sampleSize, int matches) const
@@ -142,8 +154,10 @@ double TwoViewRules::samples(const Params& params, int sampleSize, int matches) 
 
 double TwoViewRules::reached(const Params& params, int sampleSize, int matches) const
 {
-    const double drawn = std::min((double)params.maxIterations, samples(params, sampleSize, matches));
-    return -std::expm1(drawn * missedBySample(*this, isMeasured(params), sampleSize, matches, inlierRatio));
+    const double drawn = std::min((double)params.maxIterations,
+                                  samples(params, sampleSize, matches));
+    return -std::expm1(drawn *
+                       missedBySample(*this, isMeasured(params), sampleSize, matches, inlierRatio));
 }
 
 }  // namespace usacv20

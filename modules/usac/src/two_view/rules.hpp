@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Samples. Those of a right sample are not always a good one: its points may be near to each other. That many cost
-//! less than 2 ms.
+//! Samples. Those of a right sample are not always a good one: its points may be near to each
+//! other. That many cost less than 2 ms.
 enum { LEAST_SAMPLES = 500 };
 
 }  // namespace usacv20

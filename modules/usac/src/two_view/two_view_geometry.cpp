@@ -15,15 +15,18 @@ namespace usacv20 {
 
 namespace {
 
-//! Only the sides of the points are asked for, and these many tell them; the same bound for every pair.
+//! Only the sides of the points are asked for, and these many tell them; the same bound for every
+//! pair.
 constexpr int MOST_FOR_SIDES = 500;
 
-//! Of the four motions of an essential matrix the one with most of the matches in front of both cameras.
+//! Of the four motions of an essential matrix the one with most of the matches in front of both
+//! cameras.
 Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
     std::vector<Vec3d> first, second;
     models.directions(mask, first, second);
-    const double focal = (models.camera1(0, 0) + models.camera1(1, 1) + models.camera2(0, 0) + models.camera2(1, 1)) /
+    const double focal = (models.camera1(0, 0) + models.camera1(1, 1) + models.camera2(0, 0) +
+                          models.camera2(1, 1)) /
                          4;
     const size_t step = (first.size() + MOST_FOR_SIDES - 1) / MOST_FOR_SIDES;
     Motion motions[4];
@@ -70,7 +73,9 @@ Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const Pa
     if (found.configuration == TWO_VIEW_PLANAR && models.H)
         addRotationsOfPlane(models, result);
     if (found.configuration == TWO_VIEW_UNCALIBRATED)
-        addRotation(motionOf(essentialOf(base.matrix, models.camera1, models.camera2), models, base.mask).R, result);
+        addRotation(
+            motionOf(essentialOf(base.matrix, models.camera1, models.camera2), models, base.mask).R,
+            result);
     return result;
 }
 
@@ -91,7 +96,8 @@ void readPlane(const PairModels& models, const PairModel& base, bool known, TwoV
 
 Mat matrixOf(const PairModel& model) { return model ? Mat(model.matrix).clone() : Mat(); }
 
-void classify(const TwoViewPair& pair, const PairModels& models, const PairModel& base, TwoViewGeometry& found)
+void classify(const TwoViewPair& pair, const PairModels& models, const PairModel& base,
+              TwoViewGeometry& found)
 {
     const bool byEssential = &base == &models.E;
     found.configuration = byEssential ? TWO_VIEW_CALIBRATED : TWO_VIEW_UNCALIBRATED;
@@ -143,34 +149,43 @@ void check(const Params& params, const TwoViewRules& rules)
     params.check();
     rules.check();
     if (!params.initialModel.empty())
-        CV_Error_(Error::StsBadArg, ("initialModel: none is expected, as E, F and H are estimated, not %d numbers",
-                                     (int)params.initialModel.size()));
+        CV_Error_(Error::StsBadArg,
+                  ("initialModel: none is expected, as E, F and H are estimated, not %d numbers",
+                   (int)params.initialModel.size()));
 }
 
 }  // namespace
 
 TwoViewPair::TwoViewPair() {}
 
-TwoViewPair::TwoViewPair(const Mat& points1_, const Mat& points2_, const Mat& cameraMatrix1_, const Mat& cameraMatrix2_)
-    : points1(points1_), points2(points2_), cameraMatrix1(cameraMatrix1_), cameraMatrix2(cameraMatrix2_)
+TwoViewPair::TwoViewPair(const Mat& points1_, const Mat& points2_, const Mat& cameraMatrix1_,
+                         const Mat& cameraMatrix2_)
+    : points1(points1_), points2(points2_), cameraMatrix1(cameraMatrix1_),
+      cameraMatrix2(cameraMatrix2_)
 {}
 
-TwoViewGeometry::TwoViewGeometry() : configuration(TWO_VIEW_UNDEFINED), inliers(0), iterations(0), milliseconds(0) {}
+TwoViewGeometry::TwoViewGeometry()
+    : configuration(TWO_VIEW_UNDEFINED), inliers(0), iterations(0), milliseconds(0)
+{}
 
-TwoViewGeometry estimateTwoViewGeometry(const TwoViewPair& pair, const Params& params, const TwoViewRules& rules)
+TwoViewGeometry estimateTwoViewGeometry(const TwoViewPair& pair, const Params& params,
+                                        const TwoViewRules& rules)
 {
     check(params, rules);
     return geometryOf(pair, params, rules);
 }
 
-TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArray points2, InputArray cameraMatrix1,
-                                        InputArray cameraMatrix2, const Params& params, const TwoViewRules& rules)
+TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArray points2,
+                                        InputArray cameraMatrix1, InputArray cameraMatrix2,
+                                        const Params& params, const TwoViewRules& rules)
 {
-    return estimateTwoViewGeometry(
-        TwoViewPair(points1.getMat(), points2.getMat(), cameraMatrix1.getMat(), cameraMatrix2.getMat()), params, rules);
+    return estimateTwoViewGeometry(TwoViewPair(points1.getMat(), points2.getMat(),
+                                               cameraMatrix1.getMat(), cameraMatrix2.getMat()),
+                                   params, rules);
 }
 
-std::vector<TwoViewGeometry> estimateTwoViewGeometries(const std::vector<TwoViewPair>& pairs, const Params& params,
+std::vector<TwoViewGeometry> estimateTwoViewGeometries(const std::vector<TwoViewPair>& pairs,
+                                                       const Params& params,
                                                        const TwoViewRules& rules, int threads)
 {
     check(params, rules);

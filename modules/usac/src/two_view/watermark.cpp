@@ -12,13 +12,14 @@ namespace usacv20 {
 
 namespace {
 
-//! As COLMAP has them: the width of the border as part of the diagonal, and the part of the inliers that make a
-//! watermark.
+//! As COLMAP has them: the width of the border as part of the diagonal, and the part of the inliers
+//! that make a watermark.
 constexpr double BORDER = 0.1, WATERMARK = 0.7;
 
 bool inBorder(const double* point, const Size& size)
 {
-    const double margin = BORDER * std::hypot((double)size.width, (double)size.height), x = point[0], y = point[1];
+    const double margin = BORDER * std::hypot((double)size.width, (double)size.height),
+                 x = point[0], y = point[1];
     return x < margin || y < margin || x > size.width - margin || y > size.height - margin;
 }
 
@@ -44,8 +45,10 @@ bool isWatermark(const TwoViewPair& pair, const Mat& mask, double reach)
         return false;
     Arena arena;
     Arena::Scope scope(arena);
-    const Mat taken1 = readPoints(pair.taken1.empty() ? pair.points1 : pair.taken1, 2, "taken1", scope);
-    const Mat taken2 = readPoints(pair.taken2.empty() ? pair.points2 : pair.taken2, 2, "taken2", scope);
+    const Mat taken1 = readPoints(pair.taken1.empty() ? pair.points1 : pair.taken1, 2, "taken1",
+                                  scope);
+    const Mat taken2 = readPoints(pair.taken2.empty() ? pair.points2 : pair.taken2, 2, "taken2",
+                                  scope);
     int inliers = 0;
     std::vector<Vec2d> motions;  // finite, as inliers are
     for (int i = 0; i < mask.rows; ++i)

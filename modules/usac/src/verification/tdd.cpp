@@ -14,18 +14,21 @@ namespace {
 //! As Params::check allows.
 constexpr int MAX_POINTS = 100;
 
-/** @brief T(d,d): a model goes on only if d random points are all inliers @cite matas2004randomized.
+/** @brief T(d,d): a model goes on only if d random points are all inliers
+@cite matas2004randomized.
 
-The points are drawn for each model anew, before the blocks. A fixed order of the points, as the blocks have it, would
-not do: in a small scene it may be that nowhere d inliers follow each other, and then no model at all would pass. Of
-good models epsilon^d go on, of wrong ones delta^d, after (1 - delta^d) / (1 - delta) points on average. That good
-models are lost is made up for by more samples, see goodModelProbability. O(d). */
+The points are drawn for each model anew, before the blocks. A fixed order of the points, as the
+blocks have it, would not do: in a small scene it may be that nowhere d inliers follow each other,
+and then no model at all would pass. Of good models epsilon^d go on, of wrong ones delta^d, after (1
+- delta^d) / (1 - delta) points on average. That good models are lost is made up for by more
+samples, see goodModelProbability. O(d). */
 class TddVerifier : public Verifier
 {
 public:
     explicit TddVerifier(int points_) : points(points_) {}
 
-    bool preTest(const Context& context, const Model& model, Rng& rng, int& inliers, int& tested) const CV_OVERRIDE
+    bool preTest(const Context& context, const Model& model, Rng& rng, int& inliers,
+                 int& tested) const CV_OVERRIDE
     {
         const int d = std::min(points, context.points.size);
         const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
@@ -37,14 +40,16 @@ public:
             while (std::find(chosen, chosen + tested, chosen[tested]) != chosen + tested);
             const int point = chosen[tested++];
             float error;
-            context.components.residual->squaredErrors(context.points, model, point, point + 1, &error);
+            context.components.residual->squaredErrors(context.points, model, point, point + 1,
+                                                       &error);
             if (!(error <= limit))  // also for NaN
                 return false;
         }
         return true;
     }
 
-    double keptProbability(const Context& context, double inliers, bool withoutRepetition) const CV_OVERRIDE
+    double keptProbability(const Context& context, double inliers,
+                           bool withoutRepetition) const CV_OVERRIDE
     {
         const int n = context.points.size;
         return goodSampleProbability(inliers, n, std::min(points, n), withoutRepetition);

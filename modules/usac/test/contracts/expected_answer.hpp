@@ -14,7 +14,8 @@ namespace opencv_test {
 //! The answer that every other form of the same points has to repeat to the bit.
 struct ExpectedAnswer
 {
-    ExpectedAnswer(ProblemType problem_, const Mat& points1, const Mat& points2, const Matx33d& K_ = sceneCamera())
+    ExpectedAnswer(ProblemType problem_, const Mat& points1, const Mat& points2,
+                   const Matx33d& K_ = sceneCamera())
         : problem(problem_), K(K_)
     {
         Report report;
@@ -64,7 +65,8 @@ inline std::vector<int> depthsOfIntegers()
     return depths;
 }
 
-//! A scene whose coordinates are integers 0 .. 127, so that every depth holds them; Nx2, CV_64F. K is scaled with them.
+//! A scene whose coordinates are integers 0 .. 127, so that every depth holds them; Nx2, CV_64F. K
+//! is scaled with them.
 inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
 {
     const double scale = 0.19;

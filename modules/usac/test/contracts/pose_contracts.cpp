@@ -21,7 +21,8 @@ EstimatorCall callOf(const PoseScene& scene, const Params& params)
 Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report& report)
 {
     const EstimatorCall before = callOf(scene, params);
-    const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, params, mask, report);
+    const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
+                                          params, mask, report);
     EXPECT_EQ("", brokenResult(before, pose, mask, report));
     EXPECT_TRUE(sameBits(Mat(before.object), Mat(scene.object)));
     EXPECT_TRUE(sameBits(Mat(before.points2), Mat(scene.image)));
@@ -32,13 +33,14 @@ Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report&
 namespace {
 
 //! cv::solvePnPRansac with the flag of a preset; its answer must be this pose.
-void checkFlag(const PoseScene& scene, UsacV20Method flag, const Params& params, const Mat& pose, const Mat& mask)
+void checkFlag(const PoseScene& scene, UsacV20Method flag, const Params& params, const Mat& pose,
+               const Mat& mask)
 {
     Mat rvec, tvec, R;
     std::vector<int> inliers, expected;
-    const bool found = cv::solvePnPRansac(scene.object, scene.image, scene.K, scene.distortion, rvec, tvec, false,
-                                          params.maxIterations, (float)params.threshold, params.confidence, inliers,
-                                          flag);
+    const bool found = cv::solvePnPRansac(
+        scene.object, scene.image, scene.K, scene.distortion, rvec, tvec, false,
+        params.maxIterations, (float)params.threshold, params.confidence, inliers, flag);
     EXPECT_EQ(!pose.empty(), found);
     for (int i = 0; i < mask.rows; ++i)
         if (mask.at<uchar>(i))
@@ -70,14 +72,16 @@ std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels, int maxIte
         for (int run = 0; run < (threads == 1 ? 3 : 1); ++run)
         {
             params.threads = threads == 1 ? 1 + 3 * run / 2 : threads;  // 1, 2, 4
-            const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, params, other);
+            const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K,
+                                                  scene.distortion, params, other);
             EXPECT_TRUE(sameBits(poses[i], pose)) << params.threads << " threads";
             EXPECT_TRUE(sameBits(mask, other)) << params.threads << " threads";
         }
         params.threads = threads;
         const UsacV20Method flags[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
                                        USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
-        const char* names[] = {"usacV20", "fast", "accurate", "sorted", "magsacPlusPlus", "parallel"};
+        const char* names[] = {"usacV20", "fast",           "accurate",
+                               "sorted",  "magsacPlusPlus", "parallel"};
         for (int f = 0; f < 6; ++f)
             if (std::string(names[f]) == presets[i].name)
                 checkFlag(scene, flags[f], params, poses[i], mask);

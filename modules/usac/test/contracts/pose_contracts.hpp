@@ -16,8 +16,8 @@ EstimatorCall callOf(const PoseScene& scene, const Params& params);
 //! One estimation, of which the oracle must have nothing to say.
 Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report& report);
 
-/** Every preset and every flag on the scene: no exception, what is promised of the result, the same bits again and with
-any number of threads, input as it was. @return the poses of the presets */
+/** Every preset and every flag on the scene: no exception, what is promised of the result, the same
+bits again and with any number of threads, input as it was. @return the poses of the presets */
 std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels = 2, int maxIterations = 100);
 
 }  // namespace opencv_test

@@ -6,8 +6,8 @@
 
 namespace opencv_test {
 
-Mat estimateMotion(ProblemType type, InputArray points1, InputArray points2, const Params& params, OutputArray mask,
-                   Report& report)
+Mat estimateMotion(ProblemType type, InputArray points1, InputArray points2, const Params& params,
+                   OutputArray mask, Report& report)
 {
     return type == RIGID_3D ? estimateRigid3D(points1, points2, params, mask, report)
                             : estimateSimilarity3D(points1, points2, params, mask, report);
@@ -16,7 +16,8 @@ Mat estimateMotion(ProblemType type, InputArray points1, InputArray points2, con
 Estimate estimate(ProblemType type, const RigidScene& scene, const Params& params)
 {
     Estimate result;
-    result.model = estimateMotion(type, scene.points1, scene.points2, params, result.mask, result.report);
+    result.model = estimateMotion(type, scene.points1, scene.points2, params, result.mask,
+                                  result.report);
     return result;
 }
 
@@ -40,7 +41,8 @@ Estimate checkedMotion(ProblemType type, const RigidScene& scene, const Params& 
     return found;
 }
 
-std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit, int maxIterations)
+std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit,
+                               int maxIterations)
 {
     const std::vector<NamedPreset> presets = allPresets(type);
     std::vector<Mat> motions;

@@ -23,8 +23,8 @@ struct Estimate
 };
 
 //! By the public function of the problem.
-Mat estimateMotion(ProblemType type, InputArray points1, InputArray points2, const Params& params, OutputArray mask,
-                   Report& report);
+Mat estimateMotion(ProblemType type, InputArray points1, InputArray points2, const Params& params,
+                   OutputArray mask, Report& report);
 Estimate estimate(ProblemType type, const RigidScene& scene, const Params& params);
 
 //! An estimation of the scene, for the oracle.
@@ -33,9 +33,10 @@ EstimatorCall callOf(ProblemType type, const RigidScene& scene, const Params& pa
 //! One estimation, of which the oracle must have nothing to say.
 Estimate checkedMotion(ProblemType type, const RigidScene& scene, const Params& params);
 
-/** Every preset on the scene: no exception, what is promised of the result, the same bits again and with any number of
-threads, input as it was. @return the motions of the presets */
-std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit, int maxIterations = 100);
+/** Every preset on the scene: no exception, what is promised of the result, the same bits again and
+with any number of threads, input as it was. @return the motions of the presets */
+std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit,
+                               int maxIterations = 100);
 
 }  // namespace opencv_test
 

@@ -53,23 +53,24 @@ struct WrongCall
         if (!viaFlag)
             estimatePoints(problem, points1, points2, params, mask, report, K);
         else if (problem == HOMOGRAPHY)
-            findHomography(points1, points2, USACV20, params.threshold, mask, params.maxIterations, params.confidence);
+            findHomography(points1, points2, USACV20, params.threshold, mask, params.maxIterations,
+                           params.confidence);
         else if (problem == FUNDAMENTAL)
-            findFundamentalMat(points1, points2, USACV20, params.threshold, params.confidence, params.maxIterations,
-                               mask);
+            findFundamentalMat(points1, points2, USACV20, params.threshold, params.confidence,
+                               params.maxIterations, mask);
         else if (problem == AFFINITY)
-            estimateAffine2D(points1, points2, mask, USACV20, params.threshold, params.maxIterations,
-                             params.confidence);
+            estimateAffine2D(points1, points2, mask, USACV20, params.threshold,
+                             params.maxIterations, params.confidence);
         else if (problem == SIMILARITY)
-            estimateAffinePartial2D(points1, points2, mask, USACV20, params.threshold, params.maxIterations,
-                                    params.confidence);
+            estimateAffinePartial2D(points1, points2, mask, USACV20, params.threshold,
+                                    params.maxIterations, params.confidence);
         else
-            findEssentialMat(points1, points2, K, USACV20, params.confidence, params.threshold, params.maxIterations,
-                             mask);
+            findEssentialMat(points1, points2, K, USACV20, params.confidence, params.threshold,
+                             params.maxIterations, mask);
     }
 
-    //! Both ways raise an exception with the words, of which the names of arguments are those of calib3d's function
-    //! where that is called.
+    //! Both ways raise an exception with the words, of which the names of arguments are those of
+    //! calib3d's function where that is called.
     void expect(const std::string& words)
     {
         for (int i = 0; i < 2; ++i)
@@ -90,7 +91,8 @@ class Arguments
 {
 public:
     explicit Arguments(ProblemType problem_)
-        : scene(makeScene(problem_)), points1(column(scene.points1).clone()), points2(column(scene.points2).clone())
+        : scene(makeScene(problem_)), points1(column(scene.points1).clone()),
+          points2(column(scene.points2).clone())
     {}
 
     WrongCall call() const { return call(points1, points2); }
@@ -120,7 +122,8 @@ TEST_P(UsacArguments, lists_of_different_lengths)
 TEST_P(UsacArguments, points_of_a_wrong_shape)
 {
     const Arguments right(problem());
-    const int thick[] = {300, 2, 2}, narrow[] = {300, 1, 1}, wide[] = {300, 1, 4}, four[] = {300, 1, 1, 2};
+    const int thick[] = {300, 2, 2}, narrow[] = {300, 1, 1}, wide[] = {300, 1, 4},
+              four[] = {300, 1, 1, 2};
     const Mat wrong[] = {Mat::zeros(300, 1, CV_64F),
                          Mat::zeros(1, 300, CV_32F),
                          Mat::zeros(4, 1, CV_8U),
@@ -144,8 +147,10 @@ TEST_P(UsacArguments, lists_of_lists)
     const std::vector<std::vector<Point2d>> lists(2, scene.points1);
     Mat mask;
     Report report;
-    EXPECT_THROW(estimatePoints(problem(), lists, scene.points2, Params(), mask, report), cv::Exception);
-    EXPECT_THROW(estimatePoints(problem(), scene.points1, lists, Params(), mask, report), cv::Exception);
+    EXPECT_THROW(estimatePoints(problem(), lists, scene.points2, Params(), mask, report),
+                 cv::Exception);
+    EXPECT_THROW(estimatePoints(problem(), scene.points1, lists, Params(), mask, report),
+                 cv::Exception);
 }
 
 TEST_P(UsacArguments, threshold)
@@ -247,16 +252,21 @@ TEST(Usac_Arguments, camera_matrices)
         const Matx33d K = right.scene.K;
         const Mat& bad = wrong[i];
         expectException(
-            [&]() { estimateEssential(points1, points2, K, bad, noArray(), noArray(), Params(), mask, report); },
+            [&]() {
+                estimateEssential(points1, points2, K, bad, noArray(), noArray(), Params(), mask,
+                                  report);
+            },
             "cameraMatrix2");
-        expectException([&]() { findEssentialMat(points1, points2, K, noArray(), bad, noArray(), USACV20); },
-                        "cameraMatrix2");
+        expectException(
+            [&]() { findEssentialMat(points1, points2, K, noArray(), bad, noArray(), USACV20); },
+            "cameraMatrix2");
     }
     WrongCall call = right.call();
     call.K = Mat();
     call.expect("cameraMatrix: ");
-    expectException([&]() { findEssentialMat(right.points1, right.points2, 0., Point2d(320, 240), USACV20); },
-                    "focal, pp: ");
+    expectException(
+        [&]() { findEssentialMat(right.points1, right.points2, 0., Point2d(320, 240), USACV20); },
+        "focal, pp: ");
 }
 
 TEST(Usac_Arguments, distortion)
@@ -276,14 +286,14 @@ TEST(Usac_Arguments, distortion)
         const Mat& bad = wrong[i];
         expectException(
             [&]() {
-                estimateEssential(scene.points1, scene.points2, scene.K, noArray(), bad, noArray(), Params(), mask,
-                                  report);
+                estimateEssential(scene.points1, scene.points2, scene.K, noArray(), bad, noArray(),
+                                  Params(), mask, report);
             },
             "distCoeffs");
         expectException(
             [&]() {
-                estimateEssential(scene.points1, scene.points2, scene.K, noArray(), noArray(), bad, Params(), mask,
-                                  report);
+                estimateEssential(scene.points1, scene.points2, scene.K, noArray(), noArray(), bad,
+                                  Params(), mask, report);
             },
             "distCoeffs");
     }
@@ -296,12 +306,13 @@ TEST(Usac_Arguments, arrays_of_three_dimensions)
     Report report;
     const int cube[] = {3, 3, 1}, four[] = {1, 2, 2};
     const Mat K(3, cube, CV_64F, Scalar(1)), distortion(3, four, CV_64F, Scalar(0.1));
-    expectException([&]() { estimateEssential(scene.points1, scene.points2, K, Params(), mask, report); },
-                    "cameraMatrix: ");
+    expectException(
+        [&]() { estimateEssential(scene.points1, scene.points2, K, Params(), mask, report); },
+        "cameraMatrix: ");
     expectException(
         [&]() {
-            estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion, noArray(), Params(), mask,
-                              report);
+            estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion,
+                              noArray(), Params(), mask, report);
         },
         "distCoeffs1");
 }
@@ -309,9 +320,10 @@ TEST(Usac_Arguments, arrays_of_three_dimensions)
 //! Affinities and similarities know no dominant plane; the default set stands for what they have.
 TEST(Usac_Arguments, degeneracies_of_maps_of_points)
 {
-    const int right[] = {0, DEGENERACY_ORIENTATION, DEGENERACY_REPEATED, DEGENERACY_ORIENTATION | DEGENERACY_REPEATED,
-                         Params().degeneracy};
-    const int wrong[] = {DEGENERACY_DEGENSAC, Params::usac2013().degeneracy, DEGENERACY_DEGENSAC | DEGENERACY_REPEATED};
+    const int right[] = {0, DEGENERACY_ORIENTATION, DEGENERACY_REPEATED,
+                         DEGENERACY_ORIENTATION | DEGENERACY_REPEATED, Params().degeneracy};
+    const int wrong[] = {DEGENERACY_DEGENSAC, Params::usac2013().degeneracy,
+                         DEGENERACY_DEGENSAC | DEGENERACY_REPEATED};
     for (ProblemType problem : {AFFINITY, SIMILARITY})
     {
         WrongCall call = Arguments(problem).call();
@@ -334,7 +346,9 @@ TEST(Usac_Arguments, degeneracies_of_maps_of_points)
 TEST(Usac_Arguments, problem)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
-    expectException([&]() { Usac::create((ProblemType)(SIMILARITY + 1), scene.points1, scene.points2); }, "problem");
+    expectException(
+        [&]() { Usac::create((ProblemType)(SIMILARITY + 1), scene.points1, scene.points2); },
+        "problem");
 }
 
 }

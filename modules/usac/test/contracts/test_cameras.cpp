@@ -4,7 +4,8 @@
 
 #include "test_contracts.hpp"
 
-// Forms of cameras, distortion, homogeneous points and masks that mean the same, or something else than they seem to.
+// Forms of cameras, distortion, homogeneous points and masks that mean the same, or something else
+// than they seem to.
 
 namespace opencv_test {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 Mat essentialOf(const Scene& scene, InputArray K, InputArray distortion, Mat& mask)
 {
     Report report;
-    return estimateEssential(scene.points1, scene.points2, K, noArray(), distortion, distortion, Params(), mask,
-                             report);
+    return estimateEssential(scene.points1, scene.points2, K, noArray(), distortion, distortion,
+                             Params(), mask, report);
 }
 
 TEST(Usac_Cameras, a_multiple_is_the_same_camera)
@@ -26,7 +27,8 @@ TEST(Usac_Cameras, a_multiple_is_the_same_camera)
     ASSERT_FALSE(E.empty());
     for (int i = 0; i < 4; ++i)
     {
-        EXPECT_TRUE(sameBits(E, essentialOf(scene, scene.K * factors[i], noArray(), other))) << factors[i];
+        EXPECT_TRUE(sameBits(E, essentialOf(scene, scene.K * factors[i], noArray(), other)))
+            << factors[i];
         EXPECT_TRUE(sameBits(mask, other)) << factors[i];
     }
 }
@@ -41,11 +43,12 @@ TEST(Usac_Cameras, transposed)
     expectException([&]() { essentialOf(scene, wrong, noArray(), mask); }, "cameraMatrix1");
     expectException(
         [&]() {
-            estimateEssential(scene.points1, scene.points2, scene.K, wrong, noArray(), noArray(), Params(), mask,
-                              report);
+            estimateEssential(scene.points1, scene.points2, scene.K, wrong, noArray(), noArray(),
+                              Params(), mask, report);
         },
         "cameraMatrix2");
-    expectException([&]() { findEssentialMat(scene.points1, scene.points2, wrong, USACV20); }, "cameraMatrix: ");
+    expectException([&]() { findEssentialMat(scene.points1, scene.points2, wrong, USACV20); },
+                    "cameraMatrix: ");
 }
 
 //! The same rays through cameras with skew, with distortion so weak that it changes nothing else.
@@ -85,8 +88,10 @@ TEST(Usac_Cameras, every_form_of_distortion)
     EXPECT_TRUE(sameBits(E, essentialOf(scene, scene.K, single, other)));
     EXPECT_TRUE(sameBits(E, essentialOf(scene, scene.K, plain.t(), other)));
     EXPECT_TRUE(sameBits(E, essentialOf(scene, scene.K, column, other)));
-    EXPECT_TRUE(sameBits(E, essentialOf(scene, scene.K, std::vector<float>(values, values + 5), other)));
-    EXPECT_TRUE(sameBits(E, essentialOf(scene, scene.K, std::vector<double>(values, values + 5), other)));
+    EXPECT_TRUE(
+        sameBits(E, essentialOf(scene, scene.K, std::vector<float>(values, values + 5), other)));
+    EXPECT_TRUE(
+        sameBits(E, essentialOf(scene, scene.K, std::vector<double>(values, values + 5), other)));
     EXPECT_TRUE(sameBits(E, essentialOf(scene, scene.K, plain.getUMat(ACCESS_READ), other)));
     EXPECT_TRUE(sameBits(mask, other));
     const Mat channels = plain.colRange(0, 4).clone().reshape(2);
@@ -94,7 +99,8 @@ TEST(Usac_Cameras, every_form_of_distortion)
 }
 
 //! The points of a scene as a lens of such coefficients takes them.
-std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K, const Mat& distortion)
+std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K,
+                           const Mat& distortion)
 {
     std::vector<Point3d> rays;
     for (const Point2d& p : points)
@@ -107,8 +113,8 @@ std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K,
     return result;
 }
 
-//! Exact matches are inliers up to a hundredth of a pixel, in the corners of the image, too: an undistortion of five
-//! steps leaves several of these there.
+//! Exact matches are inliers up to a hundredth of a pixel, in the corners of the image, too: an
+//! undistortion of five steps leaves several of these there.
 TEST(Usac_Cameras, distortion_is_removed_exactly)
 {
     SceneOptions options;
@@ -125,14 +131,15 @@ TEST(Usac_Cameras, distortion_is_removed_exactly)
         params.threshold = 1e-4;
         Mat mask;
         Report report;
-        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion, distortion,
-                                        params, mask, report);
+        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, noArray(),
+                                        distortion, distortion, params, mask, report);
         EXPECT_EQ(scene.size(), countNonZero(mask)) << lens;
         EXPECT_LT(modelError(scene, E), 1e-5) << lens;
     }
 }
 
-//! r (1 - 0.25 r^2) is at most 0.77: what is seen further out no point is mapped to, and it is never an inlier.
+//! r (1 - 0.25 r^2) is at most 0.77: what is seen further out no point is mapped to, and it is
+//! never an inlier.
 TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
 {
     Scene scene = makeScene(ESSENTIAL);
@@ -145,7 +152,8 @@ TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
     {
         const double angle = rng.uniform(0., 2 * CV_PI), radius = f * rng.uniform(0.8, 4.);
         std::vector<Point2d>& points = i % 2 ? scene.points1 : scene.points2;
-        points[i] = Point2d(scene.K(0, 2) + radius * std::cos(angle), scene.K(1, 2) + radius * std::sin(angle));
+        points[i] = Point2d(scene.K(0, 2) + radius * std::cos(angle),
+                            scene.K(1, 2) + radius * std::sin(angle));
     }
     for (int wide = 0; wide < 2; ++wide)
     {
@@ -154,8 +162,8 @@ TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
         params.significance = 1;
         Mat mask;
         Report report;
-        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, noArray(), distortion, distortion,
-                                        params, mask, report);
+        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, noArray(),
+                                        distortion, distortion, params, mask, report);
         ASSERT_FALSE(E.empty());
         for (int i = 0; i < scene.size(); i += 3)
             EXPECT_EQ(0, mask.at<uchar>(i)) << "row " << i;
@@ -177,7 +185,8 @@ TEST_P(UsacForms, points_at_infinity_are_never_inliers)
     for (int i = 0; i < scene.size(); ++i)
     {
         points1.push_back(Point3d(scene.points1[i].x, scene.points1[i].y, i % 6 != 3));
-        points2.push_back(Point3d(scene.points2[i].x, scene.points2[i].y, i % 3 != 0 || i % 6 == 3));
+        points2.push_back(
+            Point3d(scene.points2[i].x, scene.points2[i].y, i % 3 != 0 || i % 6 == 3));
     }
     Mat mask;
     Report report;

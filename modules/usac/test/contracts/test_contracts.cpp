@@ -20,8 +20,8 @@ TEST_P(UsacContracts, mask_and_normalization_of_every_preset)
         options.seed = seed;
         options.outliers = (int)seed * 100 - 100;
         const Scene scene = makeScene(problem(), options);
-        const std::vector<Mat> models = checkEveryWay(problem(), scene.points1, scene.points2, thresholds[seed % 3],
-                                                      400);
+        const std::vector<Mat> models = checkEveryWay(problem(), scene.points1, scene.points2,
+                                                      thresholds[seed % 3], 400);
         for (size_t i = 0; i < models.size(); ++i)
             EXPECT_FALSE(models[i].empty()) << allPresets()[i].name;
     }
@@ -54,8 +54,8 @@ TEST_P(UsacContracts, true_matches_are_found)
         for (int i = 0; i < scene.size(); ++i)
         {
             found += scene.truth[i] && mask.at<uchar>(i);
-            within += scene.truth[i] &&
-                      pixelError(scene, scene.model, scene.points1[i], scene.points2[i]) <= Params().threshold;
+            within += scene.truth[i] && pixelError(scene, scene.model, scene.points1[i],
+                                                   scene.points2[i]) <= Params().threshold;
         }
         EXPECT_GT(found, 0.95 * within) << "seed " << seed;
     }
@@ -131,7 +131,8 @@ TEST(Usac_Contracts, report_with_an_unknown_reason)
     for (int i = 0; i < 2; ++i)
     {
         report.stop = stops[i];
-        EXPECT_NE(std::string::npos, std::string(report.describe()).find("unknown reason")) << stops[i];
+        EXPECT_NE(std::string::npos, std::string(report.describe()).find("unknown reason"))
+            << stops[i];
     }
 }
 

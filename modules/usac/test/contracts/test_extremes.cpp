@@ -15,7 +15,8 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacExtremes, testing::ValuesIn(TWO_VIEW_PROBLEMS)
 //! Squares of the first and the last ones are no float, of some no double.
 TEST_P(UsacExtremes, thresholds)
 {
-    const double thresholds[] = {1e-320, 1e-300, 1e-160, 1e-25, 1e-9, 1e9, 1e25, 1e160, 1e300, 1.7e308};
+    const double thresholds[] = {1e-320, 1e-300, 1e-160, 1e-25, 1e-9,
+                                 1e9,    1e25,   1e160,  1e300, 1.7e308};
     SceneOptions options;
     options.inliers = 60;
     options.outliers = 40;
@@ -30,15 +31,16 @@ TEST_P(UsacExtremes, thresholds)
             {
                 // focal lengths below 1, which make a threshold larger
                 const double scale = 1e-3;
-                K = Matx33d(scale * K(0, 0), 0, scale * K(0, 2), 0, scale * K(1, 1), scale * K(1, 2), 0, 0, 1);
+                K = Matx33d(scale * K(0, 0), 0, scale * K(0, 2), 0, scale * K(1, 1),
+                            scale * K(1, 2), 0, 0, 1);
                 for (int i = 0; i < scene.size(); ++i)
                 {
                     scene.points1[i] *= scale;
                     scene.points2[i] *= scale;
                 }
             }
-            const std::vector<Mat> models = checkEveryWay(problem(), scene.points1, scene.points2, thresholds[t], 30,
-                                                          K);
+            const std::vector<Mat> models = checkEveryWay(problem(), scene.points1, scene.points2,
+                                                          thresholds[t], 30, K);
             for (size_t i = 0; i < models.size(); ++i)
                 EXPECT_TRUE(thresholds[t] < 1 || !models[i].empty()) << allPresets()[i].name;
         }
@@ -65,8 +67,9 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
     checkEveryWay(problem(), scene.points1, scene.points2, 1.5, 1);
 }
 
-/** With maxIterations = INT_MAX a criterion that waits for ever does not keep the run alive: it ends when no sample is
-left, and when no sample gives a model. What remains is what confidence asks for. */
+/** With maxIterations = INT_MAX a criterion that waits for ever does not keep the run alive: it
+ends when no sample is left, and when no sample gives a model. What remains is what confidence asks
+for. */
 TEST_P(UsacExtremes, all_iterations_without_a_model)
 {
     RNG rng(11);

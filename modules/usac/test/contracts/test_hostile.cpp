@@ -4,7 +4,8 @@
 
 #include "test_contracts.hpp"
 
-// Points that are made to break something: far out, tiny, on a line, all with one target; in every number.
+// Points that are made to break something: far out, tiny, on a line, all with one target; in every
+// number.
 
 namespace opencv_test {
 namespace {
@@ -47,9 +48,11 @@ TEST_P(UsacHostile, rows_far_out_do_not_spoil_the_others)
             const Scene scene = withRows(problem(), values[v], rows[r]);
             Mat mask;
             Report report;
-            const Mat model = estimatePoints(problem(), scene.points1, scene.points2, Params(), mask, report);
+            const Mat model = estimatePoints(problem(), scene.points1, scene.points2, Params(),
+                                             mask, report);
             EXPECT_LT(modelError(clean, model), 0.8);
-            checkResult(problem(), scene.points1, scene.points2, Params().threshold, model, mask, report);
+            checkResult(problem(), scene.points1, scene.points2, Params().threshold, model, mask,
+                        report);
         }
     const Scene scene = withRows(problem(), 1e30, 60);
     checkEveryWay(problem(), scene.points1, scene.points2);
@@ -89,18 +92,21 @@ TEST_P(UsacHostile, scales)
         params.threshold *= scales[s];
         Mat mask;
         Report report;
-        const Mat model = estimatePoints(problem(), scene.points1, scene.points2, params, mask, report, K);
+        const Mat model = estimatePoints(problem(), scene.points1, scene.points2, params, mask,
+                                         report, K);
         ASSERT_FALSE(model.empty());
-        checkResult(problem(), scene.points1, scene.points2, params.threshold, model, mask, report, K);
+        checkResult(problem(), scene.points1, scene.points2, params.threshold, model, mask, report,
+                    K);
         EXPECT_GT(report.inliers, 150);
     }
 }
 
 //! The singular values, in the coordinates in which the points have unit scale.
-Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-                     const Mat& model)
+Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
+                     const std::vector<Point2d>& points2, const Mat& model)
 {
-    const Matx33d M = toInternal(Usac::create(problem, points1, points2)->points(), Matx33d(model.ptr<double>()));
+    const Matx33d M = toInternal(Usac::create(problem, points1, points2)->points(),
+                                 Matx33d(model.ptr<double>()));
     Vec3d w;
     SVD::compute(M, w, SVD::NO_UV);
     return w;
@@ -124,7 +130,8 @@ TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
         for (size_t i = 0; i < models.size(); ++i)
             if (!models[i].empty())
             {
-                const Vec3d w = singularValues(FUNDAMENTAL, scene.points1, scene.points2, models[i]);
+                const Vec3d w = singularValues(FUNDAMENTAL, scene.points1, scene.points2,
+                                               models[i]);
                 EXPECT_GT(w[1], 1e-7 * w[0]) << allPresets()[i].name;
             }
     }
@@ -170,7 +177,8 @@ TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
             points1.push_back(p * (scales[s] / depth));
             points2.push_back(p * (scales[s] / (depth - 1)));
         }
-        const std::vector<Mat> models = checkEveryWay(FUNDAMENTAL, points1, points2, 1.5 * scales[s]);
+        const std::vector<Mat> models = checkEveryWay(FUNDAMENTAL, points1, points2,
+                                                      1.5 * scales[s]);
         EXPECT_FALSE(models[0].empty());
     }
 }
@@ -207,9 +215,11 @@ TEST(Usac_Hostile, h33_is_one_at_any_scale)
             points1.push_back(scene.points1[i] * scales[s]);
             points2.push_back(scene.points2[i] * scales[s]);
         }
-        const std::vector<Mat> models = checkEveryWay(HOMOGRAPHY, points1, points2, 1.5 * scales[s]);
+        const std::vector<Mat> models = checkEveryWay(HOMOGRAPHY, points1, points2,
+                                                      1.5 * scales[s]);
         for (size_t i = 0; i < models.size(); ++i)
-            EXPECT_TRUE(!models[i].empty() && models[i].at<double>(2, 2) == 1) << allPresets()[i].name;
+            EXPECT_TRUE(!models[i].empty() && models[i].at<double>(2, 2) == 1)
+                << allPresets()[i].name;
     }
 }
 

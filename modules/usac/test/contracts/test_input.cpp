@@ -26,7 +26,8 @@ TEST_P(UsacInput, every_depth)
         points1.convertTo(a, depth);
         points2.convertTo(b, depth);
         expected.compare(cv::format("Nx2, depth %d", depth).c_str(), a, b);
-        expected.compare(cv::format("two channels, depth %d", depth).c_str(), a.reshape(2), b.reshape(2));
+        expected.compare(cv::format("two channels, depth %d", depth).c_str(), a.reshape(2),
+                         b.reshape(2));
         expected.compare(cv::format("mixed with double, depth %d", depth).c_str(), a, points2);
     }
 }
@@ -64,7 +65,8 @@ TEST_P(UsacInput, every_vector)
 TEST_P(UsacInput, every_layout)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(),
+              points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     const int count = points1.rows;
     expected.compare("Nx1, 2 channels", points1.reshape(2), points2.reshape(2));
@@ -96,7 +98,8 @@ TEST_P(UsacInput, every_layout)
 TEST_P(UsacInput, homogeneous_points)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(),
+              points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     std::vector<Point3d> ones1, ones2, powers1, powers2;
     for (int i = 0; i < scene.size(); ++i)
@@ -121,7 +124,8 @@ TEST_P(UsacInput, every_mask)
     const int count = scene.size();
     Report report;
     Mat expected;
-    const Mat model = estimatePoints(problem(), scene.points1, scene.points2, Params(), expected, report);
+    const Mat model = estimatePoints(problem(), scene.points1, scene.points2, Params(), expected,
+                                     report);
     ASSERT_EQ(count, expected.rows);
     ASSERT_EQ(1, expected.cols);
     const Mat values = expected.clone();
@@ -129,7 +133,8 @@ TEST_P(UsacInput, every_mask)
     std::vector<uchar> bytes;
     std::vector<char> chars(3, 'x');
     UMat umat;
-    Mat wrongSize(7, 9, CV_32FC3, Scalar::all(4)), full(count, 1, CV_8U, Scalar(255)), row(1, count, CV_8U, Scalar(9));
+    Mat wrongSize(7, 9, CV_32FC3, Scalar::all(4)), full(count, 1, CV_8U, Scalar(255)),
+        row(1, count, CV_8U, Scalar(9));
     Mat_<uchar> typed;
     estimatePoints(problem(), scene.points1, scene.points2, Params(), bytes, report);
     EXPECT_TRUE(sameBits(values, column(bytes)));
@@ -146,7 +151,8 @@ TEST_P(UsacInput, every_mask)
     EXPECT_TRUE(sameBits(values, row));
     estimatePoints(problem(), scene.points1, scene.points2, Params(), typed, report);
     EXPECT_TRUE(sameBits(values, typed));
-    const Mat none = estimatePoints(problem(), scene.points1, scene.points2, Params(), noArray(), report);
+    const Mat none = estimatePoints(problem(), scene.points1, scene.points2, Params(), noArray(),
+                                    report);
     EXPECT_TRUE(sameBits(model, none));
     EXPECT_EQ(countNonZero(values), report.inliers);
 }
@@ -180,19 +186,24 @@ TEST(Usac_Input, every_camera_matrix)
     K.convertTo(integers, CV_32S);
     K.copyTo(wide(Rect(2, 1, 3, 3)));
     single.copyTo(singleWide(Rect(3, 0, 3, 3)));
-    const Mat forms[] = {single, wide(Rect(2, 1, 3, 3)), singleWide(Rect(3, 0, 3, 3)), integers, K.t().t()};
+    const Mat forms[] = {single, wide(Rect(2, 1, 3, 3)), singleWide(Rect(3, 0, 3, 3)), integers,
+                         K.t().t()};
     for (int i = 0; i < 5; ++i)
     {
-        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, forms[i], Params(), other))) << i;
+        EXPECT_TRUE(
+            sameBits(E, estimateEssential(scene.points1, scene.points2, forms[i], Params(), other)))
+            << i;
         EXPECT_TRUE(sameBits(mask, other)) << i;
-        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K, forms[i], noArray(), noArray(),
-                                                  Params(), other, report)))
+        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K, forms[i],
+                                                  noArray(), noArray(), Params(), other, report)))
             << i;
     }
-    EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, scene.K, Params(), other)));
-    EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K.getUMat(ACCESS_READ), Params(), other)));
-    EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K, noArray(), noArray(), noArray(),
-                                              Params(), other, report)));
+    EXPECT_TRUE(
+        sameBits(E, estimateEssential(scene.points1, scene.points2, scene.K, Params(), other)));
+    EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K.getUMat(ACCESS_READ),
+                                              Params(), other)));
+    EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, K, noArray(), noArray(),
+                                              noArray(), Params(), other, report)));
 }
 
 TEST(Usac_Input, camera_matrix_with_skew)
@@ -227,13 +238,13 @@ TEST(Usac_Input, every_length_of_distortion)
     {
         SCOPED_TRACE(cv::format("%d coefficients", lengths[i]));
         const Mat zero = Mat::zeros(lengths[i], 1, CV_64F);
-        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, scene.K, noArray(), zero, zero.t(),
-                                                  Params(), mask, report)));
+        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, scene.K, noArray(),
+                                                  zero, zero.t(), Params(), mask, report)));
         Mat weak = zero.clone(), single;
         weak.at<double>(0) = 1e-4;
         weak.convertTo(single, CV_32F);
-        const Mat other = estimateEssential(scene.points1, scene.points2, scene.K, noArray(), weak, single.t(),
-                                            Params(), mask, report);
+        const Mat other = estimateEssential(scene.points1, scene.points2, scene.K, noArray(), weak,
+                                            single.t(), Params(), mask, report);
         EXPECT_LT(modelError(scene, other), 0.6);
         EXPECT_FALSE(sameBits(E, other)) << "the distortion has no effect";
     }
@@ -244,7 +255,8 @@ void expectSparseGraph(Usac& usac)
 {
     const Params params;
     const RunContext context(usac.points(), usac.components(), params);
-    EXPECT_LE(edgesOf(*usac.components().neighborhood, context).size(), (size_t)16 * usac.points().size);
+    EXPECT_LE(edgesOf(*usac.components().neighborhood, context).size(),
+              (size_t)16 * usac.points().size);
 }
 
 TEST_P(UsacInput, hundred_thousand_points)

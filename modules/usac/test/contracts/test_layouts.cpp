@@ -4,7 +4,8 @@
 
 #include "contracts/expected_answer.hpp"
 
-// Whatever OpenCV's functions take for a list of points, with any of their flags, is taken, and read in the same way.
+// Whatever OpenCV's functions take for a list of points, with any of their flags, is taken, and
+// read in the same way.
 
 namespace opencv_test {
 namespace {
@@ -12,7 +13,8 @@ namespace {
 typedef UsacProblem UsacLayouts;
 INSTANTIATE_TEST_CASE_P(/**/, UsacLayouts, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! Homogeneous coordinates with weights that cycle through `weights` powers of two, by which dividing is exact.
+//! Homogeneous coordinates with weights that cycle through `weights` powers of two, by which
+//! dividing is exact.
 Mat homogeneous(const Mat& points, int weights)
 {
     Mat result(points.rows, 3, CV_64F);
@@ -39,7 +41,8 @@ Mat withMore(const Mat& points)
 TEST_P(UsacLayouts, a_point_in_each_column)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(),
+              points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     const Mat across1 = points1.t(), across2 = points2.t();
     expected.compare("2xN", across1, across2);
@@ -52,7 +55,8 @@ TEST_P(UsacLayouts, a_point_in_each_column)
 
     const Mat weighted1 = homogeneous(points1, 4), weighted2 = homogeneous(points2, 3);
     expected.compare("3xN", weighted1.t(), weighted2.t());
-    expected.compare("3xN, part of a larger matrix", partOfLarger(weighted1.t()), partOfLarger(weighted2.t()));
+    expected.compare("3xN, part of a larger matrix", partOfLarger(weighted1.t()),
+                     partOfLarger(weighted2.t()));
     expected.compare("3xN and Nx3", weighted1.t(), weighted2);
     expected.compare("3xN and 2xN", weighted1.t(), across2);
 }
@@ -85,18 +89,21 @@ TEST_P(UsacLayouts, every_depth)
 TEST_P(UsacLayouts, elements_of_any_matrix)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(),
+              points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     const Mat weighted1 = homogeneous(points1, 4), weighted2 = homogeneous(points2, 3);
     ASSERT_EQ(300, points1.rows);
     expected.compare("20x15, 2 channels", points1.reshape(2, 20), points2.reshape(2, 20));
-    expected.compare("15x20 and 150x2, 2 channels", points1.reshape(2, 15), points2.reshape(2, 150));
+    expected.compare("15x20 and 150x2, 2 channels", points1.reshape(2, 15),
+                     points2.reshape(2, 150));
     expected.compare("2x150, 3 channels", weighted1.reshape(3, 2), weighted2.reshape(3, 2));
     expected.compare("part of a larger matrix", partOfLarger(points1.reshape(2, 20)),
                      partOfLarger(weighted2.reshape(3, 15)));
     expected.compare("1xNx2", threeDimensional(points1, 1, 300), threeDimensional(points2, 1, 300));
     expected.compare("Nx1x2", threeDimensional(points1, 300, 1), threeDimensional(points2, 300, 1));
-    expected.compare("1xNx3 and Nx1x3", threeDimensional(weighted1, 1, 300), threeDimensional(weighted2, 300, 1));
+    expected.compare("1xNx3 and Nx1x3", threeDimensional(weighted1, 1, 300),
+                     threeDimensional(weighted2, 300, 1));
     std::vector<Point3f> threes1, threes2;
     std::vector<Point2f> twos1, twos2;
     for (int i = 0; i < 300; ++i)
@@ -115,7 +122,8 @@ TEST_P(UsacLayouts, elements_of_any_matrix)
 TEST_P(UsacLayouts, what_stands_behind_more_than_three_coordinates)
 {
     const Scene scene = makeScene(problem());
-    const Mat points1 = column(scene.points1).reshape(1).clone(), points2 = column(scene.points2).reshape(1).clone();
+    const Mat points1 = column(scene.points1).reshape(1).clone(),
+              points2 = column(scene.points2).reshape(1).clone();
     const ExpectedAnswer expected(problem(), points1, points2);
     const Mat more1 = withMore(points1), more2 = withMore(points2);
     expected.compare("Nx4", more1, more2);
@@ -125,7 +133,8 @@ TEST_P(UsacLayouts, what_stands_behind_more_than_three_coordinates)
     expected.compare("6xN", withMore(more1).t(), more2);
 }
 
-//! Shapes of so few points that both readings are possible: the number of points is that of the mask.
+//! Shapes of so few points that both readings are possible: the number of points is that of the
+//! mask.
 TEST_P(UsacLayouts, both_readings_possible)
 {
     const int shapes[][4] = {{1, 2, 1, 1}, {1, 3, 1, 1}, {2, 1, 1, 1}, {3, 1, 1, 1}, {2, 2, 1, 2},
@@ -139,7 +148,8 @@ TEST_P(UsacLayouts, both_readings_possible)
         randu(points, 1, 2);
         Report report;
         const bool enough = count >= (problem() == AFFINITY ? 3 : problem() == SIMILARITY ? 2 : 4);
-        EXPECT_EQ(enough, !estimatePoints(problem(), points, points, Params(), mask, report).empty());
+        EXPECT_EQ(enough,
+                  !estimatePoints(problem(), points, points, Params(), mask, report).empty());
         EXPECT_EQ(enough, report.stop != STOP_TOO_FEW_POINTS);
         EXPECT_EQ(Size(1, count), mask.size());
         EXPECT_EQ(enough ? count : 0, countNonZero(mask));
@@ -158,15 +168,19 @@ TEST_P(UsacLayouts, both_readings_possible)
         Report report;
         Mat mask, otherMask;
         const Mat model = estimatePoints(problem(), points1, points2, Params(), mask, report);
-        EXPECT_TRUE(sameBits(model, estimatePoints(problem(), square1, square2, Params(), otherMask, report))) << count;
+        EXPECT_TRUE(sameBits(
+            model, estimatePoints(problem(), square1, square2, Params(), otherMask, report)))
+            << count;
         EXPECT_TRUE(sameBits(mask, otherMask)) << count;
-        EXPECT_TRUE(sameBits(model, estimatePoints(problem(), points1.t(), points2.t(), Params(), otherMask, report)))
+        EXPECT_TRUE(sameBits(model, estimatePoints(problem(), points1.t(), points2.t(), Params(),
+                                                   otherMask, report)))
             << count;
         EXPECT_TRUE(sameBits(mask, otherMask)) << count;
     }
 }
 
-//! OpenCV's function of the problem. @return the number of points, 0 if there is no model to tell, -1 for an exception
+//! OpenCV's function of the problem. @return the number of points, 0 if there is no model to tell,
+//! -1 for an exception
 int openCvTakes(ProblemType problem, const Mat& points1, const Mat& points2, int flag)
 {
     Mat model, mask;
@@ -190,24 +204,28 @@ int openCvTakes(ProblemType problem, const Mat& points1, const Mat& points2, int
     return model.empty() ? 0 : mask.rows;
 }
 
-/** Points of every small shape. Where OpenCV's function raises no exception, this one raises none, and where it finds a
-model, it has seen as many points. */
+/** Points of every small shape. Where OpenCV's function raises no exception, this one raises none,
+and where it finds a model, it has seen as many points. */
 TEST_P(UsacLayouts, whatever_opencv_takes)
 {
     const bool similarity = problem() == SIMILARITY;  // of which OpenCV has no USAC
-    const int flags[] = {cv::RANSAC, similarity ? (int)cv::LMEDS : (int)cv::USAC_DEFAULT}, sides[] = {1, 2, 3, 4, 9};
+    const int flags[] = {cv::RANSAC, similarity ? (int)cv::LMEDS : (int)cv::USAC_DEFAULT},
+              sides[] = {1, 2, 3, 4, 9};
     RNG rng(5);
     int taken = 0, seen = 0;
     Params params;
     params.maxIterations = 50;
     for (int i = 0; i < 2 * 5 * 5 * 4; ++i)
     {
-        const int flag = flags[i % 2], rows = sides[i / 2 % 5], cols = sides[i / 10 % 5], channels = 1 + i / 50;
+        const int flag = flags[i % 2], rows = sides[i / 2 % 5], cols = sides[i / 10 % 5],
+                  channels = 1 + i / 50;
         Mat points1(rows, cols, CV_MAKETYPE(CV_32F, channels)), points2 = points1.clone(), mask;
         rng.fill(points1, RNG::UNIFORM, 1., 400.);
         rng.fill(points2, RNG::UNIFORM, 1., 400.);
         const int count = openCvTakes(problem(), points1, points2, flag);
-        if (count < 0 || (channels > 1 && rows * cols < channels))  // of these OpenCV takes the coordinates for points
+        if (count < 0 ||
+            (channels > 1 &&
+             rows * cols < channels))  // of these OpenCV takes the coordinates for points
             continue;
         ++taken;
         SCOPED_TRACE(cv::format("%dx%d with %d channels, flag %d", rows, cols, channels, flag));

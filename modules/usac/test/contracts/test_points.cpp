@@ -13,8 +13,8 @@ typedef UsacProblem UsacPoints;
 INSTANTIATE_TEST_CASE_P(/**/, UsacPoints, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! @return the model of Params::usacV20
-Mat tryPoints(ProblemType problem, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-              double pixels = 1.5)
+Mat tryPoints(ProblemType problem, const std::vector<Point2d>& points1,
+              const std::vector<Point2d>& points2, double pixels = 1.5)
 {
     return checkEveryWay(problem, points1, points2, pixels)[0];
 }
@@ -63,7 +63,8 @@ TEST_P(UsacPoints, all_equal)
     const int sizes[] = {5, 7, 8, 100};
     for (int i = 0; i < 4; ++i)
     {
-        const std::vector<Point2d> points1(sizes[i], Point2d(17, 23)), points2(sizes[i], Point2d(-3, 400));
+        const std::vector<Point2d> points1(sizes[i], Point2d(17, 23)),
+            points2(sizes[i], Point2d(-3, 400));
         EXPECT_TRUE(tryPoints(problem(), points1, points2).empty());
     }
 }
@@ -200,7 +201,8 @@ TEST_P(UsacPoints, only_outliers)
 
 TEST_P(UsacPoints, not_finite_rows_are_never_inliers)
 {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
     const Scene clean = makeScene(problem());
     Scene scene = clean;
     const double bad[] = {nan, inf, -inf};
@@ -247,8 +249,9 @@ TEST_P(UsacPoints, extreme_coordinates)
     EXPECT_LT(modelError(clean, model), 0.8);
 }
 
-/** The points and the threshold at another place and scale, and for E the camera with them: the same inliers, but where
-an error is within so little of the threshold that the rounding of the search decides. */
+/** The points and the threshold at another place and scale, and for E the camera with them: the
+same inliers, but where an error is within so little of the threshold that the rounding of the
+search decides. */
 TEST_P(UsacPoints, offset_and_scale_keep_the_inliers)
 {
     const Scene scene = makeScene(problem());
@@ -275,8 +278,10 @@ TEST_P(UsacPoints, offset_and_scale_keep_the_inliers)
             params.threshold *= scales[s];
             Mat mask;
             Report report;
-            const Mat model = estimatePoints(problem(), moved.points1, moved.points2, params, mask, report, K);
-            checkResult(problem(), moved.points1, moved.points2, params.threshold, model, mask, report, K);
+            const Mat model = estimatePoints(problem(), moved.points1, moved.points2, params, mask,
+                                             report, K);
+            checkResult(problem(), moved.points1, moved.points2, params.threshold, model, mask,
+                        report, K);
             EXPECT_LE(countNonZero(mask != expected), 1);
         }
 }

@@ -41,12 +41,14 @@ PoseScene withRows(int coefficients, double value, int rows)
 
 TEST(Usac_PoseHostile, some_rows_of_any_number)
 {
-    const double values[] = {NAN, INFINITY, -INFINITY, 0, TINY, 5e-324, 1e-30, 1e10, -1e18, 1e30, FAR, -DBL_MAX};
+    const double values[] = {NAN,   INFINITY, -INFINITY, 0,    TINY, 5e-324,
+                             1e-30, 1e10,     -1e18,     1e30, FAR,  -DBL_MAX};
     for (double value : values)
         for (int coefficients : {0, 5})
             for (int rows : {1, 30, 60})
             {
-                SCOPED_TRACE(cv::format("%d rows of %g, %d coefficients", rows, value, coefficients));
+                SCOPED_TRACE(
+                    cv::format("%d rows of %g, %d coefficients", rows, value, coefficients));
                 const PoseScene scene = withRows(coefficients, value, rows);
                 Mat mask;
                 Report report;
@@ -75,8 +77,9 @@ TEST(Usac_PoseHostile, all_rows_of_one_number)
             PoseScene scene = makePoseScene(optionsOf(which % 2 ? 4 : 0));
             for (int i = 0; i < scene.size(); ++i)
             {
-                double* const numbers[] = {&scene.object[i].x, &scene.object[i].y, &scene.object[i].z,
-                                           &scene.image[i].x, &scene.image[i].y};
+                double* const numbers[] = {&scene.object[i].x, &scene.object[i].y,
+                                           &scene.object[i].z, &scene.image[i].x,
+                                           &scene.image[i].y};
                 *numbers[which] = value;
             }
             checkEveryWay(scene, 2, 30);

@@ -22,7 +22,8 @@ class ExpectedPose
 public:
     ExpectedPose(const PoseScene& scene_, const PoseArrays& arrays) : scene(scene_)
     {
-        pose = estimateAbsolutePose(arrays.object, arrays.image, scene.K, scene.distortion, Params(), mask);
+        pose = estimateAbsolutePose(arrays.object, arrays.image, scene.K, scene.distortion,
+                                    Params(), mask);
         EXPECT_FALSE(pose.empty());
         EXPECT_GT(countNonZero(mask), 50);
     }
@@ -31,10 +32,12 @@ public:
     {
         SCOPED_TRACE(what);
         Mat other, inliers, rvec, tvec;
-        const Mat again = estimateAbsolutePose(object, image, scene.K, scene.distortion, Params(), other);
+        const Mat again = estimateAbsolutePose(object, image, scene.K, scene.distortion, Params(),
+                                               other);
         EXPECT_TRUE(sameBits(pose, again));
         EXPECT_TRUE(sameBits(mask, other));
-        EXPECT_TRUE(cv::solvePnPRansac(object, image, scene.K, scene.distortion, rvec, tvec, inliers, Params()));
+        EXPECT_TRUE(cv::solvePnPRansac(object, image, scene.K, scene.distortion, rvec, tvec,
+                                       inliers, Params()));
         EXPECT_TRUE(sameBits(pose.col(3), tvec));
         EXPECT_EQ(countNonZero(mask), (int)inliers.total());
     }
@@ -53,7 +56,8 @@ PoseScene sceneOf(int coefficients)
 
 PoseArrays arraysOf(const PoseScene& scene)
 {
-    const PoseArrays arrays = {column(scene.object).reshape(1).clone(), column(scene.image).reshape(1).clone()};
+    const PoseArrays arrays = {column(scene.object).reshape(1).clone(),
+                               column(scene.image).reshape(1).clone()};
     return arrays;
 }
 
@@ -82,18 +86,21 @@ TEST(Usac_PoseLayouts, every_shape)
                               a.image.reshape(2, 1),
                               solid(a.image, false),
                               solid(a.image, true)};
-        const char* names[] = {"Nx3", "3xN", "Nx1, 3 channels", "1xN, 3 channels", "Nx1x3", "1xNx3"};
+        const char* names[] = {"Nx3",   "3xN",  "Nx1, 3 channels", "1xN, 3 channels",
+                               "Nx1x3", "1xNx3"};
         for (int i = 0; i < 6; ++i)
         {
             expected.compare(names[i], objects[i], images[i]);
             expected.compare(names[i], objects[i], images[(i + 1) % 6]);
             if (i < 4)
                 expected.compare(names[i], partOfLarger(objects[i]), partOfLarger(images[i]));
-            expected.compare(names[i], objects[i].getUMat(ACCESS_READ), images[i].getUMat(ACCESS_READ));
+            expected.compare(names[i], objects[i].getUMat(ACCESS_READ),
+                             images[i].getUMat(ACCESS_READ));
         }
         expected.compare("vectors", scene.object, scene.image);
         expected.compare("10x20, 3 channels", a.object.reshape(3, 10), a.image.reshape(2, 20));
-        expected.compare("columns far apart", partOfLarger(a.object).colRange(0, 3), a.image.colRange(0, 2));
+        expected.compare("columns far apart", partOfLarger(a.object).colRange(0, 3),
+                         a.image.colRange(0, 2));
         Mat ones(a.image.rows, 1, CV_64F, Scalar(1)), homogeneous;
         hconcat(a.image, ones, homogeneous);
         expected.compare("homogeneous points of the image", a.object, homogeneous);
@@ -145,13 +152,15 @@ TEST(Usac_PoseLayouts, camera_and_lens_of_any_type)
         Mat camera, lens, mask, expectedMask;
         K.convertTo(camera, depth);
         d.convertTo(lens, depth);
-        const Mat cameras[] = {camera, partOfLarger(camera), 2 * camera}, lenses[] = {lens, lens.t()};
-        const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, Params(),
-                                              expectedMask);
+        const Mat cameras[] = {camera, partOfLarger(camera), 2 * camera},
+                  lenses[] = {lens, lens.t()};
+        const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
+                                              Params(), expectedMask);
         for (const Mat& c : cameras)
             for (const Mat& l : lenses)
             {
-                EXPECT_TRUE(sameBits(pose, estimateAbsolutePose(scene.object, scene.image, c, l, Params(), mask)));
+                EXPECT_TRUE(sameBits(
+                    pose, estimateAbsolutePose(scene.object, scene.image, c, l, Params(), mask)));
                 EXPECT_TRUE(sameBits(expectedMask, mask));
             }
     }
@@ -163,10 +172,12 @@ TEST(Usac_PoseLayouts, input_is_unchanged_to_the_bit)
     const PoseArrays a = arraysOf(scene);
     for (int depth : {CV_32S, CV_32F, CV_64F})
     {
-        Mat wide(scene.size(), 8, depth, Scalar(7)), object = wide.colRange(1, 4), image = wide.colRange(5, 7);
+        Mat wide(scene.size(), 8, depth, Scalar(7)), object = wide.colRange(1, 4),
+                                                     image = wide.colRange(5, 7);
         a.object.convertTo(object, depth);
         a.image.convertTo(image, depth);
-        Mat K(4, 5, CV_32F, Scalar(3)), camera = K(Rect(1, 1, 3, 3)), lens(5, 1, CV_64F, Scalar(1e-5));
+        Mat K(4, 5, CV_32F, Scalar(3)), camera = K(Rect(1, 1, 3, 3)),
+                                        lens(5, 1, CV_64F, Scalar(1e-5));
         Mat(scene.K).convertTo(camera, CV_32F);
         const Mat wideBefore = wide.clone(), KBefore = K.clone(), lensBefore = lens.clone();
         for (const NamedPreset& preset : allPresets(ABSOLUTE_POSE))
@@ -191,8 +202,10 @@ TEST(Usac_PoseLayouts, wrong_shapes_are_refused)
                          Mat(2, count, CV_32F), Mat(4, count, CV_32F), Mat(count, 1, CV_64FC4)};
     for (const Mat& object : wrong)
         expectException([&]() { estimateAbsolutePose(object, a.image, scene.K); }, "objectPoints");
-    expectException([&]() { estimateAbsolutePose(a.object, Mat(count, 1, CV_64F), scene.K); }, "imagePoints");
-    expectException([&]() { estimateAbsolutePose(a.object, a.image.rowRange(1, count), scene.K); }, "imagePoints");
+    expectException([&]() { estimateAbsolutePose(a.object, Mat(count, 1, CV_64F), scene.K); },
+                    "imagePoints");
+    expectException([&]() { estimateAbsolutePose(a.object, a.image.rowRange(1, count), scene.K); },
+                    "imagePoints");
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_RigidHostile, testing::ValuesIn(SPACE_PROBLEM
 
 TEST_P(Usac_RigidHostile, some_rows_of_any_number)
 {
-    const double values[] = {NAN, INFINITY, -INFINITY, 0, TINY, 5e-324, 1e-30, 1e10, -1e18, 1e30, FAR_AWAY, -DBL_MAX};
+    const double values[] = {NAN,   INFINITY, -INFINITY, 0,    TINY,     5e-324,
+                             1e-30, 1e10,     -1e18,     1e30, FAR_AWAY, -DBL_MAX};
     for (double value : values)
         for (int rows : {1, 30, 60})
         {
@@ -104,7 +105,8 @@ TEST_P(Usac_RigidHostile, any_unit)
             }
             const double threshold = scene.threshold * (which != 0 ? unit : 1);
             const std::vector<Mat> motions = checkEveryWay(problem(), scene, threshold, 30);
-            const bool possible = unit > 1e-80 && unit < 1e80 && (which == 2 || problem() == SIMILARITY_3D);
+            const bool possible = unit > 1e-80 && unit < 1e80 &&
+                                  (which == 2 || problem() == SIMILARITY_3D);
             for (size_t i = 0; i < motions.size() && possible; ++i)
                 EXPECT_FALSE(motions[i].empty()) << i;
         }
@@ -242,7 +244,8 @@ TEST_P(Usac_RigidHostile, oracle_sees_what_is_wrong)
     EXPECT_NE("", brokenResult(call, other, found.mask, found.report));
     EstimatorCall rigid = call;
     rigid.problem = RIGID_3D;
-    EXPECT_EQ(problem() == RIGID_3D, brokenResult(rigid, found.model, found.mask, found.report).empty());
+    EXPECT_EQ(problem() == RIGID_3D,
+              brokenResult(rigid, found.model, found.mask, found.report).empty());
 }
 
 }

@@ -5,7 +5,8 @@
 #include "contracts/expected_answer.hpp"
 #include "contracts/rigid_contracts.hpp"
 
-// Points of both spaces in every layout and type give the same bits; what is no list of points is refused.
+// Points of both spaces in every layout and type give the same bits; what is no list of points is
+// refused.
 
 namespace opencv_test {
 namespace {
@@ -18,7 +19,8 @@ struct SpaceArrays
 
 SpaceArrays arraysOf(const RigidScene& scene)
 {
-    const SpaceArrays arrays = {column(scene.points1).reshape(1).clone(), column(scene.points2).reshape(1).clone()};
+    const SpaceArrays arrays = {column(scene.points1).reshape(1).clone(),
+                                column(scene.points2).reshape(1).clone()};
     return arrays;
 }
 
@@ -40,7 +42,8 @@ public:
         SCOPED_TRACE(what);
         Mat other;
         Report report;
-        EXPECT_TRUE(sameBits(motion, estimateMotion(type, points1, points2, params, other, report)));
+        EXPECT_TRUE(
+            sameBits(motion, estimateMotion(type, points1, points2, params, other, report)));
         EXPECT_TRUE(sameBits(mask, other));
         other = type == RIGID_3D ? estimateRigid3D(points1, points2, params)
                                  : estimateSimilarity3D(points1, points2, params);
@@ -81,7 +84,8 @@ TEST_P(Usac_RigidLayouts, every_shape)
     for (int side = 0; side < 2; ++side)
     {
         const Mat& p = side ? a.points2 : a.points1;
-        const Mat all[] = {p, p.t(), p.reshape(3), p.reshape(3, 1), solid(p, false), solid(p, true)};
+        const Mat all[] = {
+            p, p.t(), p.reshape(3), p.reshape(3, 1), solid(p, false), solid(p, true)};
         std::copy(all, all + 6, lists[side]);
     }
     for (int i = 0; i < 6; ++i)
@@ -90,11 +94,13 @@ TEST_P(Usac_RigidLayouts, every_shape)
         expected.compare(names[i], lists[0][i], lists[1][(i + 1) % 6]);
         if (i < 4)
             expected.compare(names[i], partOfLarger(lists[0][i]), partOfLarger(lists[1][i]));
-        expected.compare(names[i], lists[0][i].getUMat(ACCESS_READ), lists[1][i].getUMat(ACCESS_READ));
+        expected.compare(names[i], lists[0][i].getUMat(ACCESS_READ),
+                         lists[1][i].getUMat(ACCESS_READ));
     }
     expected.compare("vectors", scene.points1, scene.points2);
     expected.compare("10x20, 3 channels", a.points1.reshape(3, 10), a.points2.reshape(3, 20));
-    expected.compare("columns far apart", partOfLarger(a.points1).colRange(0, 3), a.points2.colRange(0, 3));
+    expected.compare("columns far apart", partOfLarger(a.points1).colRange(0, 3),
+                     a.points2.colRange(0, 3));
 }
 
 //! Coordinates that every type holds.
@@ -140,7 +146,8 @@ TEST_P(Usac_RigidLayouts, input_is_unchanged_to_the_bit)
     const SpaceArrays a = arraysOf(scene);
     for (int depth : {CV_32S, CV_32F, CV_64F})
     {
-        Mat wide(scene.size(), 8, depth, Scalar(7)), p1 = wide.colRange(1, 4), p2 = wide.colRange(5, 8);
+        Mat wide(scene.size(), 8, depth, Scalar(7)), p1 = wide.colRange(1, 4),
+                                                     p2 = wide.colRange(5, 8);
         a.points1.convertTo(p1, depth, 100);
         a.points2.convertTo(p2, depth, 100);
         const Mat before = wide.clone();
@@ -164,12 +171,15 @@ TEST_P(Usac_RigidLayouts, wrong_arguments_are_named)
     const int count = scene.size();
     Mat mask;
     Report report;
-    const auto refuses = [&](InputArray points1, InputArray points2, const Params& params, const char* words) {
-        expectException([&]() { estimateMotion(problem(), points1, points2, params, mask, report); }, words);
+    const auto refuses = [&](InputArray points1, InputArray points2, const Params& params,
+                             const char* words) {
+        expectException(
+            [&]() { estimateMotion(problem(), points1, points2, params, mask, report); }, words);
     };
     const Params params;
-    const Mat wrong[] = {Mat(count, 2, CV_64F), Mat(count, 4, CV_64F), Mat(count, 1, CV_64FC2), Mat(2, count, CV_32F),
-                         Mat(4, count, CV_32F), Mat(count, 1, CV_64F), Mat(count, 1, CV_64FC4)};
+    const Mat wrong[] = {Mat(count, 2, CV_64F),  Mat(count, 4, CV_64F), Mat(count, 1, CV_64FC2),
+                         Mat(2, count, CV_32F),  Mat(4, count, CV_32F), Mat(count, 1, CV_64F),
+                         Mat(count, 1, CV_64FC4)};
     for (const Mat& points : wrong)
     {
         refuses(points, a.points2, params, "points1");

@@ -31,9 +31,10 @@ Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
     return result;
 }
 
-/** Samples are drawn by position in a pseudo-random order that depends on the number of points alone. Other points come
-together then, so the model of noisy points differs within their noise, and the masks where an error is about the
-threshold. Where all good samples agree, on exact points, the mask moves with the points. */
+/** Samples are drawn by position in a pseudo-random order that depends on the number of points
+alone. Other points come together then, so the model of noisy points differs within their noise, and
+the masks where an error is about the threshold. Where all good samples agree, on exact points, the
+mask moves with the points. */
 int rowsThatDiffer(const Scene& scene, Params params, uint64 seed)
 {
     std::vector<int> order;
@@ -64,13 +65,15 @@ TEST_P(UsacTruth, permuting_exact_points_permutes_the_mask)
     {
         Params params = presets[i].params;
         params.threshold = 0.5;
-        if (params.ordering == ORDERING_INPUT_ORDER)  // the order of the rows has a meaning: scores carry it along
+        if (params.ordering ==
+            ORDERING_INPUT_ORDER)  // the order of the rows has a meaning: scores carry it along
         {
             params.ordering = ORDERING_AUTO;
             params.scores = scene.scores;
         }
         for (uint64 seed = 1; seed <= 3; ++seed)
-            EXPECT_EQ(0, rowsThatDiffer(scene, params, seed)) << presets[i].name << ", seed " << seed;
+            EXPECT_EQ(0, rowsThatDiffer(scene, params, seed))
+                << presets[i].name << ", seed " << seed;
     }
 }
 
@@ -95,8 +98,10 @@ TEST_P(UsacTruth, copies_of_a_row_have_its_answer)
         params.maxIterations = 300;
         Mat mask;
         Report report;
-        ASSERT_FALSE(estimatePoints(problem(), points1, points2, params, mask, report).empty()) << presets[i].name;
-        EXPECT_TRUE(sameBits(mask.rowRange(0, scene.size()), mask.rowRange(scene.size(), 2 * scene.size())))
+        ASSERT_FALSE(estimatePoints(problem(), points1, points2, params, mask, report).empty())
+            << presets[i].name;
+        EXPECT_TRUE(
+            sameBits(mask.rowRange(0, scene.size()), mask.rowRange(scene.size(), 2 * scene.size())))
             << presets[i].name;
     }
 }
@@ -129,12 +134,15 @@ TEST_P(UsacTruth, all_input_is_unchanged_to_the_bit)
     const int depths[] = {CV_16S, CV_32S, CV_32F, CV_64F};
     for (int d = 0; d < 4; ++d)
     {
-        Mat wide(count, 6, depths[d], Scalar(7)), points1 = wide.colRange(1, 3), points2 = wide.colRange(3, 5);
+        Mat wide(count, 6, depths[d], Scalar(7)), points1 = wide.colRange(1, 3),
+                                                  points2 = wide.colRange(3, 5);
         column(scene.points1).reshape(1).convertTo(points1, depths[d]);
         column(scene.points2).reshape(1).convertTo(points2, depths[d]);
-        Mat K(4, 5, CV_32F, Scalar(3)), view = K(Rect(1, 1, 3, 3)), distortion(5, 1, CV_64F, Scalar(1e-5));
+        Mat K(4, 5, CV_32F, Scalar(3)), view = K(Rect(1, 1, 3, 3)),
+                                        distortion(5, 1, CV_64F, Scalar(1e-5));
         Mat(scene.K).convertTo(view, CV_32F);
-        const Mat wideBefore = wide.clone(), KBefore = K.clone(), distortionBefore = distortion.clone();
+        const Mat wideBefore = wide.clone(), KBefore = K.clone(),
+                  distortionBefore = distortion.clone();
         const std::vector<NamedPreset> presets = allPresets(problem());
         for (size_t i = 0; i < presets.size(); ++i)
         {
@@ -144,7 +152,8 @@ TEST_P(UsacTruth, all_input_is_unchanged_to_the_bit)
             Mat mask;
             Report report;
             if (problem() == ESSENTIAL)
-                estimateEssential(points1, points2, view, view, distortion, distortion, params, mask, report);
+                estimateEssential(points1, points2, view, view, distortion, distortion, params,
+                                  mask, report);
             else
                 estimatePoints(problem(), points1, points2, params, mask, report);
             EXPECT_EQ(scene.scores, params.scores);

@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Against an urn: each trial succeeds as often as those before it, two imagined ones (one a success) among them.
+//! Against an urn: each trial succeeds as often as those before it, two imagined ones (one a
+//! success) among them.
 TEST(Usac_Significance, betaBinomialAgainstAnUrn)
 {
     const int trials[] = {1, 7, 60, 500}, earlier[] = {0, 9, 300, 4000};
@@ -24,9 +25,12 @@ TEST(Usac_Significance, betaBinomialAgainstAnUrn)
                     all.push_back(0);
                     for (int s = i + 1; s >= 0; --s)
                     {
-                        const long double fails = (s <= i) ? 1 - (c + 1.L + s) / (earlier[e] + 2.L + i) : 0;
+                        const long double fails = (s <= i)
+                                                      ? 1 - (c + 1.L + s) / (earlier[e] + 2.L + i)
+                                                      : 0;
                         all[s] = all[s] * fails +
-                                 (s > 0 ? all[s - 1] * (c + (long double)s) / (earlier[e] + 2.L + i) : 0);
+                                 (s > 0 ? all[s - 1] * (c + (long double)s) / (earlier[e] + 2.L + i)
+                                        : 0);
                     }
                 }
                 long double tail = 0;

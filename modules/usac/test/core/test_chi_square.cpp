@@ -44,8 +44,8 @@ double squaredEpipolar(const Matx33d& F, const Point2d& a, const Point2d& b, boo
 }
 
 //! Squared errors of one exact match with `count` draws of noise in all four coordinates.
-std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int row, bool symmetric, int count,
-                                RNG& rng)
+std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int row, bool symmetric,
+                                int count, RNG& rng)
 {
     std::vector<double> errors(count);
     for (int i = 0; i < count; ++i)
@@ -53,7 +53,8 @@ std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int 
         const Point2d a = scene.clean1[row] + Point2d(rng.gaussian(0.5), rng.gaussian(0.5));
         const Point2d b = scene.clean2[row] + Point2d(rng.gaussian(0.5), rng.gaussian(0.5));
         if (scene.problem == HOMOGRAPHY)
-            errors[i] = squaredDistance(scene.model, a, b) + (symmetric ? squaredDistance(inverse, b, a) : 0);
+            errors[i] = squaredDistance(scene.model, a, b) +
+                        (symmetric ? squaredDistance(inverse, b, a) : 0);
         else
             errors[i] = squaredEpipolar(scene.F, a, b, symmetric);
     }
@@ -61,8 +62,9 @@ std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int 
     return errors;
 }
 
-/** The choice of the degrees of freedom: the quantiles of the errors are those of chi-square, up to the scale. The
-ratio of the 0.9 to the 0.3 quantile is 18.2 for one degree, 6.5 for two, 4.4 for three and 3.5 for four. */
+/** The choice of the degrees of freedom: the quantiles of the errors are those of chi-square, up to
+the scale. The ratio of the 0.9 to the 0.3 quantile is 18.2 for one degree, 6.5 for two, 4.4 for
+three and 3.5 for four. */
 TEST(Usac_Statistics, degreesOfFreedomOfTheErrors)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -78,11 +80,13 @@ TEST(Usac_Statistics, degreesOfFreedomOfTheErrors)
         double ratio = 0;
         for (int row = 0; row < 3; ++row)
         {
-            const std::vector<double> errors = noisyErrors(scene, inverse, row, k % 2 == 1, COUNT, rng);
+            const std::vector<double> errors = noisyErrors(scene, inverse, row, k % 2 == 1, COUNT,
+                                                           rng);
             ratio += errors[COUNT * 9 / 10] / errors[COUNT * 3 / 10] / 3;
         }
         const double expected = chiSquareQuantile(0.9, degrees) / chiSquareQuantile(0.3, degrees);
-        EXPECT_NEAR(expected, ratio, 0.06 * expected) << "problem " << k / 2 << " symmetric " << k % 2;
+        EXPECT_NEAR(expected, ratio, 0.06 * expected)
+            << "problem " << k / 2 << " symmetric " << k % 2;
     }
 }
 
@@ -109,14 +113,18 @@ TEST(Usac_Statistics, degreesOfFreedomInSpace)
         const double expected = chiSquareQuantile(0.9, 3) / chiSquareQuantile(0.3, 3);
         EXPECT_NEAR(expected, errors[54000] / errors[18000], 0.03 * expected);
         const double limit = std::sqrt(1e-4 + noise1 * noise1) * thresholdInSigmas(3);
-        const auto within = std::lower_bound(errors.begin(), errors.end(), limit * limit) - errors.begin();
+        const auto within = std::lower_bound(errors.begin(), errors.end(), limit * limit) -
+                            errors.begin();
         EXPECT_NEAR(0.99, within / 60000., 0.0015);
     }
     for (int type = RIGID_3D; type <= SIMILARITY_3D; ++type)
-        EXPECT_EQ(3, Usac::create((ProblemType)type, scene.points1, scene.points2)->points().problem->errorDimension());
+        EXPECT_EQ(3, Usac::create((ProblemType)type, scene.points1, scene.points2)
+                         ->points()
+                         .problem->errorDimension());
 }
 
-//! The scale of Sampson's distance is that of the noise in each coordinate: 99 in 100 inliers lie within k sigma.
+//! The scale of Sampson's distance is that of the noise in each coordinate: 99 in 100 inliers lie
+//! within k sigma.
 TEST(Usac_Statistics, thresholdKeepsInliers)
 {
     SceneOptions options;
@@ -126,7 +134,8 @@ TEST(Usac_Statistics, thresholdKeepsInliers)
     const double limit = options.noise * thresholdInSigmas(1);
     int within = 0;
     for (int i = 0; i < scene.size(); ++i)
-        within += squaredEpipolar(scene.F, scene.points1[i], scene.points2[i], false) <= limit * limit;
+        within += squaredEpipolar(scene.F, scene.points1[i], scene.points2[i], false) <=
+                  limit * limit;
     EXPECT_NEAR(0.99, within / 20000., 0.003);
 }
 

@@ -29,11 +29,15 @@ TEST(Usac_Statistics, gammaAgainstIntegration)
         for (double x = 0.01; x < 30; x *= 1.4)
         {
             const GammaIntegrand f = {shapes[k]};
-            EXPECT_NEAR(integrate(f, 0, std::sqrt(x), 2000), lowerGamma(shapes[k], x), 1e-10) << shapes[k] << " " << x;
-            EXPECT_NEAR(integrate(f, std::sqrt(x), 8, 2000), upperGamma(shapes[k], x), 1e-10) << shapes[k] << " " << x;
+            EXPECT_NEAR(integrate(f, 0, std::sqrt(x), 2000), lowerGamma(shapes[k], x), 1e-10)
+                << shapes[k] << " " << x;
+            EXPECT_NEAR(integrate(f, std::sqrt(x), 8, 2000), upperGamma(shapes[k], x), 1e-10)
+                << shapes[k] << " " << x;
         }
     for (double x = 1e-6; x < 30; x *= 1.4)
-        EXPECT_NEAR(integrate(ExponentialIntegrand(), std::log(x), std::log(50.), 4000), upperGamma(0, x), 1e-9) << x;
+        EXPECT_NEAR(integrate(ExponentialIntegrand(), std::log(x), std::log(50.), 4000),
+                    upperGamma(0, x), 1e-9)
+            << x;
 }
 
 TEST(Usac_Statistics, gammaKnownValues)

@@ -40,9 +40,11 @@ void expectRoots(const std::vector<double>& c, std::vector<double> expected, dou
 {
     std::sort(expected.begin(), expected.end());
     const std::vector<double> found = findRoots(c);
-    ASSERT_EQ(expected.size(), found.size()) << "roots " << Mat(expected).t() << " found " << Mat(found).t();
+    ASSERT_EQ(expected.size(), found.size())
+        << "roots " << Mat(expected).t() << " found " << Mat(found).t();
     for (size_t i = 0; i < found.size(); ++i)
-        EXPECT_NEAR(expected[i], found[i], tolerance * std::max(1., std::abs(expected[i]))) << Mat(expected).t();
+        EXPECT_NEAR(expected[i], found[i], tolerance * std::max(1., std::abs(expected[i])))
+            << Mat(expected).t();
 }
 
 void expectProduct(const double* roots, size_t count, double tolerance = 1e-9)
@@ -92,7 +94,8 @@ TEST(Usac_Polynomial, hugeAndTinyRoots)
 
 TEST(Usac_Polynomial, clusters)
 {
-    const double pair[] = {0.5, 0.501}, outside[] = {40, 40.1, -7}, three[] = {-0.3, -0.302, -0.304, 0.9};
+    const double pair[] = {0.5, 0.501}, outside[] = {40, 40.1, -7},
+                 three[] = {-0.3, -0.302, -0.304, 0.9};
     expectProduct(pair, 2);
     expectProduct(outside, 3, 1e-7);
     expectProduct(three, 4, 1e-6);
@@ -148,8 +151,9 @@ TEST(Usac_Polynomial, sparse)
         SCOPED_TRACE(cv::format("degree %d, noise %g", (int)c.size() - 1, noise));
         expectRoots(c, roots, 1e-7);
     }
-    const double quartic[] = {-0.05, 0.1, 0, 0,
-                              1};  // one change of sign: one positive root; the same for the negative ones
+    const double quartic[] = {
+        -0.05, 0.1, 0, 0,
+        1};  // one change of sign: one positive root; the same for the negative ones
     EXPECT_EQ(2u, findRoots(std::vector<double>(quartic, quartic + 5)).size());
 }
 
@@ -231,7 +235,8 @@ TEST(Usac_Polynomial, asManyAsTheCompanionMatrix)
         expectRoots(c, expected, 1e-6);
     }
     EXPECT_GT(compared, 3900);
-    EXPECT_GT(total, 2 * compared);  // random polynomials of degree 3 .. 10 have more than two real roots on average
+    EXPECT_GT(total, 2 * compared);  // random polynomials of degree 3 .. 10 have more than two real
+                                     // roots on average
 }
 
 }

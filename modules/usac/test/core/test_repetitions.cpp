@@ -27,7 +27,8 @@ struct Points
         Arena arena;
         const double* const columns[] = {x1.data(), y1.data(), x2.data(), y2.data()};
         const int coordinates[] = {2, 2};
-        return independentInliers(columns, coordinates, mask.data(), (int)mask.size(), threshold1, threshold2, arena);
+        return independentInliers(columns, coordinates, mask.data(), (int)mask.size(), threshold1,
+                                  threshold2, arena);
     }
 
     std::vector<double> x1, y1, x2, y2;
@@ -66,14 +67,17 @@ TEST(Usac_Repetitions, independentInliersAgainstASet)
         std::set<std::pair<double, double>> cells1, cells2;
         for (int i = 0; i < 2000; ++i)
         {
-            const double p[4] = {rng.uniform(-50., 50.), rng.uniform(-50., 50.), rng.gaussian(20), rng.gaussian(1)};
+            const double p[4] = {rng.uniform(-50., 50.), rng.uniform(-50., 50.), rng.gaussian(20),
+                                 rng.gaussian(1)};
             points.add(p[0], p[1], p[2], p[3], i % 3 != 0);
             if (i % 3 == 0)
                 continue;
             cells1.insert(std::make_pair(std::floor(p[0] / side), std::floor(p[1] / side)));
-            cells2.insert(std::make_pair(std::floor(p[2] / (2 * side)), std::floor(p[3] / (2 * side))));
+            cells2.insert(
+                std::make_pair(std::floor(p[2] / (2 * side)), std::floor(p[3] / (2 * side))));
         }
-        EXPECT_EQ((int)std::min(cells1.size(), cells2.size()), points.independent(side, 2 * side)) << side;
+        EXPECT_EQ((int)std::min(cells1.size(), cells2.size()), points.independent(side, 2 * side))
+            << side;
     }
 }
 
@@ -95,7 +99,8 @@ TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
     repeated[5] = 1;  // of the other image
     Arena arena;
     const double* const columns[] = {x.data(), y.data()};
-    const int sum = markRepeated(columns, 2, order.data(), mask.data(), N, 2, repeated.data(), arena);
+    const int sum = markRepeated(columns, 2, order.data(), mask.data(), N, 2, repeated.data(),
+                                 arena);
     std::set<std::pair<int, int>> seen;
     int expectedSum = 0;
     for (int i = 0; i < N; ++i)

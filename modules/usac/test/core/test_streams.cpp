@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Nobody meets the numbers of somebody else, however many iterations there are, nor those of a sample.
+//! Nobody meets the numbers of somebody else, however many iterations there are, nor those of a
+//! sample.
 TEST(Usac_Streams, doNotMeet)
 {
     uint64 end = INT_MAX;

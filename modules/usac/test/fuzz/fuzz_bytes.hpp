@@ -74,7 +74,9 @@ public:
             return special[kind];
         if (kind < 128)
             return value<schar>();
-        return kind < 192 ? (double)value<short>() / 16 : kind < 240 ? (double)value<float>() : value<double>();
+        return kind < 192   ? (double)value<short>() / 16
+               : kind < 240 ? (double)value<float>()
+                            : value<double>();
     }
 
     int integer()
@@ -82,7 +84,10 @@ public:
         static const int special[] = {INT_MAX, INT_MIN, -1,  0,    1,    2,    7,    63,
                                       64,      100,     101, 1000, 1001, 1024, 1025, 65536};
         const int kind = byte();
-        return kind < 16 ? special[kind] : kind < 128 ? below(8) : kind < 192 ? value<schar>() : value<int>();
+        return kind < 16    ? special[kind]
+               : kind < 128 ? below(8)
+               : kind < 192 ? value<schar>()
+                            : value<int>();
     }
 
     //! Of a point; of one of six kinds, from small integers to any number.

@@ -35,23 +35,30 @@ Answer run(const FuzzInput& input, int threads)
     try
     {
         if (input.problem == HOMOGRAPHY)
-            answer.model = estimateHomography(input.points1, input.points2, params, answer.mask, answer.report);
+            answer.model = estimateHomography(input.points1, input.points2, params, answer.mask,
+                                              answer.report);
         else if (input.problem == FUNDAMENTAL)
-            answer.model = estimateFundamental(input.points1, input.points2, params, answer.mask, answer.report);
+            answer.model = estimateFundamental(input.points1, input.points2, params, answer.mask,
+                                               answer.report);
         else if (input.problem == AFFINITY)
-            answer.model = estimateAffinity2D(input.points1, input.points2, params, answer.mask, answer.report);
+            answer.model = estimateAffinity2D(input.points1, input.points2, params, answer.mask,
+                                              answer.report);
         else if (input.problem == SIMILARITY)
-            answer.model = estimateSimilarity2D(input.points1, input.points2, params, answer.mask, answer.report);
-        else if (input.problem == ABSOLUTE_POSE)
-            answer.model = estimateAbsolutePose(input.object, input.points2, input.K1, input.d1, params, answer.mask,
+            answer.model = estimateSimilarity2D(input.points1, input.points2, params, answer.mask,
                                                 answer.report);
+        else if (input.problem == ABSOLUTE_POSE)
+            answer.model = estimateAbsolutePose(input.object, input.points2, input.K1, input.d1,
+                                                params, answer.mask, answer.report);
         else if (input.problem == RIGID_3D)
-            answer.model = estimateRigid3D(input.object, input.space2, params, answer.mask, answer.report);
+            answer.model = estimateRigid3D(input.object, input.space2, params, answer.mask,
+                                           answer.report);
         else if (input.problem == SIMILARITY_3D)
-            answer.model = estimateSimilarity3D(input.object, input.space2, params, answer.mask, answer.report);
+            answer.model = estimateSimilarity3D(input.object, input.space2, params, answer.mask,
+                                                answer.report);
         else
-            answer.model = estimateEssential(input.points1, input.points2, input.K1, input.K2, input.d1, input.d2,
-                                             params, answer.mask, answer.report);
+            answer.model = estimateEssential(input.points1, input.points2, input.K1, input.K2,
+                                             input.d1, input.d2, params, answer.mask,
+                                             answer.report);
     }
     catch (const cv::Exception& e)
     {
@@ -65,7 +72,8 @@ int wrongCamera(const Mat& K)
 {
     if (K.empty())
         return 0;
-    const double *k = K.ptr<double>(), det = std::abs(cv::determinant(K)), scale = std::abs(k[0] * k[4] * k[8]);
+    const double *k = K.ptr<double>(), det = std::abs(cv::determinant(K)),
+                 scale = std::abs(k[0] * k[4] * k[8]);
     if (!cv::checkRange(K) || k[0] == 0 || k[4] == 0 || k[8] == 0 || k[6] != 0 || k[7] != 0)
         return 1;
     return det > 1e-10 * scale && det <= DBL_MAX && scale <= DBL_MAX ? 0 : -1;
@@ -82,7 +90,8 @@ bool isSpace(ProblemType problem) { return problem == RIGID_3D || problem == SIM
 int wrongArguments(const FuzzInput& input)
 {
     const bool space = isSpace(input.problem);
-    const size_t count = space || input.problem == ABSOLUTE_POSE ? input.object.size() : input.points1.size();
+    const size_t count = space || input.problem == ABSOLUTE_POSE ? input.object.size()
+                                                                 : input.points1.size();
     int wrong = count != (space ? input.space2.size() : input.points2.size());
     try
     {
@@ -93,7 +102,8 @@ int wrongArguments(const FuzzInput& input)
         wrong = 1;
     }
     const int degeneracy = input.params.degeneracy;
-    const bool plane = input.problem == HOMOGRAPHY || input.problem == FUNDAMENTAL || input.problem == ESSENTIAL;
+    const bool plane = input.problem == HOMOGRAPHY || input.problem == FUNDAMENTAL ||
+                       input.problem == ESSENTIAL;
     if (!plane && (degeneracy & DEGENERACY_DEGENSAC) && degeneracy != Params().degeneracy)
         wrong = 1;
     if ((space || input.problem == ABSOLUTE_POSE) && input.params.residual == RESIDUAL_SYMMETRIC)
@@ -125,13 +135,15 @@ bool sameBits(const Mat& a, const Mat& b)
 {
     if (a.empty() || b.empty())
         return a.empty() && b.empty();
-    return a.size() == b.size() && a.type() == b.type() && std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0;
+    return a.size() == b.size() && a.type() == b.type() &&
+           std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0;
 }
 
 template <class Point>
 bool sameBits(const std::vector<Point>& a, const std::vector<Point>& b)
 {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
 
 std::string brokenRepetition(const Answer& a, const Answer& b)
@@ -142,8 +154,8 @@ std::string brokenRepetition(const Answer& a, const Answer& b)
     if (!sameBits(a.model, b.model) || !sameBits(a.mask, b.mask))
         return "another result the second time";
     const bool same = r.stop == s.stop && r.iterations == s.iterations && r.models == s.models &&
-                      r.inliers == s.inliers && r.independentInliers == s.independentInliers && r.cost == s.cost &&
-                      r.chance == s.chance && r.threshold == s.threshold &&
+                      r.inliers == s.inliers && r.independentInliers == s.independentInliers &&
+                      r.cost == s.cost && r.chance == s.chance && r.threshold == s.threshold &&
                       r.localOptimizations == s.localOptimizations;
     return same ? "" : "another report the second time: " + s.describe();
 }
@@ -152,7 +164,7 @@ std::string brokenAnswer(const FuzzInput& input, const Answer& answer)
 {
     const int wrong = wrongArguments(input);
     if (!answer.exception.empty())
-        return wrong == 0                           ? "refused without a reason: " + answer.exception
+        return wrong == 0 ? "refused without a reason: " + answer.exception
                : !namesAnArgument(answer.exception) ? "no argument is named: " + answer.exception
                                                     : "";
     return wrong == 1 ? "a wrong argument is not refused"
@@ -167,9 +179,9 @@ std::string brokenContract(const FuzzInput& input)
     const std::vector<Point3d> object = input.object, space2 = input.space2;
     const Mat K1 = input.K1.clone(), d1 = input.d1.clone(), K2 = input.K2.clone();
     const Answer first = run(input, 1), second = run(input, input.otherThreads);
-    if (!sameBits(before1, input.points1) || !sameBits(before2, input.points2) || !sameBits(K1, input.K1) ||
-        !sameBits(K2, input.K2) || !sameBits(object, input.object) || !sameBits(space2, input.space2) ||
-        !sameBits(d1, input.d1))
+    if (!sameBits(before1, input.points1) || !sameBits(before2, input.points2) ||
+        !sameBits(K1, input.K1) || !sameBits(K2, input.K2) || !sameBits(object, input.object) ||
+        !sameBits(space2, input.space2) || !sameBits(d1, input.d1))
         return "the input has changed";
     const std::string broken = brokenAnswer(input, first);
     return broken.empty() ? brokenRepetition(first, second) : broken;

@@ -10,9 +10,10 @@
 
 namespace opencv_test {
 
-/** Makes the call twice and says in words which promise is broken, "" if none is: a cv::Exception that names an
-argument exactly where an argument is wrong; input unchanged; no model, zero mask and a reason, or a finite model of the
-promised norm and rank with mask == (error <= threshold); the same bits both times. */
+/** Makes the call twice and says in words which promise is broken, "" if none is: a cv::Exception
+that names an argument exactly where an argument is wrong; input unchanged; no model, zero mask and
+a reason, or a finite model of the promised norm and rank with mask == (error <= threshold); the
+same bits both times. */
 std::string brokenContract(const FuzzInput& input);
 
 }  // namespace opencv_test

@@ -21,10 +21,11 @@ namespace {
 
 Params preset(int number)
 {
-    static Params (*const presets[])() = {Params::usacV20,  Params::fast,     Params::accurate, Params::sorted,
-                                          Params::parallel, Params::ransac,   Params::msac,     Params::lmeds,
-                                          Params::mlesac,   Params::prosac,   Params::loRansac, Params::floRansac,
-                                          Params::gcRansac, Params::usac2013, Params::magsac,   Params::magsacPlusPlus};
+    static Params (*const presets[])() = {
+        Params::usacV20,  Params::fast,     Params::accurate, Params::sorted,
+        Params::parallel, Params::ransac,   Params::msac,     Params::lmeds,
+        Params::mlesac,   Params::prosac,   Params::loRansac, Params::floRansac,
+        Params::gcRansac, Params::usac2013, Params::magsac,   Params::magsacPlusPlus};
     return presets[number % 16]();
 }
 
@@ -85,8 +86,9 @@ Mat readDistortion(Bytes& bytes)
     for (int i = 0; i < coefficients.cols; ++i)
     {
         const int value = bytes.value<schar>();
-        coefficients.at<double>(i) = value == SCHAR_MIN ? bytes.number()
-                                                        : value * value * value / (1e6 * (i > 3 ? 100 : 1));
+        coefficients.at<double>(i) = value == SCHAR_MIN
+                                         ? bytes.number()
+                                         : value * value * value / (1e6 * (i > 3 ? 100 : 1));
     }
     return coefficients;
 }
@@ -141,7 +143,8 @@ void edit(Bytes& bytes, std::vector<Point2d>& points1, std::vector<Point2d>& poi
 
 void readPoints(Bytes& bytes, FuzzInput& input)
 {
-    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0), most = bytes.below(120);
+    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0),
+              most = bytes.below(120);
     if (kind > 5)
         readScene(bytes, input);
     for (int i = 0; i < most && bytes.left() > 0; ++i)
@@ -163,7 +166,7 @@ FuzzInput readFuzzInput(const uchar* data, size_t size)
     FuzzInput input;
     const int problem = bytes.byte();  // so, and not modulo 8, for the sake of the kept inputs
     const bool space = problem == 6 || problem == 7 || (problem > 64 && problem < 89);
-    input.problem = space                                             ? (problem % 2 ? SIMILARITY_3D : RIGID_3D)
+    input.problem = space ? (problem % 2 ? SIMILARITY_3D : RIGID_3D)
                     : problem == 5 || (problem > 96 && problem < 128) ? ABSOLUTE_POSE
                     : problem == 3 || problem == 4 || (problem >= 128 && problem < 240)
                         ? (ProblemType)(problem % 2 ? AFFINITY : SIMILARITY)

@@ -14,9 +14,10 @@ struct FuzzInput : EstimatorCall
     int otherThreads;  //!< of a second run, which has to give the same
 };
 
-/** Makes a call of any bytes. A small change of the bytes is mostly a small change of the call: first come problem,
-preset and changed fields, then cameras, the points, changes of them, and scores. Valid numbers of iterations, which
-cost time and nothing else, are reduced to small ones; all else is as wild as the bytes. */
+/** Makes a call of any bytes. A small change of the bytes is mostly a small change of the call:
+first come problem, preset and changed fields, then cameras, the points, changes of them, and
+scores. Valid numbers of iterations, which cost time and nothing else, are reduced to small ones;
+all else is as wild as the bytes. */
 FuzzInput readFuzzInput(const uchar* data, size_t size);
 
 }  // namespace opencv_test

@@ -33,7 +33,10 @@ void readScene(Bytes& bytes, FuzzInput& input)
     input.points2 = scene.image;
 }
 
-double& coordinateOf(Point3d& point, int which) { return which == 0 ? point.x : which == 1 ? point.y : point.z; }
+double& coordinateOf(Point3d& point, int which)
+{
+    return which == 0 ? point.x : which == 1 ? point.y : point.z;
+}
 
 //! One change of one row, or of all rows.
 void edit(Bytes& bytes, std::vector<Point3d>& object, std::vector<Point2d>& image)
@@ -65,9 +68,12 @@ void edit(Bytes& bytes, std::vector<Point3d>& object, std::vector<Point2d>& imag
             if (kind == 5)
                 object[i] *= number;
             else if (which < 3)
-                coordinateOf(object[i], which) = number + (kind == 6) * coordinateOf(object[i], which);
+                coordinateOf(object[i], which) = number +
+                                                 (kind == 6) * coordinateOf(object[i], which);
         for (size_t i = 0; i < image.size() && which >= 3 && kind != 5; ++i)
-            (which == 3 ? image[i].x : image[i].y) = number + (kind == 6) * (which == 3 ? image[i].x : image[i].y);
+            (which == 3 ? image[i].x : image[i].y) = number +
+                                                     (kind == 6) *
+                                                         (which == 3 ? image[i].x : image[i].y);
     }
 }
 
@@ -75,12 +81,14 @@ void edit(Bytes& bytes, std::vector<Point3d>& object, std::vector<Point2d>& imag
 
 void readPosePoints(Bytes& bytes, FuzzInput& input)
 {
-    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0), most = bytes.below(120);
+    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0),
+              most = bytes.below(120);
     if (kind > 3)
         readScene(bytes, input);
     for (int i = 0; i < most && bytes.left() > 0; ++i)
     {
-        const double x = bytes.coordinate(kind % 6), y = bytes.coordinate(kind % 6), z = bytes.coordinate(kind % 6);
+        const double x = bytes.coordinate(kind % 6), y = bytes.coordinate(kind % 6),
+                     z = bytes.coordinate(kind % 6);
         const double u = bytes.coordinate(kind % 6), v = bytes.coordinate(kind % 6);
         input.object.push_back(Point3d(x, y, z));
         input.points2.push_back(Point2d(u, v));

@@ -22,7 +22,8 @@ void readScene(Bytes& bytes, FuzzInput& input)
     options.seed = (uint64)bytes.byte();
     options.shape = (RigidShape)bytes.below(RIGID_CLUSTER + 1);
     options.outliers = (RigidOutliers)bytes.below(RIGID_OUTLIERS_SECOND_MOTION + 1);
-    options.modelScale = input.problem == cv::usacv20::SIMILARITY_3D ? (1 + bytes.below(20)) / 5. : 1;
+    options.modelScale = input.problem == cv::usacv20::SIMILARITY_3D ? (1 + bytes.below(20)) / 5.
+                                                                     : 1;
     options.copies = 1 + bytes.below(2);
     options.unit = 1 << bytes.below(12);
     const RigidScene scene = makeRigidScene(options);
@@ -30,7 +31,10 @@ void readScene(Bytes& bytes, FuzzInput& input)
     input.space2 = scene.points2;
 }
 
-double& coordinateOf(Point3d& point, int which) { return which == 0 ? point.x : which == 1 ? point.y : point.z; }
+double& coordinateOf(Point3d& point, int which)
+{
+    return which == 0 ? point.x : which == 1 ? point.y : point.z;
+}
 
 //! One change of one row, or of all rows.
 void edit(Bytes& bytes, std::vector<Point3d>& points1, std::vector<Point3d>& points2)
@@ -61,7 +65,8 @@ void edit(Bytes& bytes, std::vector<Point3d>& points1, std::vector<Point3d>& poi
             if (kind == 5)
                 points[i] *= number;
             else
-                coordinateOf(points[i], which % 3) = number + (kind == 6) * coordinateOf(points[i], which % 3);
+                coordinateOf(points[i], which % 3) = number + (kind == 6) * coordinateOf(points[i],
+                                                                                         which % 3);
     }
 }
 
@@ -69,7 +74,8 @@ void edit(Bytes& bytes, std::vector<Point3d>& points1, std::vector<Point3d>& poi
 
 void readSpacePoints(Bytes& bytes, FuzzInput& input)
 {
-    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0), most = bytes.below(120);
+    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0),
+              most = bytes.below(120);
     if (kind > 3)
         readScene(bytes, input);
     for (int i = 0; i < most && bytes.left() > 0; ++i)

@@ -20,9 +20,11 @@ TEST(Usac_Fuzz, kept_inputs)
     for (size_t i = 0; i < files.size(); ++i)
     {
         std::ifstream in(files[i].c_str(), std::ios::binary);
-        const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+        const std::string bytes((std::istreambuf_iterator<char>(in)),
+                                std::istreambuf_iterator<char>());
         ASSERT_FALSE(bytes.empty()) << files[i];
-        EXPECT_EQ("", brokenContract(readFuzzInput((const uchar*)bytes.data(), bytes.size()))) << files[i];
+        EXPECT_EQ("", brokenContract(readFuzzInput((const uchar*)bytes.data(), bytes.size())))
+            << files[i];
     }
 }
 
@@ -61,7 +63,8 @@ TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
     input.points2 = scene.points2;
     Report report;
     Mat mask;
-    const Matx33d H(estimateHomography(input.points1, input.points2, input.params, mask, report).ptr<double>());
+    const Matx33d H(
+        estimateHomography(input.points1, input.points2, input.params, mask, report).ptr<double>());
     EXPECT_EQ("", brokenResult(input, Mat(H), mask, report));
     for (int row = 0; row < mask.rows; ++row)
     {
@@ -73,7 +76,8 @@ TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
     report.inliers = countNonZero(mask);
     EXPECT_NE("", brokenResult(input, Mat(2 * H), mask, report)) << "h33 is 2";
     input.problem = FUNDAMENTAL;
-    EXPECT_NE("", brokenResult(input, Mat((1 / cv::norm(H)) * H), mask, report)) << "no F has rank 3";
+    EXPECT_NE("", brokenResult(input, Mat((1 / cv::norm(H)) * H), mask, report))
+        << "no F has rank 3";
 }
 
 }

@@ -17,7 +17,9 @@ namespace {
 //! K of a point: 1 on the model, 0 far away.
 double closeness(double squaredError, double inlierThreshold)
 {
-    return squaredError == squaredError ? std::exp(-squaredError / (2 * inlierThreshold * inlierThreshold)) : 0;
+    return squaredError == squaredError
+               ? std::exp(-squaredError / (2 * inlierThreshold * inlierThreshold))
+               : 0;
 }
 
 //! The energy as the header of Labeling writes it down.
@@ -51,7 +53,8 @@ std::vector<uchar> labelsOf(const std::vector<int>& inliers, size_t size)
 struct Graph
 {
     Graph(int size_, double lambda, double inlierThreshold)
-        : size(size_), points(HOMOGRAPHY, std::vector<Point2d>(size_), std::vector<Point2d>(size_), inlierThreshold),
+        : size(size_), points(HOMOGRAPHY, std::vector<Point2d>(size_), std::vector<Point2d>(size_),
+                              inlierThreshold),
           residual(makePtr<GivenResidual>()), neighborhood(makePtr<GivenEdges>()),
           context(points.view(), parts, params, arena)
     {
@@ -137,7 +140,8 @@ TEST(Usac_GraphCut, exactMinimum)
         graph.addEdges(rng.uniform(0.1, 0.9), 6, rng);
         const std::vector<uchar> labels = graph.cut();
         const std::vector<double> K = graph.closenesses();
-        EXPECT_NEAR(graph.leastEnergy(), energyOf(K, graph.neighborhood->given, graph.params.spatialWeight, labels),
+        EXPECT_NEAR(graph.leastEnergy(),
+                    energyOf(K, graph.neighborhood->given, graph.params.spatialWeight, labels),
                     1e-4);
         for (int i = 0; i < graph.size; ++i, ++total)
         {
@@ -164,7 +168,9 @@ TEST(Usac_GraphCut, exactMinimumWithOutliers)
         const std::vector<uchar> labels = graph.cut();
         EXPECT_FALSE(labels[1] || labels[2]);
         EXPECT_NEAR(graph.leastEnergy(),
-                    energyOf(graph.closenesses(), graph.neighborhood->given, graph.params.spatialWeight, labels), 1e-4);
+                    energyOf(graph.closenesses(), graph.neighborhood->given,
+                             graph.params.spatialWeight, labels),
+                    1e-4);
     }
 }
 
@@ -191,7 +197,8 @@ TEST(Usac_GraphCut, withoutEdgesOrWeight)
     EXPECT_EQ(std::vector<uchar>(20, 0), far.cut());
 }
 
-//! In the graph of a whole scene no better labeling is one or a few flips away, and the plain inliers are none.
+//! In the graph of a whole scene no better labeling is one or a few flips away, and the plain
+//! inliers are none.
 TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
 {
     SceneOptions options;
@@ -215,7 +222,8 @@ TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
         EXPECT_GT(inliers.size(), 100u);
         std::vector<uchar> labels = labelsOf(inliers, scene.size()), plain(scene.size());
         std::vector<float> errors(scene.size());
-        usac->components().residual->squaredErrors(usac->points(), truth, 0, scene.size(), errors.data());
+        usac->components().residual->squaredErrors(usac->points(), truth, 0, scene.size(),
+                                                   errors.data());
         std::vector<double> K(scene.size());
         for (int i = 0; i < scene.size(); ++i)
         {
@@ -260,8 +268,10 @@ TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
             {
                 int sample[MAX_SAMPLE_SIZE];
                 Model models[MAX_MODELS];
-                Rng(seed, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
-                const int count = usac->components().minimalSolver->solve(usac->points(), sample, models);
+                Rng(seed, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(),
+                                      sample);
+                const int count = usac->components().minimalSolver->solve(usac->points(), sample,
+                                                                          models);
                 for (int k = 0; k < count; ++k, ++tried)
                 {
                     const Quality before = context.rate(models[k]);
@@ -295,7 +305,8 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         params.localOptimization = std::get<1>(GetParam());
         if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS &&
             params.localOptimization <=
-                LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)  // whose threshold is a bound of the noise
+                LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)  // whose threshold is a bound of the
+                                                               // noise
         {
             params.threshold = 4;
             params.quality = QUALITY_MAGSAC_PLUS_PLUS;
@@ -314,14 +325,16 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         usac->components().localOptimizer->optimize(context, state, model, quality);
         good += quality.cost < truth.cost * 1.02;
     }
-    // GC-RANSAC looks at the inliers alone, not at what is within three thresholds, and often ends beside the best
-    // model
-    EXPECT_GE(good, SCENES * (std::get<1>(GetParam()) == LOCAL_OPTIMIZATION_GC_RANSAC ? 1 : 8) / 10);
+    // GC-RANSAC looks at the inliers alone, not at what is within three thresholds, and often ends
+    // beside the best model
+    EXPECT_GE(good,
+              SCENES * (std::get<1>(GetParam()) == LOCAL_OPTIMIZATION_GC_RANSAC ? 1 : 8) / 10);
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization,
-                        testing::Combine(testing::Range(0, 3), testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT,
-                                                                              LOCAL_OPTIMIZATION_GC_RANSAC + 1)));
+                        testing::Combine(testing::Range(0, 3),
+                                         testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT,
+                                                        LOCAL_OPTIMIZATION_GC_RANSAC + 1)));
 
 //! Each `period`-th fit fails, or is wrong without saying so.
 class UnreliableSolver : public NonMinimalSolver
@@ -331,8 +344,8 @@ public:
         : fits(0), solver(solver_), period(period_), silent(silent_)
     {}
 
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int iterations) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
     {
         if (++fits % period > 0)
             return solver->fit(points, indices, count, weights, model, iterations);
@@ -352,7 +365,8 @@ private:
 Mat withUnreliableFits(const Scene& scene, const Params& params, int period, bool silent, int& fits)
 {
     const Ptr<Usac> usac = createUsac(scene, params);
-    const Ptr<UnreliableSolver> solver = makePtr<UnreliableSolver>(usac->components().nonMinimalSolver, period, silent);
+    const Ptr<UnreliableSolver> solver = makePtr<UnreliableSolver>(
+        usac->components().nonMinimalSolver, period, silent);
     usac->components().nonMinimalSolver = solver;
     const Mat model = usac->run();
     fits = solver->fits;
@@ -384,8 +398,9 @@ TEST(Usac_LocalOptimizers, fitsThatFail)
                 const Mat same = withUnreliableFits(scene, params, 1, silent != 0, fits);
                 EXPECT_GT(fits, 0);
                 EXPECT_EQ(0, cvtest::norm(plain, same, NORM_INF));
-                EXPECT_LE(modelError(scene, withUnreliableFits(scene, params, 3, silent != 0, fits)),
-                          modelError(scene, plain));
+                EXPECT_LE(
+                    modelError(scene, withUnreliableFits(scene, params, 3, silent != 0, fits)),
+                    modelError(scene, plain));
                 EXPECT_GT(fits, 2);
             }
         }

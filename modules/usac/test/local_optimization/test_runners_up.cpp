@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "local_optimization/runners_up.hpp"
 
-// The best models of samples that were never the best of all: what is kept, and what becomes of them.
+// The best models of samples that were never the best of all: what is kept, and what becomes of
+// them.
 
 namespace opencv_test {
 namespace {
@@ -17,8 +18,8 @@ Candidate candidateOf(double cost)
     return Candidate(sample, Matx33d::eye(), Quality(cost, 10));
 }
 
-//! Points in rows, each of which is shifted by 10 pixels more than the one above it: the inliers of one shift are a
-//! row.
+//! Points in rows, each of which is shifted by 10 pixels more than the one above it: the inliers of
+//! one shift are a row.
 struct Rows
 {
     Rows() : rows(20), each(10)
@@ -35,7 +36,8 @@ struct Rows
     {
         const Params params;
         const Context context(usac->points(), usac->components(), params, arena);
-        return InlierBits(context, toInternal(usac->points(), Matx33d(1, 0, 10. * row, 0, 1, 0, 0, 0, 1)));
+        return InlierBits(context,
+                          toInternal(usac->points(), Matx33d(1, 0, 10. * row, 0, 1, 0, 0, 0, 1)));
     }
 
     const int rows, each;
@@ -51,7 +53,8 @@ std::vector<double> costsOf(RunnersUp& kept)
     std::vector<double> costs;
     for (int i = 0; i < count; ++i)
     {
-        EXPECT_EQ((int)taken[i].candidate.quality.cost, taken[i].candidate.sample[0]) << "another's sample";
+        EXPECT_EQ((int)taken[i].candidate.quality.cost, taken[i].candidate.sample[0])
+            << "another's sample";
         costs.push_back(taken[i].candidate.quality.cost);
     }
     return costs;
@@ -91,7 +94,8 @@ TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
     }
 }
 
-//! A model that explains what the best one does not is kept, however many cheaper ones there are of what it does.
+//! A model that explains what the best one does not is kept, however many cheaper ones there are of
+//! what it does.
 TEST(Usac_RunnersUp, keepsWhatIsDifferent)
 {
     const Rows scene;
@@ -116,7 +120,8 @@ TEST(Usac_RunnersUp, followTheBestModel)
         kept.add(candidateOf(row), scene.bitsOf(row));
     kept.setBest(scene.bitsOf(0));
     EXPECT_EQ(scene.each, kept.mostUnexplained());
-    kept.add(candidateOf(9), scene.bitsOf(3));  // in the place of the model that explains nothing new
+    kept.add(candidateOf(9),
+             scene.bitsOf(3));  // in the place of the model that explains nothing new
     const double expected[] = {1, 2, 9};
     EXPECT_EQ(std::vector<double>(expected, expected + 3), costsOf(kept));
     kept.clear();
@@ -184,7 +189,8 @@ TEST_P(Usac_RunnersUpOf, areOptimizedBesideTheBestModels)
             params.runnersUp = most[i];
             params.termination = 0;
             params.maxIterations = 500;
-            const Ptr<Usac> usac = createUsac(noisyScene((ProblemType)GetParam(), 0.5, seed), params);
+            const Ptr<Usac> usac = createUsac(noisyScene((ProblemType)GetParam(), 0.5, seed),
+                                              params);
             usac->components().localOptimizer = makePtr<IdleOptimizer>(calls + i);
             EXPECT_FALSE(usac->run().empty());
         }
@@ -195,7 +201,8 @@ TEST_P(Usac_RunnersUpOf, areOptimizedBesideTheBestModels)
     EXPECT_LE(calls[2], calls[0] + 10 * 20);
 }
 
-//! The same search, and a choice of more models: the cost is never higher, and on hard scenes often lower.
+//! The same search, and a choice of more models: the cost is never higher, and on hard scenes often
+//! lower.
 TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
 {
     int lower = 0;
@@ -216,7 +223,8 @@ TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
     EXPECT_GE(lower, 1);
 }
 
-//! They are looked at when the search is about to end, never before, and the criteria are asked again.
+//! They are looked at when the search is about to end, never before, and the criteria are asked
+//! again.
 TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
 {
     for (uint64 seed = 1; seed <= 40; ++seed)
@@ -230,14 +238,16 @@ TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
         estimate(scene, params, noArray(), &without);
         EXPECT_NE((int)STOP_MAX_ITERATIONS, with.stop);
         EXPECT_GE(with.iterations, without.iterations);
-        EXPECT_LE(with.iterations, 2 * without.iterations) << "a better model does not ask for many more samples";
+        EXPECT_LE(with.iterations, 2 * without.iterations)
+            << "a better model does not ask for many more samples";
     }
 }
 
-INSTANTIATE_TEST_CASE_P(/**/, Usac_RunnersUpOf, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, Usac_RunnersUpOf,
+                        testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-/* Nearly all points on a plane: a plane has two motions, and most points agree with both. The one with the lower cost
- * is right. */
+/* Nearly all points on a plane: a plane has two motions, and most points agree with both. The one
+ * with the lower cost is right. */
 TEST(Usac_RunnersUp, tellTheTwoMotionsOfAPlane)
 {
     int wrong[2] = {0, 0};

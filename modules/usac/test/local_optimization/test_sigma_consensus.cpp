@@ -17,7 +17,8 @@ namespace {
 //! A scene with all that the optimizers need.
 struct Bench
 {
-    explicit Bench(ProblemType problem, double inlierThreshold = 3, const SceneOptions& options = SceneOptions())
+    explicit Bench(ProblemType problem, double inlierThreshold = 3,
+                   const SceneOptions& options = SceneOptions())
         : scene(makeScene(problem, options))
     {
         params.threshold = inlierThreshold;
@@ -80,13 +81,14 @@ double marginalDensity(int degrees, double r, double from, double to)
     for (int i = 0; i < STEPS && begin < to; ++i)
     {
         const double sigma = begin + (to - begin) * (i + 0.5) / STEPS;
-        sum += std::pow(sigma, -degrees) * std::pow(r, degrees - 1) * std::exp(-0.5 * r * r / (sigma * sigma));
+        sum += std::pow(sigma, -degrees) * std::pow(r, degrees - 1) *
+               std::exp(-0.5 * r * r / (sigma * sigma));
     }
     return sum * std::max(to - begin, 0.) / STEPS;
 }
 
-/** The weights by their definition, with errors of at least 1/45 of the threshold: errors under the fits to the points
-of each part, densities integrated numerically. */
+/** The weights by their definition, with errors of at least 1/45 of the threshold: errors under the
+fits to the points of each part, densities integrated numerically. */
 std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, int parts)
 {
     const Correspondences& p = bench.usac->points();
@@ -107,8 +109,9 @@ std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, in
         components.residual->squaredErrors(fitted, p.exact, p.size, errors.data());
         for (int i = 0; i < p.size; ++i)
             if (std::sqrt(initial[i]) < p.threshold)
-                weights[i] += marginalDensity(degrees, std::max(std::sqrt(errors[i]), p.threshold / std::sqrt(2048.)),
-                                              sigmaMax * (part - 1) / parts, sigmaMax * part / parts);
+                weights[i] += marginalDensity(
+                    degrees, std::max(std::sqrt(errors[i]), p.threshold / std::sqrt(2048.)),
+                    sigmaMax * (part - 1) / parts, sigmaMax * part / parts);
     }
     return weights;
 }
@@ -124,9 +127,10 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
         bench.minimalModel(trial, model, quality);
     SigmaConsensus consensus;
     Rng rng;
-    ASSERT_TRUE(
-        consensus.fit(bench.context(), rng, model));  // so that even the smallest part determines its model well
-    const std::vector<double> expected = bruteForceWeights(bench, model, SigmaConsensus::PARTITIONS);
+    ASSERT_TRUE(consensus.fit(bench.context(), rng,
+                              model));  // so that even the smallest part determines its model well
+    const std::vector<double> expected = bruteForceWeights(bench, model,
+                                                           SigmaConsensus::PARTITIONS);
     Model fitted = model;
     ASSERT_TRUE(consensus.fit(bench.context(), rng, fitted));
     // both up to a factor
@@ -147,7 +151,8 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
     EXPECT_NEAR(1, ratios.back() / ratios.front(), 0.01);
 }
 
-//! Five parts are near the limit of many: the models differ by less than what both miss the truth by.
+//! Five parts are near the limit of many: the models differ by less than what both miss the truth
+//! by.
 TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
 {
     const Bench bench((ProblemType)GetParam());
@@ -176,12 +181,14 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
     EXPECT_LT(fromTruth, 0.75 * start);
 }
 
-//! Both optimizers never return a worse model, say what it is worth, and make noisy models much better.
+//! Both optimizers never return a worse model, say what it is worth, and make noisy models much
+//! better.
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {
     const Bench bench((ProblemType)GetParam(), 5);
     const Context& context = bench.context();
-    const Ptr<LocalOptimizer> optimizers[] = {createSigmaConsensus(), createSigmaConsensusPlusPlus()};
+    const Ptr<LocalOptimizer> optimizers[] = {createSigmaConsensus(),
+                                              createSigmaConsensusPlusPlus()};
     for (int o = 0; o < 2; ++o)
     {
         int better = 0, right = 0, rightBefore = 0, count = 0;
@@ -214,7 +221,8 @@ TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 TEST_P(Usac_Sigma_Consensus, iterationsHaveAnEffect)
 {
     Bench bench((ProblemType)GetParam(), 5);
-    const Ptr<LocalOptimizer> optimizers[] = {createSigmaConsensus(), createSigmaConsensusPlusPlus()};
+    const Ptr<LocalOptimizer> optimizers[] = {createSigmaConsensus(),
+                                              createSigmaConsensusPlusPlus()};
     for (int o = 0; o < 2; ++o)
     {
         double cost[2] = {0, 0};
@@ -327,7 +335,8 @@ TEST_P(Usac_Sigma_Consensus, polisherConverges)
 //! Each of the options, chosen by its parameter, takes part and gives a right model.
 TEST_P(Usac_Sigma_Consensus, estimates)
 {
-    const int types[] = {LOCAL_OPTIMIZATION_SIGMA_CONSENSUS, LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS};
+    const int types[] = {LOCAL_OPTIMIZATION_SIGMA_CONSENSUS,
+                         LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS};
     const int qualities[] = {QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS, QUALITY_MSAC};
     for (int k = 0; k < 6; ++k)
     {

@@ -24,13 +24,14 @@ public:
     }
 
     //! Pixels are those of the images.
-    Pixels(const Scene& scene, const Params& params) : usac(createUsac(scene, params)), around(usac->points(), params)
+    Pixels(const Scene& scene, const Params& params)
+        : usac(createUsac(scene, params)), around(usac->points(), params)
     {
         for (int i = 0; i < usac->points().size; ++i)
         {
             const int row = usac->points().inputIndex[i];
-            rows.push_back(
-                Vec4d(scene.points1[row].x, scene.points1[row].y, scene.points2[row].x, scene.points2[row].y));
+            rows.push_back(Vec4d(scene.points1[row].x, scene.points1[row].y, scene.points2[row].x,
+                                 scene.points2[row].y));
         }
     }
 
@@ -70,9 +71,11 @@ std::vector<int> listOf(const Pixels& pixels, Neighborhood& neighborhood, int la
     const std::vector<int> list(members, members + count);
     EXPECT_GE(count, 1);
     EXPECT_EQ(point, list[0]);
-    EXPECT_EQ((size_t)count, std::set<int>(list.begin(), list.end()).size()) << "a member is repeated";
+    EXPECT_EQ((size_t)count, std::set<int>(list.begin(), list.end()).size())
+        << "a member is repeated";
     for (int i = 2; i < count; ++i)
-        EXPECT_LE(pixels.distance(point, list[i - 1]), pixels.distance(point, list[i]) * (1 + 1e-4) + 1e-4);
+        EXPECT_LE(pixels.distance(point, list[i - 1]),
+                  pixels.distance(point, list[i]) * (1 + 1e-4) + 1e-4);
     return list;
 }
 
@@ -86,12 +89,16 @@ void checkKnn(const Pixels& pixels, int k)
         std::vector<int> coarser;
         for (int step = 0; step < LAYERS; ++step)
         {
-            const int layer = point % 2 ? step : LAYERS - 1 - step;  // some points with the widest layer first
+            const int layer = point % 2
+                                  ? step
+                                  : LAYERS - 1 - step;  // some points with the widest layer first
             const std::vector<int> list = listOf(pixels, *knn, layer, point);
-            const int expected = std::min(pixels.size(), std::max(k, std::min<int>(k << layer, WIDEST)) + 1);
+            const int expected = std::min(pixels.size(),
+                                          std::max(k, std::min<int>(k << layer, WIDEST)) + 1);
             ASSERT_EQ(expected, (int)list.size()) << "layer " << layer;
             for (int i = 0; i < expected; ++i)
-                ASSERT_NEAR(distances[i], pixels.distance(point, list[i]), 1e-4 * (1 + distances[i]))
+                ASSERT_NEAR(distances[i], pixels.distance(point, list[i]),
+                            1e-4 * (1 + distances[i]))
                     << "layer " << layer;
         }
     }
@@ -115,7 +122,8 @@ void checkRadius(const Pixels& pixels, double radius)
             ASSERT_GE((int)list.size(), std::min<int>(certain, WIDEST + 1)) << "layer " << layer;
             ASSERT_LE((int)list.size(), std::min<int>(possible, WIDEST + 1)) << "layer " << layer;
             const std::vector<double> distances = pixels.sorted(point);
-            ASSERT_NEAR(distances[list.size() - 1], pixels.distance(point, list.back()), 1e-4 * (1 + r));
+            ASSERT_NEAR(distances[list.size() - 1], pixels.distance(point, list.back()),
+                        1e-4 * (1 + r));
         }
 }
 
@@ -152,7 +160,8 @@ TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
     }
 }
 
-//! No more neighbors than #WIDEST are kept for a radius, and those are the nearest; more only if they are asked for.
+//! No more neighbors than #WIDEST are kept for a radius, and those are the nearest; more only if
+//! they are asked for.
 TEST(Usac_NeighborhoodFlann, boundedMemory)
 {
     RNG rng(2);
@@ -160,14 +169,15 @@ TEST(Usac_NeighborhoodFlann, boundedMemory)
     clumsyPoints(1500, rng, points1, points2);
     const OwnPoints own(HOMOGRAPHY, points1, points2);
     const Pixels pixels(own);
-    const Ptr<Neighborhood> radius = createRadiusNeighborhood(1e300), knn = createKnnNeighborhood(1000),
-                            some = createKnnNeighborhood(100);
+    const Ptr<Neighborhood> radius = createRadiusNeighborhood(1e300),
+                            knn = createKnnNeighborhood(1000), some = createKnnNeighborhood(100);
     for (int point = 0; point < 1500; point += 50)
         for (int layer = 0; layer < LAYERS; ++layer)
         {
             EXPECT_EQ(WIDEST + 1, (int)listOf(pixels, *radius, layer, point).size());
             EXPECT_EQ(1001, (int)listOf(pixels, *knn, layer, point).size());
-            EXPECT_EQ(std::min(100 << layer, (int)WIDEST) + 1, (int)listOf(pixels, *some, layer, point).size());
+            EXPECT_EQ(std::min(100 << layer, (int)WIDEST) + 1,
+                      (int)listOf(pixels, *some, layer, point).size());
         }
     EXPECT_LE(edgesOf(*radius, pixels.context()).size(), (size_t)LINKS * 1500);
     EXPECT_LE(edgesOf(*knn, pixels.context()).size(), (size_t)LINKS * 1500);
@@ -184,7 +194,8 @@ void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
     {
         const int i = edges[e][0], j = edges[e][1];
         ASSERT_TRUE(i >= 0 && j >= 0 && i < pixels.size() && j < pixels.size() && i != j);
-        EXPECT_TRUE(seen.insert(std::make_pair(std::min(i, j), std::max(i, j))).second) << i << " - " << j << " twice";
+        EXPECT_TRUE(seen.insert(std::make_pair(std::min(i, j), std::max(i, j))).second)
+            << i << " - " << j << " twice";
         EXPECT_LE(pixels.distance(i, j), std::max(reach[i], reach[j]));
     }
     int missing = 0;
@@ -193,7 +204,8 @@ void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
         const std::vector<int> members = listOf(pixels, neighborhood, 0, i);
         for (size_t k = 1; k < members.size() && (int)k <= links; ++k)
             if (pixels.distance(i, members[k]) < reach[i] * (1 - 3e-4) - 3e-6)
-                missing += !seen.count(std::make_pair(std::min(i, members[k]), std::max(i, members[k])));
+                missing += !seen.count(
+                    std::make_pair(std::min(i, members[k]), std::max(i, members[k])));
     }
     EXPECT_EQ(0, missing);
     EXPECT_LE(edges.size(), (size_t)links * pixels.size());
@@ -286,14 +298,17 @@ TEST(Usac_NeighborhoodFlann, rightModels)
                 const Scene scene = makeScene((ProblemType)problem, options);
                 Params params;
                 params.neighborhood = kind;
-                EXPECT_LT(modelError(scene, estimate(scene, params)), 1) << problem << " " << kind << " " << seed;
+                EXPECT_LT(modelError(scene, estimate(scene, params)), 1)
+                    << problem << " " << kind << " " << seed;
                 params.spatialWeight = 0.3;
                 params.sampler = SAMPLER_UNIFORM;
-                EXPECT_LT(modelError(scene, estimate(scene, params)), 1) << problem << " " << kind << " " << seed;
+                EXPECT_LT(modelError(scene, estimate(scene, params)), 1)
+                    << problem << " " << kind << " " << seed;
             }
 }
 
-//! In how many of twelve scenes another model is found, or on another way, with other values of a field.
+//! In how many of twelve scenes another model is found, or on another way, with other values of a
+//! field.
 int changes(ProblemType problem, const Params& a, const Params& b)
 {
     int changed = 0;
@@ -306,9 +321,11 @@ int changes(ProblemType problem, const Params& a, const Params& b)
         options.seed = seed;
         const Scene scene = makeScene(problem, options);
         Report reportA, reportB;
-        const Mat modelA = estimate(scene, a, noArray(), &reportA), modelB = estimate(scene, b, noArray(), &reportB);
+        const Mat modelA = estimate(scene, a, noArray(), &reportA),
+                  modelB = estimate(scene, b, noArray(), &reportB);
         EXPECT_TRUE(!modelA.empty() && !modelB.empty());
-        changed += reportA.models != reportB.models || reportA.rejectedSamples != reportB.rejectedSamples ||
+        changed += reportA.models != reportB.models ||
+                   reportA.rejectedSamples != reportB.rejectedSamples ||
                    cv::norm(modelA, modelB, NORM_INF) > 0;
     }
     return changed;

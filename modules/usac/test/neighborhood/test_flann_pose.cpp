@@ -10,8 +10,8 @@
 namespace opencv_test {
 namespace {
 
-//! Points of space have no pixels: the neighbors of a match are those of its image point, whatever the unit of space
-//! is.
+//! Points of space have no pixels: the neighbors of a match are those of its image point, whatever
+//! the unit of space is.
 TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
 {
     for (double unit = 1e-3; unit < 2e3; unit *= 1e3)
@@ -21,9 +21,11 @@ TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
         const PoseScene scene = makePoseScene(options);
         Params params;
         params.threshold = 2;
-        const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, scene.object, scene.image, params, scene.K);
+        const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, scene.object, scene.image, params,
+                                            scene.K);
         const Surroundings around(usac->points(), params);
-        const Ptr<Neighborhood> knn = createKnnNeighborhood(6), within = createRadiusNeighborhood(30);
+        const Ptr<Neighborhood> knn = createKnnNeighborhood(6),
+                                within = createRadiusNeighborhood(30);
         const Correspondences& p = usac->points();
         for (int i = 0; i < p.size; ++i)
         {

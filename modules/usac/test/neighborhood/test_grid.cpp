@@ -38,7 +38,8 @@ void compareWithBruteForce(const Correspondences& points)
             for (int j = 0; j < points.size; ++j)
                 if (cellOf(points, i, 16 >> layer) == cellOf(points, j, 16 >> layer))
                     expected.insert(j);
-            ASSERT_EQ(expected, membersOf(*grid, around.context, layer, i)) << "layer " << layer << " point " << i;
+            ASSERT_EQ(expected, membersOf(*grid, around.context, layer, i))
+                << "layer " << layer << " point " << i;
         }
 }
 
@@ -118,8 +119,10 @@ void checkEdges(const Correspondences& points, size_t least)
         const int i = edges[e][0], j = edges[e][1];
         ASSERT_TRUE(i >= 0 && j >= 0 && i < points.size && j < points.size);
         EXPECT_NE(i, j);
-        EXPECT_TRUE(seen.insert(std::make_pair(std::min(i, j), std::max(i, j))).second) << i << " - " << j << " twice";
-        EXPECT_EQ(1u, membersOf(*grid, around.context, 1, i).count(j)) << "not in one cell of 8 x 8 x 8 x 8";
+        EXPECT_TRUE(seen.insert(std::make_pair(std::min(i, j), std::max(i, j))).second)
+            << i << " - " << j << " twice";
+        EXPECT_EQ(1u, membersOf(*grid, around.context, 1, i).count(j))
+            << "not in one cell of 8 x 8 x 8 x 8";
     }
     EXPECT_LE(edges.size(), 4 * (size_t)points.size);
     EXPECT_GE(edges.size(), least);

@@ -42,8 +42,8 @@ Residual::Kind kindOf(int param)
 }
 
 //! Square roots of the weights times the residuals, written down independently of the solver.
-Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p, const std::vector<int>& indices,
-                          const double* weights, const Matx33d& M)
+Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p,
+                          const std::vector<int>& indices, const double* weights, const Matx33d& M)
 {
     const int rows = kind == Residual::TRANSFER             ? 2
                      : kind == Residual::SYMMETRIC_TRANSFER ? 4
@@ -53,13 +53,16 @@ Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p, const s
     for (size_t k = 0; k < indices.size(); ++k)
     {
         const int i = indices[k];
-        const Vec3d x1(p.exact[X1][i], p.exact[Y1][i], 1), x2(p.exact[X2][i], p.exact[Y2][i], 1), y = M * x1;
+        const Vec3d x1(p.exact[X1][i], p.exact[Y1][i], 1), x2(p.exact[X2][i], p.exact[Y2][i], 1),
+            y = M * x1;
         const double w = std::sqrt(weights ? weights[k] : 1), n = w * x2.dot(y);
         const Vec3d z = M.t() * x2, back = M.inv() * x2;
         const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1];
         const double transfer[4] = {w * (y[0] / y[2] - x2[0]), w * (y[1] / y[2] - x2[1]),
-                                    w * (back[0] / back[2] - x1[0]), w * (back[1] / back[2] - x1[1])};
-        const double lines[2] = {n / std::sqrt(first), n / std::sqrt(second)}, sampson = n / std::sqrt(first + second);
+                                    w * (back[0] / back[2] - x1[0]),
+                                    w * (back[1] / back[2] - x1[1])};
+        const double lines[2] = {n / std::sqrt(first), n / std::sqrt(second)},
+                     sampson = n / std::sqrt(first + second);
         const double* values = kind == Residual::SAMPSON              ? &sampson
                                : kind == Residual::SYMMETRIC_EPIPOLAR ? lines
                                                                       : transfer;
@@ -69,8 +72,8 @@ Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p, const s
     return r;
 }
 
-double costOf(Residual::Kind kind, const Correspondences& p, const std::vector<int>& indices, const double* weights,
-              const Model& M)
+double costOf(Residual::Kind kind, const Correspondences& p, const std::vector<int>& indices,
+              const double* weights, const Model& M)
 {
     return residuals(kind, p, indices, weights, M).squaredNorm();
 }
@@ -118,17 +121,21 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
             Model plus = model, minus = model;
             plus.val[i] += step;
             minus.val[i] -= step;
-            J.col(i) = (residuals(kind, points, indices, w, plus) - residuals(kind, points, indices, w, minus)) /
+            J.col(i) = (residuals(kind, points, indices, w, plus) -
+                        residuals(kind, points, indices, w, minus)) /
                        (2 * step);
         }
         NormalEquations sums;
-        sums.accumulate(*residualOf(kind), PointChunks(points, indices.data(), points.size, w), model);
+        sums.accumulate(*residualOf(kind), PointChunks(points, indices.data(), points.size, w),
+                        model);
         EXPECT_NEAR(r.squaredNorm(), sums.cost, 1e-10 * r.squaredNorm());
         const Vector9 Jtr = J.transpose() * r;
         const Eigen::Matrix<double, 9, 9> JtJ = J.transpose() * J;
         EXPECT_LE((Jtr - sums.Jtr).norm(), 1e-6 * J.norm() * r.norm());
         EXPECT_LE((JtJ - sums.JtJ).norm(), 1e-6 * JtJ.norm());
-        EXPECT_GT(Jtr.norm(), 1e-3 * J.norm() * r.norm());  // not a minimum, where any gradient would be small enough
+        EXPECT_GT(Jtr.norm(),
+                  1e-3 * J.norm() *
+                      r.norm());  // not a minimum, where any gradient would be small enough
     }
 }
 
@@ -173,7 +180,8 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
             start.val[i] = rng.gaussian(1);
         const Parameterization here(problem, start);
         expectOnManifold(problem, here.model());
-        EXPECT_NEAR(0, modelDistance(here.model(), Parameterization(problem, here.model()).model()), 1e-12);
+        EXPECT_NEAR(0, modelDistance(here.model(), Parameterization(problem, here.model()).model()),
+                    1e-12);
         const Parameterization::Basis tangent = here.tangent();
         ASSERT_EQ(here.dimension(), tangent.cols());
         Eigen::JacobiSVD<Eigen::MatrixXd> svd((Eigen::MatrixXd(tangent)));
@@ -182,7 +190,8 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
         {
             Parameterization::Step step = Parameterization::Step::Zero(here.dimension());
             step[k] = 1e-5;
-            const Vector9 plus = vectorOf(here.plus(step).model()), minus = vectorOf(here.plus(-step).model());
+            const Vector9 plus = vectorOf(here.plus(step).model()),
+                          minus = vectorOf(here.plus(-step).model());
             EXPECT_LE(((plus - minus) / 2e-5 - tangent.col(k)).norm(), 1e-8) << "parameter " << k;
         }
         Parameterization::Step large(here.dimension());
@@ -216,11 +225,12 @@ TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
 }
 
 //! Largest correlation of the residuals with a direction of the manifold; 0 at a minimum.
-double slope(Residual::Kind kind, const Correspondences& points, const std::vector<int>& indices, const double* weights,
-             const Model& model)
+double slope(Residual::Kind kind, const Correspondences& points, const std::vector<int>& indices,
+             const double* weights, const Model& model)
 {
     NormalEquations sums;
-    sums.accumulate(*residualOf(kind), PointChunks(points, indices.data(), (int)indices.size(), weights), model);
+    sums.accumulate(*residualOf(kind),
+                    PointChunks(points, indices.data(), (int)indices.size(), weights), model);
     const Parameterization::Basis basis = Parameterization(points.problem, model).tangent();
     double largest = 0;
     for (int k = 0; k < basis.cols(); ++k)
@@ -364,7 +374,8 @@ TEST_P(Usac_LeastSquares, equalPoints)
     const OwnPoints points(problem, std::vector<Point2d>(20, Point2d(0.1, 0.2)),
                            std::vector<Point2d>(20, Point2d(0.3, -0.1)));
     const std::vector<int> indices = allOf(points.view());
-    const Model start = toInternal(points.view(), Matx33d(0.3, -0.1, 0.4, 0.2, 0.5, -0.2, 0.1, 0.3, 0.9));
+    const Model start = toInternal(points.view(),
+                                   Matx33d(0.3, -0.1, 0.4, 0.2, 0.5, -0.2, 0.1, 0.3, 0.9));
     const Model first = Parameterization(problem, start).model();
     Model model = first;
     solver->fit(points.view(), indices.data(), 20, 0, model);

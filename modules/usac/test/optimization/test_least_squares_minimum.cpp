@@ -42,8 +42,8 @@ private:
 //! Problem and residual.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_LeastSquares_Minimum;
 
-//! The method of Nelder and Mead, which uses no derivatives, finds nothing better nearby, and gets there from a model
-//! that is off.
+//! The method of Nelder and Mead, which uses no derivatives, finds nothing better nearby, and gets
+//! there from a model that is off.
 TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
 {
     for (uint64 seed = 1; seed <= 3; ++seed)
@@ -73,15 +73,19 @@ TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
             x = start == 0 ? 0. : 1e-4;  // at the minimum, and off it
             const Mat step(1, sum->getDims(), CV_64F, Scalar(1e-4));
             const double generic = DownhillSolver::create(
-                                       sum, step, TermCriteria(TermCriteria::COUNT + TermCriteria::EPS, 20000, 1e-16))
+                                       sum, step,
+                                       TermCriteria(TermCriteria::COUNT + TermCriteria::EPS, 20000,
+                                                    1e-16))
                                        ->minimize(x);
             EXPECT_GE(generic, reached * (1 - 1e-3)) << "seed " << seed;
-            EXPECT_LE(generic, reached * (1 + 1e-2)) << "the generic one did not converge, seed " << seed;
+            EXPECT_LE(generic, reached * (1 + 1e-2))
+                << "the generic one did not converge, seed " << seed;
         }
     }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares_Minimum, testing::Combine(testing::Range(0, 3), testing::Range(0, 2)));
+INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares_Minimum,
+                        testing::Combine(testing::Range(0, 3), testing::Range(0, 2)));
 
 }
 }  // namespace

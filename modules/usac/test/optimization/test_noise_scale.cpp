@@ -26,7 +26,8 @@ TEST(Usac_Statistics, noiseScale)
                     const double a = rng.gaussian(3 * sigma);
                     square += a * a;
                 }
-                const double far = 3 * NoiseScale::REACH * std::pow(rng.uniform(0., 1.), 1. / degrees);
+                const double far = 3 * NoiseScale::REACH *
+                                   std::pow(rng.uniform(0., 1.), 1. / degrees);
                 errors.push_back((float)(i % 4 ? square : far * far));
             }
             EXPECT_NEAR(sigma, NoiseScale::estimate(errors.data(), 400, 3, degrees), 0.2 * sigma)
@@ -37,11 +38,12 @@ TEST(Usac_Statistics, noiseScale)
     const std::vector<float> exact(100, 0.f), nothing(100, std::numeric_limits<float>::quiet_NaN());
     EXPECT_LT(NoiseScale::estimate(exact.data(), 100, 1, 1), 1e-2);
     for (int degrees = 2; degrees <= 3; ++degrees)
-        EXPECT_EQ(1 / thresholdInSigmas(degrees), NoiseScale::estimate(nothing.data(), 100, 1, degrees));
+        EXPECT_EQ(1 / thresholdInSigmas(degrees),
+                  NoiseScale::estimate(nothing.data(), 100, 1, degrees));
 }
 
-//! Less noise than NoiseScale::leastSigma needs evidence: that next to nothing lies between it and the threshold, but
-//! for what the outliers explain.
+//! Less noise than NoiseScale::leastSigma needs evidence: that next to nothing lies between it and
+//! the threshold, but for what the outliers explain.
 TEST(Usac_Statistics, noiseScaleNeedsEvidence)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)

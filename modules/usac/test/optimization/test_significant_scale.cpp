@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Errors of inliers with a standard deviation of 1 in each of `degrees` directions, others anywhere in a cube of side
-//! 400 of so many.
+//! Errors of inliers with a standard deviation of 1 in each of `degrees` directions, others
+//! anywhere in a cube of side 400 of so many.
 std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
 {
     std::vector<float> errors;
@@ -32,8 +32,8 @@ double scaleOf(const std::vector<float>& errors, int degrees, double unit)
     const double part = unit / 400, chance = degrees == 3   ? 4 * CV_PI / 3 * part * part * part
                                              : degrees == 2 ? CV_PI * part * part
                                                             : 2 * part;
-    return SignificantScale::estimate(errors.data(), (int)errors.size(), 0, 0, unit, chance, degrees,
-                                      sampleSizeOf(degrees))
+    return SignificantScale::estimate(errors.data(), (int)errors.size(), 0, 0, unit, chance,
+                                      degrees, sampleSizeOf(degrees))
         .sigma;
 }
 
@@ -54,7 +54,8 @@ TEST(Usac_SignificantScale, isThatOfTheNoise)
         }
 }
 
-//! Of a narrow core within the threshold and others beyond it that agree, too, the core's if no more is looked at.
+//! Of a narrow core within the threshold and others beyond it that agree, too, the core's if no
+//! more is looked at.
 TEST(Usac_SignificantScale, ofTheCore)
 {
     RNG rng(7);
@@ -66,8 +67,10 @@ TEST(Usac_SignificantScale, ofTheCore)
         errors.push_back((float)(x * x + y * y));
     }
     const double unit = 2, chance = CV_PI * unit * unit / (400. * 400);
-    const SignificantScale::Found all = SignificantScale::estimate(errors.data(), 1000, 0, 0, unit, chance, 2, 4),
-                                  core = SignificantScale::estimate(errors.data(), 1000, 0, 0, unit, chance, 2, 4, 1);
+    const SignificantScale::Found all = SignificantScale::estimate(errors.data(), 1000, 0, 0, unit,
+                                                                   chance, 2, 4),
+                                  core = SignificantScale::estimate(errors.data(), 1000, 0, 0, unit,
+                                                                    chance, 2, 4, 1);
     EXPECT_GT(all.sigma, 2);
     EXPECT_GT(all.inliers, 900);
     EXPECT_NEAR(0.5, core.sigma, 0.1);
@@ -104,16 +107,23 @@ TEST(Usac_SignificantScale, noneOfRandomErrors)
     EXPECT_EQ(0, SignificantScale::estimate(0, 0, 0, 0, 1, 0.1, 2, 4).sigma);
 }
 
-//! Points in clusters are near to most models: what points of other matches have, too, is no evidence.
+//! Points in clusters are near to most models: what points of other matches have, too, is no
+//! evidence.
 TEST(Usac_SignificantScale, noneOfWhatWrongMatchesHave)
 {
     RNG rng(5);
-    const std::vector<float> errors = drawErrors(rng, 2, 500, 1000), same = drawErrors(rng, 2, 500, 1000),
+    const std::vector<float> errors = drawErrors(rng, 2, 500, 1000),
+                             same = drawErrors(rng, 2, 500, 1000),
                              few = drawErrors(rng, 2, 50, 1000);
     const double chance = CV_PI / (400. * 400);
-    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, 0, 0, 1, chance, 2, 4).sigma, 0.15);
-    EXPECT_EQ(0, SignificantScale::estimate(errors.data(), 1000, same.data(), 1000, 1, chance, 2, 4).sigma);
-    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, few.data(), 1000, 1, chance, 2, 4).sigma, 0.15);
+    EXPECT_NEAR(1, SignificantScale::estimate(errors.data(), 1000, 0, 0, 1, chance, 2, 4).sigma,
+                0.15);
+    EXPECT_EQ(
+        0,
+        SignificantScale::estimate(errors.data(), 1000, same.data(), 1000, 1, chance, 2, 4).sigma);
+    EXPECT_NEAR(
+        1, SignificantScale::estimate(errors.data(), 1000, few.data(), 1000, 1, chance, 2, 4).sigma,
+        0.15);
 }
 
 }

@@ -63,7 +63,8 @@ TEST(Usac_Priors, densityOfClumsyPoints)
         clumsyPoints(count, rng, points1, points2);
         sortBy(createDensityOrdering(), OwnPoints(HOMOGRAPHY, points1, points2).view());
     }
-    const std::vector<Point2d> equal(70000, Point2d(1, 2));  // more of them in one cell than 16 bits hold
+    const std::vector<Point2d> equal(70000,
+                                     Point2d(1, 2));  // more of them in one cell than 16 bits hold
     sortBy(createDensityOrdering(), OwnPoints(HOMOGRAPHY, equal, equal).view());
 }
 
@@ -90,7 +91,8 @@ TEST(Usac_Priors, scores)
         for (int i = 0; i < scene.size(); ++i)
         {
             const float score = params.scores[usac->points().inputIndex[order[i]]];
-            ASSERT_EQ(i >= scene.size() - unknown, cvIsNaN(score) != 0) << "scores that are NaN come last";
+            ASSERT_EQ(i >= scene.size() - unknown, cvIsNaN(score) != 0)
+                << "scores that are NaN come last";
             if (i > 0 && i < scene.size() - unknown)
             {
                 EXPECT_TRUE(direction == 0 ? previous <= score : previous >= score);
@@ -140,7 +142,10 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
         usac->components().ordering->sort(RunContext(p, usac->components(), params), order.data());
         std::set<std::pair<double, double>> seen;
         for (int k = 0; k < p.size; ++k)
-            EXPECT_EQ(k < size, seen.insert(std::make_pair(p.exact[X1][order[k]], p.exact[Y1][order[k]])).second) << k;
+            EXPECT_EQ(
+                k < size,
+                seen.insert(std::make_pair(p.exact[X1][order[k]], p.exact[Y1][order[k]])).second)
+                << k;
         std::sort(order.begin(), order.end());
         for (int k = 0; k < p.size; ++k)
             ASSERT_EQ(k, order[k]);

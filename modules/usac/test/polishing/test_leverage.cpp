@@ -5,12 +5,14 @@
 #include "test_precomp.hpp"
 #include "scoring/residuals.hpp"
 
-// Models that are bent to wrong matches, where the right ones leave some of their parameters nearly free.
+// Models that are bent to wrong matches, where the right ones leave some of their parameters nearly
+// free.
 
 namespace opencv_test {
 namespace {
 
-//! F of a camera that has moved by a part of the depth, 60 % right, a threshold of five standard deviations.
+//! F of a camera that has moved by a part of the depth, 60 % right, a threshold of five standard
+//! deviations.
 Scene smallBaseline(int size, double baseline, uint64 seed)
 {
     SceneOptions options;
@@ -42,8 +44,9 @@ struct Errors
     double median, sextile;
 };
 
-//! cv::USAC_MAGSAC has medians of 0.09 to 0.10 pixels (200 matches) and 0.05 (1000), and upper sextiles of 0.12 to 0.15
-//! and 0.06 to 0.08. Without Leverage the medians are 0.17 to 0.19 and 0.09 to 0.16 at a baseline of 0.02.
+//! cv::USAC_MAGSAC has medians of 0.09 to 0.10 pixels (200 matches) and 0.05 (1000), and upper
+//! sextiles of 0.12 to 0.15 and 0.06 to 0.08. Without Leverage the medians are 0.17 to 0.19 and
+//! 0.09 to 0.16 at a baseline of 0.02.
 TEST(Usac_Leverage, small_baselines)
 {
     const Params presets[] = {Params::usacV20(), Params::accurate(), Params::magsacPlusPlus()};
@@ -73,7 +76,8 @@ TEST(Usac_Leverage, few_matches_off_a_plane_stay)
     EXPECT_LE(lost, 4);
 }
 
-//! With its sign, as the root of the square has no derivative at 0. A step of 1e-9 changes errors by some 1e-3 pixels.
+//! With its sign, as the root of the square has no derivative at 0. A step of 1e-9 changes errors
+//! by some 1e-3 pixels.
 TEST(Usac_Leverage, derivative_of_Sampsons_distance)
 {
     const double STEP = 1e-9;
@@ -82,10 +86,12 @@ TEST(Usac_Leverage, derivative_of_Sampsons_distance)
     const Model model(scene.F * (1 / cv::norm(scene.F)));
     for (int i = 0; i < scene.size(); ++i)
     {
-        const double datum[] = {scene.points1[i].x, scene.points1[i].y, scene.points2[i].x, scene.points2[i].y};
+        const double datum[] = {scene.points1[i].x, scene.points1[i].y, scene.points2[i].x,
+                                scene.points2[i].y};
         double error, derivative[9], other;
         ASSERT_EQ(1, residual->linearize(model, datum, &error, derivative));
-        EXPECT_NEAR(pixelError(scene, scene.F, scene.points1[i], scene.points2[i]), std::abs(error), 1e-6);
+        EXPECT_NEAR(pixelError(scene, scene.F, scene.points1[i], scene.points2[i]), std::abs(error),
+                    1e-6);
         ASSERT_EQ(1, residual->error(model, datum, &other));
         EXPECT_NEAR(other, error, 1e-12 * (1 + std::abs(error)));
         const double size = cv::norm(Mat(9, 1, CV_64F, derivative));

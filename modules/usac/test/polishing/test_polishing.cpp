@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Mean error under the truth of both polishers, each from the same model that misses the truth a little.
+//! Mean error under the truth of both polishers, each from the same model that misses the truth a
+//! little.
 void comparePolishers(ProblemType problem, double noise, double& leastSquares, double& reweighted)
 {
     leastSquares = reweighted = 0;
@@ -28,7 +29,8 @@ void comparePolishers(ProblemType problem, double noise, double& leastSquares, d
     }
 }
 
-//! Where the threshold is below the noise and cuts off good points, smooth weights that reach further are better.
+//! Where the threshold is below the noise and cuts off good points, smooth weights that reach
+//! further are better.
 TEST(Usac_Polishing, smoothWeightsSurviveASmallThreshold)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -40,7 +42,8 @@ TEST(Usac_Polishing, smoothWeightsSurviveASmallThreshold)
     }
 }
 
-//! The re-weighted model is where the weighted gradient vanishes: the definition of the M-estimator.
+//! The re-weighted model is where the weighted gradient vanishes: the definition of the
+//! M-estimator.
 TEST(Usac_Polishing, reweightedIsAFixedPoint)
 {
     SceneOptions options;
@@ -62,9 +65,11 @@ TEST(Usac_Polishing, reweightedIsAFixedPoint)
     once = normalized(once);
     twice = normalized(twice);
     thrice = normalized(thrice);
-    EXPECT_GT(modelDistance(toInternal(usac->points(), scene.model), once), 1e-5) << "polishing does something";
+    EXPECT_GT(modelDistance(toInternal(usac->points(), scene.model), once), 1e-5)
+        << "polishing does something";
     EXPECT_LT(modelDistance(once, twice), 1e-3);
-    EXPECT_LT(modelDistance(twice, thrice), 1e-5) << "what a step that gains next to nothing may leave";
+    EXPECT_LT(modelDistance(twice, thrice), 1e-5)
+        << "what a step that gains next to nothing may leave";
 }
 
 //! No polisher leaves its starting point for nothing: without points near the model it stays.

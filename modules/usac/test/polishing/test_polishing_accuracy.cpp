@@ -16,8 +16,10 @@ const double THRESHOLD = 1.5;
 Scene trueMatches(const Scene& scene)
 {
     Scene result = scene;
-    std::vector<Point2d>* const to[] = {&result.points1, &result.points2, &result.clean1, &result.clean2};
-    const std::vector<Point2d>* const from[] = {&scene.points1, &scene.points2, &scene.clean1, &scene.clean2};
+    std::vector<Point2d>* const to[] = {&result.points1, &result.points2, &result.clean1,
+                                        &result.clean2};
+    const std::vector<Point2d>* const from[] = {&scene.points1, &scene.points2, &scene.clean1,
+                                                &scene.clean2};
     for (int k = 0; k < 4; ++k)
     {
         to[k]->clear();
@@ -40,7 +42,8 @@ Mat leastSquares(const Scene& scene)
         all[i] = i;
     Model model = toInternal(points, scene.model);
     for (int i = 0; i < 5; ++i)
-        EXPECT_TRUE(usac->components().nonMinimalSolver->fit(points, all.data(), points.size, 0, model, 20));
+        EXPECT_TRUE(usac->components().nonMinimalSolver->fit(points, all.data(), points.size, 0,
+                                                             model, 20));
     return Mat(toInput(points, model));
 }
 
@@ -69,9 +72,9 @@ SceneOptions optionsOf(Motion motion, double noise, uint64 seed)
 //! Problem and motion.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_Polishing_Accuracy;
 
-/** Root mean square of the errors over scenes, to that of least squares, from the exact model: what the search has
-found may fit a wrong match better than the truth does, mostly under forward motions, and then polishing does not come
-back. */
+/** Root mean square of the errors over scenes, to that of least squares, from the exact model: what
+the search has found may fit a wrong match better than the truth does, mostly under forward motions,
+and then polishing does not come back. */
 TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
 {
     const double noises[] = {THRESHOLD / 10, THRESHOLD / 3};
@@ -80,8 +83,9 @@ TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
         double best = 0, reached = 0;
         for (uint64 seed = 1; seed <= 12; ++seed)
         {
-            const Scene scene = makeScene((ProblemType)std::get<0>(GetParam()),
-                                          optionsOf((Motion)std::get<1>(GetParam()), noises[k], seed));
+            const Scene scene = makeScene(
+                (ProblemType)std::get<0>(GetParam()),
+                optionsOf((Motion)std::get<1>(GetParam()), noises[k], seed));
             Params params;
             params.threshold = THRESHOLD;
             const double exact = modelError(scene, leastSquares(trueMatches(scene)));
@@ -105,12 +109,13 @@ TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
                                           optionsOf((Motion)std::get<1>(GetParam()), 0, seed));
             Params params = presets[k];
             params.threshold = THRESHOLD;
-            EXPECT_LE(modelError(scene, estimate(scene, params)), 1e-9) << "preset " << k << ", seed " << seed;
+            EXPECT_LE(modelError(scene, estimate(scene, params)), 1e-9)
+                << "preset " << k << ", seed " << seed;
         }
 }
 
-/** Few matches, coordinates below 1 in image 2 and the threshold left where it was: everything is an inlier of
-anything, and polishing has to go all the way. */
+/** Few matches, coordinates below 1 in image 2 and the threshold left where it was: everything is
+an inlier of anything, and polishing has to go all the way. */
 TEST_P(Usac_Polishing_Accuracy, thresholdFarAboveTheNoise)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());
@@ -136,7 +141,8 @@ TEST_P(Usac_Polishing_Accuracy, thresholdFarAboveTheNoise)
             const Matx33d M(model.ptr<double>());
             model = Mat(problem == HOMOGRAPHY ? S.inv() * M : S * M, true);
         }
-        EXPECT_LE(modelError(scene, model), (problem == FUNDAMENTAL ? 3 : 1.5) * best + 1e-6) << "seed " << seed;
+        EXPECT_LE(modelError(scene, model), (problem == FUNDAMENTAL ? 3 : 1.5) * best + 1e-6)
+            << "seed " << seed;
     }
 }
 

@@ -9,7 +9,8 @@
 namespace opencv_test {
 namespace {
 
-//! Matches of a translation with `wrong` others behind them; the first is far from the next ones, which lie in a strip.
+//! Matches of a translation with `wrong` others behind them; the first is far from the next ones,
+//! which lie in a strip.
 void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point2d>& points1,
                  std::vector<Point2d>& points2)
 {
@@ -17,8 +18,10 @@ void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point
     points2.clear();
     for (int i = 0; i < right + wrong; ++i)
     {
-        points1.push_back(i ? Point2d(rng.uniform(220., 225.), rng.uniform(260., 315.)) : Point2d(280, 240));
-        points2.push_back(i < right ? points1[i] - Point2d(96, 96) + Point2d(rng.gaussian(noise), rng.gaussian(noise))
+        points1.push_back(i ? Point2d(rng.uniform(220., 225.), rng.uniform(260., 315.))
+                            : Point2d(280, 240));
+        points2.push_back(i < right ? points1[i] - Point2d(96, 96) +
+                                          Point2d(rng.gaussian(noise), rng.gaussian(noise))
                                     : Point2d(rng.uniform(0., 370.), rng.uniform(0., 490.)));
     }
 }
@@ -26,8 +29,8 @@ void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point
 //! What the restarts make of least squares over some rows of the caller.
 struct Restarted
 {
-    Restarted(const std::vector<Point2d>& points1, const std::vector<Point2d>& points2, double threshold, int first,
-              int end)
+    Restarted(const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
+              double threshold, int first, int end)
     {
         Params params;
         params.threshold = threshold;
@@ -45,8 +48,10 @@ struct Restarted
         }
         const double shift[] = {1, 0, -96, 0, 1, -96, 0, 0, 1};
         Model model;
-        EXPECT_TRUE(points.problem->fromOutput(std::vector<double>(shift, shift + 9), points, model));
-        EXPECT_TRUE(context.nonMinimalSolver().fit(points, rows.data(), (int)rows.size(), 0, model, 20));
+        EXPECT_TRUE(
+            points.problem->fromOutput(std::vector<double>(shift, shift + 9), points, model));
+        EXPECT_TRUE(
+            context.nonMinimalSolver().fit(points, rows.data(), (int)rows.size(), 0, model, 20));
         before = after = context.rate(model);
         std::vector<double> errors(points.size);
         usac->components().residual->squaredErrors(model, points.exact, points.size, errors.data());
@@ -61,7 +66,8 @@ struct Restarted
     double farBefore;  //!< its error, in thresholds
 };
 
-//! The model of nine points is wrong where the tenth is, by many thresholds, and one that has them all fits as well.
+//! The model of nine points is wrong where the tenth is, by many thresholds, and one that has them
+//! all fits as well.
 TEST(Usac_Restarts, anInlierThatIsFarAwayIsFound)
 {
     double most = 0;
@@ -92,7 +98,8 @@ TEST(Usac_Restarts, aWrongMatchIsNot)
     EXPECT_LE(taken, 1);
 }
 
-//! More inliers than it looks at, below a threshold that tells: nothing is changed, and nothing is done.
+//! More inliers than it looks at, below a threshold that tells: nothing is changed, and nothing is
+//! done.
 TEST(Usac_Restarts, manyInliersStay)
 {
     RNG rng(1);

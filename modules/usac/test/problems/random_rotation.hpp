@@ -17,9 +17,9 @@ inline cv::Matx33d randomRotation(cv::RNG& rng)
         q[i] = rng.gaussian(1);
     q *= 1 / cv::norm(q);
     const double w = q[0], x = q[1], y = q[2], z = q[3];
-    return cv::Matx33d(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
-                       1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
-                       1 - 2 * (x * x + y * y));
+    return cv::Matx33d(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+                       2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+                       2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y));
 }
 
 }  // namespace opencv_test

@@ -8,7 +8,8 @@
 #include <numeric>
 #include <Eigen/SVD>
 
-// The directions of a parameterization at the models of special motions, where those of angles coincide.
+// The directions of a parameterization at the models of special motions, where those of angles
+// coincide.
 
 namespace opencv_test {
 namespace {
@@ -28,8 +29,8 @@ Scene sceneOf(ProblemType problem, Motion motion, double noise, double baseline 
     return makeScene(problem, options);
 }
 
-/** Least and largest singular value of the derivatives, by differences, at the parameters 0; the derivatives that the
-class gives are the same. */
+/** Least and largest singular value of the derivatives, by differences, at the parameters 0; the
+derivatives that the class gives are the same. */
 Vec2d conditionOf(const Parameterization& here)
 {
     const double h = 1e-5;
@@ -38,7 +39,8 @@ Vec2d conditionOf(const Parameterization& here)
     {
         Parameterization::Step step = Parameterization::Step::Zero(here.dimension());
         step[k] = h;
-        J.col(k) = (vectorOf(here.plus(step).model()) - vectorOf(here.plus(-step).model())) / (2 * h);
+        J.col(k) = (vectorOf(here.plus(step).model()) - vectorOf(here.plus(-step).model())) /
+                   (2 * h);
     }
     EXPECT_LE((J - here.tangent()).norm(), 1e-8);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J);
@@ -56,7 +58,8 @@ TEST_P(Usac_Parameterization, isRegularAtSpecialMotions)
     {
         const Scene scene = sceneOf(problem, (Motion)std::get<1>(GetParam()), 0, baselines[k]);
         const Ptr<Usac> usac = createUsac(scene, Params());
-        const Vec2d values = conditionOf(Parameterization(problem, toInternal(usac->points(), scene.model)));
+        const Vec2d values = conditionOf(
+            Parameterization(problem, toInternal(usac->points(), scene.model)));
         EXPECT_GT(values[0], 0.7);
         EXPECT_LT(values[1], 1.01);
     }
@@ -81,7 +84,8 @@ TEST_P(Usac_Parameterization, leastSquaresInThreeSteps)
     double cost[2];
     for (int k = 0; k < 2; ++k)
     {
-        usac->components().residual->squaredErrors(k == 0 ? steps : best, points.exact, points.size, errors.data());
+        usac->components().residual->squaredErrors(k == 0 ? steps : best, points.exact, points.size,
+                                                   errors.data());
         cost[k] = std::accumulate(errors.begin(), errors.end(), 0.);
     }
     EXPECT_LE(cost[0], cost[1] * (1 + 1e-6));

@@ -18,7 +18,8 @@ Ptr<MinimalSolver> solverOf(ProblemType problem)
                                     : createEssential5Solver();
 }
 
-std::vector<Model> solve(const MinimalSolver& solver, const Correspondences& points, const int* sample)
+std::vector<Model> solve(const MinimalSolver& solver, const Correspondences& points,
+                         const int* sample)
 {
     Model models[MAX_MODELS];
     const int count = solver.solve(points, sample, models);
@@ -46,7 +47,8 @@ double constraintError(const Correspondences& p, const int* sample, int count, c
         x1 *= 1 / cv::norm(x1);
         x2 *= 1 / cv::norm(x2);
         const Vec3d y = Matx33d(model) * x1;
-        largest = std::max(largest, p.problem->errorDimension() == 2 ? cv::norm(x2.cross(y)) : std::abs(x2.dot(y)));
+        largest = std::max(largest, p.problem->errorDimension() == 2 ? cv::norm(x2.cross(y))
+                                                                     : std::abs(x2.dot(y)));
     }
     return largest;
 }
@@ -59,7 +61,8 @@ double manifoldError(ProblemType problem, const Matx33d& M)
     if (problem == FUNDAMENTAL)
         return std::abs(determinant(M));
     const Matx33d EEt = M * M.t();
-    return std::max(std::abs(determinant(M)), cv::norm(EEt * M * 2. - M * (EEt(0, 0) + EEt(1, 1) + EEt(2, 2))));
+    return std::max(std::abs(determinant(M)),
+                    cv::norm(EEt * M * 2. - M * (EEt(0, 0) + EEt(1, 1) + EEt(2, 2))));
 }
 
 struct Exactness
@@ -90,7 +93,8 @@ void solveScene(ProblemType problem, uint64 seed, double planeFraction, Exactnes
         for (size_t k = 0; k < models.size(); ++k)
         {
             closest = std::min(closest, modelDistance(models[k], truth));
-            result.constraint.push_back(constraintError(points, sample, solver->sampleSize(), models[k]));
+            result.constraint.push_back(
+                constraintError(points, sample, solver->sampleSize(), models[k]));
             result.manifold.push_back(manifoldError(problem, models[k]));
         }
         ++result.samples;
@@ -147,24 +151,26 @@ void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vecto
     }
 }
 
-//! Real F with det F = 0 in the null space of the constraints, by SVD and discriminant; -1: too close to call.
+//! Real F with det F = 0 in the null space of the constraints, by SVD and discriminant; -1: too
+//! close to call.
 int countFundamental(const Correspondences& p)
 {
     Eigen::Matrix<double, 7, 9> A;
     for (int i = 0; i < 7; ++i)
-        A.row(i) << p.exact[X2][i] * p.exact[X1][i], p.exact[X2][i] * p.exact[Y1][i], p.exact[X2][i],
-            p.exact[Y2][i] * p.exact[X1][i], p.exact[Y2][i] * p.exact[Y1][i], p.exact[Y2][i], p.exact[X1][i],
-            p.exact[Y1][i], 1;
+        A.row(i) << p.exact[X2][i] * p.exact[X1][i], p.exact[X2][i] * p.exact[Y1][i],
+            p.exact[X2][i], p.exact[Y2][i] * p.exact[X1][i], p.exact[Y2][i] * p.exact[Y1][i],
+            p.exact[Y2][i], p.exact[X1][i], p.exact[Y1][i], 1;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullV);
     Matx33d F[2];
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 9; ++i)
             F[k].val[i] = svd.matrixV()(i, 7 + k);
     // det(x F0 + F1) from four values
-    const double d = determinant(F[1]), plus = determinant(F[0] + F[1]), minus = determinant(F[1] - F[0]);
+    const double d = determinant(F[1]), plus = determinant(F[0] + F[1]),
+                 minus = determinant(F[1] - F[0]);
     const double a = determinant(F[0]), b = (plus + minus) / 2 - d, c = (plus - minus) / 2 - a;
-    const double parts[] = {18 * a * b * c * d, -4 * b * b * b * d, b * b * c * c, -4 * a * c * c * c,
-                            -27 * a * a * d * d};
+    const double parts[] = {18 * a * b * c * d, -4 * b * b * b * d, b * b * c * c,
+                            -4 * a * c * c * c, -27 * a * a * d * d};
     double discriminant = 0, size = 0;
     for (int i = 0; i < 5; ++i)
     {
@@ -195,8 +201,10 @@ TEST(Usac_Solvers, allFundamentalMatrices)
     EXPECT_GT(three, 100);
 }
 
-//! Those of calib3d's solver, which finds the roots of its polynomial by iteration in the complex plane.
-std::vector<Matx33d> essentialByCalib3d(const std::vector<Point2d>& points1, const std::vector<Point2d>& points2)
+//! Those of calib3d's solver, which finds the roots of its polynomial by iteration in the complex
+//! plane.
+std::vector<Matx33d> essentialByCalib3d(const std::vector<Point2d>& points1,
+                                        const std::vector<Point2d>& points2)
 {
     const Mat all = cv::findEssentialMat(points1, points2, 1., Point2d(0, 0), LMEDS);
     std::vector<Matx33d> result;
@@ -253,10 +261,12 @@ TEST_P(Usac_Solvers_Problem, repeatedPointsGiveNothing)
         std::vector<Point2d> points1, points2;
         randomPoints(rng, 8, points1, points2);
         const int from = rng.uniform(0, solver->sampleSize());
-        copyPoint(points1, points2, from, (from + 1 + rng.uniform(0, solver->sampleSize() - 1)) % solver->sampleSize());
+        copyPoint(points1, points2, from,
+                  (from + 1 + rng.uniform(0, solver->sampleSize() - 1)) % solver->sampleSize());
         EXPECT_TRUE(solveFirst(*solver, OwnPoints(problem, points1, points2).view()).empty());
     }
-    const std::vector<Point2d> equal1(8, Point2d(0.3, -0.2)), equal2(8, Point2d(0.1, 0.7)), zeros(8, Point2d(0, 0));
+    const std::vector<Point2d> equal1(8, Point2d(0.3, -0.2)), equal2(8, Point2d(0.1, 0.7)),
+        zeros(8, Point2d(0, 0));
     EXPECT_TRUE(solveFirst(*solver, OwnPoints(problem, equal1, equal2).view()).empty());
     EXPECT_TRUE(solveFirst(*solver, OwnPoints(problem, zeros, zeros).view()).empty());
 }
@@ -289,7 +299,8 @@ TEST(Usac_Solvers, homographyOfThreeCollinearPoints)
         std::vector<Point2d> line, general;
         randomPoints(rng, 4, line, general);
         const int k = repeat % 4;
-        line[k] = line[(k + 1) % 4] + (line[(k + 2) % 4] - line[(k + 1) % 4]) * rng.uniform(-1., 2.);
+        line[k] = line[(k + 1) % 4] +
+                  (line[(k + 2) % 4] - line[(k + 1) % 4]) * rng.uniform(-1., 2.);
         EXPECT_TRUE(solveFirst(*solver, OwnPoints(HOMOGRAPHY, line, general).view()).empty());
         EXPECT_TRUE(solveFirst(*solver, OwnPoints(HOMOGRAPHY, general, line).view()).empty());
     }
@@ -304,8 +315,8 @@ TEST(Usac_Solvers, fundamentalOfAPlane)
     EXPECT_EQ(result.samples, result.unsolved);
 }
 
-//! Four points on a line in image 1, the others on a line in image 2: the product of the lines has rank 1 and fits all
-//! seven.
+//! Four points on a line in image 1, the others on a line in image 2: the product of the lines has
+//! rank 1 and fits all seven.
 TEST(Usac_Solvers, fundamentalOfALineInEachImage)
 {
     const Ptr<MinimalSolver> solver = createFundamental7Solver();
@@ -316,7 +327,8 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
         for (int i = 0; i < 7; ++i)
         {
             const bool exact = repeat % 2 == 0;  // without any rounding
-            const Point2d p(rng.uniform(-2, 3), rng.uniform(-2, 3)), q(rng.uniform(-2., 2.), rng.uniform(-2., 2.));
+            const Point2d p(rng.uniform(-2, 3), rng.uniform(-2, 3)),
+                q(rng.uniform(-2., 2.), rng.uniform(-2., 2.));
             points1.push_back(exact ? p : q);
             points2.push_back(exact ? Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3))
                                     : Point2d(q.y * q.y, q.x * q.x * q.x));
@@ -325,7 +337,8 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
             else
                 points2.back().x = 1 - points2.back().y;
         }
-        const std::vector<Model> models = solveFirst(*solver, OwnPoints(FUNDAMENTAL, points1, points2).view());
+        const std::vector<Model> models = solveFirst(
+            *solver, OwnPoints(FUNDAMENTAL, points1, points2).view());
         for (size_t k = 0; k < models.size(); ++k)
         {
             Mat w;
@@ -335,7 +348,8 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
     }
 }
 
-//! Points on a coarse grid are degenerate in many ways at once: what comes back is finite and fulfils the constraints.
+//! Points on a coarse grid are degenerate in many ways at once: what comes back is finite and
+//! fulfils the constraints.
 TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -350,12 +364,14 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
         {
             points1.push_back(Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3)));
             // also without any parallax
-            points2.push_back(repeat % 3 ? Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3)) : points1.back());
+            points2.push_back(repeat % 3 ? Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3))
+                                         : points1.back());
         }
         const OwnPoints points(problem, points1, points2);
         const std::vector<Model> models = solveFirst(*solver, points.view());
         for (size_t k = 0; k < models.size(); ++k, ++solved)
-            wrong += !(constraintError(points.view(), sample, solver->sampleSize(), models[k]) < 1e-6);
+            wrong += !(constraintError(points.view(), sample, solver->sampleSize(), models[k]) <
+                       1e-6);
     }
     EXPECT_GT(solved, 300);
     EXPECT_EQ(0, wrong);
@@ -374,7 +390,9 @@ TEST(Usac_Solvers, homographyOfTinySquares)
         std::vector<Point2d> tiny = corners;
         for (int i = 0; i < 4; ++i)
             tiny[i] *= scales[s];
-        EXPECT_EQ(s < 2 ? 1u : 0u, solveFirst(*solver, OwnPoints(HOMOGRAPHY, tiny, tiny).view()).size()) << scales[s];
+        EXPECT_EQ(s < 2 ? 1u : 0u,
+                  solveFirst(*solver, OwnPoints(HOMOGRAPHY, tiny, tiny).view()).size())
+            << scales[s];
     }
 }
 

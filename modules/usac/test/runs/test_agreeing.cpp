@@ -4,8 +4,8 @@
 
 #include "test_precomp.hpp"
 
-// Wrong matches that agree with each other: the right model is the best one, and is to be found. The rates of more
-// scenes are in doc/structured.md.
+// Wrong matches that agree with each other: the right model is the best one, and is to be found.
+// The rates of more scenes are in doc/structured.md.
 
 namespace opencv_test {
 namespace {
@@ -32,13 +32,15 @@ struct Agreement
     double right, structured;
 };
 
-const Agreement AGREEMENTS[] = {{"a common shift", OUTLIERS_SHIFT, 0.45, 0.35},
-                                {"a plane that moves by itself", OUTLIERS_PLANE, 0.4, 0.35},
-                                {"another motion from one place", OUTLIERS_SECOND_MODEL, 0.53, 0.47}};
+const Agreement AGREEMENTS[] = {
+    {"a common shift", OUTLIERS_SHIFT, 0.45, 0.35},
+    {"a plane that moves by itself", OUTLIERS_PLANE, 0.4, 0.35},
+    {"another motion from one place", OUTLIERS_SECOND_MODEL, 0.53, 0.47}};
 
-//! How many of `runs` searches end with a model that costs more than the one that has made the scene, by so many
-//! matches: what is not fitted as well costs less.
-int missed(ProblemType problem, const Agreement& agreement, const Params& preset, int runs, double matches = 2)
+//! How many of `runs` searches end with a model that costs more than the one that has made the
+//! scene, by so many matches: what is not fitted as well costs less.
+int missed(ProblemType problem, const Agreement& agreement, const Params& preset, int runs,
+           double matches = 2)
 {
     int result = 0;
     for (int seed = 1; seed <= runs; ++seed)
@@ -53,19 +55,21 @@ int missed(ProblemType problem, const Agreement& agreement, const Params& preset
         params.maxIterations = 1000000;
         params.seed = seed;
         const double truth = costOf(scene, Mat(scene.model), params.threshold);
-        result += costOf(scene, estimate(scene, params), params.threshold) > truth + matches / scene.size();
+        result += costOf(scene, estimate(scene, params), params.threshold) >
+                  truth + matches / scene.size();
     }
     return result;
 }
 
-//! Before runners-up were kept for what the best model does not explain, and that was searched, F was missed in 18 and
-//! 40 %.
+//! Before runners-up were kept for what the best model does not explain, and that was searched, F
+//! was missed in 18 and 40 %.
 TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
     for (ProblemType problem : problems)
         for (const Agreement& agreement : AGREEMENTS)
-            EXPECT_LE(missed(problem, agreement, Params::usacV20(), 40), 3) << (int)problem << ": " << agreement.name;
+            EXPECT_LE(missed(problem, agreement, Params::usacV20(), 40), 3)
+                << (int)problem << ": " << agreement.name;
 }
 
 TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
@@ -74,8 +78,9 @@ TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
         EXPECT_LE(missed(FUNDAMENTAL, agreement, Params::accurate(), 40), 2) << agreement.name;
 }
 
-//! Those of MAGSAC++ rate models within a wider threshold: what agrees with each other may then look like noise, or
-//! hide how few matches are explained well. By eight matches, as they minimize another cost.
+//! Those of MAGSAC++ rate models within a wider threshold: what agrees with each other may then
+//! look like noise, or hide how few matches are explained well. By eight matches, as they minimize
+//! another cost.
 TEST(Usac_Agreeing, matches_do_not_look_like_noise)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -85,7 +90,8 @@ TEST(Usac_Agreeing, matches_do_not_look_like_noise)
                 << (int)problem << ": " << agreement.name;
 }
 
-//! The samples of what the best model leaves count as all others: no search takes more than it is allowed.
+//! The samples of what the best model leaves count as all others: no search takes more than it is
+//! allowed.
 TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
 {
     for (int limit = 1; limit < 600; limit += 37)
@@ -103,8 +109,8 @@ TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
     }
 }
 
-//! Random matches whose points are in clusters, or about the center of the image, are random for the presets whose
-//! reach grows with the noise, too.
+//! Random matches whose points are in clusters, or about the center of the image, are random for
+//! the presets whose reach grows with the noise, too.
 TEST(Usac_Agreeing, clusters_of_points_are_no_noise)
 {
     const OutlierModel models[] = {OUTLIERS_CLUSTERS, OUTLIERS_CENTER};

@@ -21,8 +21,8 @@ struct Option
     std::vector<int> values;
 };
 
-/** All fields of Params that choose among variants, with all their values: of sets, all subsets of checks of degeneracy
-and each criterion of termination by itself. */
+/** All fields of Params that choose among variants, with all their values: of sets, all subsets of
+checks of degeneracy and each criterion of termination by itself. */
 std::vector<Option> allOptions()
 {
     std::vector<Option> options;
@@ -35,7 +35,8 @@ std::vector<Option> allOptions()
         Option option = {field.name, field.member, std::vector<int>()};
         const bool criteria = field.member == &Params::termination;
         for (int value = (int)field.values.low; value <= (int)field.values.high; ++value)
-            if (!criteria || ((value & (value - 1)) == 0 && value != 0 && value != TERMINATION_EXACT))
+            if (!criteria ||
+                ((value & (value - 1)) == 0 && value != 0 && value != TERMINATION_EXACT))
                 option.values.push_back(value);
         options.push_back(option);
     }
@@ -79,9 +80,9 @@ std::string describe(const Choice& choice)
     return text;
 }
 
-//! Nothing is polished: of 1500 random choices the errors of two without polishing and local optimization, 3.1 of H and
-//! 1.4 of E, were the only ones above the limits of arenaOf(), with this set of criteria one with sigma-consensus, 3.07
-//! of H.
+//! Nothing is polished: of 1500 random choices the errors of two without polishing and local
+//! optimization, 3.1 of H and 1.4 of E, were the only ones above the limits of arenaOf(), with this
+//! set of criteria one with sigma-consensus, 3.07 of H.
 const double UNPOLISHED = 1.5;
 
 //! A real scene and what counts as a right model of it.
@@ -134,7 +135,10 @@ Arena arenaOf(int problem)
 
 typedef std::pair<std::pair<int, int>, std::pair<int, int>> Pair;  //!< option and value, twice
 
-Pair pairOf(int i, int a, int j, int b) { return std::make_pair(std::make_pair(i, a), std::make_pair(j, b)); }
+Pair pairOf(int i, int a, int j, int b)
+{
+    return std::make_pair(std::make_pair(i, a), std::make_pair(j, b));
+}
 
 std::set<Pair> allPairs()
 {
@@ -156,7 +160,8 @@ int uncovered(const Choice& choice, const std::set<Pair>& open)
     return count;
 }
 
-//! The possible choice with a pair that has the most uncovered pairs, of many random ones; empty if there is none.
+//! The possible choice with a pair that has the most uncovered pairs, of many random ones; empty if
+//! there is none.
 Choice bestChoice(const Arena& arena, const Pair& pair, const std::set<Pair>& open, RNG& rng)
 {
     Choice best;
@@ -222,11 +227,14 @@ TEST_P(UsacCombinations, each_pair_of_options)
     for (size_t i = 0; i < choices.size(); ++i)
         arena.expectRight(choices[i]);
 
-    // all values of the enumerations begin with 0, so that they are their numbers; those of the criteria are bits
+    // all values of the enumerations begin with 0, so that they are their numbers; those of the
+    // criteria are bits
     const int sampler = numberOf(&Params::sampler), ordering = numberOf(&Params::ordering),
               scoreOrder = numberOf(&Params::scoreOrder), quality = numberOf(&Params::quality),
-              verification = numberOf(&Params::verification), local = numberOf(&Params::localOptimization),
-              termination = numberOf(&Params::termination), degeneracy = numberOf(&Params::degeneracy);
+              verification = numberOf(&Params::verification),
+              local = numberOf(&Params::localOptimization),
+              termination = numberOf(&Params::termination),
+              degeneracy = numberOf(&Params::degeneracy);
     std::set<Pair> expected;
     for (int v = VERIFICATION_SPRT; v <= VERIFICATION_TDD; ++v)
         expected.insert(pairOf(quality, QUALITY_LMEDS, verification, v));
@@ -247,8 +255,8 @@ TEST_P(UsacCombinations, each_pair_of_options)
     expected.insert(pairOf(sampler, SAMPLER_IMPORTANCE, scoreOrder, SCORES_LOWER_IS_BETTER));
     expected.insert(pairOf(ordering, ORDERING_DENSITY, termination, prosac));
     expected.insert(pairOf(ordering, ORDERING_NONE, termination, prosac));
-    EXPECT_TRUE(expected == impossible) << impossible.size() << " pairs are impossible, " << expected.size()
-                                        << " documented";
+    EXPECT_TRUE(expected == impossible)
+        << impossible.size() << " pairs are impossible, " << expected.size() << " documented";
 }
 
 //! All combinations; hours. Run with --gtest_filter=*all_combinations* --test_tag_enable=verylong.
@@ -266,7 +274,8 @@ TEST_P(UsacCombinations, all_combinations)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(/**/, UsacCombinations, testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacCombinations,
+                        testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
 }
 }  // namespace

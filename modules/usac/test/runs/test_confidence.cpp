@@ -10,9 +10,9 @@ namespace {
 
 enum { RUNS = 1000 };
 
-/** @brief Two homographies without noise among wrong matches. The right one has a few more matches than the other,
-which is what an impatient criterion ends with. Best match first: each part is evenly distributed, the right one is
-ahead. */
+/** @brief Two homographies without noise among wrong matches. The right one has a few more matches
+than the other, which is what an impatient criterion ends with. Best match first: each part is
+evenly distributed, the right one is ahead. */
 struct Rivals
 {
     Rivals(int right, int decoys, int outliers)
@@ -32,8 +32,8 @@ struct Rivals
         for (int i = 0; i < all.size(); ++i)
         {
             const int part = all.truth[i] ? 0 : 1;
-            order.push_back(
-                std::make_pair((seen[part]++ + 0.3 * part) / (part ? outliers : right), std::make_pair(0, i)));
+            order.push_back(std::make_pair((seen[part]++ + 0.3 * part) / (part ? outliers : right),
+                                           std::make_pair(0, i)));
         }
         for (int i = 0; i < decoys; ++i)
             order.push_back(std::make_pair((i + 0.2) / decoys, std::make_pair(1, i)));
@@ -61,8 +61,8 @@ struct Rivals
     {
         std::vector<uchar> mask;
         for (int i = 0; i < size(); ++i)
-            mask.push_back(pixelError(scene, right ? scene.model : decoyModel, scene.points1[i], scene.points2[i]) <=
-                           threshold);
+            mask.push_back(pixelError(scene, right ? scene.model : decoyModel, scene.points1[i],
+                                      scene.points2[i]) <= threshold);
         return mask;
     }
 
@@ -89,7 +89,8 @@ Params plainParams(int termination, int verification = VERIFICATION_NONE)
 //! Many runs with different seeds.
 struct Runs
 {
-    Runs(const Rivals& rivals, Params params) : wrong(0), inliers(RUNS), iterations(RUNS), stop(STOP_NOT_RUN)
+    Runs(const Rivals& rivals, Params params)
+        : wrong(0), inliers(RUNS), iterations(RUNS), stop(STOP_NOT_RUN)
     {
         for (params.seed = 0; params.seed < RUNS; ++params.seed)
         {
@@ -128,8 +129,8 @@ double subsets(double inliers, int n, int m)
 //! The samples that are needed for an event of probability `p`.
 double closedForm(double p) { return std::ceil(std::log(0.1) / std::log1p(-p)); }
 
-/** How often the other model ends the search: the right one is not found in the `samples` that the other one takes,
-while that is. */
+/** How often the other model ends the search: the right one is not found in the `samples` that the
+other one takes, while that is. */
 double failureRate(const Rivals& rivals, double threshold, double samples, int more = 0)
 {
     double p[2];
@@ -145,7 +146,8 @@ double failureRate(const Rivals& rivals, double threshold, double samples, int m
 
 int count(const std::vector<uchar>& mask) { return (int)std::count(mask.begin(), mask.end(), 1); }
 
-//! Standard, with and without repetition in the model of sampling, and with the models that T(d,d) drops.
+//! Standard, with and without repetition in the model of sampling, and with the models that T(d,d)
+//! drops.
 TEST(Usac_Confidence, standard)
 {
     for (int kind = 0; kind < 4; ++kind)
@@ -153,7 +155,8 @@ TEST(Usac_Confidence, standard)
         const bool exact = kind > 0;
         const int d = kind > 1 ? kind - 1 : 0;
         const Rivals rivals = kind == 1 ? Rivals(19, 18, 9) : Rivals(101, 100, 99);
-        Params params = plainParams(exact ? TERMINATION_STANDARD | TERMINATION_EXACT : TERMINATION_STANDARD,
+        Params params = plainParams(exact ? TERMINATION_STANDARD | TERMINATION_EXACT
+                                          : TERMINATION_STANDARD,
                                     d ? VERIFICATION_TDD : VERIFICATION_NONE);
         params.tddPoints = std::max(d, 1);
         const int n = rivals.size();
@@ -162,7 +165,8 @@ TEST(Usac_Confidence, standard)
         for (int i = 0; i < RUNS; ++i)
         {
             const int I = runs.inliers[i];
-            const double k = closedForm(exact ? subsets(I, n, 4) * subsets(I, n, d) : std::pow(I / (double)n, 4));
+            const double k = closedForm(exact ? subsets(I, n, 4) * subsets(I, n, d)
+                                              : std::pow(I / (double)n, 4));
             EXPECT_GE(runs.iterations[i], k) << kind;
             asComputed += runs.iterations[i] == k;  // but if the model was found later
         }
@@ -198,12 +202,13 @@ TEST(Usac_Confidence, pNapsac)
     }
     EXPECT_GT(asComputed, RUNS * 0.7);
     const int decoys = count(rivals.inliers(false, params.threshold));
-    runs.check(failureRate(rivals, params.threshold, closedForm(subsets(significant(decoys, params.relaxation), n, 4))),
+    runs.check(failureRate(rivals, params.threshold,
+                           closedForm(subsets(significant(decoys, params.relaxation), n, 4))),
                STOP_P_NAPSAC);
 }
 
-//! SPRT drops models and asks for more samples in return; few, as its threshold is high for a solver that costs as
-//! much.
+//! SPRT drops models and asks for more samples in return; few, as its threshold is high for a
+//! solver that costs as much.
 TEST(Usac_Confidence, sprt)
 {
     const Rivals rivals(202, 200, 198);
@@ -239,8 +244,8 @@ TEST(Usac_Confidence, prosac)
         {
             const std::vector<uchar> inliers = rivals.inliers(right != 0, params.threshold);
             samples[right] = prosacSamples(inliers.data(), 0, (int)inliers.size(), 4,
-                                           sampler == SAMPLER_PROSAC ? 1 : 0.75, ratio, std::log(0.1), true,
-                                           length[right]);
+                                           sampler == SAMPLER_PROSAC ? 1 : 0.75, ratio,
+                                           std::log(0.1), true, length[right]);
         }
         const Runs runs(rivals, params);
         int asComputed = 0;

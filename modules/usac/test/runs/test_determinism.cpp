@@ -101,7 +101,8 @@ TEST_P(UsacDeterminism, eight_threads_at_once)
         threads[i].join();
     for (size_t i = 2; i < jobs.size(); ++i)
         for (size_t p = 0; p < all.size(); ++p)
-            EXPECT_EQ(jobs[i % 2].hashes[p], jobs[i].hashes[p]) << "thread " << i - 2 << ", " << all[p].name;
+            EXPECT_EQ(jobs[i % 2].hashes[p], jobs[i].hashes[p])
+                << "thread " << i - 2 << ", " << all[p].name;
 }
 
 class Threads  //!< of OpenCV, put back at the end
@@ -129,7 +130,8 @@ TEST_P(UsacDeterminism, any_number_of_threads)
             params.threads = THREADS[i % 4];
             setNumThreads(THREADS[i / 4]);
             EXPECT_EQ(expected, resultOf(scene, params).exact())
-                << "seed " << seed << ", Params::threads " << params.threads << ", setNumThreads " << THREADS[i / 4];
+                << "seed " << seed << ", Params::threads " << params.threads << ", setNumThreads "
+                << THREADS[i / 4];
         }
     }
 }
@@ -149,7 +151,8 @@ TEST_P(UsacDeterminism, any_number_of_threads_for_every_preset)
             setNumThreads(THREADS[i]);
             params.threads = THREADS[3 - i];
             EXPECT_EQ(expected, resultOf(scene, params).exact())
-                << all[p].name << ", Params::threads " << params.threads << ", setNumThreads " << THREADS[i];
+                << all[p].name << ", Params::threads " << params.threads << ", setNumThreads "
+                << THREADS[i];
         }
     }
 }

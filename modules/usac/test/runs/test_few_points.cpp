@@ -4,8 +4,8 @@
 
 #include "test_precomp.hpp"
 
-// Few points, a threshold far above their noise, strong perspective: sums of squared errors have local minima, and the
-// first model of the search has all points within the threshold.
+// Few points, a threshold far above their noise, strong perspective: sums of squared errors have
+// local minima, and the first model of the search has all points within the threshold.
 
 namespace opencv_test {
 namespace {
@@ -26,7 +26,8 @@ struct FewPoints
         Params params = Params::fromMethod(flag);
         params.threshold = threshold;
         params.maxIterations = 1000;
-        const Mat K = problem == ESSENTIAL || problem == ABSOLUTE_POSE ? Mat(Matx33d::eye()) : Mat();
+        const Mat K = problem == ESSENTIAL || problem == ABSOLUTE_POSE ? Mat(Matx33d::eye())
+                                                                       : Mat();
         return Usac::create(problem, points1, points2, params, K);
     }
 };
@@ -41,9 +42,10 @@ Vec3d direction(RNG& rng)
 FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
 {
     const double towards = rng.uniform(0., 2 * CV_PI), angle = rng.uniform(0., 2 * CV_PI);
-    const Matx33d A(std::cos(angle), -std::sin(angle), rng.uniform(-50., 50.), std::sin(angle), std::cos(angle),
-                    rng.uniform(-50., 50.), 0, 0, 100);
-    const Matx33d H = A * Matx33d(1, 0, 0, 0, 1, 0, std::cos(towards) / horizon, std::sin(towards) / horizon, 1);
+    const Matx33d A(std::cos(angle), -std::sin(angle), rng.uniform(-50., 50.), std::sin(angle),
+                    std::cos(angle), rng.uniform(-50., 50.), 0, 0, 100);
+    const Matx33d H = A * Matx33d(1, 0, 0, 0, 1, 0, std::cos(towards) / horizon,
+                                  std::sin(towards) / horizon, 1);
     std::vector<Point2d> points1, points2;
     while ((int)points1.size() < count)
     {
@@ -53,14 +55,16 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
         if (std::abs(q[2]) < 5)  // 1/20 of that of the center: next to the horizon
             continue;
         points1.push_back(p);
-        points2.push_back(Point2d(q[0] / q[2] + rng.gaussian(noise), q[1] / q[2] + rng.gaussian(noise)));
+        points2.push_back(
+            Point2d(q[0] / q[2] + rng.gaussian(noise), q[1] / q[2] + rng.gaussian(noise)));
     }
-    const FewPoints points = {HOMOGRAPHY, Mat(points1, true), Mat(points2, true), std::vector<double>(H.val, H.val + 9),
-                              3};
+    const FewPoints points = {HOMOGRAPHY, Mat(points1, true), Mat(points2, true),
+                              std::vector<double>(H.val, H.val + 9), 3};
     return points;
 }
 
-//! F, E or pose of cameras of focal length 1 with the epipole between the points, which may be near the camera.
+//! F, E or pose of cameras of focal length 1 with the epipole between the points, which may be near
+//! the camera.
 FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
 {
     Matx33d R;
@@ -72,21 +76,26 @@ FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
     while ((int)points2.size() < count)
     {
         const double depth = rng.uniform(0.5, 3.);
-        const Vec3d X(rng.uniform(-0.6, 0.6) * depth, rng.uniform(-0.6, 0.6) * depth, depth), Y = R * X + t;
+        const Vec3d X(rng.uniform(-0.6, 0.6) * depth, rng.uniform(-0.6, 0.6) * depth, depth),
+            Y = R * X + t;
         if (Y[2] < 0.15)
             continue;
         space.push_back(Point3d(X[0], X[1], X[2]));
-        points1.push_back(Point2d(X[0] / X[2] + rng.gaussian(noise), X[1] / X[2] + rng.gaussian(noise)));
-        points2.push_back(Point2d(Y[0] / Y[2] + rng.gaussian(noise), Y[1] / Y[2] + rng.gaussian(noise)));
+        points1.push_back(
+            Point2d(X[0] / X[2] + rng.gaussian(noise), X[1] / X[2] + rng.gaussian(noise)));
+        points2.push_back(
+            Point2d(Y[0] / Y[2] + rng.gaussian(noise), Y[1] / Y[2] + rng.gaussian(noise)));
     }
     const Matx33d E = Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
-    const Matx34d P(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0), R(2, 1), R(2, 2), t[2]);
+    const Matx34d P(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0),
+                    R(2, 1), R(2, 2), t[2]);
     const bool pose = problem == ABSOLUTE_POSE;
-    const FewPoints points = {problem, pose ? Mat(space, true) : Mat(points1, true), Mat(points2, true),
-                              pose ? std::vector<double>(P.val, P.val + 12) : std::vector<double>(E.val, E.val + 9),
-                              pose                   ? 8.
-                              : problem == ESSENTIAL ? 1.
-                                                     : 3.};
+    const FewPoints points = {
+        problem, pose ? Mat(space, true) : Mat(points1, true), Mat(points2, true),
+        pose ? std::vector<double>(P.val, P.val + 12) : std::vector<double>(E.val, E.val + 9),
+        pose                   ? 8.
+        : problem == ESSENTIAL ? 1.
+                               : 3.};
     return points;
 }
 
@@ -130,12 +139,14 @@ void expectLeastSquares(const FewPoints& points, const String& name)
         ASSERT_FALSE(model.empty()) << name << ", flag " << (int)FLAGS[k];
         const std::vector<double> output(model.ptr<double>(), model.ptr<double>() + model.total());
         const double best = errorOf(*usac, leastSquares(*usac, modelOf(*usac, points.truth)));
-        EXPECT_LE(errorOf(*usac, modelOf(*usac, output)), 1.1 * best + 1e-9) << name << ", flag " << (int)FLAGS[k];
+        EXPECT_LE(errorOf(*usac, modelOf(*usac, output)), 1.1 * best + 1e-9)
+            << name << ", flag " << (int)FLAGS[k];
     }
 }
 
-/** A horizon that a camera sees between the points: no camera does, but a matrix does not know that. Most samples have
-points of both sides, and are refused; of six points, three on each side, all are. */
+/** A horizon that a camera sees between the points: no camera does, but a matrix does not know
+that. Most samples have points of both sides, and are refused; of six points, three on each side,
+all are. */
 TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
 {
     const int counts[] = {6, 8, 10, 14, 20};
@@ -144,8 +155,9 @@ TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
         {
             RNG rng(1000 * k + seed);
             const double horizon = seed % 4 ? rng.uniform(20., 80.) : rng.uniform(105., 150.);
-            expectLeastSquares(planePoints(counts[k], horizon, 1e-3, rng),
-                               format("%d points, horizon at %.0f, seed %d", counts[k], horizon, seed));
+            expectLeastSquares(
+                planePoints(counts[k], horizon, 1e-3, rng),
+                format("%d points, horizon at %.0f, seed %d", counts[k], horizon, seed));
         }
 }
 
@@ -157,8 +169,9 @@ TEST(Usac_FewPoints, epipoleBetweenThePoints)
             for (int seed = 1; seed <= (count == 6 ? 40 : 10); ++seed)
             {
                 RNG rng(100 * count + seed);
-                expectLeastSquares(spacePoints(problems[k], count, 1e-3, rng),
-                                   format("problem %d, %d points, seed %d", (int)problems[k], count, seed));
+                expectLeastSquares(
+                    spacePoints(problems[k], count, 1e-3, rng),
+                    format("problem %d, %d points, seed %d", (int)problems[k], count, seed));
             }
 }
 
@@ -182,7 +195,8 @@ TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
                 if (s >> i & 1)
                     sample[count++] = i;
             Model models[MAX_MODELS];
-            if (count != 4 || !usac->components().minimalSolver->solve(usac->points(), sample, models))
+            if (count != 4 ||
+                !usac->components().minimalSolver->solve(usac->points(), sample, models))
                 continue;
             const double other = errorOf(*usac, leastSquares(*usac, models[0]));
             better += other < error / 1.1;
@@ -193,8 +207,10 @@ TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
     EXPECT_GT(equal, 20 * 100) << "of 20 times 210: most samples lead there";
 }
 
-//! Exact points on both sides of the second camera, which none of the checks of orientation expects.
-void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
+//! Exact points on both sides of the second camera, which none of the checks of orientation
+//! expects.
+void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1,
+               std::vector<Point2d>& points2)
 {
     Matx33d R;
     Rodrigues(direction(rng) * rng.uniform(1.5, 2.), R);
@@ -227,7 +243,8 @@ TEST(Usac_FewPoints, onBothSidesOfACamera)
                 params.maxIterations = 1000;
                 Mat mask;
                 Usac::create(ESSENTIAL, points1, points2, params, Matx33d::eye())->run(mask);
-                EXPECT_EQ(counts[n], countNonZero(mask)) << "flag " << (int)FLAGS[k] << ", seed " << seed;
+                EXPECT_EQ(counts[n], countNonZero(mask))
+                    << "flag " << (int)FLAGS[k] << ", seed " << seed;
             }
 }
 

@@ -13,17 +13,20 @@
 #include <sstream>
 #include <Eigen/Dense>
 
-// Hashes of the results of every preset on the sets of test_data/ and synthetic scenes, against those of
-// test_data/hashes.txt: no unnoticed change of a result. After an intended one, all rows are written anew by
+// Hashes of the results of every preset on the sets of test_data/ and synthetic scenes, against
+// those of test_data/hashes.txt: no unnoticed change of a result. After an intended one, all rows
+// are written anew by
 //
 //     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
 //
-// The module's own arithmetic is that of IEEE 754, in an order that the source fixes, so compiler, optimization and
-// instruction set change nothing. What it calls may differ in the last bit between machines: exp, log, pow, acos, cbrt
-// .. of libm (glibc itself takes others on a processor without FMA), cv::SVD of another OpenCV, the decompositions of
-// another Eigen or with other vectors. The file has a hash of some of their results, too. Where that is the same, the
-// results have to be the same to the bit. Elsewhere these rows are compared by the robust hash (mask, number of
-// iterations, why they ended), and a few may differ: a last bit decides where two models are as good as each other.
+// The module's own arithmetic is that of IEEE 754, in an order that the source fixes, so compiler,
+// optimization and instruction set change nothing. What it calls may differ in the last bit between
+// machines: exp, log, pow, acos, cbrt .. of libm (glibc itself takes others on a processor without
+// FMA), cv::SVD of another OpenCV, the decompositions of another Eigen or with other vectors. The
+// file has a hash of some of their results, too. Where that is the same, the results have to be the
+// same to the bit. Elsewhere these rows are compared by the robust hash (mask, number of
+// iterations, why they ended), and a few may differ: a last bit decides where two models are as
+// good as each other.
 
 namespace opencv_test {
 namespace {
@@ -42,7 +45,8 @@ struct Row
 
 void PrintTo(const Row& row, std::ostream* os)
 {
-    *os << row.name << ", " << row.iterations << " iterations, " << row.inliers << " inliers, exact hash " << row.exact;
+    *os << row.name << ", " << row.iterations << " iterations, " << row.inliers
+        << " inliers, exact hash " << row.exact;
 }
 
 struct Table
@@ -61,7 +65,10 @@ uint64 platformHash()
     {
         const double x = rng.uniform(-1., 1.), y = rng.uniform(0., 10.), z = rng.uniform(-30., 0.),
                      p = rng.uniform(0., 1.);
-        hash.number(std::exp(z)).number(std::log(y)).number(std::log1p(-p)).number(std::pow(y, 0.5 + p));
+        hash.number(std::exp(z))
+            .number(std::log(y))
+            .number(std::log1p(-p))
+            .number(std::pow(y, 0.5 + p));
         hash.number(std::acos(x)).number(std::cbrt(y)).number(std::atan2(x, y));
         hash.number(std::sin(4 * x)).number(std::cos(4 * x)).number(std::sqrt(y));
     }
@@ -74,10 +81,12 @@ uint64 platformHash()
         SVD::compute(M, w, U, Vt);
         hash.add(Mat(w)).add(Mat(U)).add(Mat(Vt)).add(Mat(M.inv())).number(determinant(M));
         const Eigen::Map<Eigen::Matrix3d> A(M.val);
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(A), Eigen::ComputeFullU | Eigen::ComputeFullV);
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(A),
+                                                    Eigen::ComputeFullU | Eigen::ComputeFullV);
         const Eigen::Matrix3d product = A.transpose() * A + Eigen::Matrix3d::Identity(),
                               inverse = product.llt().solve(A);
-        hash.add(svd.matrixU().data(), 9 * sizeof(double)).add(svd.matrixV().data(), 9 * sizeof(double));
+        hash.add(svd.matrixU().data(), 9 * sizeof(double))
+            .add(svd.matrixV().data(), 9 * sizeof(double));
         hash.add(inverse.data(), 9 * sizeof(double));
     }
     return hash.value();
@@ -101,7 +110,8 @@ std::string kernelsInUse()
 std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = allPresets(problem);
-    const char* names[] = {"scores", "seed", "knn", "radius", "napsac", "importance", "tdd", "symmetric", "unpolished"};
+    const char* names[] = {"scores",     "seed", "knn",       "radius",    "napsac",
+                           "importance", "tdd",  "symmetric", "unpolished"};
     for (int i = 0; i < 9; ++i)
     {
         const NamedPreset preset = {names[i], Params()};
@@ -136,8 +146,8 @@ std::vector<NamedPreset> hashedSpaceParams(ProblemType problem, const std::vecto
 
 //! The result of each of the parameters, by estimate(params, mask, report).
 template <class Estimate>
-void addRows(const std::string& name, const std::vector<NamedPreset>& all, double threshold, const Estimate& estimate,
-             std::vector<Row>& rows)
+void addRows(const std::string& name, const std::vector<NamedPreset>& all, double threshold,
+             const Estimate& estimate, std::vector<Row>& rows)
 {
     for (size_t i = 0; i < all.size(); ++i)
     {
@@ -146,8 +156,8 @@ void addRows(const std::string& name, const std::vector<NamedPreset>& all, doubl
         params.maxIterations = 1000;
         Result result;
         result.model = estimate(params, result.mask, result.report);
-        const Row row = {name + ":" + all[i].name, result.report.iterations, result.report.inliers, result.robust(),
-                         result.exact()};
+        const Row row = {name + ":" + all[i].name, result.report.iterations, result.report.inliers,
+                         result.robust(), result.exact()};
         rows.push_back(row);
     }
 }
@@ -184,12 +194,14 @@ void addPoseRows(const std::string& name, int coefficients, std::vector<Row>& ro
     options.coefficients = coefficients;
     const PoseScene scene = makePoseScene(options);
     const auto estimate = [&](const Params& params, Mat& mask, Report& report) {
-        return estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, params, mask, report);
+        return estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, params,
+                                    mask, report);
     };
     addRows(name, hashedSpaceParams(ABSOLUTE_POSE, scene.scores), 2, estimate, rows);
 }
 
-//! A synthetic scene of a motion of space. Scores are in no order; the radius of neighborhoods is in units of pixels.
+//! A synthetic scene of a motion of space. Scores are in no order; the radius of neighborhoods is
+//! in units of pixels.
 void addRigidRows(ProblemType problem, std::vector<Row>& rows)
 {
     RigidSceneOptions options;
@@ -200,10 +212,12 @@ void addRigidRows(ProblemType problem, std::vector<Row>& rows)
     options.modelScale = problem == SIMILARITY_3D ? 1.5 : 1;
     const RigidScene scene = makeRigidScene(options);
     const auto estimate = [&](const Params& params, Mat& mask, Report& report) {
-        return problem == RIGID_3D ? estimateRigid3D(scene.points1, scene.points2, params, mask, report)
-                                   : estimateSimilarity3D(scene.points1, scene.points2, params, mask, report);
+        return problem == RIGID_3D
+                   ? estimateRigid3D(scene.points1, scene.points2, params, mask, report)
+                   : estimateSimilarity3D(scene.points1, scene.points2, params, mask, report);
     };
-    addRows(nameOf(problem), hashedSpaceParams(problem, scene.scores), scene.threshold, estimate, rows);
+    addRows(nameOf(problem), hashedSpaceParams(problem, scene.scores), scene.threshold, estimate,
+            rows);
 }
 
 Table makeTable()
@@ -234,15 +248,16 @@ const Table& ownTable()
 void writeTable(const Table& table, const std::string& file)
 {
     std::ofstream out(file.c_str());
-    out << "# made by test_hashes.cpp: set:parameters, iterations, inliers, robust hash, exact hash\n";
-    out << "kernels " << table.kernels << "\nplatform " << cv::format("%016llx", (unsigned long long)table.platform)
-        << "\n";
+    out << "# made by test_hashes.cpp: set:parameters, iterations, inliers, robust hash, exact "
+           "hash\n";
+    out << "kernels " << table.kernels << "\nplatform "
+        << cv::format("%016llx", (unsigned long long)table.platform) << "\n";
     for (size_t i = 0; i < table.rows.size(); ++i)
     {
         const Row& row = table.rows[i];
         out << row.name
-            << cv::format(" %d %d %016llx %016llx\n", row.iterations, row.inliers, (unsigned long long)row.robust,
-                          (unsigned long long)row.exact);
+            << cv::format(" %d %d %016llx %016llx\n", row.iterations, row.inliers,
+                          (unsigned long long)row.robust, (unsigned long long)row.exact);
     }
     out.close();
     ASSERT_TRUE(out.good()) << "cannot write " << file;
@@ -257,7 +272,8 @@ Table readTable(const std::string& file)
     std::getline(in, line);
     in >> key >> table.kernels >> key >> std::hex >> table.platform;
     Row row;
-    while (in >> row.name >> std::dec >> row.iterations >> row.inliers >> std::hex >> row.robust >> row.exact)
+    while (in >> row.name >> std::dec >> row.iterations >> row.inliers >> std::hex >> row.robust >>
+           row.exact)
         table.rows.push_back(row);
     return table;
 }
@@ -315,9 +331,10 @@ TEST(Usac_Hashes, kernels)
 void testWithout(const std::string& features, const std::string& test, const std::string& variable)
 {
     const std::string program = testing::internal::GetArgvs()[0];
-    const std::string command = "env -u GTEST_OUTPUT -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX OPENCV_CPU_DISABLE='" +
-                                features + "' " + variable + " '" + program + "' --gtest_filter=" + test +
-                                " > /dev/null 2>&1";
+    const std::string command = "env -u GTEST_OUTPUT -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX "
+                                "OPENCV_CPU_DISABLE='" +
+                                features + "' " + variable + " '" + program +
+                                "' --gtest_filter=" + test + " > /dev/null 2>&1";
     EXPECT_EQ(0, std::system(command.c_str())) << command;
 }
 
@@ -330,12 +347,14 @@ Table tableWithout(const std::string& features)
     return table;
 }
 
-//! OPENCV_CPU_DISABLE is read at the start of a process. It rules the code of OpenCV that is called, too.
+//! OPENCV_CPU_DISABLE is read at the start of a process. It rules the code of OpenCV that is
+//! called, too.
 TEST(Usac_Hashes, every_instruction_set)
 {
     const Table& table = ownTable();
-    const std::string features[] = {"AVX512F", "AVX512F,AVX512-SKX,AVX2",
-                                    "AVX512F,AVX512-SKX,AVX2,FMA3,AVX,FP16,SSE4.2,SSE4.1,SSSE3,POPCNT"};
+    const std::string features[] = {
+        "AVX512F", "AVX512F,AVX512-SKX,AVX2",
+        "AVX512F,AVX512-SKX,AVX2,FMA3,AVX,FP16,SSE4.2,SSE4.1,SSSE3,POPCNT"};
     for (int i = 0; i < 3; ++i)
     {
         SCOPED_TRACE("without " + features[i]);
@@ -353,7 +372,8 @@ TEST(Usac_Hashes, every_part_of_avx512)
 {
     const std::string features[] = {"AVX512-SKX", "AVX512F", "AVX512BW", "AVX512DQ", "AVX512VL"};
     for (int i = 0; i < 5; ++i)
-        testWithout(features[i], "Usac_Hashes.kernels", "USAC_EXPECTED_KERNELS=" + secondBestKernels());
+        testWithout(features[i], "Usac_Hashes.kernels",
+                    "USAC_EXPECTED_KERNELS=" + secondBestKernels());
 }
 
 #endif

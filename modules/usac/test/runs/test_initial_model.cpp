@@ -65,8 +65,8 @@ TEST_P(UsacInitialModel, wrong_one_does_no_harm)
     }
 }
 
-//! Nor does the model of another motion, which is not random: it is fitted, and no model of a sample is as good as a
-//! fitted one.
+//! Nor does the model of another motion, which is not random: it is fitted, and no model of a
+//! sample is as good as a fitted one.
 TEST(Usac_InitialModel, of_another_motion_does_not_hide_the_right_one)
 {
     int missed[2] = {0, 0};
@@ -97,7 +97,8 @@ TEST(Usac_InitialModel, of_another_motion_does_not_hide_the_right_one)
             samples[with] += report.iterations;
         }
     }
-    EXPECT_LE(missed[1], missed[0] + 2);  // 11 of 40 where no sample was as good as the fitted model
+    EXPECT_LE(missed[1],
+              missed[0] + 2);  // 11 of 40 where no sample was as good as the fitted model
     EXPECT_LE(samples[1], 1.5 * samples[0]);
 }
 
@@ -109,7 +110,10 @@ TEST_P(UsacInitialModel, mistakes_are_named)
     for (int mistake = 0; mistake < 4; ++mistake)
     {
         Params params;
-        params.initialModel.assign(mistake == 0 ? 5 : mistake == 1 ? 13 : 9, mistake == 2 ? NAN : 0.);
+        params.initialModel.assign(mistake == 0   ? 5
+                                   : mistake == 1 ? 13
+                                                  : 9,
+                                   mistake == 2 ? NAN : 0.);
         if (mistake == 3)
             params.initialModel.assign(9, INFINITY);
         expectException([&]() { runWith(scene, params, mask, report); }, "initialModel");

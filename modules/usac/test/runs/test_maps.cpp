@@ -5,8 +5,8 @@
 #include "linear_map.hpp"
 #include "test_contracts.hpp"
 
-// Affinities and similarities of every kind, and points that determine one badly or not at all. The measure is the
-// plain least-squares fit of the right matches, which knows them.
+// Affinities and similarities of every kind, and points that determine one badly or not at all. The
+// measure is the plain least-squares fit of the right matches, which knows them.
 
 namespace opencv_test {
 namespace {
@@ -43,7 +43,8 @@ Point2d mapped(const Matx23d& map, const Point2d& p)
 //! Matches of a map with noise in image 2, then wrong ones anywhere in the box around image 2.
 struct Matches
 {
-    Matches(const Matx23d& map_, int right_, int wrong, double noise_, uint64 seed) : map(map_), right(right_)
+    Matches(const Matx23d& map_, int right_, int wrong, double noise_, uint64 seed)
+        : map(map_), right(right_)
     {
         RNG rng(seed);
         // in units of image 2, in which noise and threshold are
@@ -58,21 +59,25 @@ struct Matches
         }
     }
 
-    //! Root mean square distance of the right matches from where the true map takes them; infinite without a map.
+    //! Root mean square distance of the right matches from where the true map takes them; infinite
+    //! without a map.
     double error(const Mat& model) const
     {
         if (model.empty())
             return std::numeric_limits<double>::infinity();
         double sum = 0;
         for (int i = 0; i < right; ++i)
-            sum += std::pow(cv::norm(mapped(Matx23d(model.ptr<double>()), points1[i]) - mapped(map, points1[i])), 2);
+            sum += std::pow(cv::norm(mapped(Matx23d(model.ptr<double>()), points1[i]) -
+                                     mapped(map, points1[i])),
+                            2);
         return std::sqrt(sum / right) / unit;
     }
 
     double errorOfLeastSquares(ProblemType problem) const
     {
-        const Matx23d best = linearMap(problem, std::vector<Point2d>(points1.begin(), points1.begin() + right),
-                                       std::vector<Point2d>(points2.begin(), points2.begin() + right));
+        const Matx23d best = linearMap(
+            problem, std::vector<Point2d>(points1.begin(), points1.begin() + right),
+            std::vector<Point2d>(points2.begin(), points2.begin() + right));
         return error(Mat(best));
     }
 
@@ -123,7 +128,8 @@ TEST_P(Usac_Maps, inlierRatios)
         for (uint64 seed = 1; seed <= 10; ++seed)
         {
             const int right = 400 * ratios[r] / 100;
-            const Matches matches(Matx23d(0.8, 0.6, 10, -0.6, 0.8, 300), right, 400 - right, 0.5, seed);
+            const Matches matches(Matx23d(0.8, 0.6, 10, -0.6, 0.8, 300), right, 400 - right, 0.5,
+                                  seed);
             Params params;
             params.threshold = 2;
             params.maxIterations = 100000;
@@ -144,13 +150,15 @@ TEST_P(Usac_Maps, fewExactPoints)
             const Matches matches(KINDS[seed % 6].map, count, 0, 0, seed);
             Mat mask;
             Report report;
-            const Mat model = estimatePoints(problem(), matches.points1, matches.points2, Params(), mask, report);
+            const Mat model = estimatePoints(problem(), matches.points1, matches.points2, Params(),
+                                             mask, report);
             ASSERT_EQ(count < least, model.empty()) << count << " points, seed " << seed;
             EXPECT_EQ(count < least, report.stop == STOP_TOO_FEW_POINTS);
             if (count >= least)
             {
                 EXPECT_EQ(count, countNonZero(mask));
-                EXPECT_LE(cvtest::norm(model, Mat(matches.map), NORM_INF), 1e-9 * cv::norm(matches.map, NORM_INF));
+                EXPECT_LE(cvtest::norm(model, Mat(matches.map), NORM_INF),
+                          1e-9 * cv::norm(matches.map, NORM_INF));
             }
         }
 }
@@ -172,14 +180,16 @@ TEST_P(Usac_Maps, pointsOfALine)
     EXPECT_TRUE(estimatePoints(problem(), same, places, Params(), noArray(), report).empty());
     EXPECT_TRUE(estimatePoints(problem(), line, same, Params(), noArray(), report).empty());
     EXPECT_TRUE(estimatePoints(problem(), same, same, Params(), noArray(), report).empty());
-    // nearly on a line: the errors of the points themselves, as what is off the line is not determined
+    // nearly on a line: the errors of the points themselves, as what is off the line is not
+    // determined
     for (double width = 2; width > 1e-3; width /= 10)
     {
         std::vector<Point2d> points1 = line, points2;
         for (int i = 0; i < 80; ++i)
         {
             points1[i].x += rng.uniform(-width, width);
-            points2.push_back(mapped(map, points1[i]) + Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
+            points2.push_back(mapped(map, points1[i]) +
+                              Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
         }
         const Mat model = estimatePoints(problem(), points1, points2, Params(), noArray(), report);
         ASSERT_FALSE(model.empty()) << width;
@@ -206,7 +216,8 @@ TEST_P(Usac_Maps, repeatedMatches)
                 matches.points1.push_back(matches.points1[wrong ? 70 : 0]);
                 matches.points2.push_back(matches.points2[wrong ? 70 : 0]);
             }
-            EXPECT_LE(matches.error(matches.estimate(problem(), Params())), wrong ? 0.4 : 1) << wrong << " " << seed;
+            EXPECT_LE(matches.error(matches.estimate(problem(), Params())), wrong ? 0.4 : 1)
+                << wrong << " " << seed;
         }
 }
 

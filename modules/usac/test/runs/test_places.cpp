@@ -6,13 +6,14 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
-// Many of the second points are at one place, as a watermark or a dead pixel makes them: a model that takes everything
-// there is not the right one.
+// Many of the second points are at one place, as a watermark or a dead pixel makes them: a model
+// that takes everything there is not the right one.
 
 namespace opencv_test {
 namespace {
 
-const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_MAGSAC};
+const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC,
+                               USACV20_MAGSAC};
 
 //! Parts of 200 matches.
 struct Parts
@@ -61,7 +62,8 @@ bool rightPose(const Parts& parts, UsacV20Method flag, uint64 seed)
     Report report;
     const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
                                           paramsOf(flag, scene.scores), noArray(), report);
-    return !pose.empty() && rotationError(scene, Matx34d(pose)) < 1.5 && centerError(scene, Matx34d(pose)) < 0.05;
+    return !pose.empty() && rotationError(scene, Matx34d(pose)) < 1.5 &&
+           centerError(scene, Matx34d(pose)) < 0.05;
 }
 
 bool rightMotion(ProblemType problem, const Parts& parts, UsacV20Method flag, uint64 seed)
@@ -89,8 +91,8 @@ bool isRight(ProblemType problem, const Parts& parts, UsacV20Method flag, uint64
 
 typedef testing::TestWithParam<int> Usac_Places;
 INSTANTIATE_TEST_CASE_P(/**/, Usac_Places,
-                        testing::Values((int)HOMOGRAPHY, (int)AFFINITY, (int)SIMILARITY, (int)ABSOLUTE_POSE,
-                                        (int)RIGID_3D, (int)SIMILARITY_3D));
+                        testing::Values((int)HOMOGRAPHY, (int)AFFINITY, (int)SIMILARITY,
+                                        (int)ABSOLUTE_POSE, (int)RIGID_3D, (int)SIMILARITY_3D));
 
 TEST_P(Usac_Places, no_flag_collapses)
 {
@@ -100,12 +102,13 @@ TEST_P(Usac_Places, no_flag_collapses)
             int wrong = 0;
             for (int seed = 1; seed <= RUNS; ++seed)
                 wrong += !isRight((ProblemType)GetParam(), parts, flag, seed);
-            EXPECT_LE(wrong, 1) << parts.right << " right, " << parts.atPlaces << " at " << parts.places
-                                << " places, flag " << (int)flag;
+            EXPECT_LE(wrong, 1) << parts.right << " right, " << parts.atPlaces << " at "
+                                << parts.places << " places, flag " << (int)flag;
         }
 }
 
-//! Without the checks a model that takes all to the place may be returned: the report says what it rests on.
+//! Without the checks a model that takes all to the place may be returned: the report says what it
+//! rests on.
 TEST(Usac_Places_Report, says_that_few_inliers_are_independent)
 {
     int collapsed = 0;
@@ -119,16 +122,19 @@ TEST(Usac_Places_Report, says_that_few_inliers_are_independent)
         Params params = paramsOf(USACV20, scene.scores);
         params.degeneracy = 0;
         Report report;
-        const Mat model = Usac::create(HOMOGRAPHY, scene.points1, scene.points2, params)->run(noArray(), &report);
+        const Mat model = Usac::create(HOMOGRAPHY, scene.points1, scene.points2, params)
+                              ->run(noArray(), &report);
         if (model.empty() || report.inliers < SIZE / 2)
             continue;
         ++collapsed;
-        EXPECT_NE(String::npos, report.describe().find("inliers are independent")) << report.describe();
+        EXPECT_NE(String::npos, report.describe().find("inliers are independent"))
+            << report.describe();
     }
     EXPECT_GT(collapsed, 0);
 }
 
-//! The map of an object of 16 pixels in image 2 is no collapse, however large the object is in image 1.
+//! The map of an object of 16 pixels in image 2 is no collapse, however large the object is in
+//! image 1.
 TEST(Usac_Places_Objects, small_ones_are_found)
 {
     for (int problem : {HOMOGRAPHY, AFFINITY, SIMILARITY})
@@ -148,18 +154,23 @@ TEST(Usac_Places_Objects, small_ones_are_found)
                         const bool right = i < SIZE / 2;
                         const Point2d u(rng.uniform(0., 1.), rng.uniform(0., 1.)),
                             noise(rng.gaussian(0.5), rng.gaussian(0.5));
-                        points1.push_back(right ? corner1 + u * size
-                                                : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
-                        points2.push_back(right ? corner2 + u * 16 + noise
-                                                : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+                        points1.push_back(
+                            right ? corner1 + u * size
+                                  : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+                        points2.push_back(
+                            right ? corner2 + u * 16 + noise
+                                  : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
                         scores.push_back(rng.uniform(0.f, 1.f));
                     }
                     Mat mask;
-                    const Mat model =
-                        Usac::create((ProblemType)problem, points1, points2, paramsOf(flag, scores))->run(mask);
-                    found += !model.empty() && countNonZero(mask.rowRange(0, SIZE / 2)) > 0.9 * SIZE / 2;
+                    const Mat model = Usac::create((ProblemType)problem, points1, points2,
+                                                   paramsOf(flag, scores))
+                                          ->run(mask);
+                    found += !model.empty() &&
+                             countNonZero(mask.rowRange(0, SIZE / 2)) > 0.9 * SIZE / 2;
                 }
-                EXPECT_GE(found, RUNS - 1) << problem << ", " << size << " pixels, flag " << (int)flag;
+                EXPECT_GE(found, RUNS - 1)
+                    << problem << ", " << size << " pixels, flag " << (int)flag;
             }
 }
 

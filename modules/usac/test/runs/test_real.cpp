@@ -10,7 +10,8 @@
 namespace opencv_test {
 namespace {
 
-//! A set, its inlier threshold, the largest mean error of the check points and the least number of inliers.
+//! A set, its inlier threshold, the largest mean error of the check points and the least number of
+//! inliers.
 struct RealCase
 {
     const char* name;
@@ -30,15 +31,17 @@ protected:
         EXPECT_LT(set.error(model), slack * real.error) << what;
         EXPECT_GT(countNonZero(mask), real.inliers / slack) << what;
         if (cvtest::debugLevel > 0)
-            printf("%-12s %-16s error %.3f px, %d inliers\n", real.name, what, set.error(model), countNonZero(mask));
+            printf("%-12s %-16s error %.3f px, %d inliers\n", real.name, what, set.error(model),
+                   countNonZero(mask));
     }
 
     const RealCase real;
     const RealSet set;
 };
 
-const RealCase CASES[] = {{"graf", 2, 0.6, 235},     {"aloe", 1, 0.3, 265},       {"office01_F", 1, 1, 265},
-                          {"office12_F", 1, 1, 150}, {"office01_E", 1, 0.6, 260}, {"office12_E", 1, 0.9, 140}};
+const RealCase CASES[] = {{"graf", 2, 0.6, 235},       {"aloe", 1, 0.3, 265},
+                          {"office01_F", 1, 1, 265},   {"office12_F", 1, 1, 150},
+                          {"office01_E", 1, 0.6, 260}, {"office12_E", 1, 0.9, 140}};
 INSTANTIATE_TEST_CASE_P(/**/, UsacReal, testing::ValuesIn(CASES));
 
 //! Without this the bounds of the other tests would mean nothing.
@@ -51,13 +54,14 @@ TEST_P(UsacReal, truth_fits_the_check_points)
 TEST_P(UsacReal, every_flag)
 {
     Mat mask;
-    const bool graf = real.name ==
-                      std::string("graf");  // of 200 seeds 7 (MAGSAC: 12) end in another optimum, 1.7 px off
+    const bool graf = real.name == std::string("graf");  // of 200 seeds 7 (MAGSAC: 12) end in
+                                                         // another optimum, 1.7 px off
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
     verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, graf ? 3 : 1.5);
     verify("USACV20_ACCURATE", set.find(USACV20_ACCURATE, real.threshold, mask), mask);
     // its reach is three thresholds, and the wall is not quite a plane
-    verify("USACV20_MAGSAC", set.find(USACV20_MAGSAC, real.threshold / 2, mask), mask, graf ? 4 : 2);
+    verify("USACV20_MAGSAC", set.find(USACV20_MAGSAC, real.threshold / 2, mask), mask,
+           graf ? 4 : 2);
     verify("USACV20_PROSAC", set.sorted().find(USACV20_PROSAC, real.threshold, mask), mask);
 }
 

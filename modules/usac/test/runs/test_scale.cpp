@@ -37,11 +37,12 @@ Cost costOf(const Scene& scene, const Params& params)
     EXPECT_EQ(countNonZero(mask), cost.report.inliers);
     EXPECT_GT(cost.report.inliers, 0.44 * scene.size());
     if (cvtest::debugLevel > 0)
-        printf("%s, %7d points: %8.1f ms (setup %.1f, search %.1f, local %.1f, end %.1f), %6.1f MB, %3.0f bytes a "
+        printf("%s, %7d points: %8.1f ms (setup %.1f, search %.1f, local %.1f, end %.1f), %6.1f "
+               "MB, %3.0f bytes a "
                "point, %d iterations\n",
-               nameOf(scene.problem), scene.size(), cost.milliseconds, cost.report.setupMs, cost.report.searchMs,
-               cost.report.localMs, cost.report.polishMs, cost.bytes / 1e6, cost.bytes / scene.size(),
-               cost.report.iterations);
+               nameOf(scene.problem), scene.size(), cost.milliseconds, cost.report.setupMs,
+               cost.report.searchMs, cost.report.localMs, cost.report.polishMs, cost.bytes / 1e6,
+               cost.bytes / scene.size(), cost.report.iterations);
     return cost;
 }
 
@@ -66,7 +67,8 @@ TEST_P(UsacScale, million_points)
             iterations = cost.report.iterations;
             localOptimizations = cost.report.localOptimizations;
         }
-        EXPECT_LE(cost.report.iterations, 2 * iterations + 100) << "the samples do not grow with the points";
+        EXPECT_LE(cost.report.iterations, 2 * iterations + 100)
+            << "the samples do not grow with the points";
         EXPECT_LE(cost.report.localOptimizations, 2 * localOptimizations + 10);
     }
 }
@@ -84,7 +86,8 @@ public:
         residual->squaredErrors(points, model, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* const* columns, int size, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int size,
+                       double* errors) const CV_OVERRIDE
     {
         count += size;
         residual->squaredErrors(model, columns, size, errors);
@@ -102,8 +105,8 @@ class CountingSolver : public NonMinimalSolver
 public:
     explicit CountingSolver(const Ptr<NonMinimalSolver>& solver_) : count(0), solver(solver_) {}
 
-    bool fit(const Correspondences& points, const int* indices, int size, const double* weights, Model& model,
-             int iterations) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int size, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
     {
         count += size;
         return solver->fit(points, indices, size, weights, model, iterations);
@@ -129,8 +132,8 @@ double workPerPoint(ProblemType problem, const NamedPreset& preset, int size, ui
     usac->components().nonMinimalSolver = solver;
     EXPECT_FALSE(usac->run().empty());
     if (cvtest::debugLevel > 0)
-        printf("%s, %s, %d points: each is rated %.1f times, and fitted to %.1f times\n", nameOf(problem), preset.name,
-               size, residual->count / size, solver->count / size);
+        printf("%s, %s, %d points: each is rated %.1f times, and fitted to %.1f times\n",
+               nameOf(problem), preset.name, size, residual->count / size, solver->count / size);
     return (residual->count + solver->count) / size;
 }
 
@@ -140,7 +143,8 @@ TEST_P(UsacScale, work_is_linear)
     for (size_t p = 0; p < presets.size(); ++p)
     {
         if (presets[p].params.termination & TERMINATION_PROSAC)
-            continue;  // which waits until its subset has grown: the samples, not the work of one, depend on N
+            continue;  // which waits until its subset has grown: the samples, not the work of one,
+                       // depend on N
         double few = 0, many = 0;
         for (uint64 seed = 0; seed < 5; ++seed)
         {
@@ -192,7 +196,8 @@ void manyCalls(int count)
     }
     const double growth = residentBytes() - before;
     if (cvtest::debugLevel > 0)
-        printf("%d calls: %.0f bytes more in memory than before, %.1f MB\n", count, growth, before / 1e6);
+        printf("%d calls: %.0f bytes more in memory than before, %.1f MB\n", count, growth,
+               before / 1e6);
     EXPECT_LE(growth, 1e6);
 }
 

@@ -124,7 +124,8 @@ TEST_P(UsacStop, exception_of_the_callback_comes_out)
     const Ptr<Usac> usac = createUsac(scene, params);
     for (int i = 0; i < 2; ++i)
     {
-        const ProgressScope scope([](const Report&) -> bool { throw std::runtime_error("enough"); });
+        const ProgressScope scope(
+            [](const Report&) -> bool { throw std::runtime_error("enough"); });
         EXPECT_THROW(usac->run(), std::runtime_error);
     }
     params.maxIterations = 200;
@@ -258,7 +259,8 @@ TEST(Usac_Stop, batches)
     {
         std::vector<Task> tasks;
         for (int i = 0; i < 6; ++i)
-            tasks.push_back(Task(FUNDAMENTAL, Mat(hard.points1), Mat(hard.points2), endless(FUNDAMENTAL)));
+            tasks.push_back(
+                Task(FUNDAMENTAL, Mat(hard.points1), Mat(hard.points2), endless(FUNDAMENTAL)));
         const Clock::time_point start = Clock::now();
         std::vector<Estimate> found;
         const std::thread::id caller = std::this_thread::get_id();
@@ -275,7 +277,8 @@ TEST(Usac_Stop, batches)
         ASSERT_EQ(tasks.size(), found.size());
         for (const Estimate& one : found)
             EXPECT_EQ((int)STOP_CANCELLED, one.report.stop) << one.error;
-        const ProgressScope scope([](const Report&) -> bool { throw std::runtime_error("enough"); });
+        const ProgressScope scope(
+            [](const Report&) -> bool { throw std::runtime_error("enough"); });
         EXPECT_THROW(estimateBatch(tasks, threads), std::runtime_error);
     }
 }
@@ -284,7 +287,8 @@ TEST(Usac_Stop, batches)
 TEST(Usac_Stop, batches_of_short_tasks)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
-    std::vector<Task> tasks(20000, Task(HOMOGRAPHY, Mat(scene.points1), Mat(scene.points2), Params()));
+    std::vector<Task> tasks(20000,
+                            Task(HOMOGRAPHY, Mat(scene.points1), Mat(scene.points2), Params()));
     int asked = 0;
     const ProgressScope scope([&](const Report&) { return ++asked < 3; });
     const std::vector<Estimate> found = estimateBatch(tasks, 1);

@@ -11,8 +11,8 @@
 namespace opencv_test {
 namespace {
 
-//! Milliseconds of the processor: what other programs take does not count. A tenth of a second is promised; twice that
-//! may pass where others use the caches.
+//! Milliseconds of the processor: what other programs take does not count. A tenth of a second is
+//! promised; twice that may pass where others use the caches.
 double processorTime() { return 1e3 * std::clock() / CLOCKS_PER_SEC; }
 const double LATE = 200;
 
@@ -24,8 +24,8 @@ Params presetOfMany(int preset)
                          : Params::magsac();
 }
 
-//! The neighborhoods, the order, PROSAC's criterion, the chance and the independent inliers of a million points take up
-//! to seconds each.
+//! The neighborhoods, the order, PROSAC's criterion, the chance and the independent inliers of a
+//! million points take up to seconds each.
 TEST(Usac_StopLate, a_million_points)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
@@ -36,7 +36,8 @@ TEST(Usac_StopLate, a_million_points)
             const Scene scene = makeScene((ProblemType)problem, options);
             for (int preset = 0; preset < 4; ++preset)
             {
-                SCOPED_TRACE(cv::format("problem %d, preset %d, %g right matches", problem, preset, ratio));
+                SCOPED_TRACE(
+                    cv::format("problem %d, preset %d, %g right matches", problem, preset, ratio));
                 Params params = presetOfMany(preset);
                 params.maxIterations = INT_MAX;
                 params.maxTime = 400;
@@ -62,7 +63,8 @@ public:
     int calls;
 };
 
-//! A step that can be left out does not end a run that has time for others: the order of a million points takes 130 ms.
+//! A step that can be left out does not end a run that has time for others: the order of a million
+//! points takes 130 ms.
 TEST(Usac_StopLate, no_time_for_the_order)
 {
     Correspondences points = Correspondences();
@@ -84,7 +86,8 @@ TEST(Usac_StopLate, no_time_for_the_order)
     }
 }
 
-//! The same from the moment at which a function says no: no clock can tell these steps to be left out before.
+//! The same from the moment at which a function says no: no clock can tell these steps to be left
+//! out before.
 TEST(Usac_StopLate, a_million_points_cancelled)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL})

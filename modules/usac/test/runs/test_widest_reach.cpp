@@ -32,13 +32,15 @@ double meanError(int problem, Params params, double pixels)
     return sum;
 }
 
-//! A noise of 0.5 pixels: a threshold of a hundredth to a half is as good as one of three times that.
+//! A noise of 0.5 pixels: a threshold of a hundredth to a half is as good as one of three times
+//! that.
 TEST_P(Usac_WidestReach, thresholdsBelowTheNoise)
 {
     const double usual = meanError(GetParam(), Params::magsacPlusPlus(), 1.5);
     const double thresholds[] = {0.005, 0.05, 0.3, 0.6};
     for (int i = 0; i < 4; ++i)
-        EXPECT_LT(meanError(GetParam(), Params::magsacPlusPlus(), thresholds[i]), 1.3 * usual) << thresholds[i];
+        EXPECT_LT(meanError(GetParam(), Params::magsacPlusPlus(), thresholds[i]), 1.3 * usual)
+            << thresholds[i];
     EXPECT_LT(meanError(GetParam(), Params::magsac(), 0.1), 1.3 * usual);
     Params narrow = Params::magsacPlusPlus();
     narrow.widestReach = 1;
@@ -48,8 +50,8 @@ TEST_P(Usac_WidestReach, thresholdsBelowTheNoise)
     EXPECT_GT(between, 1.1 * usual);
 }
 
-//! Where no more noise is found than the threshold allows for, nothing changes; and it does not depend on the threads
-//! where it is.
+//! Where no more noise is found than the threshold allows for, nothing changes; and it does not
+//! depend on the threads where it is.
 TEST_P(Usac_WidestReach, bits)
 {
     const Scene scene = makeScene((ProblemType)GetParam());
@@ -89,7 +91,8 @@ TEST_P(Usac_WidestReach, unit)
         Params params = Params::magsacPlusPlus();
         params.threshold = 0.1 * unit;
         Report report;
-        EXPECT_FALSE(estimatePoints(scene.problem, points1, points2, params, masks[i], report).empty());
+        EXPECT_FALSE(
+            estimatePoints(scene.problem, points1, points2, params, masks[i], report).empty());
     }
     EXPECT_TRUE(sameBits(masks[0], masks[1]));
 }
@@ -111,11 +114,14 @@ TEST(Usac_WidestReach_Mask, mayBeEmpty)
     EXPECT_NE((int)STOP_NO_MODEL, report.stop);
 }
 
-//! Refuses models of the first group of points once the threshold has become wider than it was, or all once narrower.
+//! Refuses models of the first group of points once the threshold has become wider than it was, or
+//! all once narrower.
 class RefusesGroup : public Degeneracy
 {
 public:
-    RefusesGroup(int points_, bool wider_) : points(points_), wider(wider_), last(0), active(false), refused(0) {}
+    RefusesGroup(int points_, bool wider_)
+        : points(points_), wider(wider_), last(0), active(false), refused(0)
+    {}
 
     void start(const Context& context) CV_OVERRIDE
     {
@@ -146,7 +152,8 @@ public:
     int refused;
 };
 
-//! Two groups of points, each with a map of its own, and a check that refuses that of the first one.
+//! Two groups of points, each with a map of its own, and a check that refuses that of the first
+//! one.
 struct TwoGroups
 {
     TwoGroups(int seed, double noise, int others, int outliers, bool wider)
@@ -177,7 +184,8 @@ struct TwoGroups
     Ptr<RefusesGroup> check;
 };
 
-//! A check that refuses the best model when the reach has grown is obeyed: the model of the other group is found.
+//! A check that refuses the best model when the reach has grown is obeyed: the model of the other
+//! group is found.
 TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best)
 {
     int found = 0;
@@ -196,7 +204,8 @@ TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best)
     EXPECT_GE(found, 4);  // none if the reach grew with the last sample
 }
 
-//! The same when it shrinks again, after it has grown for a poor model, that of few samples, in some of the scenes.
+//! The same when it shrinks again, after it has grown for a poor model, that of few samples, in
+//! some of the scenes.
 TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best_at_the_end)
 {
     int refusals = 0;

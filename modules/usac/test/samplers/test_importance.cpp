@@ -16,7 +16,8 @@ Params withScores(const std::vector<float>& scores)
     return params;
 }
 
-//! Chi-squared of counts with these expectations, in standard deviations from its mean; what must not occur does not.
+//! Chi-squared of counts with these expectations, in standard deviations from its mean; what must
+//! not occur does not.
 double deviationFrom(const std::vector<int>& counts, const std::vector<double>& expected)
 {
     double sum = 0, freedom = -1;
@@ -37,7 +38,8 @@ double deviationFrom(const std::vector<int>& counts, const std::vector<double>& 
 struct Weighted
 {
     Weighted(ProblemType problem, const std::vector<float>& scores, uint64 seed)
-        : draw(problem, (int)scores.size(), createImportanceSampler(), seed, withScores(scores)), sum(0)
+        : draw(problem, (int)scores.size(), createImportanceSampler(), seed, withScores(scores)),
+          sum(0)
     {
         for (size_t i = 0; i < scores.size(); ++i)
         {
@@ -60,7 +62,8 @@ std::vector<float> variedScores(int count)
     return scores;
 }
 
-//! The first point of a sample has the probability of its weight, the second one that of its weight among the others.
+//! The first point of a sample has the probability of its weight, the second one that of its weight
+//! among the others.
 TEST(Usac_Importance, distributionByChiSquared)
 {
     const int N = 24, SAMPLES = 200000;
@@ -85,7 +88,8 @@ TEST(Usac_Importance, distributionByChiSquared)
             for (int j = 0; j < N; ++j)
                 if (i != j)
                 {
-                    expectedPairs[i * N + j] = expected[i] * weighted.weights[j] / (weighted.sum - weighted.weights[i]);
+                    expectedPairs[i * N + j] = expected[i] * weighted.weights[j] /
+                                               (weighted.sum - weighted.weights[i]);
                     expectedSecond[j] += expectedPairs[i * N + j];
                 }
         EXPECT_LT(std::abs(deviationFrom(first, expected)), 4.5);
@@ -107,7 +111,8 @@ TEST(Usac_Importance, equalWeightsAreUniform)
     EXPECT_LT(std::abs(deviation(last, SAMPLES)), 4.5);
 }
 
-//! With fewer points of positive weight than a sample has, or as many, all of them are in each; the rest is uniform.
+//! With fewer points of positive weight than a sample has, or as many, all of them are in each; the
+//! rest is uniform.
 TEST(Usac_Importance, fewPointsOfPositiveWeight)
 {
     const int N = 30, SAMPLES = 20000;
@@ -134,12 +139,13 @@ TEST(Usac_Importance, fewPointsOfPositiveWeight)
             for (int i = N - 1; i >= 0; --i)
                 if (weighted.weights[i] > 0)
                     rest.erase(rest.begin() + i);
-            EXPECT_LT(std::abs(deviation(rest, SAMPLES)), 4.5) << "problem " << problem << " positive " << positive;
+            EXPECT_LT(std::abs(deviation(rest, SAMPLES)), 4.5)
+                << "problem " << problem << " positive " << positive;
         }
 }
 
-//! Where one or two points have nearly all of the weight, samples are still of distinct points, and the others as they
-//! should be.
+//! Where one or two points have nearly all of the weight, samples are still of distinct points, and
+//! the others as they should be.
 TEST(Usac_Importance, overwhelmingWeights)
 {
     const int N = 20, SAMPLES = 20000;
@@ -161,7 +167,9 @@ TEST(Usac_Importance, overwhelmingWeights)
         }
         std::vector<double> expected(N);
         for (int i = 0; i < N; ++i)
-            expected[i] = weighted.weights[i] > 0.5 && weighted.weights[i] < 2 ? SAMPLES / (N - heavy - 1.) : 0;
+            expected[i] = weighted.weights[i] > 0.5 && weighted.weights[i] < 2
+                              ? SAMPLES / (N - heavy - 1.)
+                              : 0;
         EXPECT_LT(std::abs(deviationFrom(others, expected)), 4.5) << heavy;
     }
 }

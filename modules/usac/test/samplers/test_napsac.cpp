@@ -42,11 +42,13 @@ TEST(Usac_Napsac, uniformAmongNeighbors)
             ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
             ++centers[draw.sample[0]];
             const int* members = 0;
-            const int count = neighborhood.members(draw.context, neighborhood.layers() - 1, draw.sample[0], members);
+            const int count = neighborhood.members(draw.context, neighborhood.layers() - 1,
+                                                   draw.sample[0], members);
             ASSERT_EQ((int)MEMBERS, count);
             for (int k = 1; k < draw.m; ++k)
             {
-                const int rank = (int)(std::find(members, members + count, draw.sample[k]) - members);
+                const int rank = (int)(std::find(members, members + count, draw.sample[k]) -
+                                       members);
                 ASSERT_LT(rank, count) << "no neighbor";
                 ++ranks[k][rank];
             }
@@ -79,7 +81,8 @@ TEST(Usac_Napsac, lonelyPointsAreNoCenters)
         std::vector<int> social;
         for (int i = 0; i < N; ++i)
         {
-            if ((int)membersOf(neighborhood, draw.context, neighborhood.layers() - 1, i).size() >= draw.m)
+            if ((int)membersOf(neighborhood, draw.context, neighborhood.layers() - 1, i).size() >=
+                draw.m)
                 social.push_back(centers[i]);
             else
             {
@@ -137,7 +140,8 @@ TEST(Usac_Napsac, findsALocalModel)
         {
             options.seed = seed;
             Scene scene = makeScene(HOMOGRAPHY, options);
-            const Matx33d shrink(0.25, 0, 200, 0, 0.25, 150, 0, 0, 1);  // of both images, for the true matches
+            const Matx33d shrink(0.25, 0, 200, 0, 0.25, 150, 0, 0,
+                                 1);  // of both images, for the true matches
             for (int i = 0; i < scene.size(); ++i)
                 if (scene.truth[i])
                 {

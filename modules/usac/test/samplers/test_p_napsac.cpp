@@ -56,9 +56,9 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
     }
 }
 
-//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as long as it is new.
-//! This holds for one sample in Params::orderedEvery, but none of the first eight if the order is a guess; the others
-//! are uniform, and they count.
+//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as
+//! long as it is new. This holds for one sample in Params::orderedEvery, but none of the first
+//! eight if the order is a guess; the others are uniform, and they count.
 void expectGrowth(int ordering, int period)
 {
     const int N = 300, first = ordering == ORDERING_DENSITY ? 8 : 0;
@@ -67,7 +67,9 @@ void expectGrowth(int ordering, int period)
     params.orderedEvery = period;
     Draw draw(FUNDAMENTAL, N, createPNapsacSampler(), 0, params);
     const std::vector<double> limit = publishedGrowth(N, draw.m);
-    const bool known = ordering == ORDERING_INPUT_ORDER;  // then the set grows with the samples that follow the order
+    const bool
+        known = ordering ==
+                ORDERING_INPUT_ORDER;  // then the set grows with the samples that follow the order
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0, grown = 0;
     for (int t = 1; t <= 20000; ++t)
     {
@@ -77,7 +79,8 @@ void expectGrowth(int ordering, int period)
         draw.next();
         ASSERT_TRUE(draw.valid());
         wrongSize += draw.sampler->subsetSize(draw.context) != n;
-        const std::vector<int>::const_iterator end = draw.order.begin() + draw.sampler->subsetSize(draw.context);
+        const std::vector<int>::const_iterator end = draw.order.begin() +
+                                                     draw.sampler->subsetSize(draw.context);
         const bool out = std::find(draw.order.cbegin(), end, draw.sample[0]) == end;
         const bool ordered = (t - 1) % period == 0 && (t > first || period == 1);
         EXPECT_EQ(!ordered || period == 1, draw.state.counts) << t;
@@ -153,8 +156,9 @@ std::vector<int> samplesBy(int ordering, const Ptr<Ordering>& own = Ptr<Ordering
     return recorder->drawn;
 }
 
-//! An Ordering says itself what its order is worth, whatever Params::ordering was: with the rows' order in its place
-//! the samples are those of ORDERING_INPUT_ORDER if it is informative, others if it is a guess.
+//! An Ordering says itself what its order is worth, whatever Params::ordering was: with the rows'
+//! order in its place the samples are those of ORDERING_INPUT_ORDER if it is informative, others if
+//! it is a guess.
 TEST(Usac_Samplers, pNapsacAsksTheOrdering)
 {
     const std::vector<int> rows = samplesBy(ORDERING_INPUT_ORDER);
@@ -163,7 +167,8 @@ TEST(Usac_Samplers, pNapsacAsksTheOrdering)
     const std::vector<int> guess = samplesBy(ORDERING_AUTO, makePtr<OwnOrdering>(false));
     EXPECT_NE(rows, guess);
     EXPECT_EQ(guess, samplesBy(ORDERING_INPUT_ORDER, makePtr<OwnOrdering>(false)));
-    EXPECT_FALSE(createDensityOrdering()->informative(RunContext(Correspondences(), Components(), Params())));
+    EXPECT_FALSE(createDensityOrdering()->informative(
+        RunContext(Correspondences(), Components(), Params())));
 }
 
 }

@@ -25,15 +25,18 @@ TEST(Usac_Samplers, prosacGrowsAsPublished)
                     ++n;
                 draw.next();
                 ASSERT_TRUE(draw.valid());
-                // where a difference T_{n+1} - T_n is an integer, rounding may decide: one size more or less for a
-                // while
+                // where a difference T_{n+1} - T_n is an integer, rounding may decide: one size
+                // more or less for a while
                 wrongSize += draw.sampler->subsetSize(draw.context) != n;
                 if (draw.sampler->subsetSize(draw.context) < N)
-                    withoutNewest += !draw.contains(draw.order[draw.sampler->subsetSize(draw.context) - 1]);
+                    withoutNewest += !draw.contains(
+                        draw.order[draw.sampler->subsetSize(draw.context) - 1]);
                 for (int i = 0; i < draw.m; ++i)
                     outside += std::find(draw.order.begin(),
-                                         draw.order.begin() + draw.sampler->subsetSize(draw.context),
-                                         draw.sample[i]) == draw.order.begin() + draw.sampler->subsetSize(draw.context);
+                                         draw.order.begin() +
+                                             draw.sampler->subsetSize(draw.context),
+                                         draw.sample[i]) ==
+                               draw.order.begin() + draw.sampler->subsetSize(draw.context);
             }
             EXPECT_LE(wrongSize, 30) << "N " << N << " m " << draw.m;
             EXPECT_EQ(0, withoutNewest);

@@ -57,7 +57,8 @@ int sortings(ProblemType problem, int ordering, int outliers)
     return counting->calls;
 }
 
-//! Where the order is a guess, easy problems end before it is needed; one that is known serves from the first sample.
+//! Where the order is a guess, easy problems end before it is needed; one that is known serves from
+//! the first sample.
 TEST(Usac_Samplers, pointsAreSortedOnceAndOnlyIfNeeded)
 {
     for (int problem = FUNDAMENTAL; problem <= ESSENTIAL; ++problem)

@@ -72,8 +72,9 @@ struct Fixture
         options.outliers = COUNT - COUNT / 2;
         options.seed = seed;
         const bool homography = kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER;
-        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON ? RESIDUAL_STANDARD
-                                                                                  : RESIDUAL_SYMMETRIC;
+        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON
+                              ? RESIDUAL_STANDARD
+                              : RESIDUAL_SYMMETRIC;
         scene = makeScene(homography ? HOMOGRAPHY : FUNDAMENTAL, options);
         usac = createUsac(scene, params);
         const Model truth = toInternal(usac->points(), scene.model);
@@ -166,9 +167,11 @@ double directError(const Correspondences& p, Residual::Kind kind, const Model& m
     if (kind == Residual::SPACE_TRANSFER)
         return directSpaceTransfer(p, model, i);
     const Matx33d M = model;
-    const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1), y = M * x1;
+    const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1),
+        y = M * x1;
     const Vec3d z = M.t() * x2, back = M.inv() * x2;
-    const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1], n = x2.dot(y) * x2.dot(y);
+    const double first = y[0] * y[0] + y[1] * y[1], second = z[0] * z[0] + z[1] * z[1],
+                 n = x2.dot(y) * x2.dot(y);
     const Vec2d forward(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]),
         backward(back[0] / back[2] - x1[0], back[1] / back[2] - x1[1]);
     switch (kind)

@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Inliers and cost against those of the points without the subset, but for one of its inliers on average.
+//! Inliers and cost against those of the points without the subset, but for one of its inliers on
+//! average.
 TEST(Usac_CountedOnce, asIfOthersWereNotThere)
 {
     SceneOptions options;
@@ -40,7 +41,9 @@ TEST(Usac_CountedOnce, asIfOthersWereNotThere)
             Quality quality = context.rate(model);
             countOnce(context, kept, subset, model, quality);
             const bool one = kept == 1 && inside.inliers > 0;
-            const double gain = one ? (size - inside.cost) / inside.inliers : kept == 1 ? size - inside.cost : 0;
+            const double gain = one         ? (size - inside.cost) / inside.inliers
+                                : kept == 1 ? size - inside.cost
+                                            : 0;
             EXPECT_EQ(rest.inliers + one, quality.inliers) << kept << " of " << size;
             EXPECT_NEAR(rest.cost + size - gain, quality.cost, 1e-3) << kept << " of " << size;
         }

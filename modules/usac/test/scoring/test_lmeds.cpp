@@ -33,9 +33,11 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const int m = SAMPLE_SIZES[problem];
-    // F, E: 1.4826 * 2.5. H: with the quantile sqrt(-2 log(1 - p)) of the length of a Gaussian vector of the plane
+    // F, E: 1.4826 * 2.5. H: with the quantile sqrt(-2 log(1 - p)) of the length of a Gaussian
+    // vector of the plane
     const double outside = std::erfc(2.5 / std::sqrt(2.));
-    const double constant = mapsPoints(problem) ? std::sqrt(std::log(outside) / std::log(0.5)) : 2.5 * 1.482602;
+    const double constant = mapsPoints(problem) ? std::sqrt(std::log(outside) / std::log(0.5))
+                                                : 2.5 * 1.482602;
     const double side = 100;
     RNG rng(11);
     for (int count = 2; count < 200; count += 7)
@@ -66,7 +68,8 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
     }
 }
 
-//! As many inliers of Gaussian noise lie within the threshold as within 2.5 sigma of one degree of freedom.
+//! As many inliers of Gaussian noise lie within the threshold as within 2.5 sigma of one degree of
+//! freedom.
 TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -86,7 +89,8 @@ TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
         const double a = rng.gaussian(3), b = mapsPoints(problem) ? rng.gaussian(3) : 0;
         residual->given.push_back((float)(a * a + b * b));
     }
-    const double limit = started(createLmedsScore(), points.view())->threshold(context, Matx33d::eye());
+    const double limit = started(createLmedsScore(), points.view())
+                             ->threshold(context, Matx33d::eye());
     int within = 0;
     for (int i = 0; i < COUNT; ++i)
         within += residual->given[i] <= limit * limit;
@@ -100,7 +104,8 @@ TEST_P(Usac_Lmeds_Problem, undefinedErrors)
     corners.push_back(Point2d(1, 1));
     const OwnPoints points(problem, corners, corners);
     const Ptr<Score> score = started(createLmedsScore(), points.view());
-    std::vector<float> most(21, std::numeric_limits<float>::quiet_NaN()), some(21, 0.25f), zero(21, 0.f);
+    std::vector<float> most(21, std::numeric_limits<float>::quiet_NaN()), some(21, 0.25f),
+        zero(21, 0.f);
     std::fill(most.begin(), most.begin() + 10, 0.25f);
     std::fill(some.begin(), some.begin() + 10, std::numeric_limits<float>::quiet_NaN());
     Quality bad(0, 0), good(0, 0), perfect(0, 0), empty(0, 0);
@@ -117,7 +122,8 @@ TEST_P(Usac_Lmeds_Problem, undefinedErrors)
     EXPECT_EQ(0, empty.cost);
 }
 
-//! A point without an error is one of the far ones, wherever it stands: the median is that with infinity in its place.
+//! A point without an error is one of the far ones, wherever it stands: the median is that with
+//! infinity in its place.
 TEST_P(Usac_Lmeds_Problem, someUndefinedErrors)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -175,7 +181,8 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
         params.threshold = 1e4;
         params.polishing = POLISHING_REWEIGHTED;  // within the threshold that was found
         params.seed = trial;
-        right += modelError(scene, estimate(scene, params)) < (problem == SIMILARITY ? 1 : 0.5);  // of two points
+        right += modelError(scene, estimate(scene, params)) <
+                 (problem == SIMILARITY ? 1 : 0.5);  // of two points
         params.quality = QUALITY_MSAC;
         withoutMedian += modelError(scene, estimate(scene, params)) < 1;
     }
@@ -198,7 +205,8 @@ TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
         Arena arena;
         const Context context(usac->points(), usac->components(), params, arena);
         usac->components().start(context);
-        const double found = usac->components().score->threshold(context, toInternal(usac->points(), scene.model));
+        const double found = usac->components().score->threshold(
+            context, toInternal(usac->points(), scene.model));
         const double inPixels = found / usac->points().threshold * params.threshold;
         // H: the noise of both images; outliers make the median a little larger
         const double sigma = mapsPoints(problem) ? noise * std::sqrt(2.) : noise;

@@ -30,8 +30,9 @@ double costOf(const Score& score, double error, double inlierThreshold)
     return quality.cost;
 }
 
-/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max: that of an inlier, Gaussian of n dimensions,
-where it is within k sigma, that of an outlier in a square (H) or on a line (F, E) elsewhere. By the midpoint rule. */
+/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max: that of an inlier,
+Gaussian of n dimensions, where it is within k sigma, that of an outlier in a square (H) or on a
+line (F, E) elsewhere. By the midpoint rule. */
 double meanLogLikelihood(double error, double sigmaMax, int degrees)
 {
     const int STEPS = 20000;
@@ -41,7 +42,8 @@ double meanLogLikelihood(double error, double sigmaMax, int degrees)
     {
         const double sigma = sigmaMax * (i + 0.5) / STEPS;
         if (error <= k * sigma)
-            sum += -degrees * std::log(std::sqrt(2 * CV_PI) * sigma) - 0.5 * error * error / (sigma * sigma);
+            sum += -degrees * std::log(std::sqrt(2 * CV_PI) * sigma) -
+                   0.5 * error * error / (sigma * sigma);
         else
             sum += -degrees * std::log((double)SIDE);
     }
@@ -60,10 +62,13 @@ TEST_P(Usac_Magsac_Problem, magsacAgainstItsDefinition)
         const Ptr<OwnPoints> points(spanning(problem, inlierThreshold));
         const Ptr<Score> score = started(createMagsacScore(degrees, 1), points->view());
         EXPECT_FALSE(score->wholeModel());
-        const double best = meanLogLikelihood(0, sigmaMax, degrees), worst = meanLogLikelihood(1e9, sigmaMax, degrees);
+        const double best = meanLogLikelihood(0, sigmaMax, degrees),
+                     worst = meanLogLikelihood(1e9, sigmaMax, degrees);
         for (double u = 0; u < 1.2; u += 0.061)
         {
-            const double expected = (best - meanLogLikelihood(u * inlierThreshold, sigmaMax, degrees)) / (best - worst);
+            const double expected = (best -
+                                     meanLogLikelihood(u * inlierThreshold, sigmaMax, degrees)) /
+                                    (best - worst);
             EXPECT_NEAR(expected, costOf(*score, u * inlierThreshold, inlierThreshold), 1e-3)
                 << inlierThreshold << " " << u;
         }
@@ -113,12 +118,13 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const Ptr<OwnPoints> points(spanning(problem, 2));
-    const Ptr<Score> scores[] = {started(createMagsacScore(problemObject(problem).errorDimension(), 1), points->view()),
-                                 createMagsacPlusPlusScore(problemObject(problem).errorDimension(), 1)};
+    const Ptr<Score> scores[] = {
+        started(createMagsacScore(problemObject(problem).errorDimension(), 1), points->view()),
+        createMagsacPlusPlusScore(problemObject(problem).errorDimension(), 1)};
     for (int s = 0; s < 2; ++s)
     {
-        float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0, 4.f,
-                          std::nextafter(4.f, 5.f)};
+        float errors[] = {std::numeric_limits<float>::quiet_NaN(),
+                          std::numeric_limits<float>::infinity(), 0, 4.f, std::nextafter(4.f, 5.f)};
         Quality quality(3, 2);  // what is there stays there
         scores[s]->accumulate(errors, 5, 4, quality);
         EXPECT_EQ(3 + 4, quality.cost);
@@ -173,7 +179,8 @@ TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
             const int found = solver.solve(usac->points(), sample, models);
             for (int k = 0; k < found; ++k)
             {
-                const Quality whole = context.rate(models[k]), bounded = context.rate(models[k], best.cost);
+                const Quality whole = context.rate(models[k]),
+                              bounded = context.rate(models[k], best.cost);
                 ASSERT_EQ(whole.betterThan(best), bounded.betterThan(best));
                 cut += bounded.cost < whole.cost;
                 if (whole.betterThan(best))
@@ -184,7 +191,8 @@ TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
     }
 }
 
-//! Each of the qualities gives a right model, with a threshold of the noise and with one that is far wider.
+//! Each of the qualities gives a right model, with a threshold of the noise and with one that is
+//! far wider.
 TEST_P(Usac_Magsac_Problem, estimates)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -197,7 +205,8 @@ TEST_P(Usac_Magsac_Problem, estimates)
             params.threshold = wide ? 8 : 2.5;
             params.polishing = POLISHING_REWEIGHTED;
             Report report;
-            EXPECT_LT(modelError(scene, estimate(scene, params, noArray(), &report)), 0.35) << quality << " " << wide;
+            EXPECT_LT(modelError(scene, estimate(scene, params, noArray(), &report)), 0.35)
+                << quality << " " << wide;
             EXPECT_GT(report.cost, 0.25);
             EXPECT_LT(report.cost, 0.75);
         }

@@ -11,7 +11,8 @@
 namespace opencv_test {
 namespace {
 
-//! sigma^-n r^(n-1) exp(-r^2 / (2 sigma^2)), the density of the error up to a factor, with sigma = exp(s).
+//! sigma^-n r^(n-1) exp(-r^2 / (2 sigma^2)), the density of the error up to a factor, with sigma =
+//! exp(s).
 struct Density
 {
     int degrees;
@@ -19,7 +20,8 @@ struct Density
     double operator()(double s) const
     {
         const double sigma = std::exp(s);
-        return sigma * std::pow(sigma, -degrees) * std::pow(r, degrees - 1) * std::exp(-r * r / (2 * sigma * sigma));
+        return sigma * std::pow(sigma, -degrees) * std::pow(r, degrees - 1) *
+               std::exp(-r * r / (2 * sigma * sigma));
     }
 };
 
@@ -47,7 +49,8 @@ TEST(Usac_Statistics, marginalizedWeightsAgainstIntegration)
         for (double u = 0.0025; u < 1; u += 0.095)
         {
             const double r = k * std::sqrt(u);
-            EXPECT_NEAR(integrate(f, 1e-9, r, 200) / atEnd, weights.loss(u), 2e-5) << degrees << " " << u;
+            EXPECT_NEAR(integrate(f, 1e-9, r, 200) / atEnd, weights.loss(u), 2e-5)
+                << degrees << " " << u;
             // the derivative by u = (r/k)^2 of the integral of r w(r)
             const double weight = 0.5 * k * k * marginalDensity(degrees, r) / atEnd;
             EXPECT_NEAR(weight, weights.weight(u), 1e-4 * (1 + weight)) << degrees << " " << u;
@@ -57,7 +60,8 @@ TEST(Usac_Statistics, marginalizedWeightsAgainstIntegration)
 
 TEST(Usac_Statistics, marginalizedWeightsTables)
 {
-    const float infinite = std::numeric_limits<float>::infinity(), undefined = std::numeric_limits<float>::quiet_NaN();
+    const float infinite = std::numeric_limits<float>::infinity(),
+                undefined = std::numeric_limits<float>::quiet_NaN();
     for (int degrees = 1; degrees <= 3; ++degrees)
     {
         const MarginalizedWeights weights(degrees);

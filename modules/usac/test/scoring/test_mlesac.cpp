@@ -20,7 +20,8 @@ OwnPoints* spanning(ProblemType problem, double side, double inlierThreshold)
     return new OwnPoints(problem, corners, corners, inlierThreshold);
 }
 
-//! Squared errors: this part of them of inliers with sigma = 1, the others of a uniform distribution in the square.
+//! Squared errors: this part of them of inliers with sigma = 1, the others of a uniform
+//! distribution in the square.
 std::vector<float> drawErrors(int degrees, int count, double part, double side, RNG& rng)
 {
     std::vector<float> errors;
@@ -43,7 +44,8 @@ double directCost(const std::vector<float>& errors, int degrees, double side, do
     const double inlier = std::pow(2 * CV_PI, -0.5 * degrees), outlier = std::pow(side, -degrees);
     double cost = 0;
     for (size_t i = 0; i < errors.size(); ++i)
-        cost += (std::log(inlier) - std::log(gamma * inlier * std::exp(-0.5 * errors[i]) + (1 - gamma) * outlier)) /
+        cost += (std::log(inlier) -
+                 std::log(gamma * inlier * std::exp(-0.5 * errors[i]) + (1 - gamma) * outlier)) /
                 (std::log(inlier) - std::log(outlier));
     return cost;
 }
@@ -59,12 +61,14 @@ TEST(Usac_Mlesac, mixingWeightIsRecovered)
             const std::vector<float> errors = drawErrors(degrees, COUNT, parts[k], side, rng);
             std::vector<float> ratios;
             for (int i = 0; i < COUNT; ++i)
-                ratios.push_back((float)(std::pow(side / std::sqrt(2 * CV_PI), degrees) * std::exp(-0.5 * errors[i])));
+                ratios.push_back((float)(std::pow(side / std::sqrt(2 * CV_PI), degrees) *
+                                         std::exp(-0.5 * errors[i])));
             EXPECT_NEAR(parts[k], mixingWeight(ratios.data(), COUNT, COUNT), 0.01) << degrees;
         }
 }
 
-//! With equal ratios r each step of the iteration multiplies the odds by r; the last of 50 steps is the answer.
+//! With equal ratios r each step of the iteration multiplies the odds by r; the last of 50 steps is
+//! the answer.
 TEST(Usac_Mlesac, mixingWeightOfPoorDistinction)
 {
     const std::vector<float> ratios(100, 1.01f);
@@ -105,7 +109,8 @@ TEST_P(Usac_Mlesac_Problem, bounds)
     const ProblemType problem = (ProblemType)GetParam();
     const Ptr<OwnPoints> points(spanning(problem, 300, 1));
     const Ptr<Score> score = started(createMlesacScore(), points->view());
-    std::vector<float> perfect(50, 0.f), far(50, 1e6f), undefined(50, std::numeric_limits<float>::quiet_NaN());
+    std::vector<float> perfect(50, 0.f), far(50, 1e6f),
+        undefined(50, std::numeric_limits<float>::quiet_NaN());
     far[7] = std::numeric_limits<float>::infinity();
     Quality none(0, 0), all(0, 0), nan(0, 0), empty(0, 0);
     score->accumulate(perfect.data(), 50, 1, all);

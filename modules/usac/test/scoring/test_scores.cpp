@@ -28,7 +28,8 @@ TEST_P(Usac_Scores_Kernels, againstDirectEvaluation)
             Quality msac(2, 3), inliers(5, 7);  // what is there stays there
             all[k].kernels.msac[f.kind](f.points(), m, f.limit(), begin, end, msac);
             all[k].kernels.inliers[f.kind](f.points(), m, f.limit(), begin, end, inliers);
-            EXPECT_NEAR(expected.msac, msac.cost - 2, 1e-3 + 1e-4 * (end - begin)) << all[k].name << " " << end;
+            EXPECT_NEAR(expected.msac, msac.cost - 2, 1e-3 + 1e-4 * (end - begin))
+                << all[k].name << " " << end;
             EXPECT_NEAR(expected.inliers, msac.inliers - 3, expected.doubtful);
             EXPECT_NEAR(expected.inliers, inliers.inliers - 7, expected.doubtful);
             EXPECT_EQ(end - begin - (inliers.inliers - 7), inliers.cost - 5);
@@ -51,9 +52,11 @@ TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
                 std::vector<Quality> sums(all.size(), Quality(0, 0));
                 for (size_t k = 0; k < all.size(); ++k)
                 {
-                    const FusedKernel kernel = (score ? all[k].kernels.msac : all[k].kernels.inliers)[f.kind];
+                    const FusedKernel kernel = (score ? all[k].kernels.msac
+                                                      : all[k].kernels.inliers)[f.kind];
                     kernel(f.points(), m, f.limit(), begin, end, sums[k]);
-                    ASSERT_EQ(0, memcmp(&sums[0].cost, &sums[k].cost, sizeof(double))) << all[k].name << " " << end;
+                    ASSERT_EQ(0, memcmp(&sums[0].cost, &sums[k].cost, sizeof(double)))
+                        << all[k].name << " " << end;
                     ASSERT_EQ(sums[0].inliers, sums[k].inliers);
                 }
             }
@@ -62,7 +65,8 @@ TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
             for (size_t k = 1; k < all.size(); ++k)
             {
                 all[k].kernels.errors[f.kind](f.points(), m, begin, end, errors.data());
-                ASSERT_EQ(0, memcmp(first.data(), errors.data(), COUNT * sizeof(float))) << all[k].name << " " << end;
+                ASSERT_EQ(0, memcmp(first.data(), errors.data(), COUNT * sizeof(float)))
+                    << all[k].name << " " << end;
             }
         }
 }
@@ -85,8 +89,10 @@ TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
             const double expected = directError(p, f.kind, f.models[k], i);
             if (expected > 25)
                 continue;
-            EXPECT_NEAR(std::sqrt(expected), std::sqrt(errors[i]), 1e-4 * (1 + std::sqrt(expected)));
-            EXPECT_NEAR(std::sqrt(expected), std::sqrt(precise[i]), 1e-5 * (1 + std::sqrt(expected)));
+            EXPECT_NEAR(std::sqrt(expected), std::sqrt(errors[i]),
+                        1e-4 * (1 + std::sqrt(expected)));
+            EXPECT_NEAR(std::sqrt(expected), std::sqrt(precise[i]),
+                        1e-5 * (1 + std::sqrt(expected)));
         }
     }
 }
@@ -121,13 +127,14 @@ TEST(Usac_Scores, undefinedErrorsAreOutliers)
 {
     const std::vector<Point2d> points1(40, Point2d(1, 0)), points2(40, Point2d(0, 0));
     const OwnPoints own(HOMOGRAPHY, points1, points2);
-    const Model infinite = Matx33d(1, 0, 0, 0, 1, 0, 1, 0, -1), undefined = Matx33d(0, 0, 0, 0, 0, 0, 1, 0, -1),
-                zero = Matx33d::zeros();
+    const Model infinite = Matx33d(1, 0, 0, 0, 1, 0, 1, 0, -1),
+                undefined = Matx33d(0, 0, 0, 0, 0, 0, 1, 0, -1), zero = Matx33d::zeros();
     const Model* models[] = {&infinite, &undefined, &zero};
     const std::vector<NamedKernels> all = availableKernels();
     for (int k = 0; k < 3; ++k)
         for (size_t a = 0; a < all.size(); ++a)
-            for (int kind = 0; kind < (k == 2 ? 2 : 1); ++kind)  // Sampson's distance is undefined for the zero matrix
+            for (int kind = 0; kind < (k == 2 ? 2 : 1);
+                 ++kind)  // Sampson's distance is undefined for the zero matrix
             {
                 float m[MAX_MODEL_SIZE];
                 toFloat(*models[k], m);
@@ -139,7 +146,8 @@ TEST(Usac_Scores, undefinedErrorsAreOutliers)
                 EXPECT_EQ(40, inliers.cost);
                 EXPECT_EQ(0, inliers.inliers);
             }
-    float errors[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0.25f};
+    float errors[] = {std::numeric_limits<float>::quiet_NaN(),
+                      std::numeric_limits<float>::infinity(), 0.25f};
     Quality msac(0, 0), inliers(0, 0);
     createMsacScore()->accumulate(errors, 3, 1, msac);
     createInlierScore()->accumulate(errors, 3, 1, inliers);
@@ -174,7 +182,8 @@ public:
         residual->squaredErrors(points, model, begin, end, errors);
     }
 
-    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count,
+                       double* errors) const CV_OVERRIDE
     {
         residual->squaredErrors(model, columns, count, errors);
     }
@@ -230,7 +239,8 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
             int sample[MAX_SAMPLE_SIZE];
             Model models[MAX_MODELS];
             Rng(9, i).distinct(usac->points().size, m, sample);
-            const int found = usac->components().minimalSolver->solve(usac->points(), sample, models);
+            const int found = usac->components().minimalSolver->solve(usac->points(), sample,
+                                                                      models);
             for (int k = 0; k < found; ++k, ++count)
             {
                 const Quality whole = context.rate(models[k]);
@@ -262,7 +272,8 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
 //! Context::rate is the sum over all points.
 TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
 {
-    const Residual::Kind kind = mapsPoints((ProblemType)GetParam()) ? Residual::TRANSFER : Residual::SAMPSON;
+    const Residual::Kind kind = mapsPoints((ProblemType)GetParam()) ? Residual::TRANSFER
+                                                                    : Residual::SAMPSON;
     const Fixture f(kind, 5);
     const RunContext run(f.points(), f.usac->components(), f.params);
     const Context& context = run;

@@ -35,7 +35,8 @@ Report reportOf(const Scene& scene, Params params)
     return report;
 }
 
-//! The chance of random matches is at most a with a probability of at most a; and it is not 1 always.
+//! The chance of random matches is at most a with a probability of at most a; and it is not 1
+//! always.
 TEST(Usac_Significance, calibratedOnRandomMatches)
 {
     const int sizes[] = {15, 60, 300}, iterations[] = {100, 500}, RUNS = 40;
@@ -51,8 +52,10 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
                     {
                         Params params = presets[p];
                         params.maxIterations = iterations[i];
-                        const double chance =
-                            reportOf(randomScene((ProblemType)problem, sizes[s], run + 1), params).chance;
+                        const double chance = reportOf(randomScene((ProblemType)problem, sizes[s],
+                                                                   run + 1),
+                                                       params)
+                                                  .chance;
                         half += chance <= 0.5;
                         for (int level = 0; level < 3; ++level)
                             below[level] += chance <= levels[level];
@@ -63,7 +66,8 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
             EXPECT_LE(below[level], expected + 3 * std::sqrt(expected))
                 << "problem " << (int)problem << " level " << levels[level];
         }
-        // random models of maps of points have the inliers of their sample and one or two more, all of them likely
+        // random models of maps of points have the inliers of their sample and one or two more, all
+        // of them likely
         if (!mapsPoints((ProblemType)problem))
         {
             EXPECT_GE(half, calls / 25) << "problem " << (int)problem;
@@ -80,7 +84,8 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
     {
         int calls = 0, below[3] = {0}, half = 0;
         const double levels[] = {0.1, 0.01, 0.001};
-        for (double threshold : {0.05, 0.3})  // of a cube of side 2: parts of 7e-5 and 1.4 % of its volume
+        for (double threshold :
+             {0.05, 0.3})  // of a cube of side 2: parts of 7e-5 and 1.4 % of its volume
             for (int size : sizes)
                 for (int p = 0; p < 3; ++p)
                     for (int run = 0; run < 40; ++run, ++calls)
@@ -94,7 +99,8 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
                         params.significance = 1;
                         params.threshold = threshold;
                         Report report;
-                        Usac::create((ProblemType)type, points1, points2, params)->run(noArray(), &report);
+                        Usac::create((ProblemType)type, points1, points2, params)
+                            ->run(noArray(), &report);
                         half += report.chance <= 0.5;
                         for (int level = 0; level < 3; ++level)
                             below[level] += report.chance <= levels[level];
@@ -102,10 +108,12 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
         for (int level = 0; level < 3; ++level)
         {
             const double expected = calls * levels[level];
-            EXPECT_LE(below[level], expected + 3 * std::sqrt(expected)) << "problem " << type << " " << levels[level];
+            EXPECT_LE(below[level], expected + 3 * std::sqrt(expected))
+                << "problem " << type << " " << levels[level];
         }
         if (cvtest::debugLevel > 0)
-            printf("problem %d: %d calls, below %d %d %d, half %d\n", type, calls, below[0], below[1], below[2], half);
+            printf("problem %d: %d calls, below %d %d %d, half %d\n", type, calls, below[0],
+                   below[1], below[2], half);
     }
 }
 
@@ -125,7 +133,9 @@ TEST(Usac_Significance, randomAndRightPairsInSpace)
             params.threshold = 0.2;
             params.maxIterations = 1000;
             Report report;
-            models += !Usac::create((ProblemType)type, points1, points2, params)->run(noArray(), &report).empty();
+            models += !Usac::create((ProblemType)type, points1, points2, params)
+                           ->run(noArray(), &report)
+                           .empty();
             EXPECT_GT(report.chance, 0.01);
             RigidSceneOptions options;
             options.seed = seed;
@@ -133,7 +143,8 @@ TEST(Usac_Significance, randomAndRightPairsInSpace)
             const RigidScene scene = makeRigidScene(options);
             params.threshold = scene.threshold;
             params.maxIterations = 20000;
-            const Ptr<Usac> usac = Usac::create((ProblemType)type, scene.points1, scene.points2, params);
+            const Ptr<Usac> usac = Usac::create((ProblemType)type, scene.points1, scene.points2,
+                                                params);
             found += !usac->run(noArray(), &report).empty() && report.chance < 1e-3;
         }
         EXPECT_LE(models, 1) << type;
@@ -157,10 +168,12 @@ TEST(Usac_Significance, rightModelsOfFewPoints)
         int significant = 0;
         for (uint64 seed = 1; seed <= 20; ++seed)
         {
-            const Scene scene = rightScene(cases[c].problem, cases[c].size, cases[c].inlierRatio, seed);
+            const Scene scene = rightScene(cases[c].problem, cases[c].size, cases[c].inlierRatio,
+                                           seed);
             significant += reportOf(scene, Params()).chance < 1e-3;
         }
-        EXPECT_GE(significant, 19) << "problem " << (int)cases[c].problem << ", " << cases[c].size << " points";
+        EXPECT_GE(significant, 19)
+            << "problem " << (int)cases[c].problem << ", " << cases[c].size << " points";
     }
 }
 
@@ -202,8 +215,8 @@ TEST(Usac_Significance, randomMatchesGiveNoModel)
     }
 }
 
-//! Few points, points that are the sample only, thresholds far below the noise and far above the image: nothing is
-//! refused.
+//! Few points, points that are the sample only, thresholds far below the noise and far above the
+//! image: nothing is refused.
 TEST(Usac_Significance, rightModelsAreReturned)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -211,18 +224,22 @@ TEST(Usac_Significance, rightModelsAreReturned)
         {
             const int sizes[] = {8, 15, 40, 300};
             for (int s = 0; s < 4; ++s)
-                EXPECT_FALSE(estimate(rightScene((ProblemType)problem, sizes[s], 1, seed), Params()).empty())
+                EXPECT_FALSE(
+                    estimate(rightScene((ProblemType)problem, sizes[s], 1, seed), Params()).empty())
                     << sizes[s];
             Params params;
             params.threshold = 0.05;  // a tenth of the noise
-            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << (int)problem;
+            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty())
+                << (int)problem;
             params.threshold = 1000;
-            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty()) << (int)problem;
+            EXPECT_FALSE(estimate(rightScene((ProblemType)problem, 200, 0.6, seed), params).empty())
+                << (int)problem;
         }
     SceneOptions options;
     options.inliers = 4;
     options.outliers = 0;
-    EXPECT_FALSE(estimate(makeScene(HOMOGRAPHY, options), Params()).empty()) << "a sample and no more";
+    EXPECT_FALSE(estimate(makeScene(HOMOGRAPHY, options), Params()).empty())
+        << "a sample and no more";
 }
 
 //! Random matches, each found many times: what repeats is no evidence.
@@ -248,8 +265,9 @@ TEST(Usac_Significance, repeatedMatches)
     }
 }
 
-//! Wrong matches of which 80 of 200 are at one place: without the check of the search the map collapses to it. Its few
-//! independent inliers are no better than chance, and there are enough other points to tell.
+//! Wrong matches of which 80 of 200 are at one place: without the check of the search the map
+//! collapses to it. Its few independent inliers are no better than chance, and there are enough
+//! other points to tell.
 TEST(Usac_Significance, mapsToOnePlace)
 {
     for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY})
@@ -268,7 +286,8 @@ TEST(Usac_Significance, mapsToOnePlace)
                 params.degeneracy = 0;
                 params.maxIterations = 1000;
                 Report report;
-                models += !estimate(makeScene(problem, options), params, noArray(), &report).empty();
+                models += !estimate(makeScene(problem, options), params, noArray(), &report)
+                               .empty();
                 refused += report.stop == STOP_NOT_SIGNIFICANT;
             }
             EXPECT_EQ(0, models) << (int)problem << ", flag " << (int)flag;
@@ -283,14 +302,18 @@ TEST(Usac_Significance, repeatedRightMatchesStay)
         for (uint64 seed = 1; seed <= 20; ++seed)
         {
             SceneOptions options;
-            options.inliers =
-                SAMPLE_SIZES[std::find(TWO_VIEW_PROBLEMS, TWO_VIEW_PROBLEMS + 5, problem) - TWO_VIEW_PROBLEMS] + 1;
+            options.inliers = SAMPLE_SIZES[std::find(TWO_VIEW_PROBLEMS, TWO_VIEW_PROBLEMS + 5,
+                                                     problem) -
+                                           TWO_VIEW_PROBLEMS] +
+                              1;
             options.outliers = 2;
             options.copies = 20;
             options.noise = 0.1;
             options.seed = seed;
             Report report;
-            EXPECT_FALSE(estimate(makeScene((ProblemType)problem, options), Params(), noArray(), &report).empty())
+            EXPECT_FALSE(
+                estimate(makeScene((ProblemType)problem, options), Params(), noArray(), &report)
+                    .empty())
                 << (int)problem << ", seed " << seed << ", chance " << report.chance;
         }
 }

@@ -24,7 +24,8 @@ double evidence(const std::vector<uchar>& inliers, int m)
     return orderEvidence(inliers.data(), none.data(), (int)inliers.size(), m);
 }
 
-//! The normalized rank sum of random orders has mean 0 and deviation 1, but for the inliers that do not count.
+//! The normalized rank sum of random orders has mean 0 and deviation 1, but for the inliers that do
+//! not count.
 TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
 {
     RNG rng(1);
@@ -67,8 +68,10 @@ TEST(Usac_ConfirmedOrder, countsPairs)
         }
         const double expected = own * wrong == 0
                                     ? 0
-                                    : (first - own * wrong / 2) / std::sqrt(own * wrong * (own + wrong + 1) / 12);
-        EXPECT_NEAR(expected, orderEvidence(inliers.data(), repeated.data(), size, m), 1e-12) << trial;
+                                    : (first - own * wrong / 2) /
+                                          std::sqrt(own * wrong * (own + wrong + 1) / 12);
+        EXPECT_NEAR(expected, orderEvidence(inliers.data(), repeated.data(), size, m), 1e-12)
+            << trial;
     }
 }
 
@@ -114,7 +117,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
             expected += rest.expected;
             EXPECT_GT(own.both, 2 * own.expected) << seed;
             seen += otherMotionWouldShow(own, rest, 150, 350);  // there is none
-            // of half of the right matches the other half are another motion, as coherent as they are
+            // of half of the right matches the other half are another motion, as coherent as they
+            // are
             options.outliers = 200;
             options.second = 150;
             const Scene other = makeScene(problems[k], options);
@@ -126,7 +130,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
     }
 }
 
-//! Few matches are seldom in one of the small cells: larger ones tell that there is no other motion, and miss none.
+//! Few matches are seldom in one of the small cells: larger ones tell that there is no other
+//! motion, and miss none.
 TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -147,7 +152,8 @@ TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
             {
                 const CellPairs own = pairsOf(scene, true, arena, merged);
                 EXPECT_EQ(merged == 1 ? 64 : 16, own.cells);
-                seen[merged - 1] += otherMotionWouldShow(own, pairsOf(scene, false, arena, merged), 100, 400);
+                seen[merged - 1] += otherMotionWouldShow(own, pairsOf(scene, false, arena, merged),
+                                                         100, 400);
                 missed += otherMotionWouldShow(own, pairsOf(other, false, arena, merged), 100, 400);
             }
         }
@@ -228,7 +234,8 @@ TEST(Usac_ConfirmedOrder, badScoresAreSeen)
             EXPECT_LE(run(problems[k], options, true).failed, 1) << (int)problems[k] << " " << kind;
             if (kind == 0)  // who vouches for these scores is misled
             {
-                EXPECT_GE(run(problems[k], options, true, 40, Params::trustedScores()).failed, 10) << (int)problems[k];
+                EXPECT_GE(run(problems[k], options, true, 40, Params::trustedScores()).failed, 10)
+                    << (int)problems[k];
             }
         }
 }
@@ -246,13 +253,14 @@ TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
     {
         with.orderedEvery = without.orderedEvery = every;
         Report a, b;
-        EXPECT_EQ(
-            0, cvtest::norm(estimate(scene, with, noArray(), &a), estimate(scene, without, noArray(), &b), NORM_INF));
+        EXPECT_EQ(0, cvtest::norm(estimate(scene, with, noArray(), &a),
+                                  estimate(scene, without, noArray(), &b), NORM_INF));
         EXPECT_EQ(a.iterations, b.iterations);
     }
 }
 
-//! What the best model does not explain is searched by runners-up: without them no order ends the search.
+//! What the best model does not explain is searched by runners-up: without them no order ends the
+//! search.
 TEST(Usac_ConfirmedOrder, isIdleWithoutRunnersUp)
 {
     SceneOptions options;

@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! A scene, the state of a run that has found its true model, and the inliers of that at parts of the threshold.
+//! A scene, the state of a run that has found its true model, and the inliers of that at parts of
+//! the threshold.
 struct Found
 {
     Found(ProblemType problem, const Params& params_, const SceneOptions& options = SceneOptions())
@@ -61,17 +62,20 @@ TEST_P(Usac_Magsac_Termination, againstItsFormula)
             params.confidence = 0.999;
             params.termination = TERMINATION_MAGSAC | (exact ? TERMINATION_EXACT : 0);
             const Found found(problem, params);
-            const int m = found.usac->components().minimalSolver->sampleSize(), n = found.scene.size();
+            const int m = found.usac->components().minimalSolver->sampleSize(),
+                      n = found.scene.size();
             double sum = 0;
             for (int i = 1; i <= 5; ++i)
             {
                 const int inliers = found.within(i / 5.);
-                const double p = exact ? binomial(inliers, m) / binomial(n, m) : std::pow((double)inliers / n, m);
+                const double p = exact ? binomial(inliers, m) / binomial(n, m)
+                                       : std::pow((double)inliers / n, m);
                 sum += std::log(0.001) / std::log(1 - p) / 5;
             }
             const Ptr<Termination> termination = createMagsacTermination();
             EXPECT_EQ(STOP_MAGSAC, termination->reason());
-            EXPECT_NEAR(sum, termination->iterations(found.context, found.state), 1.001 + 1e-9 * sum)
+            EXPECT_NEAR(sum, termination->iterations(found.context, found.state),
+                        1.001 + 1e-9 * sum)
                 << inlierThreshold;
             // never before the standard criterion
             EXPECT_GE(termination->iterations(found.context, found.state),

@@ -38,7 +38,8 @@ TEST(Usac_NonRandomness, chanceAgainstTheSum)
                     const double chance = chanceOf(inliers, n, m, ratios[r]);
                     if (tail > 1e-290)
                     {
-                        ASSERT_NEAR(1, chance / tail, 1e-11) << inliers << " of " << n << " ratio " << ratios[r];
+                        ASSERT_NEAR(1, chance / tail, 1e-11)
+                            << inliers << " of " << n << " ratio " << ratios[r];
                     }
                     else
                     {
@@ -68,15 +69,18 @@ TEST(Usac_NonRandomness, chanceOfAMillionPoints)
     const double ratios[] = {1e-6, 2e-3, 0.3};
     for (int r = 0; r < 3; ++r)
     {
-        const long double N = n - m, p = ratios[r], mean = N * p, deviation = std::sqrt(mean * (1 - p));
+        const long double N = n - m, p = ratios[r], mean = N * p,
+                          deviation = std::sqrt(mean * (1 - p));
         for (int step = -3; step <= 8; ++step)
         {
             const int first = std::max(1, (int)(mean + step * deviation));
             long double sum = 0;
             for (int k = first; k < first + 20 * deviation + 60 && k <= N; ++k)
-                sum += std::exp(std::lgamma(N + 1) - std::lgamma((long double)k + 1) - std::lgamma(N - k + 1) +
-                                k * std::log(p) + (N - k) * std::log1p(-p));
-            EXPECT_NEAR(1, chanceOf(first + m, n, m, ratios[r]) / sum, 1e-8) << ratios[r] << " " << step;
+                sum += std::exp(std::lgamma(N + 1) - std::lgamma((long double)k + 1) -
+                                std::lgamma(N - k + 1) + k * std::log(p) +
+                                (N - k) * std::log1p(-p));
+            EXPECT_NEAR(1, chanceOf(first + m, n, m, ratios[r]) / sum, 1e-8)
+                << ratios[r] << " " << step;
         }
     }
 }
@@ -91,7 +95,8 @@ TEST(Usac_NonRandomness, chanceIsMonotone)
                 const double chance = chanceOf(inliers, n, 4, ratio);
                 ASSERT_LE(chanceOf(inliers + 1, n, 4, ratio), chance * (1 + 1e-12));
                 ASSERT_GE(chanceOf(inliers, n + 1, 4, ratio), chance * (1 - 1e-12));
-                ASSERT_GE(chanceOf(inliers, n, 4, std::min(1., 1.01 * ratio)), chance * (1 - 1e-12));
+                ASSERT_GE(chanceOf(inliers, n, 4, std::min(1., 1.01 * ratio)),
+                          chance * (1 - 1e-12));
             }
 }
 

@@ -36,8 +36,9 @@ struct Case
 
     int samples(int& length) const
     {
-        return prosacSamples(inliers.data(), repeated.empty() ? 0 : repeated.data(), (int)inliers.size(), m, kept,
-                             randomRatio, std::log(1 - confidence), exact, length);
+        return prosacSamples(inliers.data(), repeated.empty() ? 0 : repeated.data(),
+                             (int)inliers.size(), m, kept, randomRatio, std::log(1 - confidence),
+                             exact, length);
     }
 
     //! All lengths, one after the other, from the definitions.
@@ -51,7 +52,9 @@ struct Case
         for (int n = m; n <= N; ++n)
         {
             const int I = (int)std::count(inliers.begin(), inliers.begin() + n, 1);
-            const int twins = repeated.empty() ? 0 : (int)std::count(repeated.begin(), repeated.begin() + n, 1);
+            const int twins = repeated.empty()
+                                  ? 0
+                                  : (int)std::count(repeated.begin(), repeated.begin() + n, 1);
             if (I <= m)
                 continue;
             double p = kept;
@@ -67,7 +70,8 @@ struct Case
             if (n < N && missing > 0)
                 continue;
             const double t = limit[n] + missing;
-            const bool random = I - twins <= m || t * tailBySum(I - twins - m, n - twins - m, randomRatio) >= 0.05;
+            const bool random = I - twins <= m ||
+                                t * tailBySum(I - twins - m, n - twins - m, randomRatio) >= 0.05;
             if (!random && t < best)
             {
                 best = (int)t;
@@ -119,17 +123,19 @@ TEST(Usac_TerminationProsac, againstBruteForce)
     EXPECT_GT(atTheEnd, 10);
 }
 
-//! The smallest support that is not random, against the quantile of the exact distribution; of one model, and of all.
+//! The smallest support that is not random, against the quantile of the exact distribution; of one
+//! model, and of all.
 TEST(Usac_TerminationProsac, minimalSupport)
 {
     for (int n = 20; n <= 120; n += 25)
         for (double ratio = 0.001; ratio < 0.5; ratio *= 3)
             for (int kind = 0; kind < 2; ++kind)
             {
-                // All inliers come last, so that no smaller set has better odds; the confidence needs next to no
-                // samples.
+                // All inliers come last, so that no smaller set has better odds; the confidence
+                // needs next to no samples.
                 const double samples = kind ? publishedGrowth(n, 4)[n] : 1;
-                int quantile = 5, accepted = 5;  // the least I with P(Binomial(n - 4, ratio) >= I - 4) < 5 % / samples
+                int quantile = 5, accepted = 5;  // the least I with P(Binomial(n - 4, ratio) >= I -
+                                                 // 4) < 5 % / samples
                 while (quantile <= n && tailBySum(quantile - 4, n - 4, ratio) * samples >= 0.05)
                     ++quantile;
                 while (accepted <= n && chanceOf(accepted, n, 4, ratio) * samples >= 0.05)
@@ -146,8 +152,8 @@ TEST(Usac_TerminationProsac, minimalSupport)
             }
 }
 
-//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random and worth one
-//! sample.
+//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random
+//! and worth one sample.
 int firstEvidence(int N, int repeated, double ratio)
 {
     std::vector<double> uniform;
@@ -158,12 +164,14 @@ int firstEvidence(int N, int repeated, double ratio)
     return n;
 }
 
-//! Nothing but inliers: a sample suffices once there are as many more points as chance would not make agree.
+//! Nothing but inliers: a sample suffices once there are as many more points as chance would not
+//! make agree.
 TEST(Usac_TerminationProsac, allInliers)
 {
     const std::vector<uchar> inliers(100, 1);
     int length;
-    const int samples = prosacSamples(inliers.data(), 0, 100, 4, 1, 0.01, std::log(0.01), true, length);
+    const int samples = prosacSamples(inliers.data(), 0, 100, 4, 1, 0.01, std::log(0.01), true,
+                                      length);
     EXPECT_EQ(firstEvidence(100, 0, 0.01), length);
     EXPECT_EQ((int)publishedGrowth(100, 4)[length], samples);
     prosacSamples(inliers.data(), 0, 100, 4, 1, 0.3, std::log(0.01), true, length);
@@ -173,7 +181,8 @@ TEST(Usac_TerminationProsac, allInliers)
     prosacSamples(inliers.data(), twins.data(), 100, 4, 1, 0.01, std::log(0.01), true, length);
     EXPECT_EQ(firstEvidence(100, 26, 0.01), length) << "points that repeat others are no evidence";
     EXPECT_GT(length, 30);
-    EXPECT_EQ(INT_MAX, prosacSamples(inliers.data(), 0, 100, 4, 1, 1, std::log(0.01), true, length));
+    EXPECT_EQ(INT_MAX,
+              prosacSamples(inliers.data(), 0, 100, 4, 1, 1, std::log(0.01), true, length));
     EXPECT_EQ(0, length);
 }
 
@@ -199,17 +208,22 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
         {
             int sample[MAX_SAMPLE_SIZE];
             Model found[MAX_MODELS];
-            Rng(problem, i).distinct(usac->points().size, usac->components().minimalSolver->sampleSize(), sample);
-            const int count = usac->components().minimalSolver->solve(usac->points(), sample, found);
+            Rng(problem, i)
+                .distinct(usac->points().size, usac->components().minimalSolver->sampleSize(),
+                          sample);
+            const int count = usac->components().minimalSolver->solve(usac->points(), sample,
+                                                                      found);
             for (int k = 0; k < count; ++k, ++models)
-                inliers += context.rate(found[k]).inliers - usac->components().minimalSolver->sampleSize();
+                inliers += context.rate(found[k]).inliers -
+                           usac->components().minimalSolver->sampleSize();
         }
         const double measured = inliers / models / usac->points().size;
         EXPECT_LE(measured, ratio * 1.1) << "problem " << problem;
         EXPECT_GE(measured, ratio * 0.25) << "problem " << problem;
     }
     const std::vector<Point2d> equal(20, Point2d(1, 2));
-    EXPECT_EQ(1, problemObject(HOMOGRAPHY).randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
+    EXPECT_EQ(
+        1, problemObject(HOMOGRAPHY).randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
 }
 
 //! A scene whose scores sort the points: a part of the best ones are true matches.
@@ -227,7 +241,8 @@ Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
     return params;
 }
 
-//! In a run: ends with the right model, when as many samples have been drawn as the criterion says of the best model.
+//! In a run: ends with the right model, when as many samples have been drawn as the criterion says
+//! of the best model.
 TEST(Usac_TerminationProsac, endsARun)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -248,7 +263,8 @@ TEST(Usac_TerminationProsac, endsARun)
                 standard.termination = TERMINATION_STANDARD;
                 Report standardReport;
                 estimate(scene, standard, noArray(), &standardReport);
-                EXPECT_LE(report.iterations, standardReport.iterations + 50) << problem << " " << sampler;
+                EXPECT_LE(report.iterations, standardReport.iterations + 50)
+                    << problem << " " << sampler;
             }
 }
 
@@ -268,7 +284,8 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     for (int i = 0; i < scene.size(); ++i)
     {
         const int row = usac->points().inputIndex[state.order[i]];
-        c.inliers.push_back(pixelError(scene, scene.model, scene.points1[row], scene.points2[row]) <= params.threshold);
+        c.inliers.push_back(pixelError(scene, scene.model, scene.points1[row],
+                                       scene.points2[row]) <= params.threshold);
     }
     EXPECT_EQ(state.bestQuality.inliers, (int)std::count(c.inliers.begin(), c.inliers.end(), 1));
     c.m = 4;
@@ -284,7 +301,8 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sample is no support";
     state.bestQuality.inliers = 40;
     state.order = 0;
-    EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sampler that asks for no order";
+    EXPECT_EQ(INT_MAX, termination.iterations(context, state))
+        << "a sampler that asks for no order";
     return iterations;
 }
 
@@ -297,7 +315,8 @@ TEST(Usac_TerminationProsac, heedsTheOptions)
     const Scene scene = makeScene(HOMOGRAPHY, options);
     Params params = sortedParams(scene, SAMPLER_PROSAC, 0.02);
     double sums[4] = {0};
-    for (params.confidence = 0.5; params.confidence < 0.9999; params.confidence += 0.4 * (1 - params.confidence))
+    for (params.confidence = 0.5; params.confidence < 0.9999;
+         params.confidence += 0.4 * (1 - params.confidence))
     {
         Params exact = params, tdd = params, local = params;
         exact.termination |= TERMINATION_EXACT;

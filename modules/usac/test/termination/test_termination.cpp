@@ -12,9 +12,10 @@ namespace {
 struct Counts
 {
     Counts(ProblemType problem, int count, const Params& params_ = Params())
-        : params(params_), scene(makeScene(problem, optionsOf(count))), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params, arena), m(usac->components().minimalSolver->sampleSize()),
-          n(count)
+        : params(params_), scene(makeScene(problem, optionsOf(count))),
+          usac(createUsac(scene, params)),
+          context(usac->points(), usac->components(), params, arena),
+          m(usac->components().minimalSolver->sampleSize()), n(count)
     {}
 
     static SceneOptions optionsOf(int count)
@@ -45,7 +46,8 @@ struct Counts
     {
         if (p <= 0)
             return INT_MAX;
-        const double k = std::ceil(std::log(1 - params.confidence) / std::log1p(-std::min(p, 1 - 1e-16)));
+        const double k = std::ceil(std::log(1 - params.confidence) /
+                                   std::log1p(-std::min(p, 1 - 1e-16)));
         return k >= INT_MAX ? INT_MAX : std::max(1, (int)k);
     }
 
@@ -85,7 +87,8 @@ TEST(Usac_Termination, standardKeepsItsPromise)
     Params params;
     params.confidence = 0.9;
     Counts counts(HOMOGRAPHY, 30, params);
-    const int INLIERS = 12, TRIALS = 4000, k = counts.iterations(createStandardTermination(), INLIERS);
+    const int INLIERS = 12, TRIALS = 4000,
+              k = counts.iterations(createStandardTermination(), INLIERS);
     int failures = 0;
     for (int trial = 0; trial < TRIALS; ++trial)
     {
@@ -114,22 +117,25 @@ TEST(Usac_Termination, pNapsac)
             {
                 const int k = counts.iterations(createPNapsacTermination(), inliers);
                 const double beside = inliers - counts.m;
-                const double significant = std::min(counts.m + beside * (1 + relaxations[r] * beside / (beside + 30)),
-                                                    60.);
-                EXPECT_EQ(inliers <= counts.m ? INT_MAX : counts.needed(counts.good(significant)), k) << inliers;
+                const double significant = std::min(
+                    counts.m + beside * (1 + relaxations[r] * beside / (beside + 30)), 60.);
+                EXPECT_EQ(inliers <= counts.m ? INT_MAX : counts.needed(counts.good(significant)),
+                          k)
+                    << inliers;
             }
         }
     EXPECT_EQ((int)STOP_P_NAPSAC, createPNapsacTermination()->reason());
 }
 
-//! Nothing is relaxed where the best model may be one of a plane, and less where the inliers are few, each several
-//! times.
+//! Nothing is relaxed where the best model may be one of a plane, and less where the inliers are
+//! few, each several times.
 TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
 {
     Params params;
     params.relaxation = 0.5;
     Counts counts(ESSENTIAL, 100, params);
-    const Ptr<Termination> standard = createStandardTermination(), relaxed = createPNapsacTermination();
+    const Ptr<Termination> standard = createStandardTermination(),
+                           relaxed = createPNapsacTermination();
     EXPECT_LT(counts.iterations(relaxed, 40), counts.iterations(standard, 40) / 2);
     counts.state.yield = 0.5;
     EXPECT_EQ(counts.iterations(standard, 40), counts.iterations(relaxed, 40));
@@ -156,7 +162,8 @@ TEST(Usac_Termination, sprtWithOneTest)
     for (int problem : TWO_VIEW_PROBLEMS)
     {
         Counts counts((ProblemType)problem, 60);
-        EXPECT_EQ(INT_MAX, counts.iterations(createSprtTermination(), 30)) << "nothing has been tested";
+        EXPECT_EQ(INT_MAX, counts.iterations(createSprtTermination(), 30))
+            << "nothing has been tested";
         counts.state.tests.push(counts.arena, makeTest(0.5, 0.1, 20, 0));
         for (int inliers = 0; inliers <= 60; ++inliers)
             EXPECT_EQ(counts.needed(counts.good(inliers) * (1 - 1 / 20.)),
@@ -166,7 +173,8 @@ TEST(Usac_Termination, sprtWithOneTest)
     EXPECT_EQ((int)STOP_SPRT, createSprtTermination()->reason());
 }
 
-//! h of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1, by a fine scan.
+//! h of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1, by
+//! a fine scan.
 double exponentByScan(const SequentialTest& test, double epsilon)
 {
     const double a = test.delta / test.epsilon, b = (1 - test.delta) / (1 - test.epsilon);
@@ -183,14 +191,16 @@ TEST(Usac_Termination, sprtWithEarlierTests)
         {
             Counts counts((ProblemType)problem, 60);
             const double epsilon = inliers / 60., good = counts.good(inliers);
-            const SequentialTest first = makeTest(0.25, 0.05, 3, 1), second = makeTest(0.3, 0.1, 8, 2),
+            const SequentialTest first = makeTest(0.25, 0.05, 3, 1),
+                                 second = makeTest(0.3, 0.1, 8, 2),
                                  last = makeTest(epsilon, 0.1, 30, 5);
             counts.state.tests.push(counts.arena, first);
             counts.state.tests.push(counts.arena, second);
             counts.state.tests.push(counts.arena, last);
             const double kept1 = good * (1 - std::pow(first.A, -exponentByScan(first, epsilon)));
             const double kept2 = good * (1 - std::pow(second.A, -exponentByScan(second, epsilon)));
-            const double failure = std::log(1 - counts.params.confidence) - std::log1p(-kept1) - 2 * std::log1p(-kept2);
+            const double failure = std::log(1 - counts.params.confidence) - std::log1p(-kept1) -
+                                   2 * std::log1p(-kept2);
             const double more = std::ceil(failure / std::log1p(-good * (1 - 1 / last.A)));
             EXPECT_NEAR(3 + std::max(more, 0.), counts.iterations(createSprtTermination(), inliers),
                         more > 1000 ? 1 : 0)
@@ -205,7 +215,8 @@ TEST(Usac_Termination, sprtWithEqualTests)
     one.state.tests.push(one.arena, makeTest(0.5, 0.1, 20, 12));
     two.state.tests.push(two.arena, makeTest(0.5, 0.1, 20, 7));
     two.state.tests.push(two.arena, makeTest(0.5, 0.1, 20, 5));
-    EXPECT_EQ(one.iterations(createSprtTermination(), 30), two.iterations(createSprtTermination(), 30));
+    EXPECT_EQ(one.iterations(createSprtTermination(), 30),
+              two.iterations(createSprtTermination(), 30));
 }
 
 //! A test in the past that would drop the best model has found nothing out.
@@ -214,7 +225,8 @@ TEST(Usac_Termination, sprtOfAWrongTest)
     Counts counts(HOMOGRAPHY, 60);
     counts.state.tests.push(counts.arena, makeTest(0.9, 0.8, 20, 1000));
     counts.state.tests.push(counts.arena, makeTest(0.2, 0.1, 20, 5));
-    EXPECT_EQ(1000 + counts.needed(counts.good(12) * (1 - 1 / 20.)), counts.iterations(createSprtTermination(), 12));
+    EXPECT_EQ(1000 + counts.needed(counts.good(12) * (1 - 1 / 20.)),
+              counts.iterations(createSprtTermination(), 12));
 }
 
 //! Only inliers: the earlier test keeps the right model for certain, nothing is left to be drawn.

@@ -24,7 +24,8 @@ std::vector<TwoViewPair> mixedPairs()
         options.planeFraction = seed % 4 == 0;
         const Scene scene = makeScene(ESSENTIAL, options);
         const Mat K = seed % 3 ? Mat(scene.K).clone() : Mat();
-        pairs.push_back(TwoViewPair(column(scene.points1).clone(), column(scene.points2).clone(), K, K));
+        pairs.push_back(
+            TwoViewPair(column(scene.points1).clone(), column(scene.points2).clone(), K, K));
     }
     pairs.push_back(TwoViewPair(Mat::zeros(3, 2, CV_64F), Mat::zeros(3, 2, CV_64F)));
     return pairs;
@@ -41,7 +42,8 @@ TEST(Usac_TwoViewBatch, any_number_of_threads)
     std::set<int> configurations;
     for (int threads : {1, 2, 4, 0})
     {
-        const std::vector<TwoViewGeometry> found = estimateTwoViewGeometries(pairs, Params(), TwoViewRules(), threads);
+        const std::vector<TwoViewGeometry> found = estimateTwoViewGeometries(
+            pairs, Params(), TwoViewRules(), threads);
         ASSERT_EQ(pairs.size(), found.size());
         for (size_t i = 0; i < pairs.size(); ++i)
         {
@@ -91,7 +93,8 @@ TEST(Usac_TwoViewBatch, cancelled_at_any_time)
     for (int last = 1; last < 40; ++last)
     {
         int asked = 0;
-        const ProgressScope scope([&asked, last](const Report&) { return ++asked != last; });  // one no
+        const ProgressScope scope(
+            [&asked, last](const Report&) { return ++asked != last; });  // one no
         const TwoViewGeometry found = estimateTwoViewGeometry(pair);
         if (found.configuration == TWO_VIEW_UNDEFINED)
         {
@@ -113,7 +116,8 @@ TEST(Usac_TwoViewBatch, cancelled)
     const ProgressScope scope([&asked](const Report&) { return ++asked < 3; });
     const std::vector<TwoViewPair> pairs = mixedPairs();
     int undefined = 0;
-    for (const TwoViewGeometry& found : estimateTwoViewGeometries(pairs, Params(), TwoViewRules(), 1))
+    for (const TwoViewGeometry& found :
+         estimateTwoViewGeometries(pairs, Params(), TwoViewRules(), 1))
         if (found.configuration == TWO_VIEW_UNDEFINED)
         {
             EXPECT_EQ("cancelled", found.reason);
@@ -138,7 +142,8 @@ String raisedBy(const Call& call)
     return String();
 }
 
-void expectRefused(const char* named, const TwoViewPair& pair, const Params& params, const TwoViewRules& rules)
+void expectRefused(const char* named, const TwoViewPair& pair, const Params& params,
+                   const TwoViewRules& rules)
 {
     const String said = raisedBy([&] { estimateTwoViewGeometry(pair, params, rules); });
     EXPECT_EQ(0u, said.find(String(named) + ": ")) << named << " is not named: " << said;
@@ -177,8 +182,10 @@ TEST(Usac_TwoViewBatch, mistakes_are_named)
     expectRefused("initialModel", right, params, TwoViewRules());
     params = Params();
     params.threshold = 0;
-    EXPECT_NE(String::npos, raisedBy([&] { estimateTwoViewGeometry(right, params); }).find("threshold"));
-    EXPECT_NE("", raisedBy([&] { estimateTwoViewGeometries({right}, Params(), TwoViewRules(), -1); }));
+    EXPECT_NE(String::npos,
+              raisedBy([&] { estimateTwoViewGeometry(right, params); }).find("threshold"));
+    EXPECT_NE("",
+              raisedBy([&] { estimateTwoViewGeometries({right}, Params(), TwoViewRules(), -1); }));
 }
 
 //! The part of the samples that are right, drawn without replacement.
@@ -196,7 +203,8 @@ TEST(Usac_TwoViewRules, samples)
     params.confidence = 0.999;
     params.maxIterations = 7070;
     const TwoViewRules rules;
-    const double right = rightSamples(5, 75, 19), expected = std::ceil(std::log(0.001) / std::log1p(-right));
+    const double right = rightSamples(5, 75, 19),
+                 expected = std::ceil(std::log(0.001) / std::log1p(-right));
     EXPECT_EQ(expected, rules.samples(params, 5, 75));
     EXPECT_NEAR(1 - std::pow(1 - right, 7070), rules.reached(params, 5, 75), 1e-12);
     EXPECT_EQ(500, rules.samples(params, 7, 15));  // nothing but right matches
@@ -204,10 +212,12 @@ TEST(Usac_TwoViewRules, samples)
     EXPECT_GT(rules.samples(params, 7, 1000000000), 1e5);
     Params usual;
     usual.confidence = 0.999;
-    EXPECT_NEAR(std::log(0.001) / std::log1p(-rightSamples(5, 200, 50)) / 4, rules.samples(usual, 5, 200), 1);
+    EXPECT_NEAR(std::log(0.001) / std::log1p(-rightSamples(5, 200, 50)) / 4,
+                rules.samples(usual, 5, 200), 1);
 }
 
-//! Where right pairs of the collection are known, fewer samples find them and one that is worse than all of them.
+//! Where right pairs of the collection are known, fewer samples find them and one that is worse
+//! than all of them.
 TEST(Usac_TwoViewRules, samples_of_a_collection)
 {
     Params params = Params::fast();
@@ -220,7 +230,8 @@ TEST(Usac_TwoViewRules, samples_of_a_collection)
     for (double samples : {known, known - 1})
     {
         double lost = 0;
-        for (int k = -1; k < 8; ++k)  // the pairs, and one that has any ratio between 0.25 and the least
+        for (int k = -1; k < 8;
+             ++k)  // the pairs, and one that has any ratio between 0.25 and the least
         {
             const double ratio = k < 0 ? 0.45 : 0.25 + 0.2 * (k + 0.5) / 8;
             const double part = rightSamples(5, 80, std::max((int)std::ceil(ratio * 80), 15));

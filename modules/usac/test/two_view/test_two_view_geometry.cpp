@@ -38,7 +38,8 @@ Scene sceneOf(uint64 seed, double planeFraction = 0, int outliers = 100)
 TwoViewPair pairOf(const Scene& scene, bool known = true)
 {
     const Mat K = known ? Mat(scene.K) : Mat();
-    return TwoViewPair(column(scene.points1).clone(), column(scene.points2).clone(), K.clone(), K.clone());
+    return TwoViewPair(column(scene.points1).clone(), column(scene.points2).clone(), K.clone(),
+                       K.clone());
 }
 
 //! What is said of each result that has inliers.
@@ -70,7 +71,8 @@ TEST(Usac_TwoViewGeometry, calibrated)
         EXPECT_NEAR(1, cv::norm(found.t), 1e-12);
         const Vec3d t(found.t.ptr<double>());
         const Matx33d cross(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0);
-        const Matx33d E = cross * Matx33d(found.R.ptr<double>()) * (1 / std::sqrt(2.)), own(found.E.ptr<double>());
+        const Matx33d E = cross * Matx33d(found.R.ptr<double>()) * (1 / std::sqrt(2.)),
+                      own(found.E.ptr<double>());
         EXPECT_LT(std::min(cv::norm(E - own), cv::norm(E + own)), 1e-9);
         Matx33d F = scene.K.inv().t() * own * scene.K.inv();
         F *= 1 / cv::norm(F);
@@ -95,19 +97,22 @@ TEST(Usac_TwoViewGeometry, as_the_functions_of_one_problem)
         const Scene scene = sceneOf(seed);
         Params params = twoPixels();
         const TwoViewGeometry calibrated = estimateTwoViewGeometry(pairOf(scene), params);
-        const TwoViewGeometry plain = estimateTwoViewGeometry(scene.points1, scene.points2, noArray(), noArray(),
-                                                              params);
+        const TwoViewGeometry plain = estimateTwoViewGeometry(scene.points1, scene.points2,
+                                                              noArray(), noArray(), params);
         ASSERT_EQ((int)TWO_VIEW_CALIBRATED, calibrated.configuration);
         ASSERT_EQ((int)TWO_VIEW_UNCALIBRATED, plain.configuration);
         params.significance = 1e-4;
         Mat mask;
         Report report;
-        params.maxIterations = (int)std::min(10000., TwoViewRules().samples(twoPixels(), 5, scene.size()));
-        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, params, mask, report);
+        params.maxIterations = (int)std::min(10000.,
+                                             TwoViewRules().samples(twoPixels(), 5, scene.size()));
+        const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, params, mask,
+                                        report);
         EXPECT_EQ(0, cv::norm(E, calibrated.E));
         EXPECT_EQ(0, cv::norm(mask, calibrated.mask));
         EXPECT_EQ(report.chance, calibrated.report.chance);
-        params.maxIterations = (int)std::min(10000., TwoViewRules().samples(twoPixels(), 7, scene.size()));
+        params.maxIterations = (int)std::min(10000.,
+                                             TwoViewRules().samples(twoPixels(), 7, scene.size()));
         const Mat F = estimateFundamental(scene.points1, scene.points2, params, mask, report);
         EXPECT_EQ(0, cv::norm(F, plain.F));
         EXPECT_EQ(0, cv::norm(mask, plain.mask));
@@ -130,7 +135,8 @@ TEST(Usac_TwoViewGeometry, focal_lengths_that_are_not_known)
             const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
             EXPECT_EQ((int)TWO_VIEW_UNCALIBRATED, found.configuration) << seed << " " << known;
             checkFields(found, pair);
-            EXPECT_TRUE(found.E.empty() && found.R.empty() && found.t.empty() && found.rotations.empty());
+            EXPECT_TRUE(found.E.empty() && found.R.empty() && found.t.empty() &&
+                        found.rotations.empty());
         }
     }
 }
@@ -164,7 +170,8 @@ TEST(Usac_TwoViewGeometry, plane)
         EXPECT_FALSE(found.H.empty() || found.R.empty());
         double least = CV_PI;
         for (int k = 0; k < found.rotations.rows / 3; ++k)
-            least = std::min(least, angleBetween(found.rotations.rowRange(3 * k, 3 * k + 3), scene.R));
+            least = std::min(least,
+                             angleBetween(found.rotations.rowRange(3 * k, 3 * k + 3), scene.R));
         EXPECT_LT(least, 3 * DEGREE) << seed;
         const TwoViewGeometry unknown = estimateTwoViewGeometry(pairOf(scene, false), twoPixels());
         EXPECT_EQ((int)TWO_VIEW_PLANAR_OR_PANORAMIC, unknown.configuration) << seed;
@@ -180,9 +187,11 @@ TEST(Usac_TwoViewGeometry, rotation)
         RNG rng(seed);
         for (int i = 0; i < scene.size(); ++i)
         {
-            const Vec3d x = scene.K * scene.R * scene.K.inv() * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
+            const Vec3d x = scene.K * scene.R * scene.K.inv() *
+                            Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
             if (scene.truth[i])
-                scene.points2[i] = Point2d(x[0] / x[2] + rng.gaussian(0.5), x[1] / x[2] + rng.gaussian(0.5));
+                scene.points2[i] = Point2d(x[0] / x[2] + rng.gaussian(0.5),
+                                           x[1] / x[2] + rng.gaussian(0.5));
         }
         const TwoViewPair pair = pairOf(scene);
         const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
@@ -205,7 +214,8 @@ TEST(Usac_TwoViewGeometry, watermark)
         second(i) = first(i) + Point2d(3 + rng.gaussian(0.3), rng.gaussian(0.3));
     }
     TwoViewPair pair(first, second);
-    EXPECT_NE((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);  // sizes not known
+    EXPECT_NE((int)TWO_VIEW_WATERMARK,
+              estimateTwoViewGeometry(pair, twoPixels()).configuration);  // sizes not known
     pair.imageSize1 = pair.imageSize2 = Size(SCENE_WIDTH, SCENE_HEIGHT);
     EXPECT_EQ((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
     pair.taken2 = second + Scalar(0, -200);  // where the points really were

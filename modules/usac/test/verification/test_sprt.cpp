@@ -27,7 +27,10 @@ public:
     }
 
     //! Models with this ratio of inliers in their first blocks.
-    void learn(double delta, int points) { verifier->sampleTested(state, cvRound(delta * points), points); }
+    void learn(double delta, int points)
+    {
+        verifier->sampleTested(state, cvRound(delta * points), points);
+    }
 
     void best(double epsilon)
     {
@@ -96,7 +99,8 @@ Rates simulate(const Verifier& verifier, double inlierRatio, int points, int tri
 
 typedef testing::TestWithParam<int> Usac_Sprt;
 
-const double RATIOS[][2] = {{0.2, 0.02}, {0.3, 0.05}, {0.5, 0.05}, {0.5, 0.3}, {0.8, 0.1}, {0.9, 0.5}};
+const double RATIOS[][2] = {{0.2, 0.02}, {0.3, 0.05}, {0.5, 0.05},
+                            {0.5, 0.3},  {0.8, 0.1},  {0.9, 0.5}};
 
 TEST_P(Usac_Sprt, learnsBothRatios)
 {
@@ -120,13 +124,15 @@ TEST_P(Usac_Sprt, goodModelsAreKept)
         const Trained sprt((ProblemType)GetParam(), RATIOS[k][0], RATIOS[k][1]);
         const double bound = 1 / sprt.test().A, epsilon = sprt.test().epsilon;
         const Rates rates = simulate(*sprt.verifier, epsilon, COUNT, TRIALS, k);
-        EXPECT_LE(rates.dropped, bound + 4 * std::sqrt(bound / TRIALS)) << "epsilon " << epsilon << " A " << 1 / bound;
+        EXPECT_LE(rates.dropped, bound + 4 * std::sqrt(bound / TRIALS))
+            << "epsilon " << epsilon << " A " << 1 / bound;
         const double more = epsilon + 0.3 * (1 - epsilon);
         EXPECT_LE(simulate(*sprt.verifier, more, COUNT, TRIALS, k).dropped, rates.dropped);
     }
 }
 
-//! Wald: a bad model is dropped after log A / C points on average; a decision waits for the end of its block.
+//! Wald: a bad model is dropped after log A / C points on average; a decision waits for the end of
+//! its block.
 TEST_P(Usac_Sprt, badModelsAreDropped)
 {
     const int TRIALS = 2000, ENDLESS = 100000;
@@ -134,17 +140,20 @@ TEST_P(Usac_Sprt, badModelsAreDropped)
     {
         const Trained sprt((ProblemType)GetParam(), RATIOS[k][0], RATIOS[k][1]);
         const double epsilon = sprt.test().epsilon, delta = sprt.test().delta;
-        const double C = delta * std::log(delta / epsilon) + (1 - delta) * std::log((1 - delta) / (1 - epsilon));
+        const double C = delta * std::log(delta / epsilon) +
+                         (1 - delta) * std::log((1 - delta) / (1 - epsilon));
         const double expected = std::log(sprt.test().A) / C;
         const Rates rates = simulate(*sprt.verifier, delta, ENDLESS, TRIALS, 100 + k);
         EXPECT_EQ(1, rates.dropped);
         const double block = expected < 48 ? 32 : 64;
         EXPECT_GE(rates.meanTested, 0.95 * expected) << "epsilon " << epsilon << " delta " << delta;
-        EXPECT_LE(rates.meanTested, 1.1 * expected + block + 2 / C * std::log((1 - delta) / (1 - epsilon)));
+        EXPECT_LE(rates.meanTested,
+                  1.1 * expected + block + 2 / C * std::log((1 - delta) / (1 - epsilon)));
     }
 }
 
-//! The threshold that costs least: a small one drops too many good models, a large one tests too many points.
+//! The threshold that costs least: a small one drops too many good models, a large one tests too
+//! many points.
 TEST_P(Usac_Sprt, thresholdSolvesWaldsEquation)
 {
     // A - log A - 1 = C t_M / m_S: one and the same constant for all ratios
@@ -153,7 +162,8 @@ TEST_P(Usac_Sprt, thresholdSolvesWaldsEquation)
     {
         const Trained sprt((ProblemType)GetParam(), RATIOS[k][0], RATIOS[k][1]);
         const double epsilon = sprt.test().epsilon, delta = sprt.test().delta, A = sprt.test().A;
-        const double C = delta * std::log(delta / epsilon) + (1 - delta) * std::log((1 - delta) / (1 - epsilon));
+        const double C = delta * std::log(delta / epsilon) +
+                         (1 - delta) * std::log((1 - delta) / (1 - epsilon));
         const double found = (A - std::log(A) - 1) / C;
         if (k == 0)
             constant = found;

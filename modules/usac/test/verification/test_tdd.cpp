@@ -13,8 +13,10 @@ namespace {
 struct Exact
 {
     Exact(ProblemType problem, int inliers, int outliers, const Params& params_ = Params())
-        : params(params_), scene(makeScene(problem, optionsOf(inliers, outliers))), usac(createUsac(scene, params)),
-          context(usac->points(), usac->components(), params, arena), truth(toInternal(usac->points(), scene.model))
+        : params(params_), scene(makeScene(problem, optionsOf(inliers, outliers))),
+          usac(createUsac(scene, params)),
+          context(usac->points(), usac->components(), params, arena),
+          truth(toInternal(usac->points(), scene.model))
     {}
 
     static SceneOptions optionsOf(int inliers, int outliers)
@@ -48,7 +50,8 @@ struct Rate
     double passed, inliers, tested;
 };
 
-Rate measure(const Exact& exact, const Verifier& verifier, const Model& model, int trials, uint64 seed)
+Rate measure(const Exact& exact, const Verifier& verifier, const Model& model, int trials,
+             uint64 seed)
 {
     Rate rate = {0, 0, 0};
     for (int i = 0; i < trials; ++i)
@@ -83,7 +86,8 @@ TEST(Usac_Tdd, acceptsGoodModels)
     }
 }
 
-//! Wrong models go on with delta^d, after (1 - delta^d) / (1 - delta) points; the numbers that it reports give delta.
+//! Wrong models go on with delta^d, after (1 - delta^d) / (1 - delta) points; the numbers that it
+//! reports give delta.
 TEST(Usac_Tdd, dropsWrongModels)
 {
     const int N = 400, TRIALS = 3000;
@@ -98,8 +102,10 @@ TEST(Usac_Tdd, dropsWrongModels)
             Model models[MAX_MODELS];
             for (uint64 stream = 0;; ++stream)
             {
-                Rng(seed, stream).distinct(N, exact.usac->components().minimalSolver->sampleSize(), sample);
-                count = exact.usac->components().minimalSolver->solve(exact.usac->points(), sample, models);
+                Rng(seed, stream)
+                    .distinct(N, exact.usac->components().minimalSolver->sampleSize(), sample);
+                count = exact.usac->components().minimalSolver->solve(exact.usac->points(), sample,
+                                                                      models);
                 if (count > 0)
                     break;
             }
@@ -108,10 +114,12 @@ TEST(Usac_Tdd, dropsWrongModels)
             {
                 const double expected = acceptance(cvRound(delta * N), N, d);
                 const Rate rate = measure(exact, *createTddVerifier(d), models[0], TRIALS, seed);
-                EXPECT_NEAR(expected, rate.passed, 4.5 * std::sqrt(expected / TRIALS) + 1e-3) << problem << " " << d;
+                EXPECT_NEAR(expected, rate.passed, 4.5 * std::sqrt(expected / TRIALS) + 1e-3)
+                    << problem << " " << d;
                 const double points = (1 - std::pow(delta, d)) / (1 - delta);
                 EXPECT_NEAR(points, rate.tested / TRIALS, 0.05) << problem << " " << d;
-                EXPECT_NEAR(delta, rate.inliers / rate.tested, 4.5 * std::sqrt(delta / rate.tested) + 1e-3);
+                EXPECT_NEAR(delta, rate.inliers / rate.tested,
+                            4.5 * std::sqrt(delta / rate.tested) + 1e-3);
             }
         }
     }
@@ -129,12 +137,14 @@ TEST(Usac_Tdd, asksAllPoints)
     EXPECT_NEAR(39 / 40., rate.passed, 4.5 * std::sqrt(0.025 / 20000));
     EXPECT_EQ(0, measure(exact, *createTddVerifier(40), exact.truth, 100, 1).passed)
         << "the outlier is among all points";
-    EXPECT_EQ(0, measure(exact, *createTddVerifier(100), exact.truth, 100, 1).passed) << "more points than there are";
+    EXPECT_EQ(0, measure(exact, *createTddVerifier(100), exact.truth, 100, 1).passed)
+        << "more points than there are";
     const Exact pure(HOMOGRAPHY, 40, 0);
     EXPECT_NEAR(1, measure(pure, *createTddVerifier(100), pure.truth, 100, 1).passed, 1e-9);
 }
 
-//! The criteria allow for the good models that are dropped: epsilon^m epsilon^d in the place of epsilon^m.
+//! The criteria allow for the good models that are dropped: epsilon^m epsilon^d in the place of
+//! epsilon^m.
 TEST(Usac_Tdd, terminationAllowsForIt)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -144,7 +154,8 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                 Params params;
                 params.verification = VERIFICATION_TDD;
                 params.tddPoints = d;
-                params.termination = TERMINATION_STANDARD | TERMINATION_P_NAPSAC | (exactly ? TERMINATION_EXACT : 0);
+                params.termination = TERMINATION_STANDARD | TERMINATION_P_NAPSAC |
+                                     (exactly ? TERMINATION_EXACT : 0);
                 const Exact exact((ProblemType)problem, 30, 20, params);
                 const int m = exact.usac->components().minimalSolver->sampleSize();
                 State state;
@@ -152,8 +163,10 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                 {
                     state.bestQuality = Quality(50 - inliers, inliers);
                     const double beside = inliers - m, failure = std::log(1 - params.confidence);
-                    const double more = m + beside * (1 + params.relaxation * beside / (beside + 30));
-                    double good = std::pow(inliers / 50., m + d), better = std::pow(more / 50, m + d);
+                    const double more = m +
+                                        beside * (1 + params.relaxation * beside / (beside + 30));
+                    double good = std::pow(inliers / 50., m + d),
+                           better = std::pow(more / 50, m + d);
                     if (exactly)
                     {
                         good = acceptance(inliers, 50, m) * acceptance(inliers, 50, d);
@@ -163,17 +176,21 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                         for (int i = 0; i < d; ++i)
                             better *= (more - i) / (50 - i);
                     }
-                    const std::vector<Ptr<Termination>>& both = exact.usac->components().terminations;
+                    const std::vector<Ptr<Termination>>& both = exact.usac->components()
+                                                                    .terminations;
                     const double k[2] = {std::ceil(failure / std::log1p(-good)),
                                          std::ceil(failure / std::log1p(-better))};
                     for (int t = 0; t < 2; ++t)
-                        EXPECT_NEAR(1, both[t]->iterations(exact.context, state) / std::min<double>(k[t], INT_MAX),
+                        EXPECT_NEAR(1,
+                                    both[t]->iterations(exact.context, state) /
+                                        std::min<double>(k[t], INT_MAX),
                                     1e-6);
                 }
             }
 }
 
-//! Through Params: right models, dropped ones in the report, more of them with more points, the same with threads.
+//! Through Params: right models, dropped ones in the report, more of them with more points, the
+//! same with threads.
 TEST(Usac_Tdd, runs)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

@@ -17,13 +17,14 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief The memory of the runs of a Usac: one block as a rule (of more than 31 MB, several), which the next run uses
-again.
+/** @brief The memory of the runs of a Usac: one block as a rule (of more than 31 MB, several),
+which the next run uses again.
 
-What is taken stays until the run ends; what a Scope has taken, until the scope ends. The first grows from the low end
-of the block, the second from the high end, so that neither is in the way of the other: a component may make what it
-keeps while a scope of its caller is open. Where a block is full another one is added; the next reset() makes one of
-all. Nothing is initialized, constructed or destroyed. For one thread at a time. */
+What is taken stays until the run ends; what a Scope has taken, until the scope ends. The first
+grows from the low end of the block, the second from the high end, so that neither is in the way of
+the other: a component may make what it keeps while a scope of its caller is open. Where a block is
+full another one is added; the next reset() makes one of all. Nothing is initialized, constructed or
+destroyed. For one thread at a time. */
 class CV_EXPORTS Arena
 {
     struct Block;
@@ -33,7 +34,8 @@ public:
     explicit Arena(size_t bytes = 0);
     ~Arena();
 
-    //! Room for `count` objects until the run ends, 64-byte aligned, uninitialized. Not null, also if `count` is 0.
+    //! Room for `count` objects until the run ends, 64-byte aligned, uninitialized. Not null, also
+    //! if `count` is 0.
     template <class T>
     T* take(size_t count)
     {
@@ -43,8 +45,9 @@ public:
     void keep();
     //! A new run: frees what has been taken since keep(), or all. No Scope may be open.
     void clear();
-    //! Frees everything; then there is one block of `bytes` at least, and as large as all before if these were more. Of
-    //! more than 31 MB, those that there are stay, and others are added as they are needed.
+    //! Frees everything; then there is one block of `bytes` at least, and as large as all before if
+    //! these were more. Of more than 31 MB, those that there are stay, and others are added as they
+    //! are needed.
     void reset(size_t bytes);
 
     //! Number of blocks.
@@ -79,7 +82,8 @@ private:
     template <class T>
     static size_t bytesOf(size_t count)
     {
-        static_assert(std::is_trivially_destructible<T>::value, "nobody destroys what is in an arena");
+        static_assert(std::is_trivially_destructible<T>::value,
+                      "nobody destroys what is in an arena");
         if (count > ((size_t)-1) / 2 / sizeof(T))
             CV_Error(Error::StsNoMem, "more memory than there can be");
         return count * sizeof(T);
@@ -97,15 +101,16 @@ private:
     Arena& operator=(const Arena&);
 };
 
-//! A list that grows in an arena: it is valid as long as what has been taken there. A copy has the same elements.
+//! A list that grows in an arena: it is valid as long as what has been taken there. A copy has the
+//! same elements.
 template <class T>
 class ArenaList
 {
 public:
     ArenaList() : items(0), count(0), room(0) {}
 
-    //! Adds a copy of an element, which may be one of the list; a list that is full moves to a larger place of the
-    //! arena.
+    //! Adds a copy of an element, which may be one of the list; a list that is full moves to a
+    //! larger place of the arena.
     void push(Arena& arena, const T& item)
     {
         const T copy = item;  // which may be one of the list

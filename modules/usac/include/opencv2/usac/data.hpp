@@ -35,19 +35,24 @@ enum TwoViewColumn {
     Y2   //!< y of image 2
 };
 
-/** @brief A matrix of at most #MAX_MODEL_SIZE numbers, in the coordinates of Correspondences: a homography, fundamental
-or essential matrix, or what another Problem says. It is made of a Matx and turns into one of the same size. */
+/** @brief A matrix of at most #MAX_MODEL_SIZE numbers, in the coordinates of Correspondences: a
+homography, fundamental or essential matrix, or what another Problem says. It is made of a Matx and
+turns into one of the same size. */
 class Model
 {
 public:
     Model() : rows(0), cols(0), val() {}
     //! Zeros.
-    Model(int rows_, int cols_) : rows(rows_), cols(cols_), val() { CV_Assert(size() <= MAX_MODEL_SIZE); }
+    Model(int rows_, int cols_) : rows(rows_), cols(cols_), val()
+    {
+        CV_Assert(size() <= MAX_MODEL_SIZE);
+    }
     //! The numbers of a Matx.
     template <int ROWS, int COLS>
     Model(const Matx<double, ROWS, COLS>& matrix) : rows(ROWS), cols(COLS), val()
     {
-        CV_StaticAssert(ROWS * COLS <= MAX_MODEL_SIZE, "a model has at most MAX_MODEL_SIZE numbers");
+        CV_StaticAssert(ROWS * COLS <= MAX_MODEL_SIZE,
+                        "a model has at most MAX_MODEL_SIZE numbers");
         std::copy(matrix.val, matrix.val + ROWS * COLS, val);
     }
     //! A Matx of the same size; another one raises cv::Exception.
@@ -67,7 +72,7 @@ public:
     }
     //! Not operator==.
     bool operator!=(const Model& other) const { return !(*this == other); }
-    double& operator()(int row, int col) { return val[row * cols + col]; }       //!< an entry, unchecked
+    double& operator()(int row, int col) { return val[row * cols + col]; }  //!< an entry, unchecked
     double operator()(int row, int col) const { return val[row * cols + col]; }  //!< the same
 
     int rows;                    //!< of the matrix; 0: there is no model
@@ -93,10 +98,11 @@ struct Frame
 
 /** @brief The correspondences as the components see them: scaled, shuffled, structure of arrays.
 
-A datum has coordinates[0] numbers of the caller's first array and coordinates[1] of the second one, each number is a
-column: #X1, #Y1, #X2, #Y2 of two views. H, F: translated and scaled to about unit size (F, E: the same scale in both
-images, so that errors scale with it). E: coordinates of the normalized image plane. The order is pseudo-random and
-fixed, so that any run of consecutive points is a random sample. Each column has `size` elements.
+A datum has coordinates[0] numbers of the caller's first array and coordinates[1] of the second one,
+each number is a column: #X1, #Y1, #X2, #Y2 of two views. H, F: translated and scaled to about unit
+size (F, E: the same scale in both images, so that errors scale with it). E: coordinates of the
+normalized image plane. The order is pseudo-random and fixed, so that any run of consecutive points
+is a random sample. Each column has `size` elements.
 */
 struct Correspondences
 {
@@ -110,11 +116,12 @@ struct Correspondences
     const float* column[MAX_COLUMNS];  //!< for scoring, 64-byte aligned
     const double* exact[MAX_COLUMNS];  //!< the same for solving and refinement
     const int* inputIndex;             //!< row of the caller's arrays
-    const float* scores;               //!< Params::scores in this order, lower is better; null if none were given
-    double threshold;                  //!< Params::threshold times Params::reach in these coordinates, not squared
-    Frame frame[2];                    //!< from the caller's (E: normalized) coordinates to these; a single one twice
-    float lower[MAX_COLUMNS];          //!< nearly all of each column lies above this
-    float upper[MAX_COLUMNS];          //!< and below this
+    const float*
+        scores;        //!< Params::scores in this order, lower is better; null if none were given
+    double threshold;  //!< Params::threshold times Params::reach in these coordinates, not squared
+    Frame frame[2];  //!< from the caller's (E: normalized) coordinates to these; a single one twice
+    float lower[MAX_COLUMNS];  //!< nearly all of each column lies above this
+    float upper[MAX_COLUMNS];  //!< and below this
 };
 
 //! What a model is worth: the lower the cost, the better.

@@ -34,24 +34,34 @@ struct FieldValues
 {
     FieldKind kind;  //!< of the value
     double initial;  //!< the default; FIELD_SCORES, FIELD_MODEL: not used, there are none
-    double low;      //!< smallest value; FIELD_PIXELS, FIELD_PROBABILITY: all are larger; not used as `initial`
-    double high;     //!< largest value; FIELD_PROBABILITY: all are smaller; not used as `initial`
+    double low;   //!< smallest value; FIELD_PIXELS, FIELD_PROBABILITY: all are larger; not used as
+                  //!< `initial`
+    double high;  //!< largest value; FIELD_PROBABILITY: all are smaller; not used as `initial`
 
-    //! Of FIELD_SCORES, FIELD_MODEL any value is right: what is depends on other fields and on the points.
+    //! Of FIELD_SCORES, FIELD_MODEL any value is right: what is depends on other fields and on the
+    //! points.
     bool contain(double value) const
     {
         if (kind == FIELD_SCORES || kind == FIELD_MODEL)
             return true;
-        const bool openBelow = kind == FIELD_PIXELS || kind == FIELD_PROBABILITY, openAbove = kind == FIELD_PROBABILITY;
-        return (openBelow ? value > low : value >= low) && (openAbove ? value < high : value <= high);  // NaN: never
+        const bool openBelow = kind == FIELD_PIXELS || kind == FIELD_PROBABILITY,
+                   openAbove = kind == FIELD_PROBABILITY;
+        return (openBelow ? value > low : value >= low) &&
+               (openAbove ? value < high : value <= high);  // NaN: never
     }
 
     //! One of the enumerators from `low` to `high`.
-    static FieldValues option(int initial, int low, int high) { return of(FIELD_OPTION, initial, low, high); }
+    static FieldValues option(int initial, int low, int high)
+    {
+        return of(FIELD_OPTION, initial, low, high);
+    }
     //! Any of the bits of `all`.
     static FieldValues flags(int initial, int all) { return of(FIELD_FLAGS, initial, 0, all); }
     //! A number from `low` to `high`.
-    static FieldValues number(double initial, double low, double high) { return of(FIELD_NUMBER, initial, low, high); }
+    static FieldValues number(double initial, double low, double high)
+    {
+        return of(FIELD_NUMBER, initial, low, high);
+    }
     //! A positive and finite number.
     static FieldValues pixels(double initial) { return of(FIELD_PIXELS, initial, 0, DBL_MAX); }
     //! Between 0 and 1.
@@ -69,11 +79,12 @@ private:
     }
 };
 
-/** @brief Calls `visit(name, &Params::field, values)` for each field of Params: `const char*`, a pointer to a member of
-type `int`, `double`, `std::vector<float>` or `std::vector<double>`, FieldValues.
+/** @brief Calls `visit(name, &Params::field, values)` for each field of Params: `const char*`, a
+pointer to a member of type `int`, `double`, `std::vector<float>` or `std::vector<double>`,
+FieldValues.
 
-The one list of the fields: their defaults, Params::check, storage, tests, the fuzzer and the options of the benchmark
-are made of it. For programs that set fields by name, too. */
+The one list of the fields: their defaults, Params::check, storage, tests, the fuzzer and the
+options of the benchmark are made of it. For programs that set fields by name, too. */
 template <class Visitor>
 void visitFields(Visitor& visit)
 {
@@ -84,23 +95,29 @@ void visitFields(Visitor& visit)
     visit("maxTime", &Params::maxTime, V::number(0, 0, 1e9));
     visit("seed", &Params::seed, V::number(0, INT_MIN, INT_MAX));
     visit("threads", &Params::threads, V::number(1, 0, 1024));
-    visit("sampler", &Params::sampler, V::option(SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE));
+    visit("sampler", &Params::sampler,
+          V::option(SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE));
     visit("ordering", &Params::ordering, V::option(ORDERING_AUTO, ORDERING_AUTO, ORDERING_NONE));
     visit("scores", &Params::scores, V::scores());
     visit("initialModel", &Params::initialModel, V::model());
     visit("scoreOrder", &Params::scoreOrder,
           V::option(SCORES_LOWER_IS_BETTER, SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER));
-    visit("neighborhood", &Params::neighborhood, V::option(NEIGHBORHOOD_GRID, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS));
+    visit("neighborhood", &Params::neighborhood,
+          V::option(NEIGHBORHOOD_GRID, NEIGHBORHOOD_GRID, NEIGHBORHOOD_RADIUS));
     visit("neighbors", &Params::neighbors, V::number(10, 1, 1000));
     visit("neighborRadius", &Params::neighborRadius, V::pixels(40));
-    visit("residual", &Params::residual, V::option(RESIDUAL_STANDARD, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC));
-    visit("quality", &Params::quality, V::option(QUALITY_MSAC, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS));
+    visit("residual", &Params::residual,
+          V::option(RESIDUAL_STANDARD, RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC));
+    visit("quality", &Params::quality,
+          V::option(QUALITY_MSAC, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS));
     visit("reach", &Params::reach, V::number(1, 1, 10));
     visit("widestReach", &Params::widestReach, V::number(1, 1, 1e6));
-    visit("verification", &Params::verification, V::option(VERIFICATION_SPRT, VERIFICATION_NONE, VERIFICATION_TDD));
+    visit("verification", &Params::verification,
+          V::option(VERIFICATION_SPRT, VERIFICATION_NONE, VERIFICATION_TDD));
     visit("tddPoints", &Params::tddPoints, V::number(1, 1, 100));
     visit("localOptimization", &Params::localOptimization,
-          V::option(LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_NONE, LOCAL_OPTIMIZATION_GC_RANSAC));
+          V::option(LOCAL_OPTIMIZATION_GRAPH_CUT, LOCAL_OPTIMIZATION_NONE,
+                    LOCAL_OPTIMIZATION_GC_RANSAC));
     visit("localIterations", &Params::localIterations, V::number(5, 1, 1000));
     visit("localSampleMultiple", &Params::localSampleMultiple, V::number(3, 2, 100));
     visit("localSamples", &Params::localSamples, V::number(4, 0, 1000));
@@ -112,8 +129,10 @@ void visitFields(Visitor& visit)
                    2 * TERMINATION_ORDER - 1));
     visit("relaxation", &Params::relaxation, V::number(0.05, 0, 1));
     visit("persistence", &Params::persistence, V::number(1, 1, 100));
-    visit("degeneracy", &Params::degeneracy, V::flags(2 * DEGENERACY_REPEATED - 1, 2 * DEGENERACY_REPEATED - 1));
-    visit("polishing", &Params::polishing, V::option(POLISHING_ROBUST, POLISHING_NONE, POLISHING_ROBUST));
+    visit("degeneracy", &Params::degeneracy,
+          V::flags(2 * DEGENERACY_REPEATED - 1, 2 * DEGENERACY_REPEATED - 1));
+    visit("polishing", &Params::polishing,
+          V::option(POLISHING_ROBUST, POLISHING_NONE, POLISHING_ROBUST));
     visit("polishingSteps", &Params::polishingSteps, V::number(6, 1, 100));
     visit("significance", &Params::significance, V::number(0, 0, 1));
 }

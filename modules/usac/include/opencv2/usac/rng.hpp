@@ -15,10 +15,11 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief Counter-based pseudo-random generator: the k-th number of a stream depends on seed, stream and k alone.
+/** @brief Counter-based pseudo-random generator: the k-th number of a stream depends on seed,
+stream and k alone.
 
-The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has a stream of its own,
-so the samples do not depend on threads or on what was drawn elsewhere.
+The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has a
+stream of its own, so the samples do not depend on threads or on what was drawn elsewhere.
 */
 class Rng
 {

@@ -27,7 +27,8 @@ int depthOf(const py::dtype& type)
     }
 }
 
-//! Whether the elements lie as those of a cv::Mat may: the last `solid` dimensions without gaps, the others ascending.
+//! Whether the elements lie as those of a cv::Mat may: the last `solid` dimensions without gaps,
+//! the others ascending.
 bool fits(const py::array& array, int solid)
 {
     py::ssize_t gapless = array.itemsize(), least = gapless;
@@ -35,7 +36,8 @@ bool fits(const py::array& array, int solid)
     {
         const py::ssize_t stride = array.strides(i), size = array.shape(i);
         const bool inside = i >= array.ndim() - solid;
-        if (size > 1 && (inside ? stride != gapless : stride < least || stride % array.itemsize() != 0))
+        if (size > 1 &&
+            (inside ? stride != gapless : stride < least || stride % array.itemsize() != 0))
             return false;
         gapless *= size;
         least = size > 1 ? stride * size : std::max(least, gapless);
@@ -64,8 +66,8 @@ ArrayMat::ArrayMat(const py::object& given, const char* name)
     py::array array = py::reinterpret_borrow<py::array>(given);
     const int depth = depthOf(array.dtype()), dimensions = (int)array.ndim();
     if (depth < 0 || dimensions < 1 || dimensions >= TOO_MANY)
-        CV_Error_(Error::StsBadArg,
-                  ("%s: numbers of %d bytes and %d dimensions are no matrix", name, (int)array.itemsize(), dimensions));
+        CV_Error_(Error::StsBadArg, ("%s: numbers of %d bytes and %d dimensions are no matrix",
+                                     name, (int)array.itemsize(), dimensions));
     const bool channels = dimensions == 3 && array.shape(2) <= CV_CN_MAX && array.shape(2) > 0;
     if (!fits(array, channels ? 2 : 1))
         array = py::array::ensure(array.attr("copy")("C"));
@@ -74,7 +76,8 @@ ArrayMat::ArrayMat(const py::object& given, const char* name)
     for (int i = 0; i < dimensions - (channels ? 1 : 0); ++i)
     {
         if (array.shape(i) > INT_MAX)
-            CV_Error_(Error::StsOutOfRange, ("%s: at most %d rows and columns are expected", name, INT_MAX));
+            CV_Error_(Error::StsOutOfRange,
+                      ("%s: at most %d rows and columns are expected", name, INT_MAX));
         sizes.push_back((int)array.shape(i));
         steps.push_back((size_t)array.strides(i));
     }
@@ -86,13 +89,15 @@ ArrayMat::ArrayMat(const py::object& given, const char* name)
         matrix = Mat((int)sizes.size(), sizes.data(), type);
         return;
     }
-    // NumPy's strides of dimensions of size 1 may be anything: those that a cv::Mat would have take their place.
+    // NumPy's strides of dimensions of size 1 may be anything: those that a cv::Mat would have take
+    // their place.
     size_t step = CV_ELEM_SIZE(type);
     steps.resize(sizes.size(), step);
     for (size_t i = sizes.size(); i-- > 0; step = steps[i] * sizes[i])
         if (sizes[i] == 1)
             steps[i] = step;
-    matrix = Mat((int)sizes.size(), sizes.data(), type, const_cast<void*>(array.data()), steps.data());
+    matrix = Mat((int)sizes.size(), sizes.data(), type, const_cast<void*>(array.data()),
+                 steps.data());
     owner = array;
 }
 

@@ -11,9 +11,10 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief A cv::Mat of an array of NumPy's, in the form that cv2 gives it: rows and columns, of three dimensions the
-last one is the channels. The numbers are those of the array where its layout is one that cv::Mat has, else a copy. The
-array must have numbers of a type that cv::Mat has, in the order of bytes of this machine. */
+/** @brief A cv::Mat of an array of NumPy's, in the form that cv2 gives it: rows and columns, of
+three dimensions the last one is the channels. The numbers are those of the array where its layout
+is one that cv::Mat has, else a copy. The array must have numbers of a type that cv::Mat has, in the
+order of bytes of this machine. */
 class ArrayMat
 {
 public:

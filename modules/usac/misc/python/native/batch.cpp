@@ -17,14 +17,16 @@ static py::object entryOf(const py::list& list, size_t task)
     return list[list.size() == 1 ? 0 : task];
 }
 
-/** Many estimations of one problem. Arrays and options are copied while the interpreter's lock is held, so that other
-threads may change them during the run, which is without it.
+/** Many estimations of one problem. Arrays and options are copied while the interpreter's lock is
+held, so that other threads may change them during the run, which is without it.
 @return for each task (model, mask, report, message of its mistake or an empty string) */
-static py::list estimateBatch(int problem, const py::list& points1, const py::list& points2, const py::list& params,
-                              const py::list& cameraMatrices1, const py::list& cameraMatrices2,
-                              const py::list& distCoeffs1, const py::list& distCoeffs2, int threads)
+static py::list estimateBatch(int problem, const py::list& points1, const py::list& points2,
+                              const py::list& params, const py::list& cameraMatrices1,
+                              const py::list& cameraMatrices2, const py::list& distCoeffs1,
+                              const py::list& distCoeffs2, int threads)
 {
-    CV_Assert(problem >= HOMOGRAPHY && problem <= SIMILARITY_3D && points1.size() == points2.size());
+    CV_Assert(problem >= HOMOGRAPHY && problem <= SIMILARITY_3D &&
+              points1.size() == points2.size());
     std::vector<Task> tasks(points1.size());
     for (size_t i = 0; i < tasks.size(); ++i)
     {
@@ -45,16 +47,17 @@ static py::list estimateBatch(int problem, const py::list& points1, const py::li
     }
     py::list results;
     for (const Estimate& estimate : found)
-        results.append(py::make_tuple(arrayOf(estimate.model), arrayOf(estimate.mask), estimate.report,
-                                      (std::string)estimate.error));
+        results.append(py::make_tuple(arrayOf(estimate.model), arrayOf(estimate.mask),
+                                      estimate.report, (std::string)estimate.error));
     return results;
 }
 
 void addBatch(py::module_& module)
 {
-    module.def("estimateBatch", &estimateBatch, py::arg("problem"), py::arg("points1"), py::arg("points2"),
-               py::arg("params"), py::arg("cameraMatrices1"), py::arg("cameraMatrices2"), py::arg("distCoeffs1"),
-               py::arg("distCoeffs2"), py::arg("threads"));
+    module.def("estimateBatch", &estimateBatch, py::arg("problem"), py::arg("points1"),
+               py::arg("points2"), py::arg("params"), py::arg("cameraMatrices1"),
+               py::arg("cameraMatrices2"), py::arg("distCoeffs1"), py::arg("distCoeffs2"),
+               py::arg("threads"));
 }
 
 }  // namespace python

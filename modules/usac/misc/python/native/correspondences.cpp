@@ -23,7 +23,8 @@ py::tuple fieldsOf(const Correspondences& points, int sampleSize, const std::vec
             *own.mutable_data(i) = given.at(points.inputIndex[i]);
         scores = std::move(own);
     }
-    return py::make_tuple(data, py::array_t<int>(size, points.inputIndex), scores, points.threshold, sampleSize);
+    return py::make_tuple(data, py::array_t<int>(size, points.inputIndex), scores, points.threshold,
+                          sampleSize);
 }
 
 }  // namespace python

@@ -15,10 +15,11 @@ static void raise(const cv::Exception& exception)
     {
         using namespace py::literals;
         const py::object error = py::module_::import("usacv20._errors")
-                                     .attr("fromNative")(exception.what(), "code"_a = (int)exception.code,
-                                                         "err"_a = exception.err, "file"_a = exception.file,
-                                                         "func"_a = exception.func, "line"_a = exception.line,
-                                                         "msg"_a = exception.msg);
+                                     .attr("fromNative")(
+                                         exception.what(), "code"_a = (int)exception.code,
+                                         "err"_a = exception.err, "file"_a = exception.file,
+                                         "func"_a = exception.func, "line"_a = exception.line,
+                                         "msg"_a = exception.msg);
         PyErr_SetObject((PyObject*)Py_TYPE(error.ptr()), error.ptr());
     }
     catch (py::error_already_set& failure)

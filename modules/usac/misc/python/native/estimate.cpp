@@ -9,31 +9,38 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** Any of the problems. Arrays and options are copied while the interpreter's lock is held, so that other threads may
-change them during the run, which is without it, as is all that goes before the first sample. */
-static py::tuple estimate(int problem, const py::object& points1, const py::object& points2, const Params& params,
-                          const py::object& cameraMatrix1, const py::object& cameraMatrix2,
-                          const py::object& distCoeffs1, const py::object& distCoeffs2)
+/** Any of the problems. Arrays and options are copied while the interpreter's lock is held, so that
+other threads may change them during the run, which is without it, as is all that goes before the
+first sample. */
+static py::tuple estimate(int problem, const py::object& points1, const py::object& points2,
+                          const Params& params, const py::object& cameraMatrix1,
+                          const py::object& cameraMatrix2, const py::object& distCoeffs1,
+                          const py::object& distCoeffs2)
 {
     CV_Assert(problem >= HOMOGRAPHY && problem <= SIMILARITY_3D);
-    const Mat first = ArrayMat(points1, "points1").own(), second = ArrayMat(points2, "points2").own();
-    const Mat K1 = ArrayMat(cameraMatrix1, "cameraMatrix1").own(), K2 = ArrayMat(cameraMatrix2, "cameraMatrix2").own();
-    const Mat d1 = ArrayMat(distCoeffs1, "distCoeffs1").own(), d2 = ArrayMat(distCoeffs2, "distCoeffs2").own();
+    const Mat first = ArrayMat(points1, "points1").own(),
+              second = ArrayMat(points2, "points2").own();
+    const Mat K1 = ArrayMat(cameraMatrix1, "cameraMatrix1").own(),
+              K2 = ArrayMat(cameraMatrix2, "cameraMatrix2").own();
+    const Mat d1 = ArrayMat(distCoeffs1, "distCoeffs1").own(),
+              d2 = ArrayMat(distCoeffs2, "distCoeffs2").own();
     const Params options = params;
     Mat model, mask;
     Report report;
     {
         const Unlocked unlocked;
-        model = Usac::create((ProblemType)problem, first, second, options, K1, K2, d1, d2)->run(mask, &report);
+        model = Usac::create((ProblemType)problem, first, second, options, K1, K2, d1, d2)
+                    ->run(mask, &report);
     }
     return py::make_tuple(arrayOf(model), arrayOf(mask), report);
 }
 
 void addEstimate(py::module_& module)
 {
-    module.def("estimate", &estimate, py::arg("problem"), py::arg("points1"), py::arg("points2"), py::arg("params"),
-               py::arg("cameraMatrix1") = py::none(), py::arg("cameraMatrix2") = py::none(),
-               py::arg("distCoeffs1") = py::none(), py::arg("distCoeffs2") = py::none());
+    module.def("estimate", &estimate, py::arg("problem"), py::arg("points1"), py::arg("points2"),
+               py::arg("params"), py::arg("cameraMatrix1") = py::none(),
+               py::arg("cameraMatrix2") = py::none(), py::arg("distCoeffs1") = py::none(),
+               py::arg("distCoeffs2") = py::none());
 }
 
 }  // namespace python

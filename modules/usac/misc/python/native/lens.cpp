@@ -12,9 +12,11 @@ namespace python {
 namespace {
 
 //! On copies of the arrays, without the interpreter's lock.
-py::object withoutDistortion(const py::object& array, const py::object& cameraMatrix, const py::object& distCoeffs)
+py::object withoutDistortion(const py::object& array, const py::object& cameraMatrix,
+                             const py::object& distCoeffs)
 {
-    const Mat points = ArrayMat(array, "points").own(), K = ArrayMat(cameraMatrix, "cameraMatrix").own();
+    const Mat points = ArrayMat(array, "points").own(),
+              K = ArrayMat(cameraMatrix, "cameraMatrix").own();
     const Mat distortion = ArrayMat(distCoeffs, "distCoeffs").own();
     Mat result;
     {

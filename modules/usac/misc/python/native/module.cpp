@@ -10,11 +10,13 @@ namespace {
 void checkNumPy()
 {
 #if PYBIND11_VERSION_HEX < 0x020C0000
-    const std::string version = pybind11::str(pybind11::module_::import("numpy").attr("__version__"));
+    const std::string version = pybind11::str(
+        pybind11::module_::import("numpy").attr("__version__"));
     if (std::atoi(version.c_str()) >= 2)
-        throw pybind11::import_error("it was built with pybind11 " CVAUX_STR(PYBIND11_VERSION_MAJOR) "." CVAUX_STR(
-            PYBIND11_VERSION_MINOR) ", which knows NumPy 1 only, and this is NumPy " + version +
-            ": build it with pybind11 2.12 or later, or install \"numpy < 2\"");
+        throw pybind11::import_error(
+            "it was built with pybind11 " CVAUX_STR(PYBIND11_VERSION_MAJOR) "." CVAUX_STR(
+                PYBIND11_VERSION_MINOR) ", which knows NumPy 1 only, and this is NumPy " +
+            version + ": build it with pybind11 2.12 or later, or install \"numpy < 2\"");
 #endif
 }
 
@@ -24,7 +26,8 @@ PYBIND11_MODULE(_native, module)
 {
     using namespace cv::usacv20::python;
     checkNumPy();
-    module.attr("pybind11Version") = pybind11::make_tuple(PYBIND11_VERSION_MAJOR, PYBIND11_VERSION_MINOR);
+    module.attr("pybind11Version") = pybind11::make_tuple(PYBIND11_VERSION_MAJOR,
+                                                          PYBIND11_VERSION_MINOR);
     module.doc() = "The compiled part of the package usacv20.";
     addErrors(module);
     addEnumerators(module);

@@ -5,7 +5,8 @@
 #ifndef OPENCV_USACV20_PYTHON_NATIVE_HPP
 #define OPENCV_USACV20_PYTHON_NATIVE_HPP
 
-// What the files of the extension module usacv20._native share. Its functions are described in _native.pyi.
+// What the files of the extension module usacv20._native share. Its functions are described in
+// _native.pyi.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -28,7 +28,8 @@ struct FieldAdder
             [field](const Params& params) {
                 return py::array_t<T>((py::ssize_t)(params.*field).size(), (params.*field).data());
             },
-            [field](Params& params, const py::array_t<T, py::array::c_style | py::array::forcecast>& values) {
+            [field](Params& params,
+                    const py::array_t<T, py::array::c_style | py::array::forcecast>& values) {
                 (params.*field).assign(values.data(), values.data() + values.size());
             });
     }

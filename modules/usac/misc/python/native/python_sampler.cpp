@@ -9,7 +9,9 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-PythonSampler::PythonSampler(const py::object& sampler_) : sampler(sampler_), rng(py::cast(Rng())), sampleSize(0) {}
+PythonSampler::PythonSampler(const py::object& sampler_)
+    : sampler(sampler_), rng(py::cast(Rng())), sampleSize(0)
+{}
 
 PythonSampler::~PythonSampler()
 {
@@ -37,8 +39,9 @@ void PythonSampler::sample(const Context&, State& state, int* sample)
     if (!integers || given.ndim() != 1 || given.size() != sampleSize)
     {
         PyErr_Clear();
-        CV_Error_(Error::StsBadArg, ("components.sampler: sample() has to return %d integers, not %s", sampleSize,
-                                     py::repr(drawn).cast<std::string>().substr(0, 60).c_str()));
+        CV_Error_(Error::StsBadArg,
+                  ("components.sampler: sample() has to return %d integers, not %s", sampleSize,
+                   py::repr(drawn).cast<std::string>().substr(0, 60).c_str()));
     }
     const py::array_t<int, py::array::c_style | py::array::forcecast> indices(given);
     std::copy(indices.data(), indices.data() + sampleSize, sample);

@@ -11,9 +11,9 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief A sampler whose samples an object of the class Sampler of the package draws. Its methods take the
-interpreter's lock; an exception in Python goes through the search as py::error_already_set and comes out as what it
-was. */
+/** @brief A sampler whose samples an object of the class Sampler of the package draws. Its methods
+take the interpreter's lock; an exception in Python goes through the search as py::error_already_set
+and comes out as what it was. */
 class PythonSampler : public Sampler
 {
 public:

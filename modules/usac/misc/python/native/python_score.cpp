@@ -10,7 +10,8 @@ namespace usacv20 {
 namespace python {
 
 PythonScore::PythonScore(const py::object& score_)
-    : score(score_), whole(py::bool_(score_.attr("wholeModel"))), part(score_.attr("inlierPart").cast<double>())
+    : score(score_), whole(py::bool_(score_.attr("wholeModel"))),
+      part(score_.attr("inlierPart").cast<double>())
 {}
 
 PythonScore::~PythonScore()
@@ -26,10 +27,12 @@ void PythonScore::start(const Context& context)
     score.attr("_begin")(*fieldsOf(context.points, sampleSize, context.params.scores));
 }
 
-void PythonScore::accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const
+void PythonScore::accumulate(float* squaredErrors, int count, float squaredThreshold,
+                             Quality& sum) const
 {
     py::gil_scoped_acquire locked;
-    const py::object rated = score.attr("accumulate")(py::array_t<float>(count, squaredErrors), squaredThreshold);
+    const py::object rated = score.attr("accumulate")(py::array_t<float>(count, squaredErrors),
+                                                      squaredThreshold);
     double cost;
     int inliers;
     try
@@ -40,9 +43,10 @@ void PythonScore::accumulate(float* squaredErrors, int count, float squaredThres
     }
     catch (const py::cast_error&)
     {
-        CV_Error_(Error::StsBadArg,
-                  ("components.score: accumulate() has to return a cost and a number of inliers, not %s",
-                   py::repr(rated).cast<std::string>().substr(0, 60).c_str()));
+        CV_Error_(
+            Error::StsBadArg,
+            ("components.score: accumulate() has to return a cost and a number of inliers, not %s",
+             py::repr(rated).cast<std::string>().substr(0, 60).c_str()));
     }
     sum.cost += cost;
     sum.inliers += inliers;

@@ -11,8 +11,8 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief What an object of the class Score of the package makes of the errors. Several threads may call it at once,
-each takes the interpreter's lock; exceptions as in PythonSampler. */
+/** @brief What an object of the class Score of the package makes of the errors. Several threads may
+call it at once, each takes the interpreter's lock; exceptions as in PythonSampler. */
 class PythonScore : public Score
 {
 public:
@@ -20,7 +20,8 @@ public:
     virtual ~PythonScore();
 
     void start(const Context& context) CV_OVERRIDE;
-    void accumulate(float* squaredErrors, int count, float squaredThreshold, Quality& sum) const CV_OVERRIDE;
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE;
     bool wholeModel() const CV_OVERRIDE { return whole; }
     double inlierPart() const CV_OVERRIDE { return part; }
 

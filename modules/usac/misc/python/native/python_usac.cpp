@@ -38,11 +38,13 @@ private:
 
 }  // namespace
 
-PythonUsac::PythonUsac(int problem_, const py::object& points1, const py::object& points2, const Params& params_,
-                       const py::object& cameraMatrix1, const py::object& cameraMatrix2, const py::object& distCoeffs1,
+PythonUsac::PythonUsac(int problem_, const py::object& points1, const py::object& points2,
+                       const Params& params_, const py::object& cameraMatrix1,
+                       const py::object& cameraMatrix2, const py::object& distCoeffs1,
                        const py::object& distCoeffs2)
-    : problem(problemOf(problem_)), K1(own(cameraMatrix1, "cameraMatrix1")), K2(own(cameraMatrix2, "cameraMatrix2")),
-      d1(own(distCoeffs1, "distCoeffs1")), d2(own(distCoeffs2, "distCoeffs2")), running(false)
+    : problem(problemOf(problem_)), K1(own(cameraMatrix1, "cameraMatrix1")),
+      K2(own(cameraMatrix2, "cameraMatrix2")), d1(own(distCoeffs1, "distCoeffs1")),
+      d2(own(distCoeffs2, "distCoeffs2")), running(false)
 {
     build(own(points1, "points1"), own(points2, "points2"), params_);
 }
@@ -75,7 +77,8 @@ void PythonUsac::checkIdle(const char* what) const
 void PythonUsac::setSampler(const py::object& sampler)
 {
     checkIdle("components.sampler");
-    usac->components().sampler = sampler.is_none() ? ownSampler : Ptr<Sampler>(makePtr<PythonSampler>(sampler));
+    usac->components().sampler = sampler.is_none() ? ownSampler
+                                                   : Ptr<Sampler>(makePtr<PythonSampler>(sampler));
 }
 
 void PythonUsac::setScore(const py::object& score)
@@ -95,8 +98,8 @@ void PythonUsac::setPoints(const py::object& points1, const py::object& points2)
 void PythonUsac::renew(const py::object& points1, const py::object& points2, const Params& options)
 {
     checkIdle("params");
-    build(points1.is_none() ? first : own(points1, "points1"), points2.is_none() ? second : own(points2, "points2"),
-          options);
+    build(points1.is_none() ? first : own(points1, "points1"),
+          points2.is_none() ? second : own(points2, "points2"), options);
 }
 
 py::tuple PythonUsac::points() const
@@ -115,14 +118,16 @@ py::tuple PythonUsac::run()
         model = usac->run(mask, &report);
     }
     const std::vector<py::ssize_t> none = {0, 1};
-    return py::make_tuple(arrayOf(model), mask.empty() ? py::object(py::array_t<uchar>(none)) : arrayOf(mask), report);
+    return py::make_tuple(arrayOf(model),
+                          mask.empty() ? py::object(py::array_t<uchar>(none)) : arrayOf(mask),
+                          report);
 }
 
 void addUsac(py::module_& module)
 {
     py::class_<PythonUsac>(module, "Usac")
-        .def(py::init<int, const py::object&, const py::object&, const Params&, const py::object&, const py::object&,
-                      const py::object&, const py::object&>())
+        .def(py::init<int, const py::object&, const py::object&, const Params&, const py::object&,
+                      const py::object&, const py::object&, const py::object&>())
         .def("setSampler", &PythonUsac::setSampler, py::arg("sampler"))
         .def("setScore", &PythonUsac::setScore, py::arg("score"))
         .def("setPoints", &PythonUsac::setPoints, py::arg("points1"), py::arg("points2"))

@@ -15,19 +15,21 @@ namespace python {
 class PythonUsac
 {
 public:
-    PythonUsac(int problem, const py::object& points1, const py::object& points2, const Params& params,
-               const py::object& cameraMatrix1, const py::object& cameraMatrix2, const py::object& distCoeffs1,
+    PythonUsac(int problem, const py::object& points1, const py::object& points2,
+               const Params& params, const py::object& cameraMatrix1,
+               const py::object& cameraMatrix2, const py::object& distCoeffs1,
                const py::object& distCoeffs2);
 
     //! None: the one of the options.
     void setSampler(const py::object& sampler);
     void setScore(const py::object& score);
     void setPoints(const py::object& points1, const py::object& points2);
-    //! Other options, and other points where these are not None; components in Python stay. If something is wrong,
-    //! nothing changes.
+    //! Other options, and other points where these are not None; components in Python stay. If
+    //! something is wrong, nothing changes.
     void renew(const py::object& points1, const py::object& points2, const Params& params);
     py::tuple points() const;
-    //! @return model, mask, report; without the interpreter's lock, which components in Python take.
+    //! @return model, mask, report; without the interpreter's lock, which components in Python
+    //! take.
     py::tuple run();
 
 private:

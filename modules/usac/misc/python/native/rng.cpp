@@ -11,8 +11,8 @@ namespace python {
 static py::array_t<int> distinct(Rng& rng, int n, int count)
 {
     if (count < 0 || count > MAX_SAMPLE_SIZE || count > n)
-        CV_Error_(Error::StsOutOfRange,
-                  ("count: 0 .. %d is expected, not %d", std::max(0, std::min<int>(n, MAX_SAMPLE_SIZE)), count));
+        CV_Error_(Error::StsOutOfRange, ("count: 0 .. %d is expected, not %d",
+                                         std::max(0, std::min<int>(n, MAX_SAMPLE_SIZE)), count));
     py::array_t<int> result(count);
     rng.distinct(n, count, result.mutable_data());
     return result;
@@ -27,7 +27,8 @@ static int uniform(Rng& rng, int n)
 
 void addRng(py::module_& module)
 {
-    py::class_<Rng>(module, "Rng", "Pseudo-random numbers: those of a seed and a stream, the same ones each time.")
+    py::class_<Rng>(module, "Rng",
+                    "Pseudo-random numbers: those of a seed and a stream, the same ones each time.")
         .def(py::init<uint64, uint64>(), py::arg("seed") = 0, py::arg("stream") = 0)
         .def("next", &Rng::next, "32 uniformly distributed bits.")
         .def("uniform", &uniform, py::arg("n"), "A uniform number of 0 .. n-1.")

@@ -25,8 +25,8 @@ Size sizeOf(const py::handle& size)
     return Size(given.first, given.second);
 }
 
-//! A tuple (points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2, taken1,
-//! taken2, scores) of arrays, of which all but the points may be None.
+//! A tuple (points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1,
+//! imageSize2, taken1, taken2, scores) of arrays, of which all but the points may be None.
 TwoViewPair pairOf(const py::tuple& given)
 {
     TwoViewPair pair;
@@ -42,7 +42,9 @@ TwoViewPair pairOf(const py::tuple& given)
     pair.taken2 = own(given[9], "taken2");
     if (!py::reinterpret_borrow<py::object>(given[10]).is_none())
     {
-        const auto scores = given[10].cast<py::array_t<float, py::array::c_style | py::array::forcecast>>();
+        const auto
+            scores = given[10]
+                         .cast<py::array_t<float, py::array::c_style | py::array::forcecast>>();
         pair.scores.assign(scores.data(), scores.data() + scores.size());
     }
     return pair;
@@ -50,9 +52,10 @@ TwoViewPair pairOf(const py::tuple& given)
 
 py::tuple tupleOf(const TwoViewGeometry& found)
 {
-    return py::make_tuple(found.configuration, arrayOf(found.mask), found.inliers, arrayOf(found.F), arrayOf(found.E),
-                          arrayOf(found.H), arrayOf(found.R), arrayOf(found.t), arrayOf(found.rotations), found.report,
-                          found.iterations, found.milliseconds, (std::string)found.reason, (std::string)found.error);
+    return py::make_tuple(found.configuration, arrayOf(found.mask), found.inliers, arrayOf(found.F),
+                          arrayOf(found.E), arrayOf(found.H), arrayOf(found.R), arrayOf(found.t),
+                          arrayOf(found.rotations), found.report, found.iterations,
+                          found.milliseconds, (std::string)found.reason, (std::string)found.error);
 }
 
 py::tuple one(const py::tuple& given, const Params& params, const TwoViewRules& rules)
@@ -68,7 +71,8 @@ py::tuple one(const py::tuple& given, const Params& params, const TwoViewRules& 
     return tupleOf(found);
 }
 
-//! Arrays and options are copied while the interpreter's lock is held, so that other threads may change them.
+//! Arrays and options are copied while the interpreter's lock is held, so that other threads may
+//! change them.
 py::list many(const py::list& given, const Params& params, const TwoViewRules& rules, int threads)
 {
     std::vector<TwoViewPair> pairs;
@@ -98,12 +102,15 @@ void addTwoView(py::module_& module)
         .def_readwrite("ratios", &TwoViewRules::ratios)
         .def_readwrite("planarRatio", &TwoViewRules::planarRatio)
         .def_readwrite("calibrationRatio", &TwoViewRules::calibrationRatio)
-        .def("samples", &TwoViewRules::samples, py::arg("params"), py::arg("sampleSize"), py::arg("matches"))
-        .def("reached", &TwoViewRules::reached, py::arg("params"), py::arg("sampleSize"), py::arg("matches"))
+        .def("samples", &TwoViewRules::samples, py::arg("params"), py::arg("sampleSize"),
+             py::arg("matches"))
+        .def("reached", &TwoViewRules::reached, py::arg("params"), py::arg("sampleSize"),
+             py::arg("matches"))
         .def("check", &TwoViewRules::check);
-    module.def("estimateTwoViewGeometry", &one, py::arg("pair"), py::arg("params"), py::arg("rules"));
-    module.def("estimateTwoViewGeometries", &many, py::arg("pairs"), py::arg("params"), py::arg("rules"),
-               py::arg("threads"));
+    module.def("estimateTwoViewGeometry", &one, py::arg("pair"), py::arg("params"),
+               py::arg("rules"));
+    module.def("estimateTwoViewGeometries", &many, py::arg("pairs"), py::arg("params"),
+               py::arg("rules"), py::arg("threads"));
 }
 
 }  // namespace python

@@ -11,7 +11,8 @@ namespace python {
 
 namespace {
 
-//! Milliseconds between two looks for signals. The lock takes up to 5 to come while other threads of Python work.
+//! Milliseconds between two looks for signals. The lock takes up to 5 to come while other threads
+//! of Python work.
 constexpr double PERIOD = 50;
 
 bool isMainThread()

@@ -16,19 +16,25 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Rotation and translation of a calibrated camera from points of space and their images: x ~ K (R X + t).
+/** @brief Rotation and translation of a calibrated camera from points of space and their images: x
+~ K (R X + t).
 
 Models of the search are 3x4 camera matrices, see PoseCamera; the caller gets [R t]. */
 class AbsolutePoseProblem : public Problem
 {
 public:
-    AbsolutePoseProblem(InputArray cameraMatrix, InputArray distCoeffs) : camera(cameraMatrix, distCoeffs) {}
+    AbsolutePoseProblem(InputArray cameraMatrix, InputArray distCoeffs)
+        : camera(cameraMatrix, distCoeffs)
+    {}
 
     String name() const CV_OVERRIDE { return "absolutePose"; }
     int dimension() const CV_OVERRIDE { return PoseParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 2; }
     int coordinates(int array) const CV_OVERRIDE { return array == 0 ? 3 : 2; }
-    String arrayName(int array) const CV_OVERRIDE { return array == 0 ? "objectPoints" : "imagePoints"; }
+    String arrayName(int array) const CV_OVERRIDE
+    {
+        return array == 0 ? "objectPoints" : "imagePoints";
+    }
     bool commonUnit() const CV_OVERRIDE { return false; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(800, 1.7); }  // measured
 
@@ -60,9 +66,9 @@ public:
         const PoseParameterization pose(camera.matrix, model);
         const Matx33d R = pose.rotation();
         const Vec3d t = pose.translation();
-        return Mat(
-            Matx34d(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0), R(2, 1), R(2, 2), t[2]),
-            true);
+        return Mat(Matx34d(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1],
+                           R(2, 0), R(2, 1), R(2, 2), t[2]),
+                   true);
     }
 
     Model ofOutput(const Mat& output) const CV_OVERRIDE
@@ -71,7 +77,8 @@ public:
         return camera.matrix * pose;
     }
 
-    bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
+    bool fromOutput(const std::vector<double>& output, const Correspondences& points,
+                    Model& model) const CV_OVERRIDE
     {
         if (output.size() != 12)
             return false;
@@ -83,12 +90,16 @@ public:
         return checkRange(Mat(3, 4, CV_64F, model.val));
     }
 
-    Model closest(const Model& model) const CV_OVERRIDE { return PoseParameterization(camera.matrix, model).model(); }
+    Model closest(const Model& model) const CV_OVERRIDE
+    {
+        return PoseParameterization(camera.matrix, model).model();
+    }
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
         if (type == RESIDUAL_SYMMETRIC)
-            CV_Error(Error::StsBadArg, "residual: RESIDUAL_SYMMETRIC needs two images, an absolute pose has one");
+            CV_Error(Error::StsBadArg,
+                     "residual: RESIDUAL_SYMMETRIC needs two images, an absolute pose has one");
         return createReprojectionResidual();
     }
 
@@ -98,7 +109,10 @@ public:
         return exact ? Ptr<Residual>() : Ptr<Residual>(makePtr<LensResidual>(camera));
     }
 
-    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createP3PSolver(camera.matrix); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
+    {
+        return createP3PSolver(camera.matrix);
+    }
 
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {

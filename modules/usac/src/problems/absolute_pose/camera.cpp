@@ -33,8 +33,9 @@ Matx33d withoutCenter(const Matx33d& K)
 }  // namespace
 
 PoseCamera::PoseCamera(InputArray cameraMatrix, InputArray distCoeffs)
-    : K(readCamera(cameraMatrix, "cameraMatrix")), distortion(readDistortion(distCoeffs, "distCoeffs")),
-      matrix(withoutCenter(K)), inverse(matrix.inv()), focal(meanFocal(K)), distorted(!distortion.none())
+    : K(readCamera(cameraMatrix, "cameraMatrix")),
+      distortion(readDistortion(distCoeffs, "distCoeffs")), matrix(withoutCenter(K)),
+      inverse(matrix.inv()), focal(meanFocal(K)), distorted(!distortion.none())
 {}
 
 void PoseCamera::toSearchUnits(double* u, double* v, int count) const

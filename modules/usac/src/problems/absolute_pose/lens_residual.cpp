@@ -12,19 +12,22 @@ namespace {
 
 //! Numbers of a datum.
 enum { COLUMNS = 5 };
-//! Of what is not seen, each component of the error: its square is more than any sum of errors of what is.
+//! Of what is not seen, each component of the error: its square is more than any sum of errors of
+//! what is.
 constexpr double UNSEEN = 1e100;
 
 }  // namespace
 
 //! `derivative`: by the point before it is divided by its depth, K (R X + t).
-bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt, Matx<double, 2, 3>* derivative) const
+bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt,
+                           Matx<double, 2, 3>* derivative) const
 {
     const double *m = model.val, X = datum[0], Y = datum[1], Z = datum[2];
     const double depth = m[8] * X + m[9] * Y + m[10] * Z + m[11], w = 1 / depth;
     if (!(depth > 0))
         return false;
-    const double u = (m[0] * X + m[1] * Y + m[2] * Z + m[3]) * w, v = (m[4] * X + m[5] * Y + m[6] * Z + m[7]) * w;
+    const double u = (m[0] * X + m[1] * Y + m[2] * Z + m[3]) * w,
+                 v = (m[4] * X + m[5] * Y + m[6] * Z + m[7]) * w;
     const Matx33d& inverse = camera.inverse;
     const Vec2d point(inverse(0, 0) * u + inverse(0, 1) * v, inverse(1, 0) * u + inverse(1, 1) * v);
     Matx22d J;
@@ -33,8 +36,8 @@ bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenA
     if (derivative)
     {
         J = J * Matx22d(inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)) * w;
-        *derivative = Matx<double, 2, 3>(J(0, 0), J(0, 1), -(J(0, 0) * u + J(0, 1) * v), J(1, 0), J(1, 1),
-                                         -(J(1, 0) * u + J(1, 1) * v));
+        *derivative = Matx<double, 2, 3>(J(0, 0), J(0, 1), -(J(0, 0) * u + J(0, 1) * v), J(1, 0),
+                                         J(1, 1), -(J(1, 0) * u + J(1, 1) * v));
     }
     return true;
 }
@@ -48,7 +51,8 @@ int LensResidual::error(const Model& model, const double* datum, double* error) 
     return 2;
 }
 
-int LensResidual::linearize(const Model& model, const double* datum, double* error, double* derivative) const
+int LensResidual::linearize(const Model& model, const double* datum, double* error,
+                            double* derivative) const
 {
     Vec2d seenAt;
     Matx<double, 2, 3> J = Matx<double, 2, 3>::zeros();
@@ -75,14 +79,15 @@ double LensResidual::squared(const Model& model, const double* const* columns, i
     return seen ? dx * dx + dy * dy : INFINITY;
 }
 
-void LensResidual::squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const
+void LensResidual::squaredErrors(const Model& model, const double* const* columns, int count,
+                                 double* errors) const
 {
     for (int i = 0; i < count; ++i)
         errors[i] = squared(model, columns, i);
 }
 
-void LensResidual::squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
-                                 float* errors) const
+void LensResidual::squaredErrors(const Correspondences& points, const Model& model, int begin,
+                                 int end, float* errors) const
 {
     for (int i = begin; i < end; ++i)
         errors[i - begin] = (float)squared(model, points.exact, i);

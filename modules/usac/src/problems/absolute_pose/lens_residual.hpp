@@ -13,8 +13,8 @@ namespace usacv20 {
 
 /** @brief Reprojection error in the image as it was taken, distortion included.
 
-A datum is a point of space and one of PoseCamera::toSearchUnits, a model the camera matrix of PoseCamera. Infinite for
-what is behind the camera and for what the lens does not show. */
+A datum is a point of space and one of PoseCamera::toSearchUnits, a model the camera matrix of
+PoseCamera. Infinite for what is behind the camera and for what the lens does not show. */
 class LensResidual : public Residual
 {
 public:
@@ -22,13 +22,16 @@ public:
 
     void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
                        float* errors) const CV_OVERRIDE;
-    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE;
+    void squaredErrors(const Model& model, const double* const* columns, int count,
+                       double* errors) const CV_OVERRIDE;
     int error(const Model& model, const double* datum, double* error) const CV_OVERRIDE;
-    int linearize(const Model& model, const double* datum, double* error, double* derivative) const CV_OVERRIDE;
+    int linearize(const Model& model, const double* datum, double* error,
+                  double* derivative) const CV_OVERRIDE;
 
 private:
     double squared(const Model& model, const double* const* columns, int i) const;
-    bool project(const Model& model, const double* datum, Vec2d& seenAt, Matx<double, 2, 3>* derivative) const;
+    bool project(const Model& model, const double* datum, Vec2d& seenAt,
+                 Matx<double, 2, 3>* derivative) const;
 
     const PoseCamera camera;
 };

@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-/** A triangle in coordinates of its own: corner 2 is the origin, corner 3 lies at (length, 0), corner 1 at (along,
-height), height >= 0. */
+/** A triangle in coordinates of its own: corner 2 is the origin, corner 3 lies at (length, 0),
+corner 1 at (along, height), height >= 0. */
 struct TriangleFrame
 {
     //! From the sides 23 and 21.
@@ -33,7 +33,8 @@ struct TriangleFrame
     Vec3d x, y, z;  //!< the axes
 };
 
-//! A triangle is flat if its height is less than these parts of the longest side and of the largest coordinate.
+//! A triangle is flat if its height is less than these parts of the longest side and of the largest
+//! coordinate.
 constexpr double LEAST_HEIGHT = 1e-9, LEAST_EXTENT = 1e-13;
 //! Unit rays closer than this are the same one but for rounding.
 constexpr double LEAST_DISTANCE = 4e-15;
@@ -67,7 +68,8 @@ struct PoseSample
         {
             const int from = (first + i) % 3;
             const double x = p.exact[3][sample[from]], y = p.exact[4][sample[from]];
-            const double u = inverse(0, 0) * x + inverse(0, 1) * y, v = inverse(1, 0) * x + inverse(1, 1) * y;
+            const double u = inverse(0, 0) * x + inverse(0, 1) * y,
+                         v = inverse(1, 0) * x + inverse(1, 1) * y;
             X[i] = given[from];
             length[i] = std::sqrt(u * u + v * v + 1);
             const double unit = 1 / length[i];
@@ -80,10 +82,10 @@ struct PoseSample
     double largest;    //!< magnitude of a coordinate of the object points
 };
 
-//! [R t] that takes the triangle of the object to that of the camera. False if they are not congruent, or if a point is
-//! so close to the center that nobody knows where it is seen.
-bool poseOf(const PoseSample& sample, const TriangleFrame& object, const TriangleDepths& depths, double sigma,
-            Model& model)
+//! [R t] that takes the triangle of the object to that of the camera. False if they are not
+//! congruent, or if a point is so close to the center that nobody knows where it is seen.
+bool poseOf(const PoseSample& sample, const TriangleFrame& object, const TriangleDepths& depths,
+            double sigma, Model& model)
 {
     const double w2 = depths.w / sigma + depths.p, unit = object.length;
     const Vec3d *ray = sample.ray, *X = sample.X;
@@ -91,11 +93,14 @@ bool poseOf(const PoseSample& sample, const TriangleFrame& object, const Triangl
     const Vec3d side1 = (w2 * (ray[0] - ray[1]) - depths.p * ray[0]) * unit;
     const TriangleFrame camera(side3, side1);
     const double d[3] = {depths.w / sigma, w2, depths.w / sigma + depths.q};
-    double misfit = 4 * DBL_EPSILON * (sample.largest + unit * std::max(std::max(d[0], d[1]), d[2]));  // rounding of t
+    double misfit = 4 * DBL_EPSILON *
+                    (sample.largest +
+                     unit * std::max(std::max(d[0], d[1]), d[2]));  // rounding of t
     misfit += std::abs(camera.length - object.length) + std::abs(camera.along - object.along) +
               std::abs(camera.height - object.height);
     for (int i = 0; i < 3; ++i)
-        if (!(misfit * sample.length[i] * sample.length[i] <= MISFIT * unit * d[i]))  // also for NaN
+        if (!(misfit * sample.length[i] * sample.length[i] <=
+              MISFIT * unit * d[i]))  // also for NaN
             return false;
     const Vec3d center = X[1] + ((X[0] - X[1]) + (X[2] - X[1])) * (1. / 3);
     const Vec3d moved = (unit * w2) * ray[1] + (side3 + side1) * (1. / 3);
@@ -103,8 +108,10 @@ bool poseOf(const PoseSample& sample, const TriangleFrame& object, const Triangl
     for (int i = 0; i < 3; ++i)
     {
         for (int j = 0; j < 3; ++j)
-            model(i, j) = camera.x[i] * object.x[j] + camera.y[i] * object.y[j] + camera.z[i] * object.z[j];
-        model(i, 3) = moved[i] - (model(i, 0) * center[0] + model(i, 1) * center[1] + model(i, 2) * center[2]);
+            model(i, j) = camera.x[i] * object.x[j] + camera.y[i] * object.y[j] +
+                          camera.z[i] * object.z[j];
+        model(i, 3) = moved[i] -
+                      (model(i, 0) * center[0] + model(i, 1) * center[1] + model(i, 2) * center[2]);
     }
     return true;
 }
@@ -128,7 +135,8 @@ int P3PSolver::solve(const Correspondences& points, const int* sample, Model* mo
 {
     const PoseSample s(points, sample, inverse);
     const TriangleFrame object(s.X[2] - s.X[1], s.X[0] - s.X[1]);
-    if (!(object.height > LEAST_HEIGHT * object.length && object.height > LEAST_EXTENT * s.largest))  // also for NaN
+    if (!(object.height > LEAST_HEIGHT * object.length &&
+          object.height > LEAST_EXTENT * s.largest))  // also for NaN
         return 0;
     const Vec3d r12 = s.ray[0] - s.ray[1], r13 = s.ray[0] - s.ray[2], r23 = s.ray[1] - s.ray[2];
     const double s12 = r12.dot(r12), s13 = r13.dot(r13), s23 = r23.dot(r23);

@@ -12,20 +12,24 @@ namespace usacv20 {
 
 /** @brief Up to four poses of a calibrated camera from three points.
 
-The columns of a datum are X, Y and Z of the object point and u and v of its image on the plane z = 1 of the camera. A
-model is the 3x4 matrix [R t] that takes object points to camera points, R a rotation.
+The columns of a datum are X, Y and Z of the object point and u and v of its image on the plane z =
+1 of the camera. A model is the 3x4 matrix [R t] that takes object points to camera points, R a
+rotation.
 
-The law of cosines gives three quadrics in the distances of the points from the camera. Their ratios are the points
-where two conics meet @cite persson2018lambda, found by means of a degenerate conic of their pencil, a pair of lines
-@cite ding2023revisiting. Unlike there the unknowns are the first distance and by how much the others exceed it, in such
-units that nothing cancels for a narrow field of view or a scene far away.
+The law of cosines gives three quadrics in the distances of the points from the camera. Their ratios
+are the points where two conics meet @cite persson2018lambda, found by means of a degenerate conic
+of their pencil, a pair of lines @cite ding2023revisiting. Unlike there the unknowns are the first
+distance and by how much the others exceed it, in such units that nothing cancels for a narrow field
+of view or a scene far away.
 
-Every model has its three points in front of the camera and reprojects them; no two are the same. There is none if the
-points of space lie on a line, if two image points are the same, or if a number is not finite. */
+Every model has its three points in front of the camera and reprojects them; no two are the same.
+There is none if the points of space lie on a line, if two image points are the same, or if a number
+is not finite. */
 class P3PSolver : public MinimalSolver
 {
 public:
-    //! Models are `camera` [R t], u and v points of camera X / Z; its last row and column are 0 0 1.
+    //! Models are `camera` [R t], u and v points of camera X / Z; its last row and column are 0 0
+    //! 1.
     explicit P3PSolver(const Matx33d& camera_) : camera(camera_), inverse(camera_.inv()) {}
 
     int sampleSize() const CV_OVERRIDE;

@@ -19,7 +19,8 @@ PoseParameterization::PoseParameterization(const Matx33d& camera, const Model& m
     t = pose.col(3) * (3 / closest.singularValues.sum());
 }
 
-PoseParameterization::PoseParameterization(const Matx33d& camera, const Matx33d& rotation, const Vec3d& translation)
+PoseParameterization::PoseParameterization(const Matx33d& camera, const Matx33d& rotation,
+                                           const Vec3d& translation)
     : K(Eigen::Map<const RowMajor3>(camera.val)), R(Eigen::Map<const RowMajor3>(rotation.val)),
       t(translation[0], translation[1], translation[2])
 {}
@@ -31,7 +32,8 @@ PoseParameterization::Basis PoseParameterization::tangent() const
     for (int k = 0; k < 3; ++k)
     {
         const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-        const Model rotated = withCamera(turnedAbout(axis, R), zero), moved = withCamera(Eigen::Matrix3d::Zero(), axis);
+        const Model rotated = withCamera(turnedAbout(axis, R), zero),
+                    moved = withCamera(Eigen::Matrix3d::Zero(), axis);
         for (int i = 0; i < NUMBERS; ++i)
         {
             basis(i, k) = rotated.val[i];
@@ -58,7 +60,8 @@ Matx33d PoseParameterization::rotation() const
     return result;
 }
 
-Model PoseParameterization::withCamera(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation) const
+Model PoseParameterization::withCamera(const Eigen::Matrix3d& rotation,
+                                       const Eigen::Vector3d& translation) const
 {
     Model result(3, 4);
     Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> M(result.val);

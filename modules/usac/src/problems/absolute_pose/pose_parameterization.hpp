@@ -10,8 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The pose of a camera and a minimal parameterization around it: a rotation that is applied after the present
-one, as a vector, and what is added to the translation. Parameters 0 are the pose itself. */
+/** @brief The pose of a camera and a minimal parameterization around it: a rotation that is applied
+after the present one, as a vector, and what is added to the translation. Parameters 0 are the pose
+itself. */
 class PoseParameterization
 {
 public:
@@ -20,11 +21,15 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Makes it around the rotation and translation that are closest to the camera matrix K [R t], a model.
+    //! Makes it around the rotation and translation that are closest to the camera matrix K [R t],
+    //! a model.
     struct Around
     {
         explicit Around(const Matx33d& K_) : K(K_) {}
-        PoseParameterization operator()(const Model& model) const { return PoseParameterization(K, model); }
+        PoseParameterization operator()(const Model& model) const
+        {
+            return PoseParameterization(K, model);
+        }
 
         Matx33d K;
     };

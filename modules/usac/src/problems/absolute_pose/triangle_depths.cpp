@@ -30,8 +30,8 @@ Conic sum(const Conic& a, double factor, const Conic& b)
 Conic adjugate(const Conic& c)
 {
     const double* m = c.m;
-    return {{m[3] * m[5] - m[4] * m[4], m[2] * m[4] - m[1] * m[5], m[1] * m[4] - m[2] * m[3], m[0] * m[5] - m[2] * m[2],
-             m[1] * m[2] - m[0] * m[4], m[0] * m[3] - m[1] * m[1]}};
+    return {{m[3] * m[5] - m[4] * m[4], m[2] * m[4] - m[1] * m[5], m[1] * m[4] - m[2] * m[3],
+             m[0] * m[5] - m[2] * m[2], m[1] * m[2] - m[0] * m[4], m[0] * m[3] - m[1] * m[1]}};
 }
 
 //! Trace of the product of two symmetric matrices.
@@ -41,14 +41,15 @@ double trace(const Conic& a, const Conic& b)
            2 * (a.m[1] * b.m[1] + a.m[2] * b.m[2] + a.m[4] * b.m[4]);
 }
 
-/** The pencil E + x F of two conics. det(E + x F) = c0 + c1 x + c2 x^2 + c3 x^3; F is such a conic of the pencil that
-c3 is not small, so that there is no root near infinity. */
+/** The pencil E + x F of two conics. det(E + x F) = c0 + c1 x + c2 x^2 + c3 x^3; F is such a conic
+of the pencil that c3 is not small, so that there is no root near infinity. */
 struct Pencil
 {
     Pencil(const Conic& first, const Conic& second) : E(first), F(second)
     {
         expand();
-        if (std::max(std::abs(c[0]), std::abs(c[3])) < 0.1 * std::max(std::abs(c[1]), std::abs(c[2])))
+        if (std::max(std::abs(c[0]), std::abs(c[3])) <
+            0.1 * std::max(std::abs(c[1]), std::abs(c[2])))
         {
             E = sum(first, -1, second);
             F = sum(first, 1, second);
@@ -75,8 +76,9 @@ struct Pencil
     double c[4];
 };
 
-/** The real root of c0 + c1 x + c2 x^2 + c3 x^3 that lies alone on its side of the point of inflection: if there are
-three, the one that is farthest from the others and thus the best conditioned. */
+/** The real root of c0 + c1 x + c2 x^2 + c3 x^3 that lies alone on its side of the point of
+inflection: if there are three, the one that is farthest from the others and thus the best
+conditioned. */
 double loneRoot(const double* c)
 {
     const double inverse = 1 / c[3], shift = c[2] * inverse / 3;
@@ -112,8 +114,9 @@ struct LinePair
     double common[3], other[2][3];
 };
 
-/** The lines of a degenerate conic. Its adjugate is -p p^T, where p is the point that they share. With i the largest
-element of p, they cross the line x_i = 0 elsewhere, at the roots of a quadratic equation.
+/** The lines of a degenerate conic. Its adjugate is -p p^T, where p is the point that they share.
+With i the largest element of p, they cross the line x_i = 0 elsewhere, at the roots of a quadratic
+equation.
 @return false if they are not real */
 bool split(const Conic& D, LinePair& lines)
 {
@@ -128,7 +131,8 @@ bool split(const Conic& D, LinePair& lines)
     // a x^2 + 2 b x y + c y^2 = 0
     const double a = D.m[AT[j][j]], b = D.m[AT[j][k]], c = D.m[AT[k][k]], root = std::sqrt(-least);
     const double t = b > 0 ? -b - root : root - b, inverse = 1 / least;
-    const double first = 1 / std::max(std::abs(t), std::abs(a)), second = 1 / std::max(std::abs(t), std::abs(c));
+    const double first = 1 / std::max(std::abs(t), std::abs(a)),
+                 second = 1 / std::max(std::abs(t), std::abs(c));
     lines.other[0][j] = t * first;
     lines.other[0][k] = a * first;
     lines.other[1][j] = c * second;
@@ -139,15 +143,16 @@ bool split(const Conic& D, LinePair& lines)
     return true;
 }
 
-/** A radicand as little below 0 as that part of the coefficients counts as 0: rounding has torn a double solution
-apart. What is none violates the equations by no more than that. */
+/** A radicand as little below 0 as that part of the coefficients counts as 0: rounding has torn a
+double solution apart. What is none violates the equations by no more than that. */
 constexpr double TORN = 1e-12;
 
 //! Where the lines meet a conic: homogeneous points. @return their number
 int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
 {
     const double *p = lines.common, *m = C.m;
-    const double polar[3] = {m[0] * p[0] + m[1] * p[1] + m[2] * p[2], m[1] * p[0] + m[3] * p[1] + m[4] * p[2],
+    const double polar[3] = {m[0] * p[0] + m[1] * p[1] + m[2] * p[2],
+                             m[1] * p[0] + m[3] * p[1] + m[4] * p[2],
                              m[2] * p[0] + m[4] * p[1] + m[5] * p[2]};
     const double c = p[0] * polar[0] + p[1] * polar[1] + p[2] * polar[2];
     int count = 0;
@@ -157,7 +162,8 @@ int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
         const double a = q[0] * (m[0] * q[0] + 2 * (m[1] * q[1] + m[2] * q[2])) +
                          q[1] * (m[3] * q[1] + 2 * m[4] * q[2]) + q[2] * q[2] * m[5];
         const double b = q[0] * polar[0] + q[1] * polar[1] + q[2] * polar[2];
-        const double radicand = b * b - a * c, largest = std::max(std::max(std::abs(a), std::abs(b)), std::abs(c));
+        const double radicand = b * b - a * c,
+                     largest = std::max(std::max(std::abs(a), std::abs(b)), std::abs(c));
         if (!(radicand >= -TORN * largest * largest))
             continue;
         const double root = std::sqrt(std::max(radicand, 0.)), t = b > 0 ? -b - root : root - b;
@@ -171,10 +177,12 @@ int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
     return count;
 }
 
-//! The triangle of the given ratio p : q : w with side 23 of length 1 and w > 0. False if a corner is not in front.
+//! The triangle of the given ratio p : q : w with side 23 of length 1 and w > 0. False if a corner
+//! is not in front.
 bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
 {
-    const double p = ratio[0], q = ratio[1], w = ratio[2], w2 = w + T.sigma * p, w3 = w + T.sigma * q;
+    const double p = ratio[0], q = ratio[1], w = ratio[2], w2 = w + T.sigma * p,
+                 w3 = w + T.sigma * q;
     const double squared = (p - q) * (p - q) + T.s23 * w2 * w3;
     if (!(squared > 0 && squared <= DBL_MAX))
         return false;
@@ -185,7 +193,8 @@ bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
     return d.w > 0 && w2 * factor > 0 && w3 * factor > 0;
 }
 
-//! Two solutions closer than this, relative to their size, are one: rounding tears a double one apart by its root.
+//! Two solutions closer than this, relative to their size, are one: rounding tears a double one
+//! apart by its root.
 constexpr double SAME = 1e-7;
 
 bool same(const TriangleDepths& a, const TriangleDepths& b)

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 /** @brief A triangle of which the lengths of the sides and the rays through its corners are known.
 
-With the distances d1, d2, d3 of the corners from the center, c the cosine of the angle between two rays and s = 2 - 2 c
-the squared distance of their unit vectors, the law of cosines is
+With the distances d1, d2, d3 of the corners from the center, c the cosine of the angle between two
+rays and s = 2 - 2 c the squared distance of their unit vectors, the law of cosines is
 
     a_ij = d_i^2 + d_j^2 - 2 c_ij d_i d_j = (d_i - d_j)^2 + s_ij d_i d_j
 
@@ -31,9 +31,10 @@ In these unknowns, with s for the squared distances over sigma^2,
     a13 = q^2 + s13 w (w + sigma q)
       1 = (p - q)^2 + s23 (w + sigma p) (w + sigma q)
 
-which turns into the equations of a camera at infinity for sigma = 0: all numbers are of the order of 1, however far the
-triangle is. With the distances as unknowns the poses of a scene at 100 times its size come out 10 000 times less exact,
-also after steps of Newton's method, which in these unknowns improve nothing. */
+which turns into the equations of a camera at infinity for sigma = 0: all numbers are of the order
+of 1, however far the triangle is. With the distances as unknowns the poses of a scene at 100 times
+its size come out 10 000 times less exact, also after steps of Newton's method, which in these
+unknowns improve nothing. */
 struct TriangleDepths
 {
     double p, q, w;

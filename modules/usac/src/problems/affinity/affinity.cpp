@@ -13,14 +13,21 @@ namespace usacv20 {
 
 namespace {
 
-//! The affine map of a plane, of a distant or a small one seen by a camera, from image 1 to image 2.
+//! The affine map of a plane, of a distant or a small one seen by a camera, from image 1 to image
+//! 2.
 class AffinityProblem : public PlaneMapProblem
 {
 public:
     String name() const CV_OVERRIDE { return "affinity"; }
     int dimension() const CV_OVERRIDE { return AffinityParameterization::DIMENSION; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(150, 1); }  // measured beside that of H
-    Model closest(const Model& model) const CV_OVERRIDE { return AffinityParameterization(model).model(); }
+    SampleCost sampleCost() const CV_OVERRIDE
+    {
+        return SampleCost(150, 1);
+    }  // measured beside that of H
+    Model closest(const Model& model) const CV_OVERRIDE
+    {
+        return AffinityParameterization(model).model();
+    }
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createAffinity3Solver(); }
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {

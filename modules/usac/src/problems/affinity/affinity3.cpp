@@ -10,11 +10,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Twice the area of a triangle over the squared length of its longest side from the first point: below it the points
-//! are on a line, as for a homography.
+//! Twice the area of a triangle over the squared length of its longest side from the first point:
+//! below it the points are on a line, as for a homography.
 constexpr double COLLINEAR = 1e-6;
 
-//! The sides of the triangle from its first point, as columns. @return false if it is (nearly) a line
+//! The sides of the triangle from its first point, as columns. @return false if it is (nearly) a
+//! line
 bool sidesOf(const double* x, const double* y, const int* s, double* side)
 {
     for (int k = 0; k < 2; ++k)
@@ -22,7 +23,8 @@ bool sidesOf(const double* x, const double* y, const int* s, double* side)
         side[k] = x[s[k + 1]] - x[s[0]];
         side[2 + k] = y[s[k + 1]] - y[s[0]];
     }
-    const double longest = std::max(side[0] * side[0] + side[2] * side[2], side[1] * side[1] + side[3] * side[3]);
+    const double longest = std::max(side[0] * side[0] + side[2] * side[2],
+                                    side[1] * side[1] + side[3] * side[3]);
     return std::abs(side[0] * side[3] - side[1] * side[2]) > COLLINEAR * longest;  // false for NaN
 }
 
@@ -35,7 +37,8 @@ public:
     int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
     {
         double u[4], v[4];
-        if (!sidesOf(p.exact[X1], p.exact[Y1], sample, u) || !sidesOf(p.exact[X2], p.exact[Y2], sample, v))
+        if (!sidesOf(p.exact[X1], p.exact[Y1], sample, u) ||
+            !sidesOf(p.exact[X2], p.exact[Y2], sample, v))
             return 0;
         const double factor = 1 / (u[0] * u[3] - u[1] * u[2]);
         Matx33d map = Matx33d::eye();
@@ -45,7 +48,8 @@ public:
                          b = (v[2 * row + 1] * u[0] - v[2 * row] * u[1]) * factor;
             map(row, 0) = a;
             map(row, 1) = b;
-            map(row, 2) = p.exact[row ? Y2 : X2][sample[0]] - a * p.exact[X1][sample[0]] - b * p.exact[Y1][sample[0]];
+            map(row, 2) = p.exact[row ? Y2 : X2][sample[0]] - a * p.exact[X1][sample[0]] -
+                          b * p.exact[Y1][sample[0]];
         }
         models[0] = map;
         return norm(map) <= DBL_MAX;  // false for NaN

@@ -12,17 +12,18 @@ namespace usacv20 {
 
 namespace {
 
-//! Determinant of the second moments of image 1 over the square of their trace, below which the points are on a line:
-//! what is left of it after rounding, with room for points that are close to each other.
+//! Determinant of the second moments of image 1 over the square of their trace, below which the
+//! points are on a line: what is left of it after rounding, with room for points that are close to
+//! each other.
 constexpr double ON_A_LINE = 1e-13;
 
-//! Least squares of the transfer error, in closed form: A is the covariance of both images times the inverse of the one
-//! of image 1.
+//! Least squares of the transfer error, in closed form: A is the covariance of both images times
+//! the inverse of the one of image 1.
 class AffinityLeastSquares : public NonMinimalSolver
 {
 public:
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int) const CV_OVERRIDE
     {
         if (count < 3)
             return false;
@@ -32,7 +33,8 @@ public:
             return false;
         const double f = 1 / determinant;
         const Model fitted = m.map((m.xu * m.yy - m.yu * m.xy) * f, (m.yu * m.xx - m.xu * m.xy) * f,
-                                   (m.xv * m.yy - m.yv * m.xy) * f, (m.yv * m.xx - m.xv * m.xy) * f);
+                                   (m.xv * m.yy - m.yv * m.xy) * f,
+                                   (m.yv * m.xx - m.xv * m.xy) * f);
         if (!AffinityParameterization(fitted).hasFullRank())
             return false;
         model = fitted;

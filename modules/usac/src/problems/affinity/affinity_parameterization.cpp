@@ -8,7 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Least determinant of the linear part over the sum of the squares of its entries: rounding of what is singular.
+//! Least determinant of the linear part over the sum of the squares of its entries: rounding of
+//! what is singular.
 constexpr double LEAST_DETERMINANT = 1e-9;
 
 AffinityParameterization::AffinityParameterization(const Model& model)
@@ -21,7 +22,10 @@ bool AffinityParameterization::hasFullRank() const
     return std::abs(a * d - b * c) > LEAST_DETERMINANT * (a * a + b * b + c * c + d * d);
 }
 
-AffinityParameterization::Basis AffinityParameterization::tangent() const { return Basis::Identity(); }
+AffinityParameterization::Basis AffinityParameterization::tangent() const
+{
+    return Basis::Identity();
+}
 
 void AffinityParameterization::project(const NormalEquations& sums, Matrix& A, Step& b) const
 {

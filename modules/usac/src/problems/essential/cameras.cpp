@@ -26,10 +26,12 @@ void normalize(const Matx33d& K, const Distortion& distortion, double* x, double
 
 }  // namespace
 
-Cameras::Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
+Cameras::Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
+                 InputArray distCoeffs2)
     : K1(readCamera(cameraMatrix1, "cameraMatrix1")),
       K2(cameraMatrix2.empty() ? K1 : readCamera(cameraMatrix2, "cameraMatrix2")),
-      distortion1(readDistortion(distCoeffs1, "distCoeffs1")), distortion2(readDistortion(distCoeffs2, "distCoeffs2"))
+      distortion1(readDistortion(distCoeffs1, "distCoeffs1")),
+      distortion2(readDistortion(distCoeffs2, "distCoeffs2"))
 {}
 
 double Cameras::toImagePlane(double* const* columns, int count) const

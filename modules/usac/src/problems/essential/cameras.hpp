@@ -15,12 +15,13 @@ class Cameras
 {
 public:
     /** @param cameraMatrix1, cameraMatrix2 3x3, any depth; the second one empty: as the first
-    @param distCoeffs1, distCoeffs2 4, 5, 8, 12 or 14 coefficients as for cv::undistortPoints; empty: none
-    Raises cv::Exception for what is no camera. */
-    Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2);
+    @param distCoeffs1, distCoeffs2 4, 5, 8, 12 or 14 coefficients as for cv::undistortPoints;
+    empty: none Raises cv::Exception for what is no camera. */
+    Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
+            InputArray distCoeffs2);
 
-    //! From pixels to the normalized image plane, in place; NaN where the lens shows nothing. @return mean focal length
-    //! in pixels
+    //! From pixels to the normalized image plane, in place; NaN where the lens shows nothing.
+    //! @return mean focal length in pixels
     double toImagePlane(double* const* columns, int count) const;
 
 private:

@@ -15,8 +15,8 @@ namespace usacv20 {
 
 namespace {
 
-//! The epipolar geometry of two calibrated views: x2^T E x1 = 0 on the normalized image planes, singular values (s, s,
-//! 0).
+//! The epipolar geometry of two calibrated views: x2^T E x1 = 0 on the normalized image planes,
+//! singular values (s, s, 0).
 class EssentialProblem : public Problem
 {
 public:
@@ -26,8 +26,8 @@ public:
     int dimension() const CV_OVERRIDE { return EssentialParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(4000, 2); }  // measured
-    //! A plane has two motions with the same inliers @cite ma2004invitation; which is right the few points beside it
-    //! tell.
+    //! A plane has two motions with the same inliers @cite ma2004invitation; which is right the few
+    //! points beside it tell.
     bool ambiguous() const CV_OVERRIDE { return true; }
 
     double toModelCoordinates(double* const* columns, int count) const CV_OVERRIDE
@@ -47,7 +47,8 @@ public:
 
     Model ofOutput(const Mat& output) const CV_OVERRIDE { return Matx33d(output.ptr<double>()); }
 
-    bool fromOutput(const std::vector<double>& output, const Correspondences&, Model& model) const CV_OVERRIDE
+    bool fromOutput(const std::vector<double>& output, const Correspondences&,
+                    Model& model) const CV_OVERRIDE
     {
         if (output.size() != 9)
             return false;
@@ -57,11 +58,15 @@ public:
         return usable;
     }
 
-    Model closest(const Model& model) const CV_OVERRIDE { return EssentialParameterization(model).model(); }
+    Model closest(const Model& model) const CV_OVERRIDE
+    {
+        return EssentialParameterization(model).model();
+    }
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
-        return type == RESIDUAL_SYMMETRIC ? createSymmetricEpipolarResidual() : createSampsonResidual();
+        return type == RESIDUAL_SYMMETRIC ? createSymmetricEpipolarResidual()
+                                          : createSampsonResidual();
     }
 
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createEssential5Solver(); }
@@ -77,8 +82,8 @@ public:
             degeneracies.push_back(createOrientedEpipolar());
         if (flags & DEGENERACY_DEGENSAC)
             degeneracies.push_back(createPlanarMotion());
-        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of
-                                          // their own models
+        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others
+                                          // compare with those of their own models
             degeneracies.push_back(createSharedPoints());
     }
 
@@ -88,10 +93,11 @@ private:
 
 }  // namespace
 
-Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
-                                    InputArray distCoeffs2)
+Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2,
+                                    InputArray distCoeffs1, InputArray distCoeffs2)
 {
-    return makePtr<EssentialProblem>(Cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2));
+    return makePtr<EssentialProblem>(
+        Cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2));
 }
 
 Ptr<NonMinimalSolver> createEssentialFit(const Ptr<Residual>& residual)

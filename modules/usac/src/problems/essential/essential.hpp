@@ -11,8 +11,8 @@ namespace cv {
 namespace usacv20 {
 
 //! See EssentialProblem; the cameras as for #estimateEssential.
-Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
-                                    InputArray distCoeffs2);
+Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2,
+                                    InputArray distCoeffs1, InputArray distCoeffs2);
 //! From 5 points, see Essential5Solver.
 Ptr<MinimalSolver> createEssential5Solver();
 //! Least squares of a residual.

@@ -16,8 +16,8 @@ namespace {
 /* Polynomials in x, y, z as arrays of coefficients.
 Linear[4]:     x y z 1
 Quadratic[10]: x2 xy xz x y2 yz y z2 z 1
-Cubic[20]:     x3 y3 x2y xy2 x2z x2 y2z y2 xyz xy | xz2 xz x yz2 yz y z3 z2 z 1, in the order of @cite
-nister2004efficient */
+Cubic[20]:     x3 y3 x2y xy2 x2z x2 y2z y2 xyz xy | xz2 xz x yz2 yz y z3 z2 z 1, in the order of
+@cite nister2004efficient */
 
 //! q += f a b
 void addProduct(const double* a, const double* b, double f, double* q)
@@ -59,7 +59,8 @@ void addCubic(const double* q, const double* a, double* c)
     c[19] += q[9] * a[3];
 }
 
-//! The ten cubic constraints on E = x X + y Y + z Z + W: det E = 0 and E E^T E - trace(E E^T) E / 2 = 0.
+//! The ten cubic constraints on E = x X + y Y + z Z + W: det E = 0 and E E^T E - trace(E E^T) E / 2
+//! = 0.
 void constraints(const double (&basis)[4][9], double (&C)[10][20])
 {
     double E[9][4];
@@ -94,8 +95,9 @@ void constraints(const double (&basis)[4][9], double (&C)[10][20])
     }
 }
 
-/** Gauss elimination of the left 10x10 block with partial pivoting; only the last six rows, which the solver uses, are
-brought to reduced form. @return the smallest pivot as part of the largest coefficient; 0 if the block is singular */
+/** Gauss elimination of the left 10x10 block with partial pivoting; only the last six rows, which
+the solver uses, are brought to reduced form. @return the smallest pivot as part of the largest
+coefficient; 0 if the block is singular */
 double eliminate(double (&C)[10][20])
 {
     double largest = 0, least = DBL_MAX;
@@ -128,8 +130,8 @@ double eliminate(double (&C)[10][20])
     return least / largest;
 }
 
-/** Row a of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of (monomial z) minus z times the row of (monomial).
-Coefficients from the constant upwards: degree 3, 3 and 4. */
+/** Row a of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of (monomial z) minus z times
+the row of (monomial). Coefficients from the constant upwards: degree 3, 3 and 4. */
 void linkRows(const double* withZ, const double* without, double (&B)[3][5])
 {
     for (int k = 0; k < 2; ++k)
@@ -155,9 +157,13 @@ void addProduct3(const double* a, const double* b, const double* c, double sign,
             result[i + j] += sign * ab[i] * c[j];
 }
 
-double horner(const double* c, double z) { return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0]; }
+double horner(const double* c, double z)
+{
+    return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
+}
 
-//! (x, y, 1) in the null space of B(z): the largest of the cross products of its rows. False if x or y is infinite.
+//! (x, y, 1) in the null space of B(z): the largest of the cross products of its rows. False if x
+//! or y is infinite.
 bool backSubstitute(const double (&B)[3][3][5], double z, double& x, double& y)
 {
     double v[3][3];
@@ -180,16 +186,18 @@ bool backSubstitute(const double (&B)[3][3][5], double z, double& x, double& y)
     return best > 0 && std::abs(x) < 1e12 && std::abs(y) < 1e12;
 }
 
-//! sums[i] += the i-th of ten constraints, or a part of it: their coefficients of the monomials first..last-1 times
-//! those values.
-inline void addRows(const double (&T)[20][10], const double* values, int first, int last, double* sums)
+//! sums[i] += the i-th of ten constraints, or a part of it: their coefficients of the monomials
+//! first..last-1 times those values.
+inline void addRows(const double (&T)[20][10], const double* values, int first, int last,
+                    double* sums)
 {
     for (int k = first; k < last; ++k)
         for (int i = 0; i < 10; ++i)
             sums[i] += values[k] * T[k][i];
 }
 
-//! What may be left of the constraints, for unit models: no correction is needed; no essential matrix has been found.
+//! What may be left of the constraints, for unit models: no correction is needed; no essential
+//! matrix has been found.
 constexpr double EXACT = 1e-12, VIOLATED = 1e-9;
 
 //! Largest of the ten constraints r at (x, y, z).
@@ -209,8 +217,10 @@ double violation(const double (&T)[20][10], double x, double y, double z, double
 //! Step of Gauss and Newton's method on the ten constraints; zero if it is not determined.
 Vec3d stepOf(const double (&T)[20][10], double x, double y, double z, const double (&r)[10])
 {
-    const double mx[20] = {3 * x * x, 0, 2 * x * y, y * y, 2 * x * z, 2 * x, 0, 0, y * z, y, z * z, z, 1};
-    const double my[20] = {0, 3 * y * y, x * x, 2 * x * y, 0, 0, 2 * y * z, 2 * y, x * z, x, 0, 0, 0, z * z, z, 1};
+    const double mx[20] = {3 * x * x, 0,     2 * x * y, y * y, 2 * x * z, 2 * x, 0,
+                           0,         y * z, y,         z * z, z,         1};
+    const double my[20] = {0,     3 * y * y, x * x, 2 * x * y, 0, 0,     2 * y * z, 2 * y,
+                           x * z, x,         0,     0,         0, z * z, z,         1};
     const double mz[20] = {0,         0, 0, 0,         x * x, 0, y * y,     0,     x * y, 0,
                            2 * x * z, x, 0, 2 * y * z, y,     0, 3 * z * z, 2 * z, 1};
     double gx[10] = {0}, gy[10] = {0}, gz[10] = {0};
@@ -237,8 +247,8 @@ Vec3d stepOf(const double (&T)[20][10], double x, double y, double z, const doub
     return A.inv() * b;
 }
 
-/** Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits where its pivots are
-small; the steps bring them back.
+/** Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits
+where its pivots are small; the steps bring them back.
 @param T coefficients of the constraints, a row for each monomial
 @param length of Z; those of X, Y and W are 1
 @param x, y, z solution, in and out
@@ -249,7 +259,8 @@ double correct(const double (&T)[20][10], double length, double& x, double& y, d
     for (int k = 0;; ++k)
     {
         double r[10];
-        const double squared = 1 + x * x + y * y + length * length * z * z, left = violation(T, x, y, z, r);
+        const double squared = 1 + x * x + y * y + length * length * z * z,
+                     left = violation(T, x, y, z, r);
         if (left < EXACT * squared * std::sqrt(squared) || k == STEPS)
             return left;
         const Vec3d step = stepOf(T, x, y, z, r);
@@ -295,15 +306,17 @@ struct System
     double B[3][3][5];          //!< B(z) (x, y, 1)^T = 0
 };
 
-//! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a scene with parallax
-//! is among them.
+//! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a
+//! scene with parallax is among them.
 constexpr double SMALL_PIVOT = 5e-4;
 
-/** @brief Up to ten essential matrices from five points of calibrated cameras @cite nister2004efficient.
+/** @brief Up to ten essential matrices from five points of calibrated cameras
+@cite nister2004efficient.
 
-The epipolar constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3 matrix of polynomials
-in z whose determinant, of degree 10, vanishes; its real roots give z, its null vectors x and y. Roots that satisfy the
-constraints only roughly, even after a correction, are no solutions. */
+The epipolar constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3
+matrix of polynomials in z whose determinant, of degree 10, vanishes; its real roots give z, its
+null vectors x and y. Roots that satisfy the constraints only roughly, even after a correction, are
+no solutions. */
 class Essential5Solver : public MinimalSolver
 {
 public:
@@ -339,7 +352,8 @@ public:
                 E.val[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
                 squares += E.val[i] * E.val[i];
             }
-            if (left < VIOLATED * squares * std::sqrt(squares) && squares <= DBL_MAX)  // false for NaN
+            if (left < VIOLATED * squares * std::sqrt(squares) &&
+                squares <= DBL_MAX)  // false for NaN
                 models[found++] = E * (1 / std::sqrt(squares));
         }
         return found;
@@ -352,8 +366,8 @@ private:
         double A[9][6] = {{0}};
         for (int i = 0; i < 5; ++i)
         {
-            const double x1 = p.exact[X1][sample[i]], y1 = p.exact[Y1][sample[i]], x2 = p.exact[X2][sample[i]],
-                         y2 = p.exact[Y2][sample[i]];
+            const double x1 = p.exact[X1][sample[i]], y1 = p.exact[Y1][sample[i]],
+                         x2 = p.exact[X2][sample[i]], y2 = p.exact[Y2][sample[i]];
             const double row[9] = {x2 * x1, x2 * y1, x2, y2 * x1, y2 * y1, y2, x1, y1, 1};
             for (int k = 0; k < 9; ++k)
                 A[k][i] = row[k];

@@ -18,8 +18,8 @@ double product(const double* a, const double* b)
     return sum;
 }
 
-//! Gram and Schmidt's method for the k-th vector, those before are orthonormal. @return its length without their
-//! directions
+//! Gram and Schmidt's method for the k-th vector, those before are orthonormal. @return its length
+//! without their directions
 double orthonormalize(double (*vectors)[9], int k)
 {
     double* const v = vectors[k];
@@ -35,8 +35,8 @@ double orthonormalize(double (*vectors)[9], int k)
     return length;
 }
 
-//! The rotation that takes the directions of image 1 to those of image 2, in the sense of least squares @cite
-//! umeyama1991least.
+//! The rotation that takes the directions of image 1 to those of image 2, in the sense of least
+//! squares @cite umeyama1991least.
 Matx33d rotationOf(const Correspondences& p, const int* sample)
 {
     Matx33d sum = Matx33d::zeros(), U, Vt;
@@ -55,8 +55,8 @@ Matx33d rotationOf(const Correspondences& p, const int* sample)
 
 void mix(EssentialBasis& basis)
 {
-    // The rotation v -> p v q of four dimensions with the quaternions p = 3 + 5i + 7j + 11k and q = 13 - 4i + 6j + 9k,
-    // times sqrt(61608); any one without small entries will do.
+    // The rotation v -> p v q of four dimensions with the quaternions p = 3 + 5i + 7j + 11k and q =
+    // 13 - 4i + 6j + 9k, times sqrt(61608); any one without small entries will do.
     static const double ROTATION[4][4] = {
         {-82, -56, -198, -112}, {50, 200, -118, 72}, {20, 114, 76, -206}, {228, -74, -52, -38}};
     EssentialBasis q;
@@ -68,15 +68,16 @@ void mix(EssentialBasis& basis)
     }
     for (int k = 0; k < 4; ++k)
         for (int i = 0; i < 9; ++i)
-            basis[k][i] = ROTATION[k][0] * q[0][i] + ROTATION[k][1] * q[1][i] + ROTATION[k][2] * q[2][i] +
-                          ROTATION[k][3] * q[3][i];
+            basis[k][i] = ROTATION[k][0] * q[0][i] + ROTATION[k][1] * q[1][i] +
+                          ROTATION[k][2] * q[2][i] + ROTATION[k][3] * q[3][i];
 }
 
 double align(const Correspondences& points, const int* sample, EssentialBasis& basis)
 {
     //! Three times a rotation of three dimensions without small entries.
     static const double ROTATION[3][3] = {{2, -2, 1}, {2, 1, -2}, {1, 2, 2}};
-    const double SMALLEST = 1e-6;  // of the scale: below it nothing of the translation is left in double
+    const double
+        SMALLEST = 1e-6;  // of the scale: below it nothing of the translation is left in double
     EssentialBasis q;
     for (int k = 0; k < 4; ++k)
         orthonormalize(basis, k);

@@ -13,7 +13,8 @@ namespace usacv20 {
 EssentialParameterization::EssentialParameterization(const Model& model)
 {
     const Eigen::Map<const RowMajor3> M(model.val);
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(M), Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(M),
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
     U = svd.matrixU();
     V = svd.matrixV();
 }

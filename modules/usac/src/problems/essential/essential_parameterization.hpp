@@ -10,10 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief An essential matrix and a minimal parameterization around it; parameters 0 are the model itself.
+/** @brief An essential matrix and a minimal parameterization around it; parameters 0 are the model
+itself.
 
-E = U diag(1, 1, 0) V^T / sqrt(2); 3 rotations of U, 2 of V (the third moves E like one of U): 5 @cite
-helmke2007essential. */
+E = U diag(1, 1, 0) V^T / sqrt(2); 3 rotations of U, 2 of V (the third moves E like one of U): 5
+@cite helmke2007essential. */
 class EssentialParameterization
 {
 public:
@@ -28,8 +29,8 @@ public:
     bool hasFullRank() const { return true; }
     //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T Jtr with B =
-    //! tangent().
+    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T
+    //! Jtr with B = tangent().
     void project(const NormalEquations& sums, Matrix& A, Step& b) const
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);

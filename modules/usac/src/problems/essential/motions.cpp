@@ -13,8 +13,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Singular values of the homography of a plane differ by more than this part if the camera has moved: rounding leaves
-//! 1e-15, a hundredth of a pixel 1e-5. Half, double: the same.
+//! Singular values of the homography of a plane differ by more than this part if the camera has
+//! moved: rounding leaves 1e-15, a hundredth of a pixel 1e-5. Half, double: the same.
 constexpr double TURNED = 1e-9;
 
 Matx33d toMatx(const Eigen::Matrix3d& A)
@@ -46,7 +46,8 @@ Matx33d Motion::essential() const
 
 void motionsOf(const Matx33d& E, Motion motions[4])
 {
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(toEigen(E), Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(toEigen(E),
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Matrix3d U = svd.matrixU(), V = svd.matrixV(), W;
     W << 0, -1, 0, 1, 0, 0, 0, 0, 1;
     if (U.determinant() < 0)
@@ -62,8 +63,9 @@ void motionsOf(const Matx33d& E, Motion motions[4])
     }
 }
 
-/* With H = R + t n^T of singular values s1 >= 1 >= s3, the plane spanned by the second right singular vector v2 and
-u = (sqrt(1 - s3^2) v1 +- sqrt(s1^2 - 1) v3) / sqrt(s1^2 - s3^2) keeps its lengths: there H is R, and n is normal to it.
+/* With H = R + t n^T of singular values s1 >= 1 >= s3, the plane spanned by the second right
+singular vector v2 and u = (sqrt(1 - s3^2) v1 +- sqrt(s1^2 - 1) v3) / sqrt(s1^2 - s3^2) keeps its
+lengths: there H is R, and n is normal to it.
 */
 bool motionsOfPlane(const Matx33d& given, const Vec3d& x, Motion motions[2])
 {
@@ -73,8 +75,10 @@ bool motionsOfPlane(const Matx33d& given, const Vec3d& x, Motion motions[2])
     if (!(svd.singularValues()[2] > 0) || !(s[0] - s[2] > TURNED))
         return false;
     H /= svd.singularValues()[1] * (H.determinant() < 0 ? -1 : 1);
-    const Eigen::Vector3d v1 = svd.matrixV().col(0), v2 = svd.matrixV().col(1), v3 = svd.matrixV().col(2);
-    const double a = std::sqrt(std::max(1 - s[2] * s[2], 0.)), b = std::sqrt(std::max(s[0] * s[0] - 1, 0.));
+    const Eigen::Vector3d v1 = svd.matrixV().col(0), v2 = svd.matrixV().col(1),
+                          v3 = svd.matrixV().col(2);
+    const double a = std::sqrt(std::max(1 - s[2] * s[2], 0.)),
+                 b = std::sqrt(std::max(s[0] * s[0] - 1, 0.));
     for (int k = 0; k < 2; ++k)
     {
         const Eigen::Vector3d u = (a * v1 + (k ? -b : b) * v3) / std::sqrt(a * a + b * b);
@@ -99,7 +103,8 @@ bool inFront(const Motion& motion, const Vec3d& x1, const Vec3d& x2, double thre
     const Vec3d turned = motion.R * x1, normal = turned.cross(x2);
     if (normal.dot(x2.cross(motion.t)) > 0 && normal.dot(turned.cross(motion.t)) > 0)
         return true;
-    const double dx = turned[0] / turned[2] - x2[0] / x2[2], dy = turned[1] / turned[2] - x2[1] / x2[2];
+    const double dx = turned[0] / turned[2] - x2[0] / x2[2],
+                 dy = turned[1] / turned[2] - x2[1] / x2[2];
     return turned[2] > 0 && dx * dx + dy * dy <= threshold * threshold;
 }
 

@@ -23,18 +23,20 @@ struct Motion
 //! The four motions of an essential matrix: two rotations, each with t and with -t.
 void motionsOf(const Matx33d& E, Motion motions[4]);
 
-/** @brief The two motions of a plane that has its points in front of both cameras @cite ma2004invitation.
+/** @brief The two motions of a plane that has its points in front of both cameras
+@cite ma2004invitation.
 @param H homography of the plane from image plane 1 to image plane 2
 @param x a point of the plane in image plane 1, homogeneous, in front of both cameras
 @param motions output
-@return false if the camera has only turned, so that there is no plane to be seen, or if H is singular */
+@return false if the camera has only turned, so that there is no plane to be seen, or if H is
+singular */
 bool motionsOfPlane(const Matx33d& H, const Vec3d& x, Motion motions[2]);
 
 /** @brief Is the point that a match shows in front of both cameras?
 @param motion of the cameras
 @param x1, x2 the match on the image planes, homogeneous
-@param threshold a match that agrees with a point at infinity up to this distance on image plane 2 is in front: noise
-may put it behind */
+@param threshold a match that agrees with a point at infinity up to this distance on image plane 2
+is in front: noise may put it behind */
 bool inFront(const Motion& motion, const Vec3d& x1, const Vec3d& x2, double threshold);
 
 }  // namespace usacv20

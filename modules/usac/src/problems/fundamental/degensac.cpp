@@ -17,8 +17,8 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these on lists and structured scenes: doc/constants.md. Where nothing is said errors and time of F
-// stay within 3 %, and no search fails that did not.
+// Half and double of these on lists and structured scenes: doc/constants.md. Where nothing is said
+// errors and time of F stay within 3 %, and no search fails that did not.
 
 //! Most points of the fit of a plane, most fits, and steps of each; fewer points are not fitted.
 constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
@@ -26,33 +26,38 @@ constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
 constexpr double CLEARLY = 1.05;
 //! A plane is the one that is known if more than so many of the points on it are on that one, too.
 constexpr double SAME_PLANE = 0.9;
-//! A plane has so many of the model's inliers at least; before it is fitted, so many of these. DOMINANT 0.25: time +8
-//! %, errors -2 %; 0.75: time -6 %.
+//! A plane has so many of the model's inliers at least; before it is fitted, so many of these.
+//! DOMINANT 0.25: time +8 %, errors -2 %; 0.75: time -6 %.
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
-//! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its seven points, 21 w^5;
-//! what is seen is chance. 0.2: time -3 %.
+//! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its
+//! seven points, 21 w^5; what is seen is chance. 0.2: time -3 %.
 constexpr double SEEN = 0.1;
-//! A model has so many of the inliers of the best one to be of interest: what it lacks the optimization may add.
+//! A model has so many of the inliers of the best one to be of interest: what it lacks the
+//! optimization may add.
 constexpr double OF_INTEREST = 0.9;
-//! Squared, in squared thresholds: off the plane for the parallax. Closer to it a match agrees with any epipole.
+//! Squared, in squared thresholds: off the plane for the parallax. Closer to it a match agrees with
+//! any epipole.
 constexpr double OFF_PLANE = 4;
 
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
 
-If five or more of the seven points lie on a plane, F fits everything on the plane and little else. One of five triples
-of the sample then lies on the plane; F and a triple determine the homography of their plane, and five points that it
-maps give the degeneracy away. A locally optimized model has no sample; there it is a plane with more than half of its
-inliers. The remedy is plane and parallax: that homography H, refined on its points, and two correspondences off the
-plane determine F = [e]x H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if
-it beats the original, so that other scenes lose nothing; a plane with less than half of the model's inliers is left
-alone, as there the samples find F. A plane that was dealt with is looked at again if clearly more points are on it now.
+If five or more of the seven points lie on a plane, F fits everything on the plane and little else.
+One of five triples of the sample then lies on the plane; F and a triple determine the homography of
+their plane, and five points that it maps give the degeneracy away. A locally optimized model has no
+sample; there it is a plane with more than half of its inliers. The remedy is plane and parallax:
+that homography H, refined on its points, and two correspondences off the plane determine F = [e]x
+H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if it
+beats the original, so that other scenes lose nothing; a plane with less than half of the model's
+inliers is left alone, as there the samples find F. A plane that was dealt with is looked at again
+if clearly more points are on it now.
 */
 class Degensac : public Degeneracy
 {
 public:
     Degensac()
-        : fitter(createHomographyFit(createTransferResidual())), known(Matx33d::zeros()), knownThreshold(0),
-          knownPoints(0), onPlane(0), offPlane(0), errors(0), onCount(0), offCount(0), parallax(0)
+        : fitter(createHomographyFit(createTransferResidual())), known(Matx33d::zeros()),
+          knownThreshold(0), knownPoints(0), onPlane(0), offPlane(0), errors(0), onCount(0),
+          offCount(0), parallax(0)
     {}
 
     void start(const Context& context) CV_OVERRIDE
@@ -63,10 +68,12 @@ public:
         parallax = 0;
     }
 
-    bool recover(const Context& context, State& state, const int* sample, Model& model, Quality& quality) CV_OVERRIDE
+    bool recover(const Context& context, State& state, const int* sample, Model& model,
+                 Quality& quality) CV_OVERRIDE
     {
         Matx33d H;
-        if (sample ? !planeOfSample(context, sample, model, H) : !plane.find(context, state.rng, model, DOMINANT, H))
+        if (sample ? !planeOfSample(context, sample, model, H)
+                   : !plane.find(context, state.rng, model, DOMINANT, H))
             return true;
         state.report.degenerate = true;
         const Quality before = quality;
@@ -92,7 +99,8 @@ public:
     }
 
 private:
-    //! True if the plane is the last one that was dealt with: what was found then would be found again.
+    //! True if the plane is the last one that was dealt with: what was found then would be found
+    //! again.
     bool isKnown(const Context& context, const Matx33d& H, const int* sample) const
     {
         if (sample)
@@ -127,7 +135,8 @@ private:
             return false;
         for (int t = 0; t < 5; ++t)
         {
-            const int triple[3] = {sample[triples[t][0]], sample[triples[t][1]], sample[triples[t][2]]};
+            const int triple[3] = {sample[triples[t][0]], sample[triples[t][1]],
+                                   sample[triples[t][2]]};
             if (planeOfThree(context.points, triple, A, e, H) && mapped(context, H, sample, 7) >= 5)
                 return true;
         }
@@ -136,7 +145,8 @@ private:
 
     static double error(const Correspondences& p, const Matx33d& H, int i)
     {
-        return TransferError::squared(H.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]);
+        return TransferError::squared(H.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i],
+                                      p.exact[Y2][i]);
     }
 
     static int pointsOn(const Context& context, const Matx33d& H)
@@ -144,8 +154,8 @@ private:
         float m[9];
         toFloat(H, m);
         Quality sum(0, 0);
-        kernels().inliers[Residual::TRANSFER](context.points, m, (float)planeLimit(context), 0, context.points.size,
-                                              sum);
+        kernels().inliers[Residual::TRANSFER](context.points, m, (float)planeLimit(context), 0,
+                                              context.points.size, sum);
         return sum.inliers;
     }
 
@@ -160,9 +170,10 @@ private:
             (errors[i] <= (float)most ? onPlane[onCount++] : offPlane[offCount++]) = i;
     }
 
-    /** Least squares over the points on the plane until these are no more: the homography of three noisy points has
-    often only a part of them.
-    @return false if they are fewer than `least`; else onPlane and offPlane are those for the parallax */
+    /** Least squares over the points on the plane until these are no more: the homography of three
+    noisy points has often only a part of them.
+    @return false if they are fewer than `least`; else onPlane and offPlane are those for the
+    parallax */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;
@@ -192,7 +203,8 @@ private:
     }
 
     //! The best F = [e]x H of the points off the plane replaces a worse model.
-    void planeAndParallax(const Context& context, const State& state, const Matx33d& H, Model& model, Quality& quality)
+    void planeAndParallax(const Context& context, const State& state, const Matx33d& H,
+                          Model& model, Quality& quality)
     {
         const double off = offCount, wanted = OF_INTEREST * state.bestQuality.inliers - onCount;
         if (off < 2 || wanted > off)
@@ -200,7 +212,8 @@ private:
         if (!parallax)
             parallax = new (context.arena.take<PlaneParallax>(1)) PlaneParallax();
         parallax->setPlane(context, offPlane, offCount, H);
-        parallax->search(context, 1 - context.params.confidence, wanted * parallax->size() / off, model, quality);
+        parallax->search(context, 1 - context.params.confidence, wanted * parallax->size() / off,
+                         model, quality);
     }
 
     Ptr<NonMinimalSolver> fitter;

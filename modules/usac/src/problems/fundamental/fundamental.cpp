@@ -14,8 +14,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Of unit norm. T2^T F T1 has rank 2 up to the rounding of its largest terms; where these cancel, as with both
-epipoles at the origin of large coordinates, that is not small against what is left. */
+/** Of unit norm. T2^T F T1 has rank 2 up to the rounding of its largest terms; where these cancel,
+as with both epipoles at the origin of large coordinates, that is not small against what is left. */
 Matx33d toRankTwo(const Matx33d& F)
 {
     Vec3d w;
@@ -49,24 +49,33 @@ public:
 
     Model ofOutput(const Mat& output) const CV_OVERRIDE { return Matx33d(output.ptr<double>()); }
 
-    bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
+    bool fromOutput(const std::vector<double>& output, const Correspondences& points,
+                    Model& model) const CV_OVERRIDE
     {
         if (output.size() != 9)
             return false;
-        Matx33d F = points.frame[1].matrix().inv().t() * Matx33d(output.data()) * points.frame[0].matrix().inv();
+        Matx33d F = points.frame[1].matrix().inv().t() * Matx33d(output.data()) *
+                    points.frame[0].matrix().inv();
         const bool usable = toUnitNorm(F);
         model = closest(F);
         return usable;
     }
 
-    Model closest(const Model& model) const CV_OVERRIDE { return FundamentalParameterization(model).model(); }
+    Model closest(const Model& model) const CV_OVERRIDE
+    {
+        return FundamentalParameterization(model).model();
+    }
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
-        return type == RESIDUAL_SYMMETRIC ? createSymmetricEpipolarResidual() : createSampsonResidual();
+        return type == RESIDUAL_SYMMETRIC ? createSymmetricEpipolarResidual()
+                                          : createSampsonResidual();
     }
 
-    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createFundamental7Solver(); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
+    {
+        return createFundamental7Solver();
+    }
 
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {
@@ -79,8 +88,8 @@ public:
             degeneracies.push_back(createOrientedEpipolar());
         if (flags & DEGENERACY_DEGENSAC)
             degeneracies.push_back(createDegensac());
-        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others compare with those of
-                                          // their own models
+        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others
+                                          // compare with those of their own models
             degeneracies.push_back(createSharedPoints());
     }
 };

@@ -36,9 +36,9 @@ double dot9(const double* a, const double* b)
 
 /** @brief One to three fundamental matrices from seven points @cite hartley2003multiple.
 
-The epipolar constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated points lower the
-rank of the constraints: the sample is degenerate. Points on a line fit l2 l1^T, which has rank 1 and is no epipolar
-geometry. */
+The epipolar constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated
+points lower the rank of the constraints: the sample is degenerate. Points on a line fit l2 l1^T,
+which has rank 1 and is no epipolar geometry. */
 class Fundamental7Solver : public MinimalSolver
 {
 public:
@@ -49,8 +49,8 @@ public:
         double A[9][8] = {{0}}, F[2][9];
         for (int i = 0; i < 7; ++i)
         {
-            const double x1 = p.exact[X1][sample[i]], y1 = p.exact[Y1][sample[i]], x2 = p.exact[X2][sample[i]],
-                         y2 = p.exact[Y2][sample[i]];
+            const double x1 = p.exact[X1][sample[i]], y1 = p.exact[Y1][sample[i]],
+                         x2 = p.exact[X2][sample[i]], y2 = p.exact[Y2][sample[i]];
             const double row[9] = {x2 * x1, x2 * y1, x2, y2 * x1, y2 * y1, y2, x1, y1, 1};
             for (int k = 0; k < 9; ++k)
                 A[k][i] = row[k];

@@ -21,16 +21,17 @@ Eigen::Matrix3d completion(const Eigen::Vector3d& n)
     return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
 }
 
-/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction of the time of a
-singular value decomposition: all rows of its cofactors are multiples of the one, all columns of the other. False if its
-rank is not 2 but for rounding. */
+/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction
+of the time of a singular value decomposition: all rows of its cofactors are multiples of the one,
+all columns of the other. False if its rank is not 2 but for rounding. */
 bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
 {
     Eigen::Matrix3d cofactors;
     for (int i = 0; i < 3; ++i)
         cofactors.row(i) = M.row((i + 1) % 3).cross(M.row((i + 2) % 3));
     const double size = M.norm(), det = M.row(0).dot(cofactors.row(0));
-    const double rows = cofactors.norm();  // the product of both singular values; det / rows is the third one
+    const double rows = cofactors.norm();  // the product of both singular values; det / rows is the
+                                           // third one
     if (!(rows > 1e-3 * size * size) || !(std::abs(det) < 1e-12 * rows * size))
         return false;
     int row, col;
@@ -52,17 +53,22 @@ FundamentalParameterization::FundamentalParameterization(const Model& model)
         corner /= corner.norm();
         return;
     }
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(M), Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(M),
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
     U = svd.matrixU();
     V = svd.matrixV();
-    const double first = svd.singularValues()[0], second = svd.singularValues()[1], norm = std::hypot(first, second);
+    const double first = svd.singularValues()[0], second = svd.singularValues()[1],
+                 norm = std::hypot(first, second);
     corner << first / norm, 0, 0, second / norm;
 }
 
-bool FundamentalParameterization::hasFullRank() const { return std::abs(corner.determinant()) > LEAST_RATIO; }
+bool FundamentalParameterization::hasFullRank() const
+{
+    return std::abs(corner.determinant()) > LEAST_RATIO;
+}
 
-/** With the corner (a, b; c, d) as a quaternion, times the three imaginary units: three matrices orthogonal to it and
-to each other, all of unit norm. */
+/** With the corner (a, b; c, d) as a quaternion, times the three imaginary units: three matrices
+orthogonal to it and to each other, all of unit norm. */
 void FundamentalParameterization::cornerDirections(Eigen::Matrix2d (&directions)[3]) const
 {
     const double a = corner(0, 0), b = corner(0, 1), c = corner(1, 0), d = corner(1, 1);
@@ -89,9 +95,9 @@ FundamentalParameterization::Basis FundamentalParameterization::tangent() const
     return basis;
 }
 
-/** S plus the step, with the last entry that makes its rank 2 again, is [I; y^T] C [I, x] with the new corner C, the
-last column C x and the last row y^T C. Its null vectors (-x, 1) and (-y, 1) become the last columns of V and U by a
-reflection each. */
+/** S plus the step, with the last entry that makes its rank 2 again, is [I; y^T] C [I, x] with the
+new corner C, the last column C x and the last row y^T C. Its null vectors (-x, 1) and (-y, 1)
+become the last columns of V and U by a reflection each. */
 FundamentalParameterization FundamentalParameterization::plus(const Step& step) const
 {
     FundamentalParameterization result(*this);
@@ -101,7 +107,8 @@ FundamentalParameterization FundamentalParameterization::plus(const Step& step) 
     for (int k = 0; k < 3; ++k)
         C += step[k] * directions[k];
     const Eigen::Matrix2d inverse = C.inverse();
-    const Eigen::Vector2d x = inverse * step.segment<2>(3), y = inverse.transpose() * step.segment<2>(5);
+    const Eigen::Vector2d x = inverse * step.segment<2>(3),
+                          y = inverse.transpose() * step.segment<2>(5);
     const Eigen::Matrix3d left = completion(Eigen::Vector3d(-y[0], -y[1], 1));
     const Eigen::Matrix3d right = completion(Eigen::Vector3d(-x[0], -x[1], 1));
     result.U = U * left;

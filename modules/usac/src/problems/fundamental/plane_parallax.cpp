@@ -12,29 +12,30 @@ namespace usacv20 {
 
 namespace {
 
-//! A place so many bins from the match's own points does not count: there the match agrees with anything, it is no
-//! evidence. Half, double: the same.
+//! A place so many bins from the match's own points does not count: there the match agrees with
+//! anything, it is no evidence. Half, double: the same.
 constexpr int NEAR = 2;
 
-/* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 % inliers, and for
-half and double of each on the lists, doc/constants.md: */
+/* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 %
+inliers, and for half and double of each on the lists, doc/constants.md: */
 
-//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1 failures rise from 3 to 7
-//! %, with 0.3 they stay. Lists: half: time of F +9 %; double: -4 %.
+//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1
+//! failures rise from 3 to 7 %, with 0.3 they stay. Lists: half: time of F +9 %; double: -4 %.
 constexpr double GOOD_LINES = 0.5;
-//! A place with so many votes, as a part of the best support, is worth a fit: the same number of inliers can be a lower
-//! cost. 0.6 changes nothing but the time; 0.9 saves 2 % of the time of F and misses 2 of 40 epipoles of cameras
-//! that move forwards.
+//! A place with so many votes, as a part of the best support, is worth a fit: the same number of
+//! inliers can be a lower cost. 0.6 changes nothing but the time; 0.9 saves 2 % of the time of F
+//! and misses 2 of 40 epipoles of cameras that move forwards.
 constexpr double WORTH_A_FIT = 0.8;
-//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many outliers above the
-//! lowest one: the points on the plane decide between similar epipoles. Half: errors of F +1 and +2 %; more changes
-//! nothing.
+//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many
+//! outliers above the lowest one: the points on the plane decide between similar epipoles. Half:
+//! errors of F +1 and +2 %; more changes nothing.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
-//! Widths of the steps of a fit, in thresholds: from a bin's middle the first ones must be wider than the threshold.
-//! All 1: errors within 1 %; twice as wide: the same.
+//! Widths of the steps of a fit, in thresholds: from a bin's middle the first ones must be wider
+//! than the threshold. All 1: errors within 1 %; twice as wide: the same.
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
-//! Epipoles from votes at an angle (as unit vectors) with a smaller squared sine are the same: two bins. Half: time
-//! +3 %; double: errors within 1 %; 0.1: search failures of scenes with planes, 4 of 432 for 1.
+//! Epipoles from votes at an angle (as unit vectors) with a smaller squared sine are the same: two
+//! bins. Half: time +3 %; double: errors within 1 %; 0.1: search failures of scenes with planes, 4
+//! of 432 for 1.
 constexpr double SAME_PLACE = 1e-3;
 
 //! The middle of the bins first .. last of the line through the orthonormal u and v.
@@ -75,7 +76,8 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
             *weights++ = (T)(k == j ? a[k] * b[k] : a[k] * b[j] + a[j] * b[k]);
 }
 
-/** The bins with most arcs over them. @param change what begins in each bin, minus what ended in the one before
+/** The bins with most arcs over them. @param change what begins in each bin, minus what ended in
+the one before
 @param own bins that do not count, with those near them @return the number of arcs */
 int densest(const int* change, const int* own, int& first, int& last)
 {
@@ -83,7 +85,8 @@ int densest(const int* change, const int* own, int& first, int& last)
     for (int k = 0, sum = 0; k < ARCS_BINS; ++k)
         votes[k] = sum += change[k];
     for (int i = 0; i < 2; ++i)
-        std::fill(votes + std::max(own[i] - NEAR, 0), votes + std::min(own[i] + NEAR + 1, ARCS_BINS), 0);
+        std::fill(votes + std::max(own[i] - NEAR, 0),
+                  votes + std::min(own[i] + NEAR + 1, ARCS_BINS), 0);
     int most = 0;
     for (int k = 0; k < ARCS_BINS; ++k)
         most = std::max(most, votes[k]);
@@ -93,12 +96,13 @@ int densest(const int* change, const int* own, int& first, int& last)
     return most;
 }
 
-//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, from a guess; false if all vectors
-//! are ones.
+//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, from a guess;
+//! false if all vectors are ones.
 bool smallestEigenvector(const Matx33d& M, Vec3d& e)
 {
     enum { STEPS = 4 };
-    const Vec3d a(M(0, 0), M(0, 1), M(0, 2)), b(M(1, 0), M(1, 1), M(1, 2)), c(M(2, 0), M(2, 1), M(2, 2));
+    const Vec3d a(M(0, 0), M(0, 1), M(0, 2)), b(M(1, 0), M(1, 1), M(1, 2)),
+        c(M(2, 0), M(2, 1), M(2, 2));
     const Vec3d adjugate[3] = {b.cross(c), c.cross(a), a.cross(b)};
     for (int step = 0; step < STEPS; ++step)
     {
@@ -113,13 +117,16 @@ bool smallestEigenvector(const Matx33d& M, Vec3d& e)
 
 }  // namespace
 
-PlaneParallax::PlaneParallax() : H(Matx33d::zeros()), limit(0), numbers(0), stride(0), next(0), fitted(0) {}
+PlaneParallax::PlaneParallax()
+    : H(Matx33d::zeros()), limit(0), numbers(0), stride(0), next(0), fitted(0)
+{}
 
-/* With y = H x1 and h1, h2 the first two columns of H, the numerator of Sampson's error of F = [e]x H is (e n)^2 with
-n = y x x2, its denominator |F x1|^2 + |F^T x2|^2 (first two entries) the sum of the squares of four products of e with
-(0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G is that sum times the squared threshold: the error is below it if
-(e n)^2 <= e^T G e. */
-void PlaneParallax::setPlane(const Context& context, const int* offPlane, int count, const Matx33d& homography)
+/* With y = H x1 and h1, h2 the first two columns of H, the numerator of Sampson's error of F = [e]x
+H is (e n)^2 with n = y x x2, its denominator |F x1|^2 + |F^T x2|^2 (first two entries) the sum of
+the squares of four products of e with (0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G is that
+sum times the squared threshold: the error is below it if (e n)^2 <= e^T G e. */
+void PlaneParallax::setPlane(const Context& context, const int* offPlane, int count,
+                             const Matx33d& homography)
 {
     const Correspondences& points = context.points;
     H = homography * (1 / norm(homography));
@@ -137,9 +144,10 @@ void PlaneParallax::setPlane(const Context& context, const int* offPlane, int co
     const Vec3d h1(H(0, 0), H(1, 0), H(2, 0)), h2(H(0, 1), H(1, 1), H(2, 1));
     for (int i = 0; i < p.size; ++i)
     {
-        const Vec3d x2(p.column[X2][i], p.column[Y2][i], 1), y = H * Vec3d(p.column[X1][i], p.column[Y1][i], 1),
-                                                             n = y.cross(x2);
-        const Vec3d forms[4] = {Vec3d(0, y[2], -y[1]), Vec3d(-y[2], 0, y[0]), h1.cross(x2), h2.cross(x2)};
+        const Vec3d x2(p.column[X2][i], p.column[Y2][i], 1),
+            y = H * Vec3d(p.column[X1][i], p.column[Y1][i], 1), n = y.cross(x2);
+        const Vec3d forms[4] = {Vec3d(0, y[2], -y[1]), Vec3d(-y[2], 0, y[0]), h1.cross(x2),
+                                h2.cross(x2)};
         for (int k = 0; k < 3; ++k)
             numbers[(size_t)(N0 + k) * stride + i] = (float)n[k];
         for (int k = 0, at = G00; k < 3; ++k)
@@ -156,10 +164,12 @@ void PlaneParallax::setPlane(const Context& context, const int* offPlane, int co
 int PlaneParallax::linesNeeded(double failure, double wanted) const
 {
     const double inliers = std::max(std::max<double>(best.inliers, wanted), 2.0);
-    return std::min(size(), samplesNeeded(GOOD_LINES * inliers / std::max(size(), 1), std::log(failure)));
+    return std::min(size(),
+                    samplesNeeded(GOOD_LINES * inliers / std::max(size(), 1), std::log(failure)));
 }
 
-bool PlaneParallax::search(const Context& context, double failure, double wanted, Model& model, Quality& quality)
+bool PlaneParallax::search(const Context& context, double failure, double wanted, Model& model,
+                           Quality& quality)
 {
     const Quality before = quality, own = support(model);
     if (own.betterThan(best))
@@ -204,7 +214,8 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
         --change[to[k] + 1];
         change[0] += from[k] > to[k] + 1;
     }
-    const Vec3d x2(p.column[X2][line], p.column[Y2][line], 1), y = H * Vec3d(p.column[X1][line], p.column[Y1][line], 1);
+    const Vec3d x2(p.column[X2][line], p.column[Y2][line], 1),
+        y = H * Vec3d(p.column[X1][line], p.column[Y1][line], 1);
     const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))),
                         binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
     int first = 0, last = -1;
@@ -214,14 +225,15 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     return votes;
 }
 
-//! Fits an epipole to the voters within shrinking multiples of the threshold; the best of the fits is rated over all
-//! points.
+//! Fits an epipole to the voters within shrinking multiples of the threshold; the best of the fits
+//! is rated over all points.
 void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Quality& quality)
 {
     Matx33d F = crossMatrix(e) * H, candidate = F;
     Quality lowest;
     const size_t steps = sizeof(WIDTHS) / sizeof(WIDTHS[0]);
-    for (size_t step = 0; step < steps && fit(F, WIDTHS[step], step < 2 ? (int)FIRST_FIT : MAX_POINTS, e); ++step)
+    for (size_t step = 0;
+         step < steps && fit(F, WIDTHS[step], step < 2 ? (int)FIRST_FIT : MAX_POINTS, e); ++step)
     {
         F = crossMatrix(e) * H;
         const Quality here = support(F);
@@ -249,8 +261,8 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
     quality = whole;
 }
 
-//! Least squares of the errors of `most` voters within so many thresholds of F = [e]x H; their denominators are those
-//! of e.
+//! Least squares of the errors of `most` voters within so many thresholds of F = [e]x H; their
+//! denominators are those of e.
 bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
 {
     const Correspondences& p = voters.view();
@@ -275,8 +287,8 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
         double d = 0;
         for (int k = 0; k < 6; ++k)
             d += weights[k] * rows[G00 + k][i];
-        const double inverse = d > 0 ? 1 / d : 0, n0 = rows[N0][i], n1 = rows[N1][i], n2 = rows[N2][i],
-                     a = n0 * inverse, b = n1 * inverse;
+        const double inverse = d > 0 ? 1 / d : 0, n0 = rows[N0][i], n1 = rows[N1][i],
+                     n2 = rows[N2][i], a = n0 * inverse, b = n1 * inverse;
         sums[0] += a * n0;
         sums[1] += a * n1;
         sums[2] += a * n2;
@@ -284,8 +296,9 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
         sums[4] += b * n2;
         sums[5] += n2 * n2 * inverse;
     }
-    return smallestEigenvector(Matx33d(sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5]),
-                               e);
+    return smallestEigenvector(
+        Matx33d(sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5]),
+        e);
 }
 
 }  // namespace usacv20

@@ -23,19 +23,21 @@ public:
     int errorDimension() const CV_OVERRIDE { return 2; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(250, 1); }  // measured
 
-    //! The transfer error is one of image 2, so that the scale of image 1 does not matter; errors in both images need
-    //! one scale.
+    //! The transfer error is one of image 2, so that the scale of image 1 does not matter; errors
+    //! in both images need one scale.
     int normalization(int residual) const CV_OVERRIDE
     {
         return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH;
     }
 
     //! h33 = 1 where that is not nearly 0 against the weights of the other points.
-    bool toInput(const Model& model, const Correspondences& points, Model& inInput) const CV_OVERRIDE
+    bool toInput(const Model& model, const Correspondences& points,
+                 Model& inInput) const CV_OVERRIDE
     {
         const Matx33d T1 = points.frame[0].matrix(), T2 = points.frame[1].matrix();
         const double s = 1 / T2(0, 0);
-        const Matx33d inverse(s, 0, -s * T2(0, 2), 0, s, -s * T2(1, 2), 0, 0, 1);  // of a similarity
+        const Matx33d inverse(s, 0, -s * T2(0, 2), 0, s, -s * T2(1, 2), 0, 0,
+                              1);  // of a similarity
         Matx33d result = inverse * Matx33d(model) * T1;
         if (!toUnitNorm(result))
             return false;
@@ -52,11 +54,13 @@ public:
 
     Model ofOutput(const Mat& output) const CV_OVERRIDE { return Matx33d(output.ptr<double>()); }
 
-    bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
+    bool fromOutput(const std::vector<double>& output, const Correspondences& points,
+                    Model& model) const CV_OVERRIDE
     {
         if (output.size() != 9)
             return false;
-        Matx33d H = points.frame[1].matrix() * Matx33d(output.data()) * points.frame[0].matrix().inv();
+        Matx33d H = points.frame[1].matrix() * Matx33d(output.data()) *
+                    points.frame[0].matrix().inv();
         const bool usable = toUnitNorm(H);
         model = H;
         return usable;
@@ -64,7 +68,8 @@ public:
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
-        return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual() : createTransferResidual();
+        return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual()
+                                          : createTransferResidual();
     }
 
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createHomography4Solver(); }

@@ -10,15 +10,17 @@ namespace usacv20 {
 
 namespace {
 
-//! Twice the area of a triangle over the squared distance between points: below it they are on a line. Half, double: no
-//! run of the lists differs.
+//! Twice the area of a triangle over the squared distance between points: below it they are on a
+//! line. Half, double: no run of the lists differs.
 constexpr double COLLINEAR = 1e-6;
 
-/** Maps the four points of the standard projective basis to four given points: columns are the first three points,
-scaled so that they sum up to the fourth. False where three of the four are collinear. */
+/** Maps the four points of the standard projective basis to four given points: columns are the
+first three points, scaled so that they sum up to the fourth. False where three of the four are
+collinear. */
 bool fromBasis(const double* x, const double* y, const int* s, double* B)
 {
-    // barycentric-like weights: determinants of the point triples, i.e. twice the areas of the triangles
+    // barycentric-like weights: determinants of the point triples, i.e. twice the areas of the
+    // triangles
     const double x3 = x[s[3]], y3 = y[s[3]];
     double dx[3], dy[3];
     for (int k = 0; k < 3; ++k)
@@ -33,7 +35,8 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
     double extent = 0;
     for (int k = 0; k < 3; ++k)
         extent = std::max(extent, dx[k] * dx[k] + dy[k] * dy[k]);
-    const double smallest = std::min(std::min(std::abs(w0), std::abs(w1)), std::min(std::abs(w2), std::abs(all)));
+    const double smallest = std::min(std::min(std::abs(w0), std::abs(w1)),
+                                     std::min(std::abs(w2), std::abs(all)));
     if (!(smallest > COLLINEAR * extent))  // also for NaN
         return false;
     const double w[3] = {w0, w1, w2};
@@ -48,9 +51,9 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
 
 /** @brief Homography from four points, exact, in closed form.
 
-Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale @cite hartley2003multiple. A
-sample with three points (nearly) on a line or two points at one place in either image is degenerate. About 150
-operations. */
+Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale
+@cite hartley2003multiple. A sample with three points (nearly) on a line or two points at one place
+in either image is degenerate. About 150 operations. */
 class Homography4Solver : public MinimalSolver
 {
 public:
@@ -59,19 +62,22 @@ public:
     int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
     {
         double B1[9], B2[9];
-        if (!fromBasis(p.exact[X1], p.exact[Y1], sample, B1) || !fromBasis(p.exact[X2], p.exact[Y2], sample, B2))
+        if (!fromBasis(p.exact[X1], p.exact[Y1], sample, B1) ||
+            !fromBasis(p.exact[X2], p.exact[Y2], sample, B2))
             return 0;
         // rows of adj(B1) are cross products of the columns of B1
-        const double adj[9] = {
-            B1[4] * B1[8] - B1[5] * B1[7], B1[2] * B1[7] - B1[1] * B1[8], B1[1] * B1[5] - B1[2] * B1[4],
-            B1[5] * B1[6] - B1[3] * B1[8], B1[0] * B1[8] - B1[2] * B1[6], B1[2] * B1[3] - B1[0] * B1[5],
-            B1[3] * B1[7] - B1[4] * B1[6], B1[1] * B1[6] - B1[0] * B1[7], B1[0] * B1[4] - B1[1] * B1[3]};
+        const double adj[9] = {B1[4] * B1[8] - B1[5] * B1[7], B1[2] * B1[7] - B1[1] * B1[8],
+                               B1[1] * B1[5] - B1[2] * B1[4], B1[5] * B1[6] - B1[3] * B1[8],
+                               B1[0] * B1[8] - B1[2] * B1[6], B1[2] * B1[3] - B1[0] * B1[5],
+                               B1[3] * B1[7] - B1[4] * B1[6], B1[1] * B1[6] - B1[0] * B1[7],
+                               B1[0] * B1[4] - B1[1] * B1[3]};
         double squares = 0;
         Matx33d H;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
             {
-                const double h = B2[3 * i] * adj[j] + B2[3 * i + 1] * adj[3 + j] + B2[3 * i + 2] * adj[6 + j];
+                const double h = B2[3 * i] * adj[j] + B2[3 * i + 1] * adj[3 + j] +
+                                 B2[3 * i + 2] * adj[6 + j];
                 H(i, j) = h;
                 squares += h * h;
             }

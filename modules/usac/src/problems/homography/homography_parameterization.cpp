@@ -39,7 +39,8 @@ void HomographyParameterization::project(const NormalEquations& sums, Matrix& A,
     Eigen::Matrix<double, 9, 1> v;
     const double factor = reflection(v);
     const Eigen::Matrix<double, 9, 1> image = sums.JtJ.lazyProduct(v);
-    const Eigen::Matrix<double, 9, 1> r = factor * image - (0.5 * factor * factor * innerProduct(v, image)) * v;
+    const Eigen::Matrix<double, 9, 1> r = factor * image -
+                                          (0.5 * factor * factor * innerProduct(v, image)) * v;
     for (int j = 0; j < DIMENSION; ++j)
         for (int i = 0; i < DIMENSION; ++i)
             A(i, j) = sums.JtJ(j, i) - (v[i] * r[j] + r[i] * v[j]);

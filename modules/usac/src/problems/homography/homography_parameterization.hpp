@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A homography and a minimal parameterization around it: unit 9-vectors, 8 directions orthogonal to it.
-Parameters 0 are the model itself. */
+/** @brief A homography and a minimal parameterization around it: unit 9-vectors, 8 directions
+orthogonal to it. Parameters 0 are the model itself. */
 class HomographyParameterization
 {
 public:
@@ -27,16 +27,16 @@ public:
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T Jtr with B =
-    //! tangent().
+    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T
+    //! Jtr with B = tangent().
     void project(const NormalEquations& sums, Matrix& A, Step& b) const;
     //! The parameterization around the model that has these parameters.
     HomographyParameterization plus(const Step& step) const;
     Model model() const;
 
 private:
-    /** Householder's reflection I - factor v v^T that takes the axis of h33 to h or -h. It takes the other axes to the
-    complement of h. */
+    /** Householder's reflection I - factor v v^T that takes the axis of h33 to h or -h. It takes
+    the other axes to the complement of h. */
     double reflection(Eigen::Matrix<double, 9, 1>& v) const
     {
         v = h;

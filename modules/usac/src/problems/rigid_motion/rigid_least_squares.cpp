@@ -12,7 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Points as thin as this part of their length are on a line: squared, of rounding. See RigidLeastSquares.
+//! Points as thin as this part of their length are on a line: squared, of rounding. See
+//! RigidLeastSquares.
 constexpr double THINNEST = 1e-14;
 
 Eigen::Vector3d pointOf(const double* const* columns, int i)
@@ -20,18 +21,19 @@ Eigen::Vector3d pointOf(const double* const* columns, int i)
     return Eigen::Vector3d(columns[0][i], columns[1][i], columns[2][i]);
 }
 
-/** Weighted least squares of the distance in space 2, in closed form @cite umeyama1991least: the rotation is the one
-closest to the covariance of both spaces, the scale is the trace of what is left over the variance of space 1, and the
-means lie on each other. Points on a line leave the rotation open: the second singular value of the covariance is then 0
-but for rounding, a part #THINNEST of the first. The sums are of differences to the first point, so that little is lost
-where all are close together far from the origin. */
+/** Weighted least squares of the distance in space 2, in closed form @cite umeyama1991least: the
+rotation is the one closest to the covariance of both spaces, the scale is the trace of what is left
+over the variance of space 1, and the means lie on each other. Points on a line leave the rotation
+open: the second singular value of the covariance is then 0 but for rounding, a part #THINNEST of
+the first. The sums are of differences to the first point, so that little is lost where all are
+close together far from the origin. */
 class RigidLeastSquares : public NonMinimalSolver
 {
 public:
     explicit RigidLeastSquares(bool scaled_) : scaled(scaled_) {}
 
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int) const CV_OVERRIDE
     {
         if (count < 3)
             return false;
@@ -43,7 +45,8 @@ public:
         for (int i = 0; i < count; ++i)
         {
             const double w = weights ? weights[i] : 1;
-            const Eigen::Vector3d x1 = pointOf(from, indices[i]) - first1, x2 = pointOf(to, indices[i]) - first2;
+            const Eigen::Vector3d x1 = pointOf(from, indices[i]) - first1,
+                                  x2 = pointOf(to, indices[i]) - first2;
             sum += w;
             sum1 += w * x1;
             sum2 += w * x2;
@@ -54,7 +57,8 @@ public:
         const double variance = squares - sum1.dot(mean1);
         const ClosestRotation closest(products - sum2 * mean1.transpose());
         const double scale = scaled ? 3 * closest.scale / variance : 1;
-        const bool line = !(closest.singularValues[1] > THINNEST * closest.singularValues[0]);  // or NaN
+        const bool line = !(closest.singularValues[1] >
+                            THINNEST * closest.singularValues[0]);  // or NaN
         if (line || !(scale > 0 && scale <= DBL_MAX))
             return false;
         const Eigen::Matrix3d A = scale * closest.rotation;
@@ -68,7 +72,10 @@ private:
 
 }  // namespace
 
-Ptr<NonMinimalSolver> createRigidLeastSquares(bool scaled) { return makePtr<RigidLeastSquares>(scaled); }
+Ptr<NonMinimalSolver> createRigidLeastSquares(bool scaled)
+{
+    return makePtr<RigidLeastSquares>(scaled);
+}
 
 }  // namespace usacv20
 }  // namespace cv

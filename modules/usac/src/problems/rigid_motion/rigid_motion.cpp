@@ -16,8 +16,8 @@ namespace {
 
 typedef Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> MapOfSpace;
 
-//! [A t] after points of space 1 have been moved by `from` and those of space 2 by `to`; the ratio of their scales is 1
-//! to the bit where they have one.
+//! [A t] after points of space 1 have been moved by `from` and those of space 2 by `to`; the ratio
+//! of their scales is 1 to the bit where they have one.
 Model moved(const MapOfSpace& map, const Frame& from, const Frame& to)
 {
     const Eigen::Map<const Eigen::Vector3d> center1(from.center), center2(to.center);
@@ -35,8 +35,9 @@ Model movedBack(const MapOfSpace& map, const Frame& from, const Frame& to)
     return motionOf(A, t);
 }
 
-/** @brief Rotation and translation from points of space 1 to their counterparts in space 2, X2 = s R X1 + t, with the
-scale s or with s = 1. Models are the 3x4 matrices [s R t], as the caller gets them. */
+/** @brief Rotation and translation from points of space 1 to their counterparts in space 2, X2 = s
+R X1 + t, with the scale s or with s = 1. Models are the 3x4 matrices [s R t], as the caller gets
+them. */
 template <bool SCALED>
 class RigidMotionProblem : public Problem
 {
@@ -47,19 +48,24 @@ public:
     int coordinates(int) const CV_OVERRIDE { return 3; }
     //! With a scale, the unit of space 1 is unknown.
     bool commonUnit() const CV_OVERRIDE { return !SCALED; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(320, 1); }  // measured beside H, A and S
+    SampleCost sampleCost() const CV_OVERRIDE
+    {
+        return SampleCost(320, 1);
+    }  // measured beside H, A and S
     int normalization(int) const CV_OVERRIDE { return SCALED ? SCALE_EACH : SCALE_COMMON; }
 
     bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
     {
         result = movedBack(MapOfSpace(model.val), points.frame[0], points.frame[1]);
-        const bool regular = MapOfSpace(result.val).leftCols<3>().squaredNorm() > 0;  // else underflow
+        const bool regular = MapOfSpace(result.val).leftCols<3>().squaredNorm() >
+                             0;  // else underflow
         return regular && checkRange(Mat(3, 4, CV_64F, result.val));
     }
 
     Model ofOutput(const Mat& output) const CV_OVERRIDE { return Matx34d(output.ptr<double>()); }
 
-    bool fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const CV_OVERRIDE
+    bool fromOutput(const std::vector<double>& output, const Correspondences& points,
+                    Model& model) const CV_OVERRIDE
     {
         if (output.size() != 12)
             return false;
@@ -67,18 +73,26 @@ public:
         return checkRange(Mat(3, 4, CV_64F, model.val));
     }
 
-    Model closest(const Model& model) const CV_OVERRIDE { return RigidParameterization<SCALED>(model).model(); }
+    Model closest(const Model& model) const CV_OVERRIDE
+    {
+        return RigidParameterization<SCALED>(model).model();
+    }
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
         if (type == RESIDUAL_SYMMETRIC)
-            CV_Error_(Error::StsBadArg, ("residual: RESIDUAL_SYMMETRIC is for images, the problem %s has the distance "
-                                         "in space 2",
-                                         name().c_str()));
+            CV_Error_(
+                Error::StsBadArg,
+                ("residual: RESIDUAL_SYMMETRIC is for images, the problem %s has the distance "
+                 "in space 2",
+                 name().c_str()));
         return createSpaceTransferResidual();
     }
 
-    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createTriangleSolver(SCALED); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
+    {
+        return createTriangleSolver(SCALED);
+    }
 
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {

@@ -20,9 +20,9 @@ inline Model motionOf(const Eigen::Matrix3d& A, const Eigen::Vector3d& t)
     return result;
 }
 
-/** @brief A rigid motion of space [s R t] and a minimal parameterization around it: a rotation that is applied after
-the present one, as a vector, what is added to the translation and, if it is `SCALED`, by what part the scale grows.
-Parameters 0 are the motion itself. */
+/** @brief A rigid motion of space [s R t] and a minimal parameterization around it: a rotation that
+is applied after the present one, as a vector, what is added to the translation and, if it is
+`SCALED`, by what part the scale grows. Parameters 0 are the motion itself. */
 template <bool SCALED>
 class RigidParameterization
 {

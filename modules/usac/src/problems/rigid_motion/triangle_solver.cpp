@@ -22,13 +22,16 @@ struct Triangle
                 corners(k, i) = columns[k][sample[i]];
         center = corners.rowwise().mean();
         corners.colwise() -= center;
-        const Eigen::Vector3d side = corners.col(1) - corners.col(0), other = corners.col(2) - corners.col(0);
+        const Eigen::Vector3d side = corners.col(1) - corners.col(0),
+                              other = corners.col(2) - corners.col(0);
         const Eigen::Vector3d normal = side.cross(other);
-        const double area = normal.squaredNorm(), longest = std::max(side.squaredNorm(), other.squaredNorm());
+        const double area = normal.squaredNorm(),
+                     longest = std::max(side.squaredNorm(), other.squaredNorm());
         regular = area > DBL_EPSILON * longest * longest && area <= DBL_MAX;
         axes.col(0) = side.normalized();
         axes.col(1) = normal.normalized().cross(axes.col(0)).normalized();
-        axes.col(2) = axes.col(0).cross(axes.col(1));  // not the normal, which of a thin one is not quite upright
+        axes.col(2) = axes.col(0).cross(
+            axes.col(1));  // not the normal, which of a thin one is not quite upright
     }
 
     //! Corners in the plane, from the center.
@@ -37,14 +40,16 @@ struct Triangle
     Eigen::Matrix3d corners;  //!< from the center, a column each
     Eigen::Matrix3d axes;     //!< orthonormal, as columns
     Eigen::Vector3d center;
-    //! Its height over its longest side is more than the root of the rounding, so that the normal has a sense.
+    //! Its height over its longest side is more than the root of the rounding, so that the normal
+    //! has a sense.
     bool regular;
 };
 
-/** Rigid motion from three points by least squares @cite horn1987closed: the best rotation takes the plane of the first
-triangle to that of the second one, corners in the same sense, and turns it there by the angle that is best for points
-of a plane; the centers lie on each other. With a scale, that of least squares for this rotation @cite
-umeyama1991least. Three points on a line are degenerate. */
+/** Rigid motion from three points by least squares @cite horn1987closed: the best rotation takes
+the plane of the first triangle to that of the second one, corners in the same sense, and turns it
+there by the angle that is best for points of a plane; the centers lie on each other. With a scale,
+that of least squares for this rotation @cite umeyama1991least. Three points on a line are
+degenerate. */
 class TriangleSolver : public MinimalSolver
 {
 public:
@@ -58,8 +63,10 @@ public:
         if (!from.regular || !to.regular)
             return 0;
         const Eigen::Matrix<double, 2, 3> a = from.flat(), b = to.flat();
-        const double cosine = a.cwiseProduct(b).sum(), sine = a.row(0).dot(b.row(1)) - a.row(1).dot(b.row(0));
-        const double size = std::sqrt(cosine * cosine + sine * sine), scale = scaled ? size / a.squaredNorm() : 1;
+        const double cosine = a.cwiseProduct(b).sum(),
+                     sine = a.row(0).dot(b.row(1)) - a.row(1).dot(b.row(0));
+        const double size = std::sqrt(cosine * cosine + sine * sine),
+                     scale = scaled ? size / a.squaredNorm() : 1;
         Eigen::Matrix3d turned = to.axes;
         turned.col(0) = (cosine * to.axes.col(0) + sine * to.axes.col(1)) / size;
         turned.col(1) = (cosine * to.axes.col(1) - sine * to.axes.col(0)) / size;

@@ -19,8 +19,14 @@ class SimilarityProblem : public PlaneMapProblem
 public:
     String name() const CV_OVERRIDE { return "similarity"; }
     int dimension() const CV_OVERRIDE { return SimilarityParameterization::DIMENSION; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(120, 1); }  // measured beside that of H
-    Model closest(const Model& model) const CV_OVERRIDE { return SimilarityParameterization(model).model(); }
+    SampleCost sampleCost() const CV_OVERRIDE
+    {
+        return SampleCost(120, 1);
+    }  // measured beside that of H
+    Model closest(const Model& model) const CV_OVERRIDE
+    {
+        return SimilarityParameterization(model).model();
+    }
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createSimilarity2Solver(); }
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Similarity from two points, exact: as complex numbers, the difference of the points of image 2 is that of image 1
-times a + bi. Two points at one place in either image are degenerate. */
+/** Similarity from two points, exact: as complex numbers, the difference of the points of image 2
+is that of image 1 times a + bi. Two points at one place in either image are degenerate. */
 class Similarity2Solver : public MinimalSolver
 {
 public:
@@ -27,7 +27,8 @@ public:
         const double size = a * a + b * b;
         if (!(square > 0 && size > 0 && size <= DBL_MAX))
             return 0;
-        models[0] = Matx33d(a, -b, x2[i] - a * x1[i] + b * y1[i], b, a, y2[i] - b * x1[i] - a * y1[i], 0, 0, 1);
+        models[0] = Matx33d(a, -b, x2[i] - a * x1[i] + b * y1[i], b, a,
+                            y2[i] - b * x1[i] - a * y1[i], 0, 0, 1);
         return 1;
     }
 };

@@ -12,13 +12,14 @@ namespace usacv20 {
 
 namespace {
 
-/** Least squares of the transfer error, in closed form. With the points as complex numbers it is linear regression with
-one coefficient a + bi: the covariance of both images over the variance of image 1. */
+/** Least squares of the transfer error, in closed form. With the points as complex numbers it is
+linear regression with one coefficient a + bi: the covariance of both images over the variance of
+image 1. */
 class SimilarityLeastSquares : public NonMinimalSolver
 {
 public:
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights, Model& model,
-             int) const CV_OVERRIDE
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int) const CV_OVERRIDE
     {
         if (count < 2)
             return false;
@@ -26,7 +27,8 @@ public:
         const double variance = m.xx + m.yy;
         const double a = (m.xu + m.yv) / variance, b = (m.xv - m.yu) / variance;
         const Model fitted = m.map(a, -b, b, a);
-        if (!(variance > 0 && a * a + b * b <= DBL_MAX) || !SimilarityParameterization(fitted).hasFullRank())
+        if (!(variance > 0 && a * a + b * b <= DBL_MAX) ||
+            !SimilarityParameterization(fitted).hasFullRank())
             return false;
         model = fitted;
         return true;

@@ -16,7 +16,10 @@ SimilarityParameterization::SimilarityParameterization(const Model& model)
     parameters /= m[8];
 }
 
-bool SimilarityParameterization::hasFullRank() const { return parameters[0] != 0 || parameters[1] != 0; }
+bool SimilarityParameterization::hasFullRank() const
+{
+    return parameters[0] != 0 || parameters[1] != 0;
+}
 
 SimilarityParameterization::Basis SimilarityParameterization::tangent() const
 {

@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! @brief A similarity and its parameters: a, b, x, y of the rows a -b x and b a y. Parameters 0 are the model itself.
+//! @brief A similarity and its parameters: a, b, x, y of the rows a -b x and b a y. Parameters 0
+//! are the model itself.
 class SimilarityParameterization
 {
 public:

@@ -15,16 +15,18 @@ namespace {
 
 // Half and double of these: doc/constants.md.
 
-//! Points that are looked at first, and how many of them, at least, are at a place beside the one it is seen from.
+//! Points that are looked at first, and how many of them, at least, are at a place beside the one
+//! it is seen from.
 constexpr int LOOKED_AT = 64, SEEN = 3;
 //! One in so many of the first points is left out at each end for the extent.
 constexpr int TRIMMED = 32;
-//! A place has at least one in so many of all points. An object as small as 16 pixels has fewer in any of its places.
+//! A place has at least one in so many of all points. An object as small as 16 pixels has fewer in
+//! any of its places.
 constexpr int TENTH = 10;
 //! Places with that many points there are no more.
 constexpr int MOST_PLACES = TENTH;
-//! Of the scatter of a place in array 2 an affine map of array 1 explains this part at least if the place is a distant
-//! object. Of a jitter it explains some 2 / n with n points.
+//! Of the scatter of a place in array 2 an affine map of array 1 explains this part at least if the
+//! place is a distant object. Of a jitter it explains some 2 / n with n points.
 constexpr double EXPLAINED = 0.9;
 
 //! Squared distance of two points of an array.
@@ -37,8 +39,8 @@ inline float squaredDistance(const Correspondences& p, int array, int i, int k)
     return sum;
 }
 
-/** Is what seems to be one place a distant object, whose points are where an affine map of array 1 has them? By the
-squared multiple correlation. */
+/** Is what seems to be one place a distant object, whose points are where an affine map of array 1
+has them? By the squared multiple correlation. */
 bool isObject(const Correspondences& p, const int* members, int count)
 {
     if (count < 2 * (p.coordinates[0] + 1))
@@ -59,7 +61,8 @@ bool isObject(const Correspondences& p, const int* members, int count)
     double scatter = 0;
     for (int i = 0; i < count; ++i)
     {
-        const Eigen::Vector3d first = pointOf(0, members[i]) - mean1, second = pointOf(1, members[i]) - mean2;
+        const Eigen::Vector3d first = pointOf(0, members[i]) - mean1,
+                              second = pointOf(1, members[i]) - mean2;
         within += first * first.transpose();
         across += first * second.transpose();
         scatter += second.squaredNorm();
@@ -69,18 +72,21 @@ bool isObject(const Correspondences& p, const int* members, int count)
     return explained >= EXPLAINED * scatter;
 }
 
-/** @brief Maps and poses: matches of many points to one place (a watermark, a blinking light, a dead pixel), however
-noisy, are no independent evidence.
+/** @brief Maps and poses: matches of many points to one place (a watermark, a blinking light, a
+dead pixel), however noisy, are no independent evidence.
 
-A map that shrinks everything to that place, or a camera far away, fits them all, whatever their other ends are. So
+A map that shrinks everything to that place, or a camera far away, fits them all, whatever their
+other ends are. So
 
-- samples are refused in which two matches of a place are far from each other in array 1, see TargetLimits;
-- of a new best model, the inliers of each place count once. The model stays, but it does not beat those with real
-support any more. The map of a small object keeps most of its quality, as it does not shrink it to one place.
+- samples are refused in which two matches of a place are far from each other in array 1, see
+  TargetLimits;
+- of a new best model, the inliers of each place count once. The model stays, but it does not beat
+those with real support any more. The map of a small object keeps most of its quality, as it does
+not shrink it to one place.
 
-The other way, from one place of array 1 to many of array 2, nothing fits. Places are looked for once, with the
-threshold of the inliers: a wide reach takes a small object for one place. Qualities that are no sum over the points are
-left. */
+The other way, from one place of array 1 to many of array 2, nothing fits. Places are looked for
+once, with the threshold of the inliers: a wide reach takes a small object for one place. Qualities
+that are no sum over the points are left. */
 class CrowdedPlaces : public Degeneracy
 {
 public:
@@ -107,7 +113,8 @@ public:
         const TargetLimits limits(threshold, sizes);
         farApart = limits.far[0];
         look(p, limits.near[1], farApart, count, seen);
-        for (int most; places < MOST_PLACES && seen[most = (int)(std::max_element(seen, seen + count) - seen)] >= SEEN;)
+        for (int most; places < MOST_PLACES &&
+                       seen[most = (int)(std::max_element(seen, seen + count) - seen)] >= SEEN;)
         {
             addPlace(context, most, limits.near[1]);
             seen[most] = 0;
@@ -122,10 +129,12 @@ public:
         const auto sharePlace = [&](int i, int k) {
             return placeOf[i] && placeOf[i] == placeOf[k] && squaredDistance(p, 0, i, k) > farApart;
         };
-        return places == 0 || !anyPair(sample, context.components.minimalSolver->sampleSize(), sharePlace);
+        return places == 0 ||
+               !anyPair(sample, context.components.minimalSolver->sampleSize(), sharePlace);
     }
 
-    bool recover(const Context& context, State&, const int*, Model& model, Quality& quality) CV_OVERRIDE
+    bool recover(const Context& context, State&, const int*, Model& model,
+                 Quality& quality) CV_OVERRIDE
     {
         if (context.components.score->wholeModel())
             return true;
@@ -141,8 +150,8 @@ public:
     }
 
 private:
-    //! Of the first points, but for those that are far out. (Where nearly all points are at one place the frame has no
-    //! more than that.)
+    //! Of the first points, but for those that are far out. (Where nearly all points are at one
+    //! place the frame has no more than that.)
     static float extent(const float* column, int count)
     {
         float values[LOOKED_AT];
@@ -151,7 +160,8 @@ private:
         return values[count - 1 - count / TRIMMED] - values[count / TRIMMED];
     }
 
-    //! How many of the first points are near each of them in array 2, but not in array 1; squared distances.
+    //! How many of the first points are near each of them in array 2, but not in array 1; squared
+    //! distances.
     static void look(const Correspondences& p, float near, float far, int count, int* seen)
     {
         std::fill(seen, seen + count, 0);

@@ -11,7 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e, Matx33d& H)
+bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e,
+                  Matx33d& H)
 {
     for (int k = 0; k < 3; ++k)  // their plane would map everything to that point
         if (shareAPoint(p, triple[k], triple[(k + 1) % 3]))
@@ -34,8 +35,8 @@ bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A,
     if (!(std::abs(det) > 1e-9))
         return false;
     const Vec3d v = M.inv() * b;
-    H = A - Matx33d(e[0] * v[0], e[0] * v[1], e[0] * v[2], e[1] * v[0], e[1] * v[1], e[1] * v[2], e[2] * v[0],
-                    e[2] * v[1], e[2] * v[2]);
+    H = A - Matx33d(e[0] * v[0], e[0] * v[1], e[0] * v[2], e[1] * v[0], e[1] * v[1], e[1] * v[2],
+                    e[2] * v[0], e[2] * v[1], e[2] * v[2]);
     return true;
 }
 
@@ -58,7 +59,8 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
     count = 0;
     const double limit = context.inlierThreshold() * context.inlierThreshold();
     for (int i = 0; i < p.size && count < MAX_INLIERS; ++i)
-        if (SampsonError::squared(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]) <= limit)
+        if (SampsonError::squared(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i],
+                                  p.exact[Y2][i]) <= limit)
             members[count++] = i;
     if (count < LEAST_INLIERS || !epipolar(F, e, A))
         return false;

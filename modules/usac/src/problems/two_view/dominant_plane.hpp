@@ -10,15 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-//! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x F. False if they
-//! determine none.
-bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e, Matx33d& H);
+//! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x
+//! F. False if they determine none.
+bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e,
+                  Matx33d& H);
 
 //! A = [e]x F with the unit epipole e of image 2; false if F has none.
 bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 
-//! Squared errors above this are off a plane that was found from three points: three thresholds. 1.5: time of F -3 %,
-//! errors +2 %; 6: time +8 % (F) and +4 % (E), errors -3 and -2 %.
+//! Squared errors above this are off a plane that was found from three points: three thresholds.
+//! 1.5: time of F -3 %, errors +2 %; 6: time +8 % (F) and +4 % (E), errors -3 and -2 %.
 constexpr int PLANE_LIMIT = 9;
 inline double planeLimit(const Context& context)
 {
@@ -45,8 +46,9 @@ public:
     int inlierCount() const { return count; }
 
 private:
-    //! Triples that are drawn: a plane of half of the inliers is missed once in 14. Most inliers that are looked at;
-    //! fewer than LEAST_INLIERS are no plane. Half, double: errors within 2 %, time within 3 %.
+    //! Triples that are drawn: a plane of half of the inliers is missed once in 14. Most inliers
+    //! that are looked at; fewer than LEAST_INLIERS are no plane. Half, double: errors within 2 %,
+    //! time within 3 %.
     enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, LEAST_INLIERS = 8 };
 
     int members[MAX_INLIERS];

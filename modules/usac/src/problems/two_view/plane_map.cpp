@@ -16,7 +16,8 @@ int PlaneMapProblem::normalization(int residual) const
 }
 
 //! Entry by entry, so that the last row stays as it is to the bit.
-bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points, Model& result) const
+bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points,
+                              Model& result) const
 {
     const Frame &from = points.frame[0], &to = points.frame[1];
     Matx33d map = Matx33d::eye();
@@ -25,14 +26,17 @@ bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points,
         const double a = model(row, 0) * from.scale, b = model(row, 1) * from.scale;
         map(row, 0) = a / to.scale;
         map(row, 1) = b / to.scale;
-        map(row, 2) = (model(row, 2) - a * from.center[0] - b * from.center[1]) / to.scale + to.center[row];
+        map(row, 2) = (model(row, 2) - a * from.center[0] - b * from.center[1]) / to.scale +
+                      to.center[row];
     }
     result = map;
-    const bool linear = map(0, 0) != 0 || map(0, 1) != 0 || map(1, 0) != 0 || map(1, 1) != 0;  // else underflow
+    const bool linear = map(0, 0) != 0 || map(0, 1) != 0 || map(1, 0) != 0 ||
+                        map(1, 1) != 0;  // else underflow
     return linear && checkRange(Mat(map, false));
 }
 
-bool PlaneMapProblem::fromOutput(const std::vector<double>& output, const Correspondences& points, Model& model) const
+bool PlaneMapProblem::fromOutput(const std::vector<double>& output, const Correspondences& points,
+                                 Model& model) const
 {
     if (output.size() != 6)
         return false;
@@ -43,13 +47,17 @@ bool PlaneMapProblem::fromOutput(const std::vector<double>& output, const Corres
         const double *given = &output[3 * row], a = given[0], b = given[1];
         map(row, 0) = a * to.scale / from.scale;
         map(row, 1) = b * to.scale / from.scale;
-        map(row, 2) = (a * from.center[0] + b * from.center[1] + given[2] - to.center[row]) * to.scale;
+        map(row, 2) = (a * from.center[0] + b * from.center[1] + given[2] - to.center[row]) *
+                      to.scale;
     }
     model = closest(map);
     return checkRange(Mat(3, 3, CV_64F, model.val));
 }
 
-Mat PlaneMapProblem::toOutput(const Model& model) const { return Mat(2, 3, CV_64F, (void*)model.val).clone(); }
+Mat PlaneMapProblem::toOutput(const Model& model) const
+{
+    return Mat(2, 3, CV_64F, (void*)model.val).clone();
+}
 
 Model PlaneMapProblem::ofOutput(const Mat& output) const
 {
@@ -60,12 +68,15 @@ Model PlaneMapProblem::ofOutput(const Mat& output) const
 
 Ptr<Residual> PlaneMapProblem::createResidual(int type) const
 {
-    return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual() : createTransferResidual();
+    return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual()
+                                      : createTransferResidual();
 }
 
-/** Any orientation is right here, and there is no plane to be dominated by: the one check is that of repeated points.
-The set of all bits stands for all checks that a problem has; who names DEGENSAC by itself expects it. */
-void PlaneMapProblem::createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const
+/** Any orientation is right here, and there is no plane to be dominated by: the one check is that
+of repeated points. The set of all bits stands for all checks that a problem has; who names DEGENSAC
+by itself expects it. */
+void PlaneMapProblem::createDegeneracies(int flags,
+                                         std::vector<Ptr<Degeneracy>>& degeneracies) const
 {
     createChecksOfMaps(flags, name(), degeneracies);
 }

@@ -12,17 +12,20 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these, doc/constants.md: lists the same within 2 %; 720 scenes with repetitions, of which 1 search
-// fails: TENTH 5: 0 fail, 6 % less samples, 1 H is wrong for 0; 20: 4 fail, 12 % more samples.
+// Half and double of these, doc/constants.md: lists the same within 2 %; 720 scenes with
+// repetitions, of which 1 search fails: TENTH 5: 0 fail, 6 % less samples, 1 H is wrong for 0; 20:
+// 4 fail, 12 % more samples.
 
-//! A match that is there so often among the first points, or more often than once in so many of all, is one match.
+//! A match that is there so often among the first points, or more often than once in so many of
+//! all, is one match.
 constexpr int FIRST_POINTS = 64, OFTEN = 3, TENTH = 10;
 
 /** @brief Refuses samples in which two matches share a point of image 1 or of image 2.
 
-A point has one counterpart at most: of two such matches one is wrong, or they are the same match twice. Compares all
-pairs of the sample. A match that is there so often that it is a tenth of all counts as one for the quality of a new
-best model: any model fitted to it would have that tenth, and no sample of right matches has. */
+A point has one counterpart at most: of two such matches one is wrong, or they are the same match
+twice. Compares all pairs of the sample. A match that is there so often that it is a tenth of all
+counts as one for the quality of a new best model: any model fitted to it would have that tenth, and
+no sample of right matches has. */
 class RepeatedPoints : public Degeneracy
 {
 public:
@@ -42,7 +45,8 @@ public:
         return onlyRepeats(context.points, sample, context.components.minimalSolver->sampleSize());
     }
 
-    bool recover(const Context& context, State&, const int*, Model& model, Quality& quality) CV_OVERRIDE
+    bool recover(const Context& context, State&, const int*, Model& model,
+                 Quality& quality) CV_OVERRIDE
     {
         if (!searched)
             search(context);
@@ -74,7 +78,8 @@ private:
         }
     }
 
-    //! Different matches have different repetitions, so that together they are no more than there are points.
+    //! Different matches have different repetitions, so that together they are no more than there
+    //! are points.
     void addRepetitions(const Context& context, int of)
     {
         const Correspondences& p = context.points;
@@ -97,13 +102,16 @@ private:
 
 Ptr<Degeneracy> createRepeatedPoints() { return makePtr<RepeatedPoints>(); }
 
-void createChecksOfMaps(int flags, const String& problem, std::vector<Ptr<Degeneracy>>& degeneracies)
+void createChecksOfMaps(int flags, const String& problem,
+                        std::vector<Ptr<Degeneracy>>& degeneracies)
 {
     const int all = DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC | DEGENERACY_REPEATED;
     if ((flags & DEGENERACY_DEGENSAC) && flags != all)
-        CV_Error_(Error::StsBadArg, ("degeneracy: %d has DEGENERACY_DEGENSAC, which is for F and E; for the problem %s "
-                                     "take DEGENERACY_REPEATED, 0, or the default %d, all checks that it has",
-                                     flags, problem.c_str(), all));
+        CV_Error_(
+            Error::StsBadArg,
+            ("degeneracy: %d has DEGENERACY_DEGENSAC, which is for F and E; for the problem %s "
+             "take DEGENERACY_REPEATED, 0, or the default %d, all checks that it has",
+             flags, problem.c_str(), all));
     if (flags & DEGENERACY_REPEATED)
     {
         degeneracies.push_back(createRepeatedPoints());

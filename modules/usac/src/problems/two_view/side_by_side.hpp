@@ -12,7 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! At most MOST of some correspondences, copied side by side so that the vector kernels can test them.
+//! At most MOST of some correspondences, copied side by side so that the vector kernels can test
+//! them.
 template <int MOST>
 class SideBySide
 {

@@ -17,9 +17,10 @@ Ptr<Degeneracy> createOrientedEpipolar();
 Ptr<Degeneracy> createRepeatedPoints();
 //! Maps of points: matches of many points to one place, see CrowdedPlaces.
 Ptr<Degeneracy> createCrowdedPlaces();
-//! The checks of a set that maps of points have, these two. Raises cv::Exception if #DEGENERACY_DEGENSAC is asked for,
-//! unless all are.
-void createChecksOfMaps(int flags, const String& problem, std::vector<Ptr<Degeneracy>>& degeneracies);
+//! The checks of a set that maps of points have, these two. Raises cv::Exception if
+//! #DEGENERACY_DEGENSAC is asked for, unless all are.
+void createChecksOfMaps(int flags, const String& problem,
+                        std::vector<Ptr<Degeneracy>>& degeneracies);
 //! F, E: see SharedPoints.
 Ptr<Degeneracy> createSharedPoints();
 
@@ -32,8 +33,8 @@ inline double frobeniusNorm(const Matx33d& m)
     return std::sqrt(sum + v[8] * v[8]);
 }
 
-//! A model of normalized points, as x2^T F x1 = 0 has it, in the coordinates before; unit norm, false if it is not
-//! finite.
+//! A model of normalized points, as x2^T F x1 = 0 has it, in the coordinates before; unit norm,
+//! false if it is not finite.
 inline bool toUnitNorm(Matx33d& model)
 {
     const double size = frobeniusNorm(model);

@@ -46,8 +46,10 @@ PoseSample poseSampleOf(const Vec3d (&Y)[3], RNG& rng)
     PoseSample s;
     const Matx33d R = randomRotation(rng);
     const Vec3d mean = (Y[0] + Y[1] + Y[2]) * (1. / 3);
-    s.size = std::max(std::max(cv::norm(Y[0] - mean), cv::norm(Y[1] - mean)), cv::norm(Y[2] - mean));
-    const Vec3d t = mean + s.size * Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+    s.size = std::max(std::max(cv::norm(Y[0] - mean), cv::norm(Y[1] - mean)),
+                      cv::norm(Y[2] - mean));
+    const Vec3d t = mean + s.size * Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.),
+                                          rng.uniform(-1., 1.));
     hconcat(R, t, s.pose);
     for (int i = 0; i < 3; ++i)
     {
@@ -88,7 +90,8 @@ PoseSample randomPoseSample(PoseSampleKind kind, RNG& rng)
             const Vec3d side = Y[1] - Y[0];
             Vec3d up = side.cross(Y[2] - Y[0]);
             up *= cv::norm(side) / cv::norm(up);
-            const double at = rng.uniform(0.1, 0.9), slope = std::tan(rng.uniform(1., 2.) * CV_PI / 180);
+            const double at = rng.uniform(0.1, 0.9),
+                         slope = std::tan(rng.uniform(1., 2.) * CV_PI / 180);
             Y[2] = Y[0] + side * at + up * (std::max(at, 1 - at) * slope);
         }
     } while (flatness(Y) < 1);

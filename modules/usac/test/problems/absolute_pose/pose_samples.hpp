@@ -37,11 +37,13 @@ PoseSample randomPoseSample(PoseSampleKind kind, cv::RNG& rng);
 
 /** @brief Any object coordinates for points in those of the camera.
 
-The images are those of the object coordinates as rounded, computed in long double: exact but for their last rounding.
+The images are those of the object coordinates as rounded, computed in long double: exact but for
+their last rounding.
 */
 PoseSample poseSampleOf(const cv::Vec3d (&Y)[3], cv::RNG& rng);
 
-//! A triangle of the circle of radius 1 around the axis of z, its corners at the angles (radians), seen from a point.
+//! A triangle of the circle of radius 1 around the axis of z, its corners at the angles (radians),
+//! seen from a point.
 PoseSample triangleSeenFrom(const cv::Vec3d& center, const double (&angles)[3], cv::RNG& rng);
 
 //! Of all angles of a triangle, the least that is missing to 0 or 180 degrees.
@@ -50,7 +52,8 @@ double flatness(const cv::Vec3d (&Y)[3]);
 //! Largest distance on the image plane; DBL_MAX if a point is not in front of the camera.
 double reprojectionError(const PoseSample& sample, const cv::Matx34d& pose);
 
-//! The larger one of the difference of the rotations (Frobenius norm) and that of the translations over the size.
+//! The larger one of the difference of the rotations (Frobenius norm) and that of the translations
+//! over the size.
 double poseDistance(const PoseSample& sample, const cv::Matx34d& a, const cv::Matx34d& b);
 
 }  // namespace opencv_test

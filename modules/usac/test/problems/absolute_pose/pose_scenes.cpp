@@ -39,10 +39,16 @@ Point2d randomPixel(RNG& rng)
     return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
 }
 
-bool inside(const Point2d& p) { return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN; }
+bool inside(const Point2d& p)
+{
+    return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN;
+}
 
 //! Through a pixel if there were no distortion.
-Vec3d rayOf(const Point2d& pixel) { return Vec3d((pixel.x - WIDTH / 2) / FOCAL, (pixel.y - HEIGHT / 2) / FOCAL, 1); }
+Vec3d rayOf(const Point2d& pixel)
+{
+    return Vec3d((pixel.x - WIDTH / 2) / FOCAL, (pixel.y - HEIGHT / 2) / FOCAL, 1);
+}
 
 Matx33d rotationOf(const Matx34d& pose) { return pose.get_minor<3, 3>(0, 0); }
 
@@ -65,8 +71,8 @@ Matx33d rotationAround(const Vec3d& axis, double angle)
 //! Mild enough for a one to one map of the field of view.
 std::vector<double> makeDistortion(int coefficients)
 {
-    CV_Assert(coefficients == 0 || coefficients == 4 || coefficients == 5 || coefficients == 8 || coefficients == 12 ||
-              coefficients == 14);
+    CV_Assert(coefficients == 0 || coefficients == 4 || coefficients == 5 || coefficients == 8 ||
+              coefficients == 12 || coefficients == 14);
     const double all[] = {-0.21, 0.07,   0.0011, -0.0008, -0.011, 0.03,  0.014,
                           0.002, 0.0013, -0.001, 0.0017,  0.0006, 0.012, -0.009};
     return std::vector<double>(all, all + coefficients);
@@ -90,7 +96,8 @@ public:
         } while (cv::norm(ends[0] - ends[1]) < SHORTEST_LINE);
         line[0] = rayOf(ends[0]) * (NEAREST + 1);
         line[1] = rayOf(ends[1]) * (FARTHEST - 1);
-        center = rayOf(Point2d(rng.uniform(0.3, 0.7) * WIDTH, rng.uniform(0.3, 0.7) * HEIGHT)) * MIDDLE;
+        center = rayOf(Point2d(rng.uniform(0.3, 0.7) * WIDTH, rng.uniform(0.3, 0.7) * HEIGHT)) *
+                 MIDDLE;
     }
 
     //! The i-th point; in sight, but for the distortion and what lies at the margin.
@@ -100,7 +107,8 @@ public:
         switch (kind)
         {
         case POSE_PLANE: return ray * (1 / normal[0].dot(ray));
-        case POSE_NEAR_PLANE: return ray * (1 / normal[0].dot(ray) + rng.gaussian(ROUGHNESS) / cv::norm(ray));
+        case POSE_NEAR_PLANE:
+            return ray * (1 / normal[0].dot(ray) + rng.gaussian(ROUGHNESS) / cv::norm(ray));
         case POSE_TWO_PLANES: return ray * (1 / normal[i % 2].dot(ray));
         case POSE_LINE: return onLine(rng);
         case POSE_NEAR_LINE:
@@ -127,18 +135,22 @@ class Builder
 {
 public:
     Builder(const PoseSceneOptions& options_, PoseScene& scene_)
-        : options(options_), scene(scene_), rng(0x2545f491 + 7919 * options_.seed), shape(options_.shape, rng)
+        : options(options_), scene(scene_), rng(0x2545f491 + 7919 * options_.seed),
+          shape(options_.shape, rng)
     {
         scene.K = Matx33d(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
         scene.distortion = makeDistortion(options.coefficients);
         scene.depth = MIDDLE * options.scale;
         const Matx33d R = rotationAround(randomInBall(rng, 1), rng.uniform(0., CV_PI));
-        const Vec3d middle = Vec3d(0, 0, MIDDLE) + randomInBall(rng, 1);  // of the object's coordinates
+        const Vec3d middle = Vec3d(0, 0, MIDDLE) +
+                             randomInBall(rng, 1);  // of the object's coordinates
         scene.pose = poseOf(R, middle * options.scale - R * options.offset);
         // the object turns around its middle and moves
         const Matx33d turn = rotationAround(randomInBall(rng, 1), rng.uniform(0.3, 0.6));
-        const Vec3d pivot(0, 0, MIDDLE * options.scale), moved = randomInBall(rng, 0.5) * options.scale;
-        scene.secondPose = poseOf(turn * R, turn * (translationOf(scene.pose) - pivot) + pivot + moved);
+        const Vec3d pivot(0, 0, MIDDLE * options.scale),
+            moved = randomInBall(rng, 0.5) * options.scale;
+        scene.secondPose = poseOf(turn * R,
+                                  turn * (translationOf(scene.pose) - pivot) + pivot + moved);
         corner = Point2d(rng.uniform(MARGIN, WIDTH - OUTLIER_SQUARE - MARGIN),
                          rng.uniform(MARGIN, HEIGHT - OUTLIER_SQUARE - MARGIN));
         ball = rayOf(randomPixel(rng)) * MIDDLE;
@@ -149,7 +161,8 @@ public:
     void build()
     {
         const int trueOnes = std::max(3, cvRound(options.size * options.inlierRatio));
-        const int wrong = options.size - trueOnes, others = wrong - options.behind - options.atCenter;
+        const int wrong = options.size - trueOnes,
+                  others = wrong - options.behind - options.atCenter;
         CV_Assert(options.size >= 4 && options.copies >= 1 && options.noise >= 0);
         CV_Assert(others >= 0 && options.behind >= 0 && options.atCenter >= 0);
         addSeen(scene.pose, trueOnes, 1);
@@ -172,14 +185,16 @@ public:
 private:
     Point3d toObject(const Vec3d& Y) const
     {
-        return Point3d(rotationOf(scene.pose).t() * (Y * options.scale - translationOf(scene.pose)));
+        return Point3d(rotationOf(scene.pose).t() *
+                       (Y * options.scale - translationOf(scene.pose)));
     }
 
     //! What the same pixel shows if the camera looks backwards.
     Point3d throughCenter(const Point3d& X) const
     {
         const Matx33d R = rotationOf(scene.pose);
-        return Point3d(R.t() * (-(R * Vec3d(X) + translationOf(scene.pose)) - translationOf(scene.pose)));
+        return Point3d(R.t() *
+                       (-(R * Vec3d(X) + translationOf(scene.pose)) - translationOf(scene.pose)));
     }
 
     void add(const Point3d& X, const Point2d& clean, double noise, uchar truth)
@@ -214,7 +229,8 @@ private:
     {
         if (options.outliers == POSE_OUTLIERS_CLUSTERED)
             add(toObject(ball + randomInBall(rng, OUTLIER_RADIUS)),
-                corner + Point2d(rng.uniform(0., OUTLIER_SQUARE), rng.uniform(0., OUTLIER_SQUARE)), 0, 0);
+                corner + Point2d(rng.uniform(0., OUTLIER_SQUARE), rng.uniform(0., OUTLIER_SQUARE)),
+                0, 0);
         else if (i < options.structured && !places.empty())
             add(toObject(shape.point(i, rng)), places[i % places.size()], JITTER, 0);
         else
@@ -260,7 +276,8 @@ PoseScene makePoseScene(const PoseSceneOptions& options)
     return scene;
 }
 
-std::vector<Point2d> project(const PoseScene& scene, const Matx34d& pose, const std::vector<Point3d>& object)
+std::vector<Point2d> project(const PoseScene& scene, const Matx34d& pose,
+                             const std::vector<Point3d>& object)
 {
     std::vector<Point2d> result;
     if (object.empty())
@@ -279,7 +296,8 @@ std::vector<double> pixelErrors(const PoseScene& scene, const Matx34d& pose)
     {
         const Point3d& X = scene.object[i];
         const bool inFront = (pose * Vec4d(X.x, X.y, X.z, 1))[2] > 0;
-        result.push_back(inFront ? cv::norm(seen[i] - scene.image[i]) : std::numeric_limits<double>::infinity());
+        result.push_back(inFront ? cv::norm(seen[i] - scene.image[i])
+                                 : std::numeric_limits<double>::infinity());
     }
     return result;
 }

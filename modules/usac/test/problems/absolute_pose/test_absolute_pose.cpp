@@ -24,13 +24,14 @@ struct Estimate
 Estimate estimate(const PoseScene& scene, const Params& params = Params())
 {
     Estimate result;
-    result.model = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion, params, result.mask,
-                                        result.report);
+    result.model = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
+                                        params, result.mask, result.report);
     return result;
 }
 
 //! The contract of the result, and that the pose is the true one.
-void expectRight(const PoseScene& scene, const Estimate& found, const Params& params, double degrees, double part)
+void expectRight(const PoseScene& scene, const Estimate& found, const Params& params,
+                 double degrees, double part)
 {
     ASSERT_EQ(Size(4, 3), found.model.size());
     ASSERT_EQ(CV_64F, found.model.type());
@@ -48,7 +49,8 @@ void expectRight(const PoseScene& scene, const Estimate& found, const Params& pa
         inliers += found.mask.at<uchar>(i);
         if (std::abs(errors[i] - params.threshold) > 1e-6 * params.threshold)
         {
-            EXPECT_EQ(errors[i] <= params.threshold ? 1 : 0, found.mask.at<uchar>(i)) << i << ": " << errors[i];
+            EXPECT_EQ(errors[i] <= params.threshold ? 1 : 0, found.mask.at<uchar>(i))
+                << i << ": " << errors[i];
         }
     }
     EXPECT_EQ(inliers, found.report.inliers);
@@ -58,9 +60,11 @@ TEST(Usac_AbsolutePose, every_shape_lens_and_kind_of_outliers)
 {
     for (PoseShape shape : {POSE_CLOUD, POSE_PLANE, POSE_NEAR_PLANE, POSE_TWO_PLANES})
         for (int coefficients : COEFFICIENTS)
-            for (PoseOutliers outliers : {POSE_OUTLIERS_UNIFORM, POSE_OUTLIERS_CLUSTERED, POSE_OUTLIERS_SECOND_POSE})
+            for (PoseOutliers outliers :
+                 {POSE_OUTLIERS_UNIFORM, POSE_OUTLIERS_CLUSTERED, POSE_OUTLIERS_SECOND_POSE})
             {
-                SCOPED_TRACE(cv::format("shape %d, %d coefficients, outliers %d", shape, coefficients, outliers));
+                SCOPED_TRACE(cv::format("shape %d, %d coefficients, outliers %d", shape,
+                                        coefficients, outliers));
                 PoseSceneOptions options;
                 options.shape = shape;
                 options.coefficients = coefficients;
@@ -168,7 +172,8 @@ TEST(Usac_AbsolutePose, points_behind_the_camera_are_no_inliers)
     expectRight(scene, found, Params(), 0.5, 0.02);
 }
 
-//! Points of space on a line, at one place or behind the camera: no pose and no fault, whatever the preset.
+//! Points of space on a line, at one place or behind the camera: no pose and no fault, whatever the
+//! preset.
 TEST(Usac_AbsolutePose, degenerate_points)
 {
     PoseSceneOptions options;
@@ -232,9 +237,11 @@ TEST(Usac_AbsolutePose, any_camera_matrix)
     PoseScene scene = makePoseScene();
     std::vector<Point2d> normalized;
     for (const Point2d& p : scene.image)
-        normalized.push_back(Point2d((p.x - scene.K(0, 2)) / scene.K(0, 0), (p.y - scene.K(1, 2)) / scene.K(1, 1)));
-    const Matx33d cameras[] = {Matx33d(500, 0, 320, 0, 900, 240, 0, 0, 1), Matx33d(700, 30, 0, 0, 720, 0, 0, 0, 1),
-                               Matx33d::eye(), Matx33d(-600, 0, 320, 0, 600, 240, 0, 0, 1)};
+        normalized.push_back(
+            Point2d((p.x - scene.K(0, 2)) / scene.K(0, 0), (p.y - scene.K(1, 2)) / scene.K(1, 1)));
+    const Matx33d cameras[] = {Matx33d(500, 0, 320, 0, 900, 240, 0, 0, 1),
+                               Matx33d(700, 30, 0, 0, 720, 0, 0, 0, 1), Matx33d::eye(),
+                               Matx33d(-600, 0, 320, 0, 600, 240, 0, 0, 1)};
     for (const Matx33d& K : cameras)
     {
         SCOPED_TRACE(Mat(K));
@@ -253,7 +260,8 @@ TEST(Usac_AbsolutePose, any_camera_matrix)
         const Mat P = Mat(K) * pose;
         for (int i = 0; i < scene.size(); ++i)
         {
-            const Vec3d q = Matx34d(P) * Vec4d(scene.object[i].x, scene.object[i].y, scene.object[i].z, 1);
+            const Vec3d q = Matx34d(P) *
+                            Vec4d(scene.object[i].x, scene.object[i].y, scene.object[i].z, 1);
             const double error = cv::norm(Point2d(q[0] / q[2], q[1] / q[2]) - image[i]);
             EXPECT_EQ(q[2] > 0 && error <= params.threshold ? 1 : 0, mask.at<uchar>(i)) << error;
         }
@@ -278,11 +286,13 @@ TEST(Usac_AbsolutePose, threads_and_layouts_give_the_same_bits)
         EXPECT_EQ(0, cvtest::norm(first.mask, other.mask, NORM_INF));
     }
     const Mat rows = column(scene.object).reshape(1), image = column(scene.image).reshape(1);
-    const Mat layouts[][2] = {{rows, image}, {rows.t(), image.t()}, {rows.reshape(3, 1), image.reshape(2, 1)}};
+    const Mat layouts[][2] = {
+        {rows, image}, {rows.t(), image.t()}, {rows.reshape(3, 1), image.reshape(2, 1)}};
     for (const Mat(&points)[2] : layouts)
     {
         Mat mask;
-        const Mat model = estimateAbsolutePose(points[0], points[1], scene.K, scene.distortion, Params(), mask);
+        const Mat model = estimateAbsolutePose(points[0], points[1], scene.K, scene.distortion,
+                                               Params(), mask);
         EXPECT_EQ(0, cvtest::norm(first.model, model, NORM_INF));
         EXPECT_EQ(0, cvtest::norm(first.mask, mask, NORM_INF));
     }
@@ -291,20 +301,28 @@ TEST(Usac_AbsolutePose, threads_and_layouts_give_the_same_bits)
 TEST(Usac_AbsolutePose, wrong_arguments_are_named)
 {
     const PoseScene s = makePoseScene();
-    const Mat object = column(s.object).reshape(1), image = column(s.image).reshape(1), K(s.K), none;
+    const Mat object = column(s.object).reshape(1), image = column(s.image).reshape(1), K(s.K),
+              none;
     const Params params;
     Params symmetric, degensac;
     symmetric.residual = RESIDUAL_SYMMETRIC;
     degensac.degeneracy = DEGENERACY_DEGENSAC;
     expectException([&]() { estimateAbsolutePose(image, image, K); }, "objectPoints");
-    expectException([&]() { estimateAbsolutePose(object, Mat(10, 5, CV_64FC3), K); }, "imagePoints");
-    expectException([&]() { estimateAbsolutePose(object.rowRange(0, 9), image, K); }, "objectPoints and imagePoints");
+    expectException([&]() { estimateAbsolutePose(object, Mat(10, 5, CV_64FC3), K); },
+                    "imagePoints");
+    expectException([&]() { estimateAbsolutePose(object.rowRange(0, 9), image, K); },
+                    "objectPoints and imagePoints");
     expectException([&]() { estimateAbsolutePose(object, image, none); }, "cameraMatrix");
-    expectException([&]() { estimateAbsolutePose(object, image, Mat::zeros(3, 3, CV_64F)); }, "cameraMatrix");
-    expectException([&]() { estimateAbsolutePose(object, image, K, Mat::ones(1, 7, CV_64F)); }, "distCoeffs");
-    expectException([&]() { estimateAbsolutePose(object, image, K, Mat(1, 4, CV_64F, Scalar(NAN))); }, "distCoeffs");
+    expectException([&]() { estimateAbsolutePose(object, image, Mat::zeros(3, 3, CV_64F)); },
+                    "cameraMatrix");
+    expectException([&]() { estimateAbsolutePose(object, image, K, Mat::ones(1, 7, CV_64F)); },
+                    "distCoeffs");
+    expectException(
+        [&]() { estimateAbsolutePose(object, image, K, Mat(1, 4, CV_64F, Scalar(NAN))); },
+        "distCoeffs");
     expectException([&]() { estimateAbsolutePose(object, image, K, none, symmetric); }, "residual");
-    expectException([&]() { estimateAbsolutePose(object, image, K, none, degensac); }, "degeneracy");
+    expectException([&]() { estimateAbsolutePose(object, image, K, none, degensac); },
+                    "degeneracy");
 }
 
 //! Errors of the search, without the lens, by a residual of a program's own.
@@ -316,7 +334,8 @@ public:
     {
         builtIn->squaredErrors(points, model, begin, end, errors);
     }
-    void squaredErrors(const Model& model, const double* const* columns, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* columns, int count,
+                       double* errors) const CV_OVERRIDE
     {
         builtIn->squaredErrors(model, columns, count, errors);
     }
@@ -324,13 +343,15 @@ public:
     Ptr<Residual> builtIn;
 };
 
-//! The mask is that of the residual in use, whatever else is replaced, and of the lens again when it is put back.
+//! The mask is that of the residual in use, whatever else is replaced, and of the lens again when
+//! it is put back.
 TEST(Usac_AbsolutePose, replaced_residual_makes_the_mask)
 {
     PoseSceneOptions options;
     options.coefficients = 5;
     const PoseScene s = makePoseScene(options);
-    const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, s.object, s.image, Params(), s.K, noArray(), s.distortion);
+    const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, s.object, s.image, Params(), s.K, noArray(),
+                                        s.distortion);
     Mat lens, plain, again;
     ASSERT_FALSE(usac->run(lens).empty());
     const Ptr<Residual> builtIn = usac->components().residual;
@@ -372,7 +393,8 @@ TEST(Usac_AbsolutePose, too_few_points)
         const std::vector<Point2d> image(scene.image.begin(), scene.image.begin() + count);
         Mat mask;
         Report report;
-        EXPECT_TRUE(estimateAbsolutePose(object, image, scene.K, noArray(), Params(), mask, report).empty());
+        EXPECT_TRUE(estimateAbsolutePose(object, image, scene.K, noArray(), Params(), mask, report)
+                        .empty());
         EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
         EXPECT_EQ(count, mask.rows);
     }

@@ -19,7 +19,8 @@ const int COEFFICIENTS[] = {4, 5, 8, 12, 14};
 //! Coefficients of an ordinary lens.
 Mat lens(int coefficients)
 {
-    const double c[] = {-0.25, 0.08, 0.002, -0.001, -0.01, 0.05, 0.02, -0.01, 0.003, -0.001, 0.002, 0.001, 0.02, -0.03};
+    const double c[] = {-0.25, 0.08,  0.002,  -0.001, -0.01, 0.05, 0.02,
+                        -0.01, 0.003, -0.001, 0.002,  0.001, 0.02, -0.03};
     return Mat(1, coefficients, CV_64F, (void*)c).clone();
 }
 
@@ -45,8 +46,8 @@ TEST(Usac_Distortion, is_that_of_projectPoints_and_inverted)
         for (const Vec2d& p : pointsWithin(0.7))
         {
             std::vector<Point2d> reference;
-            projectPoints(std::vector<Point3d>(1, Point3d(p[0], p[1], 1)), Vec3d(), Vec3d(), Matx33d::eye(), c,
-                          reference);
+            projectPoints(std::vector<Point3d>(1, Point3d(p[0], p[1], 1)), Vec3d(), Vec3d(),
+                          Matx33d::eye(), c, reference);
             Vec2d seen, back;
             Matx22d J;
             ASSERT_TRUE(distortion.distort(p, seen, &J));
@@ -69,7 +70,8 @@ TEST(Usac_Distortion, is_that_of_projectPoints_and_inverted)
     }
 }
 
-//! r (1 - q / 4), q = r^2, turns back at q = 4 / 3: what lies further out must not be taken for an inlier there.
+//! r (1 - q / 4), q = r^2, turns back at q = 4 / 3: what lies further out must not be taken for an
+//! inlier there.
 TEST(Usac_Distortion, ends_where_the_lens_folds)
 {
     const Distortion distortion(Mat(Matx14d(-0.25, 0, 0, 0)));
@@ -106,7 +108,8 @@ TEST(Usac_Distortion, of_any_depth_and_shape)
     EXPECT_LE(cv::norm(a - c), 1e-7);
 }
 
-//! A residual with or without lens: its derivatives, its columns and its behavior behind the camera.
+//! A residual with or without lens: its derivatives, its columns and its behavior behind the
+//! camera.
 void checkResidual(const Residual& residual, const Matx33d& camera)
 {
     RNG rng(7);

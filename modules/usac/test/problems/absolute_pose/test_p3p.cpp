@@ -9,7 +9,8 @@
 namespace opencv_test {
 namespace {
 
-std::vector<Matx34d> solve(const MinimalSolver& solver, const Vec3d (&X)[3], const Point2d (&image)[3])
+std::vector<Matx34d> solve(const MinimalSolver& solver, const Vec3d (&X)[3],
+                           const Point2d (&image)[3])
 {
     double columns[5][3];
     Correspondences points;
@@ -30,7 +31,10 @@ std::vector<Matx34d> solve(const MinimalSolver& solver, const Vec3d (&X)[3], con
 
 struct Tally
 {
-    Tally() : samples(0), missed(0), falseRoots(0), repeated(0), notOrthonormal(0), most(0), solutions(0) {}
+    Tally()
+        : samples(0), missed(0), falseRoots(0), repeated(0), notOrthonormal(0), most(0),
+          solutions(0)
+    {}
 
     void add(const PoseSample& s, const std::vector<Matx34d>& poses, double tolerance)
     {
@@ -76,8 +80,8 @@ void expectTruth(int samples)
         EXPECT_GT(tally.most, 1) << POSE_SAMPLE_NAMES[kind];
         tally.expectSound(POSE_SAMPLE_NAMES[kind]);
         if (cvtest::debugLevel > 0)
-            printf("%s: %d missed of %d, %.2f poses a sample\n", POSE_SAMPLE_NAMES[kind], tally.missed, samples,
-                   (double)tally.solutions / samples);
+            printf("%s: %d missed of %d, %.2f poses a sample\n", POSE_SAMPLE_NAMES[kind],
+                   tally.missed, samples, (double)tally.solutions / samples);
     }
 }
 
@@ -111,7 +115,8 @@ std::vector<Matx34d> posesOfOpenCV(const PoseSample& s, int method)
 }
 
 //! How many of `some` are not among `others`.
-int countLacking(const PoseSample& s, const std::vector<Matx34d>& some, const std::vector<Matx34d>& others)
+int countLacking(const PoseSample& s, const std::vector<Matx34d>& some,
+                 const std::vector<Matx34d>& others)
 {
     int result = 0;
     for (size_t k = 0; k < some.size(); ++k)
@@ -124,8 +129,8 @@ int countLacking(const PoseSample& s, const std::vector<Matx34d>& some, const st
     return result;
 }
 
-/** All poses that one of OpenCV's solvers finds. They in turn lose a few, or find them with such an error that they
-cannot be told from false ones: where a point is close to the center, 4 of 3100. */
+/** All poses that one of OpenCV's solvers finds. They in turn lose a few, or find them with such an
+error that they cannot be told from false ones: where a point is close to the center, 4 of 3100. */
 TEST(Usac_P3P, sameAsOpenCV)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -154,7 +159,8 @@ TEST(Usac_P3P, sameAsOpenCV)
 //! How far from a double solution rounding may take both.
 const double DOUBLE_SOLUTION = 1e-5;
 
-//! The equations are singular where the center lies on the cylinder that stands on the circle of the triangle.
+//! The equations are singular where the center lies on the cylinder that stands on the circle of
+//! the triangle.
 TEST(Usac_P3P, dangerCylinder)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -165,8 +171,10 @@ TEST(Usac_P3P, dangerCylinder)
         for (int i = 0; i < 3000; ++i)
         {
             const double start = rng.uniform(0., 6.28), at = rng.uniform(0., 6.28);
-            const double angles[] = {start, start + rng.uniform(0.5, 2.), start + rng.uniform(2.5, 5.5)};
-            const Vec3d center((1 + off) * std::cos(at), (1 + off) * std::sin(at), rng.uniform(2., 6.));
+            const double angles[] = {start, start + rng.uniform(0.5, 2.),
+                                     start + rng.uniform(2.5, 5.5)};
+            const Vec3d center((1 + off) * std::cos(at), (1 + off) * std::sin(at),
+                               rng.uniform(2., 6.));
             const PoseSample s = triangleSeenFrom(center, angles, rng);
             tally.add(s, solve(*solver, s.X, s.image), DOUBLE_SOLUTION);
         }
@@ -186,7 +194,8 @@ TEST(Usac_P3P, symmetric)
         for (int shape = 0; shape < 3; ++shape)
             for (int k = 0; k <= 40; ++k)
             {
-                const double half = shape == 0 ? 2 * CV_PI / 3 : apex * CV_PI / 180, radius = 0.1 * k;
+                const double half = shape == 0 ? 2 * CV_PI / 3 : apex * CV_PI / 180,
+                             radius = 0.1 * k;
                 const double angles[] = {0, half, -half};
                 const Vec3d center(shape == 2 ? 0 : radius, shape == 2 ? radius : 0, 3);
                 const PoseSample s = triangleSeenFrom(center, angles, rng);
@@ -250,15 +259,18 @@ TEST(Usac_P3P, anyOrder)
 PoseSample flatSample(double height, RNG& rng)
 {
     PoseSample s = randomPoseSample(CUBE, rng);
-    const Vec3d side = s.X[1] - s.X[0], any(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+    const Vec3d side = s.X[1] - s.X[0],
+                any(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
     const Vec3d across = side.cross(any);
-    s.X[2] = s.X[0] + rng.uniform(0.1, 0.9) * side + (height * cv::norm(side) / cv::norm(across)) * across;
+    s.X[2] = s.X[0] + rng.uniform(0.1, 0.9) * side +
+             (height * cv::norm(side) / cv::norm(across)) * across;
     const Vec3d y = s.pose * Vec4d(s.X[2][0], s.X[2][1], s.X[2][2], 1);
     s.image[2] = Point2d(y[0] / y[2], y[1] / y[2]);
     return s;
 }
 
-//! Points of a line, two points in one place, one ray twice: there is no model, whatever the rounding.
+//! Points of a line, two points in one place, one ray twice: there is no model, whatever the
+//! rounding.
 TEST(Usac_P3P, degenerate)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -287,7 +299,8 @@ TEST(Usac_P3P, degenerate)
     }
 }
 
-//! Far from the origin a small triangle on a line is not flat, but rounding is all that makes it so.
+//! Far from the origin a small triangle on a line is not flat, but rounding is all that makes it
+//! so.
 TEST(Usac_P3P, smallAndFlat)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -329,13 +342,16 @@ TEST(Usac_P3P, notFinite)
             for (int k = 0; k < 15; ++k)
             {
                 PoseSample other = s;
-                (k < 9 ? other.X[k / 3][k % 3] : k < 12 ? other.image[k - 9].x : other.image[k - 12].y) = value;
+                (k < 9    ? other.X[k / 3][k % 3]
+                 : k < 12 ? other.image[k - 9].x
+                          : other.image[k - 12].y) = value;
                 EXPECT_EQ(0u, solve(*solver, other.X, other.image).size()) << value << " at " << k;
             }
     }
 }
 
-//! Nothing fits images and points that have nothing to do with each other, but what is found fits them.
+//! Nothing fits images and points that have nothing to do with each other, but what is found fits
+//! them.
 TEST(Usac_P3P, wrongMatches)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -345,7 +361,8 @@ TEST(Usac_P3P, wrongMatches)
     for (int i = 0; i < 20000; ++i)
     {
         PoseSample s = randomPoseSample((PoseSampleKind)(i % POSE_SAMPLE_KINDS), rng);
-        const PoseSample other = randomPoseSample((PoseSampleKind)(i / POSE_SAMPLE_KINDS % POSE_SAMPLE_KINDS), rng);
+        const PoseSample other = randomPoseSample(
+            (PoseSampleKind)(i / POSE_SAMPLE_KINDS % POSE_SAMPLE_KINDS), rng);
         std::copy(other.image, other.image + 3, s.image);
         const std::vector<Matx34d> poses = solve(*solver, s.X, s.image);
         none += poses.empty();

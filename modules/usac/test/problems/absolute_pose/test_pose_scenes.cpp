@@ -13,10 +13,14 @@ namespace {
 
 const PoseShape SHAPES[] = {POSE_CLOUD, POSE_PLANE,     POSE_NEAR_PLANE, POSE_TWO_PLANES,
                             POSE_LINE,  POSE_NEAR_LINE, POSE_CLUSTER};
-const PoseOutliers OUTLIERS[] = {POSE_OUTLIERS_UNIFORM, POSE_OUTLIERS_CLUSTERED, POSE_OUTLIERS_SECOND_POSE};
+const PoseOutliers OUTLIERS[] = {POSE_OUTLIERS_UNIFORM, POSE_OUTLIERS_CLUSTERED,
+                                 POSE_OUTLIERS_SECOND_POSE};
 const int COEFFICIENTS[] = {0, 4, 5, 8, 12, 14};
 
-int countTrue(const PoseScene& scene) { return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1); }
+int countTrue(const PoseScene& scene)
+{
+    return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
+}
 
 std::vector<Point3d> trueObject(const PoseScene& scene)
 {
@@ -30,7 +34,8 @@ std::vector<Point3d> trueObject(const PoseScene& scene)
 //! Standard deviations of points along the axes of their cloud, the largest first.
 Vec3d extents(const std::vector<Point3d>& points)
 {
-    const PCA pca(Mat((int)points.size(), 3, CV_64F, (void*)points.data()), Mat(), PCA::DATA_AS_ROW);
+    const PCA pca(Mat((int)points.size(), 3, CV_64F, (void*)points.data()), Mat(),
+                  PCA::DATA_AS_ROW);
     Vec3d result;
     for (int k = 0; k < 3; ++k)
         result[k] = std::sqrt(std::max(0., pca.eigenvalues.at<double>(k)));
@@ -80,7 +85,8 @@ TEST(Usac_PoseScenes, poseIsExactForPointsWithoutNoise)
                     EXPECT_TRUE(scene.truth[i] || noisy[i] == clean[i]);
                     squares += scene.truth[i] ? noisy[i] * noisy[i] : 0;
                 }
-                EXPECT_NEAR(options.noise, std::sqrt(squares / 2 / countTrue(scene)), 0.11);  // five deviations
+                EXPECT_NEAR(options.noise, std::sqrt(squares / 2 / countTrue(scene)),
+                            0.11);  // five deviations
                 EXPECT_LE(rotationError(scene, scene.pose), 1e-5);
                 EXPECT_LE(centerError(scene, scene.pose), 1e-12);
             }
@@ -212,7 +218,8 @@ TEST(Usac_PoseScenes, pointsThatNoCameraSees)
     int behind = 0, atCenter = 0;
     for (int i = 0; i < scene.size(); ++i)
     {
-        const Vec3d Y = scene.pose * Vec4d(scene.object[i].x, scene.object[i].y, scene.object[i].z, 1);
+        const Vec3d Y = scene.pose *
+                        Vec4d(scene.object[i].x, scene.object[i].y, scene.object[i].z, 1);
         const bool center = cv::norm(Y) < 1e-12;
         atCenter += center;
         EXPECT_FALSE(center && scene.truth[i]);

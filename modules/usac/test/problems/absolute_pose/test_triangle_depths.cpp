@@ -16,11 +16,12 @@ Triangle isosceles(double side, double ray, double base, double sigma)
     return T;
 }
 
-//! Of the conic a23 Q12 - a12 Q23 in p, q, w, where a_ij = Q_ij are the equations of TriangleDepths.
+//! Of the conic a23 Q12 - a12 Q23 in p, q, w, where a_ij = Q_ij are the equations of
+//! TriangleDepths.
 double determinantOf(const Triangle& T)
 {
-    const double s = T.sigma, pq = T.a12 * (1 - s * s * T.s23 / 2), pw = s * (T.s12 - T.a12 * T.s23) / 2,
-                 qw = -s * T.a12 * T.s23 / 2;
+    const double s = T.sigma, pq = T.a12 * (1 - s * s * T.s23 / 2),
+                 pw = s * (T.s12 - T.a12 * T.s23) / 2, qw = -s * T.a12 * T.s23 / 2;
     return determinant(Matx33d(1 - T.a12, pq, pw, pq, -T.a12, qw, pw, qw, T.s12 - T.a12 * T.s23));
 }
 
@@ -52,7 +53,8 @@ TEST(Usac_TriangleDepths, solutionsFit)
     for (int i = 0; i < 20000; ++i)
     {
         const double along = rng.uniform(0., 1.), height = rng.uniform(0.05, 0.8);
-        Triangle T = isosceles(0, rng.uniform(0.1, 1.), rng.uniform(0.1, 1.), std::pow(10., -rng.uniform(0., 5.)));
+        Triangle T = isosceles(0, rng.uniform(0.1, 1.), rng.uniform(0.1, 1.),
+                               std::pow(10., -rng.uniform(0., 5.)));
         T.a12 = along * along + height * height;
         T.a13 = (1 - along) * (1 - along) + height * height;
         T.s13 *= rng.uniform(0.5, 1.);
@@ -65,16 +67,17 @@ TEST(Usac_TriangleDepths, solutionsFit)
     EXPECT_GT(total, 20000);
 }
 
-/** Of an isosceles triangle the conics of the first and of the second point are mirror images. Where one is degenerate,
-so is the other: the cubic of their pencil has neither a constant nor a leading coefficient. Nothing special happens to
-the solutions. */
+/** Of an isosceles triangle the conics of the first and of the second point are mirror images.
+Where one is degenerate, so is the other: the cubic of their pencil has neither a constant nor a
+leading coefficient. Nothing special happens to the solutions. */
 TEST(Usac_TriangleDepths, bothConicsDegenerate)
 {
     RNG rng(2);
     int found = 0, total = 0;
     while (found < 100)
     {
-        const double ray = rng.uniform(0.05, 1.), base = rng.uniform(0.05, 1.), sigma = rng.uniform(0.05, 1.4);
+        const double ray = rng.uniform(0.05, 1.), base = rng.uniform(0.05, 1.),
+                     sigma = rng.uniform(0.05, 1.4);
         double low = rng.uniform(0.26, 1.), high = std::min(1., low + rng.uniform(0., 0.2));
         const bool below = determinantOf(isosceles(low, ray, base, sigma)) < 0;
         if (below == (determinantOf(isosceles(high, ray, base, sigma)) < 0))
@@ -82,7 +85,8 @@ TEST(Usac_TriangleDepths, bothConicsDegenerate)
         for (int k = 0; k < 80; ++k)
         {
             const double middle = 0.5 * (low + high);
-            ((determinantOf(isosceles(middle, ray, base, sigma)) < 0) == below ? low : high) = middle;
+            ((determinantOf(isosceles(middle, ray, base, sigma)) < 0) == below ? low
+                                                                               : high) = middle;
         }
         ++found;
         TriangleDepths depths[MAX_TRIANGLE_DEPTHS], nearby[MAX_TRIANGLE_DEPTHS];

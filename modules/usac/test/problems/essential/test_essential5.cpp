@@ -115,9 +115,10 @@ TEST_P(Usac_Essential5, finds_the_motion_of_exact_points)
 }
 
 //! Polynomials of degree 3 in x, y, z.
-const int MONOMIALS[20][3] = {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1}, {1, 0, 2}, {0, 3, 0},
-                              {0, 2, 1}, {0, 1, 2}, {0, 0, 3}, {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0},
-                              {0, 1, 1}, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+const int MONOMIALS[20][3] = {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1},
+                              {1, 0, 2}, {0, 3, 0}, {0, 2, 1}, {0, 1, 2}, {0, 0, 3},
+                              {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0}, {0, 1, 1},
+                              {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
 typedef std::array<long double, 20> Cubic;
 typedef Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> MatrixXl;
 
@@ -174,15 +175,16 @@ MatrixXl constraintsOn(const MatrixXl& N)
     return C;
 }
 
-/** All essential matrices of five points by the eigenvectors of the action matrix @cite stewenius2006recent, in long
-double: nothing of it is in the solver. */
+/** All essential matrices of five points by the eigenvectors of the action matrix
+@cite stewenius2006recent, in long double: nothing of it is in the solver. */
 std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
 {
     MatrixXl A(5, 9), G(4, 4);
     for (int k = 0; k < 5; ++k)
     {
         const int i = sample[k];
-        const long double x1[] = {p.exact[X1][i], p.exact[Y1][i], 1}, x2[] = {p.exact[X2][i], p.exact[Y2][i], 1};
+        const long double x1[] = {p.exact[X1][i], p.exact[Y1][i], 1},
+                          x2[] = {p.exact[X2][i], p.exact[Y2][i], 1};
         for (int j = 0; j < 9; ++j)
             A(k, j) = x2[j / 3] * x1[j % 3];
     }
@@ -190,7 +192,8 @@ std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
     for (int i = 0; i < 16; ++i)
         G(i / 4, i % 4) = rng.gaussian(1);
     const MatrixXl Q = Eigen::HouseholderQR<MatrixXl>(G).householderQ();
-    const MatrixXl N = Eigen::JacobiSVD<MatrixXl>(A, Eigen::ComputeFullV).matrixV().rightCols(4) * Q;
+    const MatrixXl N = Eigen::JacobiSVD<MatrixXl>(A, Eigen::ComputeFullV).matrixV().rightCols(4) *
+                       Q;
     const MatrixXl C = constraintsOn(N), S = C.leftCols(10).fullPivLu().solve(C.rightCols(10));
     MatrixXl action = MatrixXl::Zero(10, 10);  // of x on x2 xy xz y2 yz z2 x y z 1
     action.topRows(6) = -S.topRows(6);

@@ -16,7 +16,8 @@ struct Outcome
     std::vector<double> errors;
 };
 
-//! Estimates F in scenes that differ in their seeds only. Success: the points off the plane fit as well.
+//! Estimates F in scenes that differ in their seeds only. Success: the points off the plane fit as
+//! well.
 Outcome estimateScenes(const SceneOptions& common, int scenes, const Params& params)
 {
     Outcome outcome;
@@ -125,7 +126,8 @@ TEST(Usac_Degensac, neverRaisesTheCost)
             Rng(seed, i).distinct((int)good.size(), 7, sample);
             for (int k = 0; k < 7; ++k)
                 sample[k] = good[sample[k]];
-            const int count = usac->components().minimalSolver->solve(usac->points(), sample, models);
+            const int count = usac->components().minimalSolver->solve(usac->points(), sample,
+                                                                      models);
             for (int k = 0; k < count; ++k, ++tried)
             {
                 State state;
@@ -201,7 +203,8 @@ TEST(Usac_Degensac, detectsFiveOfSeven)
         EXPECT_LE(found[planar], tried[planar] * 10 / 100) << planar << " on the plane";
 }
 
-//! A model without a sample whose inliers are on a plane, as after a local optimization, is mended as well.
+//! A model without a sample whose inliers are on a plane, as after a local optimization, is mended
+//! as well.
 TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
 {
     int mended = 0;
@@ -260,7 +263,8 @@ void expectNoPlane(const Model& F, double threshold)
         State state;
         Model model = F;
         Quality quality(1, 7);
-        EXPECT_TRUE(createDegensac()->recover(context, state, k < 2 ? samples[k] : 0, model, quality));
+        EXPECT_TRUE(
+            createDegensac()->recover(context, state, k < 2 ? samples[k] : 0, model, quality));
         EXPECT_FALSE(state.report.degenerate) << k;
         EXPECT_EQ(F, model);
         EXPECT_EQ(1, quality.cost);

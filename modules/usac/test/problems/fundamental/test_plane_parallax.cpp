@@ -31,7 +31,8 @@ double costOf(const Scene& scene, const cv::Matx33d& F)
     return cost;
 }
 
-SceneOptions planarScene(int size, double plane, double inliers, uint64 seed, Motion motion = MOTION_GENERAL)
+SceneOptions planarScene(int size, double plane, double inliers, uint64 seed,
+                         Motion motion = MOTION_GENERAL)
 {
     SceneOptions options;
     options.setSize(size, inliers);
@@ -41,11 +42,13 @@ SceneOptions planarScene(int size, double plane, double inliers, uint64 seed, Mo
     return options;
 }
 
-//! A scene, its points as the estimator sees them, the plane's homography from its matches, and the rest of the points.
+//! A scene, its points as the estimator sees them, the plane's homography from its matches, and the
+//! rest of the points.
 struct Parallax
 {
     explicit Parallax(const SceneOptions& options)
-        : scene(makeScene(FUNDAMENTAL, options)), params(paramsOf(Params())), usac(createUsac(scene, params)),
+        : scene(makeScene(FUNDAMENTAL, options)), params(paramsOf(Params())),
+          usac(createUsac(scene, params)),
           context(usac->points(), usac->components(), params, arena)
     {
         const Correspondences& p = usac->points();
@@ -67,7 +70,8 @@ struct Parallax
         }
         H = cv::Matx33d((const double*)cv::findHomography(plane1, plane2, 0).ptr());
         truth = toInternal(p, scene.model);
-        createLeastSquaresSolver(FUNDAMENTAL, Residual::SAMPSON)->fit(p, right.data(), (int)right.size(), 0, truth, 20);
+        createLeastSquaresSolver(FUNDAMENTAL, Residual::SAMPSON)
+            ->fit(p, right.data(), (int)right.size(), 0, truth, 20);
     }
 
     //! Where a search begins: an epipole that is not the scene's.
@@ -101,8 +105,8 @@ int searchFailures(const Params& preset, int size, double plane, double inliers,
         Params params = paramsOf(preset);
         params.seed = i;
         const Mat F = estimate(p.scene, params);
-        failures += F.empty() ||
-                    costOf(p.scene, cv::Matx33d(F.ptr<double>())) > costOf(p.scene, p.toPixels(p.truth)) + 1;
+        failures += F.empty() || costOf(p.scene, cv::Matx33d(F.ptr<double>())) >
+                                     costOf(p.scene, p.toPixels(p.truth)) + 1;
     }
     return failures;
 }
@@ -110,9 +114,11 @@ int searchFailures(const Params& preset, int size, double plane, double inliers,
 //! With 300 pairs of 208 points these were 0, 2, 2, 7, 15, 28 and 8 %.
 TEST(Usac_PlaneParallax, fewSearchFailures)
 {
-    const double cells[][2] = {{0.6, 0.5}, {0.8, 0.5}, {0.9, 0.7}, {0.95, 0.9}, {0.95, 0.7}, {0.95, 0.5}, {0.98, 0.7}};
+    const double cells[][2] = {{0.6, 0.5},  {0.8, 0.5},  {0.9, 0.7}, {0.95, 0.9},
+                               {0.95, 0.7}, {0.95, 0.5}, {0.98, 0.7}};
     for (int k = 0; k < 7; ++k)
-        EXPECT_LE(searchFailures(Params(), 500, cells[k][0], cells[k][1], 60), 1) << cells[k][0] << " " << cells[k][1];
+        EXPECT_LE(searchFailures(Params(), 500, cells[k][0], cells[k][1], 60), 1)
+            << cells[k][0] << " " << cells[k][1];
     EXPECT_LE(searchFailures(Params(), 500, 0.95, 0.3, 10), 1);
     EXPECT_LE(searchFailures(Params::accurate(), 500, 0.95, 0.7, 40), 1);
     EXPECT_LE(searchFailures(Params::fast(), 500, 0.95, 0.7, 40), 2);
@@ -121,7 +127,8 @@ TEST(Usac_PlaneParallax, fewSearchFailures)
 //! The epipole in the image, far away and at infinity.
 TEST(Usac_PlaneParallax, allMotions)
 {
-    const Motion motions[] = {MOTION_GENERAL, MOTION_FORWARD, MOTION_SIDEWAYS, MOTION_RECTIFIED, MOTION_CAR};
+    const Motion motions[] = {MOTION_GENERAL, MOTION_FORWARD, MOTION_SIDEWAYS, MOTION_RECTIFIED,
+                              MOTION_CAR};
     const int SCENES = 40;
     for (int m = 0; m < 5; ++m)
     {
@@ -158,7 +165,8 @@ TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
         parallax.search(p.context, 0.01, 0, model, quality);
         const int lines = parallax.lines();
         EXPECT_LE(lines, std::min<int>(sizes[k] / 2, PlaneParallax::MAX_POINTS));
-        EXPECT_LE(lines, 450) << "about 2 % of the points suit a chance epipole, whatever their number";
+        EXPECT_LE(lines, 450)
+            << "about 2 % of the points suit a chance epipole, whatever their number";
         EXPECT_LE(parallax.fits(), lines);
         // what was found would not be found again, and a second look costs nothing
         EXPECT_FALSE(parallax.search(p.context, 0.01, 0, model, quality));
@@ -166,7 +174,8 @@ TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
     }
 }
 
-//! Only models that matter: if 100 inliers off the plane are wanted, few lines are enough to say no.
+//! Only models that matter: if 100 inliers off the plane are wanted, few lines are enough to say
+//! no.
 TEST(Usac_PlaneParallax, wantedInliersShortenTheSearch)
 {
     const Parallax p(planarScene(1000, 0.95, 0.5, 4));
@@ -178,7 +187,8 @@ TEST(Usac_PlaneParallax, wantedInliersShortenTheSearch)
     EXPECT_LE(parallax.lines(), 60);
     EXPECT_GE(parallax.lines(), 40);
     EXPECT_EQ(0, parallax.fits()) << "25 true matches are off the plane";
-    EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality)) << "the search goes on where it was";
+    EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality))
+        << "the search goes on where it was";
     EXPECT_GT(parallax.lines(), 60);
     EXPECT_LE(quality.cost, p.context.rate(p.truth).cost + 5);
 }
@@ -222,7 +232,8 @@ TEST(Usac_PlaneParallax, repeatedPoints)
     }
     EXPECT_GE(found, SCENES - 2);
     // one match, fifty times: no second line, no epipole
-    const std::vector<cv::Point2d> same1(50, cv::Point2d(0.5, 0.5)), same2(50, cv::Point2d(-0.5, 0.25));
+    const std::vector<cv::Point2d> same1(50, cv::Point2d(0.5, 0.5)),
+        same2(50, cv::Point2d(-0.5, 0.25));
     const OwnPoints own(FUNDAMENTAL, same1, same2, 0.01);
     const Params params;
     const Components none;

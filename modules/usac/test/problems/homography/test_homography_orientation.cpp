@@ -27,7 +27,8 @@ TEST(Usac_Orientation, homographySamples)
     const OwnPoints same(HOMOGRAPHY, square, square), mirror(HOMOGRAPHY, square, mirrored),
         cross(HOMOGRAPHY, square, crossed);
     EXPECT_TRUE(check->validSample(RunContext(same.view(), none, params), sample));
-    EXPECT_TRUE(check->validSample(RunContext(mirror.view(), none, params), sample)) << "a mirror is a homography";
+    EXPECT_TRUE(check->validSample(RunContext(mirror.view(), none, params), sample))
+        << "a mirror is a homography";
     EXPECT_FALSE(check->validSample(RunContext(cross.view(), none, params), sample));
     const RunContext context(same.view(), none, params);
     EXPECT_TRUE(check->validModel(context, sample, Matx33d::eye()));

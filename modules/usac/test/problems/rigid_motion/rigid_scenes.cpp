@@ -22,7 +22,8 @@ const double JITTER = 0.25;
 
 Vec3d randomInCube(RNG& rng, double half)
 {
-    const double x = rng.uniform(-half, half), y = rng.uniform(-half, half), z = rng.uniform(-half, half);
+    const double x = rng.uniform(-half, half), y = rng.uniform(-half, half),
+                 z = rng.uniform(-half, half);
     return Vec3d(x, y, z);
 }
 
@@ -50,7 +51,8 @@ class Builder
 {
 public:
     Builder(const RigidSceneOptions& options_, RigidScene& scene_)
-        : options(options_), scene(scene_), rng(0x51b3a70f + 7919 * options_.seed), axes(randomRotation(rng))
+        : options(options_), scene(scene_), rng(0x51b3a70f + 7919 * options_.seed),
+          axes(randomRotation(rng))
     {
         const double s = options.modelScale;
         near = motionFrom(s, randomRotation(rng), randomInBall(rng, FARTHEST_MOVED) * s);
@@ -122,7 +124,8 @@ private:
         const Vec3d noisy = x2 + noiseOf(rng, noise * options.modelScale);
         scene.points1.push_back(Point3d(x1 * options.unit + options.offset1));
         scene.points2.push_back(Point3d(noisy * options.unit + options.offset2));
-        scene.clean2.push_back(truth ? Point3d(x2 * options.unit + options.offset2) : scene.points2.back());
+        scene.clean2.push_back(truth ? Point3d(x2 * options.unit + options.offset2)
+                                     : scene.points2.back());
         scene.truth.push_back(truth);
     }
 
@@ -145,7 +148,8 @@ private:
         if (i < options.structured && !places.empty())
             add(from, places[i % places.size()], JITTER * scene.threshold / scene.unit, 0);
         else
-            add(from, moved(near, Point3d(0, 0, 0)) + randomInCube(rng, 0.5 * OUTLIER_SIDE * s), 0, 0);
+            add(from, moved(near, Point3d(0, 0, 0)) + randomInCube(rng, 0.5 * OUTLIER_SIDE * s), 0,
+                0);
     }
 
     void repeatRow(int i)
@@ -187,7 +191,10 @@ RigidScene makeRigidScene(const RigidSceneOptions& options)
     return scene;
 }
 
-Vec3d moved(const Matx34d& motion, const Point3d& point) { return motion * Vec4d(point.x, point.y, point.z, 1); }
+Vec3d moved(const Matx34d& motion, const Point3d& point)
+{
+    return motion * Vec4d(point.x, point.y, point.z, 1);
+}
 
 std::vector<double> distancesOf(const RigidScene& scene, const Matx34d& motion)
 {
@@ -212,7 +219,8 @@ double motionError(const RigidScene& scene, const Matx34d& motion)
     for (int i = 0; i < scene.size(); ++i)
         if (scene.truth[i])
         {
-            const Vec3d off = moved(motion, scene.points1[i]) - moved(scene.motion, scene.points1[i]);
+            const Vec3d off = moved(motion, scene.points1[i]) -
+                              moved(scene.motion, scene.points1[i]);
             squares += off.dot(off);
             ++count;
         }
@@ -222,7 +230,8 @@ double motionError(const RigidScene& scene, const Matx34d& motion)
 Matx34d motionFrom(double scale, const Matx33d& R, const Vec3d& t)
 {
     const Matx33d A = R * scale;
-    return Matx34d(A(0, 0), A(0, 1), A(0, 2), t[0], A(1, 0), A(1, 1), A(1, 2), t[1], A(2, 0), A(2, 1), A(2, 2), t[2]);
+    return Matx34d(A(0, 0), A(0, 1), A(0, 2), t[0], A(1, 0), A(1, 1), A(1, 2), t[1], A(2, 0),
+                   A(2, 1), A(2, 2), t[2]);
 }
 
 }  // namespace opencv_test

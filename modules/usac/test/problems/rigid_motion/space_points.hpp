@@ -11,7 +11,8 @@
 
 namespace opencv_test {
 
-//! Pairs of points of space as Correspondences, as solvers see them; they live as long as this object.
+//! Pairs of points of space as Correspondences, as solvers see them; they live as long as this
+//! object.
 class SpacePoints
 {
 public:

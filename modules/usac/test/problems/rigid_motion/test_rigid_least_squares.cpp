@@ -19,13 +19,14 @@ namespace {
 
 struct Fit
 {
-    Fit(bool scaled, const RigidScene& scene, const std::vector<double>& weights = std::vector<double>(),
-        int count = -1)
+    Fit(bool scaled, const RigidScene& scene,
+        const std::vector<double>& weights = std::vector<double>(), int count = -1)
     {
         const SpacePoints own(scene.points1, scene.points2);
         Model model;
-        found = createRigidLeastSquares(scaled)->fit(own.view(), own.indices(), count < 0 ? scene.size() : count,
-                                                     weights.empty() ? 0 : weights.data(), model, 1);
+        found = createRigidLeastSquares(scaled)->fit(
+            own.view(), own.indices(), count < 0 ? scene.size() : count,
+            weights.empty() ? 0 : weights.data(), model, 1);
         if (found)
             motion = model;
     }
@@ -65,10 +66,11 @@ double costOf(const RigidScene& scene, const std::vector<double>& weights, const
     return sum;
 }
 
-const RigidShape SHAPES[] = {RIGID_CLOUD, RIGID_PLANE, RIGID_NEAR_PLANE, RIGID_NEAR_LINE, RIGID_CLUSTER};
+const RigidShape SHAPES[] = {RIGID_CLOUD, RIGID_PLANE, RIGID_NEAR_PLANE, RIGID_NEAR_LINE,
+                             RIGID_CLUSTER};
 
-/** The derivatives of the cost by the six or seven parameters of a motion, by finite differences, are zero, and every
-step that is not small raises it. */
+/** The derivatives of the cost by the six or seven parameters of a motion, by finite differences,
+are zero, and every step that is not small raises it. */
 template <bool SCALED>
 void expectMinimum(const RigidScene& scene, const std::vector<double>& weights)
 {
@@ -87,7 +89,8 @@ void expectMinimum(const RigidScene& scene, const std::vector<double>& weights)
             costs[side] = costOf(scene, weights, Matx34d(here.plus(step).model()));
             EXPECT_GT(costs[side], cost) << "parameter " << k;
         }
-        const double gradient = (costs[1] - costs[0]) / (2 * h), curvature = (costs[1] + costs[0] - 2 * cost) / (h * h);
+        const double gradient = (costs[1] - costs[0]) / (2 * h),
+                     curvature = (costs[1] + costs[0] - 2 * cost) / (h * h);
         EXPECT_LE(std::abs(gradient), 1e-6 * curvature) << "parameter " << k;
     }
     RNG rng(3);
@@ -130,7 +133,8 @@ TEST(Usac_RigidLeastSquares, sameAsOpenCV)
             ASSERT_TRUE(own.found && ownRigid.found);
             const Matx34d expected(scaled);
             const Vec3d t(expected(0, 3), expected(1, 3), expected(2, 3));
-            EXPECT_LE(cv::norm(own.motion - motionFrom(scale, expected.get_minor<3, 3>(0, 0), t)), 1e-11);
+            EXPECT_LE(cv::norm(own.motion - motionFrom(scale, expected.get_minor<3, 3>(0, 0), t)),
+                      1e-11);
             EXPECT_LE(cv::norm(ownRigid.motion - Matx34d(rigid)), 1e-11);
         }
 }
@@ -152,7 +156,8 @@ public:
         }
     }
 
-    void squaredErrors(const Model& model, const double* const* c, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* c, int count,
+                       double* errors) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
         {
@@ -183,14 +188,16 @@ TEST(Usac_RigidLeastSquares, sameAsBySteps)
             {
                 SCOPED_TRACE(cv::format("shape %d, seed %d, scaled %d", shape, seed, scaled));
                 RigidScene scene = sceneOf(shape, 0.01, seed);
-                for (int i = 0; i < scene.size(); ++i)  // near where the steps begin, as after a search
+                for (int i = 0; i < scene.size();
+                     ++i)  // near where the steps begin, as after a search
                     if (!scene.truth[i])
                         scene.points2[i] = Point3d(moved(scene.motion, scene.points1[i]) * 1.02);
                 const std::vector<double> weights = randomWeights(scene.size(), rng);
                 const SpacePoints own(scene.points1, scene.points2);
                 Model model(scene.motion);
                 for (int repeat = 0; repeat < 5; ++repeat)
-                    ASSERT_TRUE(steps->fit(own.view(), own.indices(), scene.size(), weights.data(), model, 10));
+                    ASSERT_TRUE(steps->fit(own.view(), own.indices(), scene.size(), weights.data(),
+                                           model, 10));
                 const Fit fit(scaled != 0, scene, weights);
                 ASSERT_TRUE(fit.found);
                 EXPECT_LE(motionError(scene, Matx34d(model) - fit.motion + scene.motion), 1e-6);
@@ -228,7 +235,8 @@ TEST(Usac_RigidLeastSquares, refused)
         for (int seed = 1; seed <= 50; ++seed)
         {
             RigidScene scene = sceneOf(RIGID_LINE, 0, seed);
-            EXPECT_FALSE(Fit(scaled != 0, scene).found) << seed << ": space 2 has outliers, space 1 is a line";
+            EXPECT_FALSE(Fit(scaled != 0, scene).found)
+                << seed << ": space 2 has outliers, space 1 is a line";
             RigidSceneOptions options;
             options.shape = RIGID_LINE;
             options.inlierRatio = 1;
@@ -304,7 +312,8 @@ void checkParameters()
         step[k] = h;
         const Model ahead = here.plus(step).model(), behind = here.plus(-step).model();
         for (int i = 0; i < 12; ++i)
-            EXPECT_NEAR(basis(i, k), (ahead.val[i] - behind.val[i]) / (2 * h), 1e-9) << k << " " << i;
+            EXPECT_NEAR(basis(i, k), (ahead.val[i] - behind.val[i]) / (2 * h), 1e-9)
+                << k << " " << i;
     }
     SpaceEquations sums;
     sums.JtJ.setRandom();

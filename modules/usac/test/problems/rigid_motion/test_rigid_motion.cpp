@@ -25,12 +25,13 @@ RigidSceneOptions optionsOf(ProblemType type)
 }
 
 //! The contract of the result, and that the motion is the true one.
-void expectRight(ProblemType type, const RigidScene& scene, const Estimate& found, double threshold, double degrees,
-                 double error)
+void expectRight(ProblemType type, const RigidScene& scene, const Estimate& found, double threshold,
+                 double degrees, double error)
 {
     ASSERT_EQ(Size(4, 3), found.model.size());
     ASSERT_EQ(CV_64F, found.model.type());
-    const Matx33d A(found.model.colRange(0, 3)), R = type == RIGID_3D ? A : A * (std::sqrt(3.) / cv::norm(A));
+    const Matx33d A(found.model.colRange(0, 3)),
+        R = type == RIGID_3D ? A : A * (std::sqrt(3.) / cv::norm(A));
     EXPECT_LE(cvtest::norm(R * R.t() - Matx33d::eye(), NORM_INF), 1e-12);
     EXPECT_GT(determinant(R), 0);
     EXPECT_LE(rotationError(scene, found.motion()), degrees);
@@ -44,7 +45,8 @@ void expectRight(ProblemType type, const RigidScene& scene, const Estimate& foun
         inliers += found.mask.at<uchar>(i);
         if (std::abs(errors[i] - threshold) > 1e-9 * threshold)
         {
-            EXPECT_EQ(errors[i] <= threshold ? 1 : 0, found.mask.at<uchar>(i)) << i << ": " << errors[i];
+            EXPECT_EQ(errors[i] <= threshold ? 1 : 0, found.mask.at<uchar>(i))
+                << i << ": " << errors[i];
         }
     }
     EXPECT_EQ(inliers, found.report.inliers);
@@ -58,18 +60,23 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_RigidMotion, testing::ValuesIn(SPACE_PROBLEMS
 TEST_P(Usac_RigidMotion, every_shape_and_kind_of_outliers)
 {
     for (RigidShape shape : {RIGID_CLOUD, RIGID_PLANE, RIGID_NEAR_PLANE, RIGID_NEAR_LINE})
-        for (RigidOutliers outliers : {RIGID_OUTLIERS_UNIFORM, RIGID_OUTLIERS_CLUSTERED, RIGID_OUTLIERS_SECOND_MOTION})
+        for (RigidOutliers outliers :
+             {RIGID_OUTLIERS_UNIFORM, RIGID_OUTLIERS_CLUSTERED, RIGID_OUTLIERS_SECOND_MOTION})
             for (int copies : {1, 3})
             {
-                SCOPED_TRACE(cv::format("shape %d, outliers %d, %d copies", shape, outliers, copies));
+                SCOPED_TRACE(
+                    cv::format("shape %d, outliers %d, %d copies", shape, outliers, copies));
                 RigidSceneOptions options = optionsOf(problem());
                 options.shape = shape;
                 options.outliers = outliers;
                 options.copies = copies;
                 options.seed = 10 + shape;
                 const RigidScene scene = makeRigidScene(options);
-                const double degrees = shape == RIGID_NEAR_LINE ? 10 : 0.4;  // 0.02 across a line say little
-                expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, degrees, 0.005);
+                const double degrees = shape == RIGID_NEAR_LINE
+                                           ? 10
+                                           : 0.4;  // 0.02 across a line say little
+                expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, degrees,
+                            0.005);
             }
 }
 
@@ -97,8 +104,9 @@ TEST_P(Usac_RigidMotion, every_preset)
         if (params.sampler == SAMPLER_IMPORTANCE || params.ordering == ORDERING_INPUT_ORDER)
             params.scores.clear();
         const Estimate found = estimate(problem(), scene, params);
-        expectRight(problem(), scene, found, params.quality == QUALITY_LMEDS ? found.report.threshold : scene.threshold,
-                    0.4, 0.005);
+        expectRight(problem(), scene, found,
+                    params.quality == QUALITY_LMEDS ? found.report.threshold : scene.threshold, 0.4,
+                    0.005);
         EXPECT_LE(found.report.chance, 1e-6);
     }
 }
@@ -118,7 +126,8 @@ TEST_P(Usac_RigidMotion, inlier_ratios_and_sizes)
             Params params;
             params.threshold = scene.threshold;
             params.maxIterations = 100000;
-            expectRight(problem(), scene, estimate(problem(), scene, params), scene.threshold, 1, 0.012);
+            expectRight(problem(), scene, estimate(problem(), scene, params), scene.threshold, 1,
+                        0.012);
         }
 }
 
@@ -181,8 +190,10 @@ TEST_P(Usac_RigidMotion, as_accurate_as_least_squares)
                 points2.push_back(scene.points2[i]);
             }
         double scale = 1;
-        const Matx34d fit(cv::estimateAffine3D(points1, points2, problem() == RIGID_3D ? (double*)0 : &scale, true));
-        best += motionError(scene, motionFrom(scale, fit.get_minor<3, 3>(0, 0), moved(fit, Point3d(0, 0, 0))));
+        const Matx34d fit(cv::estimateAffine3D(points1, points2,
+                                               problem() == RIGID_3D ? (double*)0 : &scale, true));
+        best += motionError(
+            scene, motionFrom(scale, fit.get_minor<3, 3>(0, 0), moved(fit, Point3d(0, 0, 0))));
         own += motionError(scene, estimate(problem(), scene).motion());
     }
     EXPECT_LE(own, 1.05 * best);
@@ -200,12 +211,14 @@ TEST_P(Usac_RigidMotion, exact_points)
             options.offset1 = Vec3d(2, -3, 5) * (offset * unit);
             options.offset2 = Vec3d(-7, 3, 1) * (offset * unit);
             const RigidScene scene = makeRigidScene(options);
-            expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 1e-5, 1e-9 * (1 + offset));
+            expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 1e-5,
+                        1e-9 * (1 + offset));
         }
 }
 
-/** Other units and origins, the threshold with them: the same mask. Powers of two change no bit of the search; by other
-factors a point that is on the threshold to the last digits may change sides. */
+/** Other units and origins, the threshold with them: the same mask. Powers of two change no bit of
+the search; by other factors a point that is on the threshold to the last digits may change sides.
+*/
 TEST_P(Usac_RigidMotion, units_and_origins)
 {
     for (int seed = 1; seed <= 5; ++seed)
@@ -260,7 +273,8 @@ TEST_P(Usac_RigidMotion, rows_of_no_numbers)
     const Estimate whole = estimate(problem(), scene);
     for (int i = 0; i < scene.size(); i += 3)
     {
-        double* const numbers[] = {&scene.points1[i].x, &scene.points1[i].z, &scene.points2[i].y, &scene.points2[i].z};
+        double* const numbers[] = {&scene.points1[i].x, &scene.points1[i].z, &scene.points2[i].y,
+                                   &scene.points2[i].z};
         *numbers[i % 4] = i % 2 ? NAN : i % 5 ? INFINITY : -INFINITY;
         scene.truth[i] = 0;
     }
@@ -279,11 +293,15 @@ TEST_P(Usac_RigidMotion, impossible_points)
     for (int i = 0; i < 100; ++i)
     {
         line.push_back(Point3d(i, 2 * i, -i));
-        random1.push_back(Point3d(rng.uniform(0., 600.), rng.uniform(0., 600.), rng.uniform(0., 600.)));
-        random2.push_back(Point3d(rng.uniform(0., 600.), rng.uniform(0., 600.), rng.uniform(0., 600.)));
+        random1.push_back(
+            Point3d(rng.uniform(0., 600.), rng.uniform(0., 600.), rng.uniform(0., 600.)));
+        random2.push_back(
+            Point3d(rng.uniform(0., 600.), rng.uniform(0., 600.), rng.uniform(0., 600.)));
     }
-    const std::vector<Point3d>* const firsts[] = {&same, &same, &line, &line, &random1, &random1, &random1};
-    const std::vector<Point3d>* const seconds[] = {&same, &random2, &line, &random1, &same, &line, &random2};
+    const std::vector<Point3d>* const firsts[] = {&same,    &same,    &line,   &line,
+                                                  &random1, &random1, &random1};
+    const std::vector<Point3d>* const seconds[] = {&same, &random2, &line,   &random1,
+                                                   &same, &line,    &random2};
     int notSignificant = 0;
     for (int i = 0; i < 7; ++i)
         for (NamedPreset preset : allPresets(problem()))
@@ -302,7 +320,8 @@ TEST_P(Usac_RigidMotion, impossible_points)
             EXPECT_EQ(0, countNonZero(found.mask));
             EXPECT_EQ(100, found.mask.rows);
             EXPECT_EQ(0, found.report.inliers);
-            EXPECT_TRUE(found.report.stop == STOP_NO_MODEL || (random && found.report.stop == STOP_NOT_SIGNIFICANT));
+            EXPECT_TRUE(found.report.stop == STOP_NO_MODEL ||
+                        (random && found.report.stop == STOP_NOT_SIGNIFICANT));
             notSignificant += found.report.stop == STOP_NOT_SIGNIFICANT;
             EXPECT_NE("", found.report.describe());
         }

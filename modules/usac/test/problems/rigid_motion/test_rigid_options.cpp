@@ -5,7 +5,8 @@
 #include "contracts/rigid_contracts.hpp"
 #include "run_context.hpp"
 
-// Parts of the search with motions of space: each component, a model to begin with, residuals of one's own.
+// Parts of the search with motions of space: each component, a model to begin with, residuals of
+// one's own.
 
 namespace opencv_test {
 namespace {
@@ -40,13 +41,14 @@ struct Option
 //! Each value of each option finds the motion as well as the others.
 TEST_P(Usac_RigidOptions, every_component)
 {
-    const Option options[] = {{"sampler", &Params::sampler, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE},
-                              {"quality", &Params::quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
-                              {"localOptimization", &Params::localOptimization, 0, 6},
-                              {"polishing", &Params::polishing, 1, 3},
-                              {"verification", &Params::verification, 0, 2},
-                              {"ordering", &Params::ordering, 0, 3},
-                              {"neighborhood", &Params::neighborhood, 0, 2}};
+    const Option options[] = {
+        {"sampler", &Params::sampler, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE},
+        {"quality", &Params::quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
+        {"localOptimization", &Params::localOptimization, 0, 6},
+        {"polishing", &Params::polishing, 1, 3},
+        {"verification", &Params::verification, 0, 2},
+        {"ordering", &Params::ordering, 0, 3},
+        {"neighborhood", &Params::neighborhood, 0, 2}};
     int tried = 0;
     for (const Option& option : options)
         for (int value = option.first; value <= option.last; ++value)
@@ -80,8 +82,8 @@ TEST_P(Usac_RigidOptions, every_termination)
 {
     const RigidScene scene = makeRigidScene(optionsOf(problem(), 0.5));
     const int reasons[] = {STOP_STANDARD, STOP_PROSAC, STOP_P_NAPSAC, STOP_SPRT, STOP_MAGSAC};
-    const int flags[] = {TERMINATION_STANDARD, TERMINATION_PROSAC, TERMINATION_P_NAPSAC, TERMINATION_SPRT,
-                         TERMINATION_MAGSAC};
+    const int flags[] = {TERMINATION_STANDARD, TERMINATION_PROSAC, TERMINATION_P_NAPSAC,
+                         TERMINATION_SPRT, TERMINATION_MAGSAC};
     for (int k = 0; k < 5; ++k)
     {
         SCOPED_TRACE(k);
@@ -99,7 +101,8 @@ TEST_P(Usac_RigidOptions, every_termination)
         ASSERT_FALSE(found.model.empty());
         EXPECT_EQ(reasons[k], found.report.stop);
         EXPECT_LT(found.report.iterations, 2000);
-        EXPECT_LE(motionError(scene, found.motion()), flags[k] == TERMINATION_MAGSAC ? 0.012 : 0.006);
+        EXPECT_LE(motionError(scene, found.motion()),
+                  flags[k] == TERMINATION_MAGSAC ? 0.012 : 0.006);
     }
 }
 
@@ -144,7 +147,8 @@ TEST_P(Usac_RigidOptions, initial_model)
         tracking.maxIterations = 1;
         // the frame before: a bit off
         const Matx33d turn(1, -0.004, 0, 0.004, 1, 0, 0, 0, 1);
-        Matx34d before = motionFrom(1, turn * first.motion().get_minor<3, 3>(0, 0), moved(first.motion(), Point3d()));
+        Matx34d before = motionFrom(1, turn * first.motion().get_minor<3, 3>(0, 0),
+                                    moved(first.motion(), Point3d()));
         before(0, 3) += 0.005 * scene.unit;
         for (const Matx34d& given : {first.motion(), before})
         {
@@ -189,7 +193,8 @@ TEST_P(Usac_RigidOptions, widest_reach)
     EXPECT_LT(wide, narrow);
 }
 
-//! The distance in space 2 by a residual of a program's own, with errors across weighted: a different metric.
+//! The distance in space 2 by a residual of a program's own, with errors across weighted: a
+//! different metric.
 class OwnResidual : public Residual
 {
 public:
@@ -206,7 +211,8 @@ public:
         std::copy(precise.begin(), precise.end(), errors);
     }
 
-    void squaredErrors(const Model& model, const double* const* c, int count, double* errors) const CV_OVERRIDE
+    void squaredErrors(const Model& model, const double* const* c, int count,
+                       double* errors) const CV_OVERRIDE
     {
         for (int i = 0; i < count; ++i)
         {
@@ -218,7 +224,8 @@ public:
 
     int error(const Model& model, const double* d, double* e) const CV_OVERRIDE
     {
-        const Vec3d off = moved(Matx34d(model), Point3d(d[0], d[1], d[2])) - Vec3d(d[3], d[4], d[5]);
+        const Vec3d off = moved(Matx34d(model), Point3d(d[0], d[1], d[2])) -
+                          Vec3d(d[3], d[4], d[5]);
         e[0] = off[0];
         e[1] = off[1];
         e[2] = off[2] * along;
@@ -229,14 +236,16 @@ private:
     const double along;  //!< factor of the errors along z, as of a camera that measures depth worse
 };
 
-//! What is scored, fitted and in the mask is the residual in use; with the same error it finds the same.
+//! What is scored, fitted and in the mask is the residual in use; with the same error it finds the
+//! same.
 TEST_P(Usac_RigidOptions, own_residual)
 {
     const RigidScene scene = makeRigidScene(optionsOf(problem(), 0.6));
     for (double along : {1., 0.25})
     {
         SCOPED_TRACE(along);
-        const Ptr<Usac> usac = Usac::create(problem(), scene.points1, scene.points2, paramsOf(scene));
+        const Ptr<Usac> usac = Usac::create(problem(), scene.points1, scene.points2,
+                                            paramsOf(scene));
         Mat mask, ownMask;
         const Mat builtIn = usac->run(mask);
         ASSERT_FALSE(builtIn.empty());
@@ -268,7 +277,8 @@ TEST_P(Usac_RigidOptions, own_residual)
 //! An object is run again, with other points: the same as a new one.
 TEST_P(Usac_RigidOptions, run_again)
 {
-    const Ptr<Usac> usac = Usac::create(problem(), makeRigidScene().points1, makeRigidScene().points2);
+    const Ptr<Usac> usac = Usac::create(problem(), makeRigidScene().points1,
+                                        makeRigidScene().points2);
     for (int size : {300, 20, 1000, 300})
     {
         RigidSceneOptions options = optionsOf(problem(), 0.5);
@@ -289,7 +299,8 @@ TEST_P(Usac_RigidOptions, run_again)
     }
 }
 
-//! Of points of both spaces, against all distances; of space 2 alone where space 1 has another unit.
+//! Of points of both spaces, against all distances; of space 2 alone where space 1 has another
+//! unit.
 TEST_P(Usac_RigidOptions, nearest_neighbors)
 {
     RigidSceneOptions options = optionsOf(problem(), 0.6);
@@ -306,8 +317,10 @@ TEST_P(Usac_RigidOptions, nearest_neighbors)
         for (int k = 0; k < p.size; ++k)
         {
             const int a = p.inputIndex[i], b = p.inputIndex[k];
-            const Point3d off1 = scene.points1[a] - scene.points1[b], off2 = scene.points2[a] - scene.points2[b];
-            all.push_back(std::make_pair((problem() == RIGID_3D ? off1.dot(off1) : 0) + off2.dot(off2), k));
+            const Point3d off1 = scene.points1[a] - scene.points1[b],
+                          off2 = scene.points2[a] - scene.points2[b];
+            all.push_back(
+                std::make_pair((problem() == RIGID_3D ? off1.dot(off1) : 0) + off2.dot(off2), k));
         }
         std::sort(all.begin(), all.end());
         const int* members = 0;

@@ -10,10 +10,15 @@
 namespace opencv_test {
 namespace {
 
-const RigidShape SHAPES[] = {RIGID_CLOUD, RIGID_PLANE, RIGID_NEAR_PLANE, RIGID_LINE, RIGID_NEAR_LINE, RIGID_CLUSTER};
-const RigidOutliers OUTLIERS[] = {RIGID_OUTLIERS_UNIFORM, RIGID_OUTLIERS_CLUSTERED, RIGID_OUTLIERS_SECOND_MOTION};
+const RigidShape SHAPES[] = {RIGID_CLOUD, RIGID_PLANE,     RIGID_NEAR_PLANE,
+                             RIGID_LINE,  RIGID_NEAR_LINE, RIGID_CLUSTER};
+const RigidOutliers OUTLIERS[] = {RIGID_OUTLIERS_UNIFORM, RIGID_OUTLIERS_CLUSTERED,
+                                  RIGID_OUTLIERS_SECOND_MOTION};
 
-int countTrue(const RigidScene& scene) { return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1); }
+int countTrue(const RigidScene& scene)
+{
+    return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
+}
 
 //! Points 1 of the matches that are true, or of those that are not.
 std::vector<Point3d> select(const RigidScene& scene, const std::vector<Point3d>& points, bool right)
@@ -28,7 +33,8 @@ std::vector<Point3d> select(const RigidScene& scene, const std::vector<Point3d>&
 //! Standard deviations of points along the axes of their cloud, the largest first.
 Vec3d extents(const std::vector<Point3d>& points)
 {
-    const PCA pca(Mat((int)points.size(), 3, CV_64F, (void*)points.data()), Mat(), PCA::DATA_AS_ROW);
+    const PCA pca(Mat((int)points.size(), 3, CV_64F, (void*)points.data()), Mat(),
+                  PCA::DATA_AS_ROW);
     Vec3d result;
     for (int k = 0; k < 3; ++k)
         result[k] = std::sqrt(std::max(0., pca.eigenvalues.at<double>(k)));
@@ -80,8 +86,9 @@ TEST(Usac_RigidScenes, motionIsExactForPointsWithoutNoise)
                     within += scene.truth[i] && noisy[i] <= scene.threshold;
                 }
                 const double sigma = std::sqrt(squares / 3 / countTrue(scene));
-                EXPECT_NEAR(options.noise * scale, sigma, 0.0019 * scale);  // five standard deviations
-                EXPECT_GE(within, countTrue(scene) - 5);                    // 0.7 % are farther
+                EXPECT_NEAR(options.noise * scale, sigma,
+                            0.0019 * scale);              // five standard deviations
+                EXPECT_GE(within, countTrue(scene) - 5);  // 0.7 % are farther
                 EXPECT_LE(rotationError(scene, scene.motion), 1e-5);
                 EXPECT_LE(motionError(scene, scene.motion), 1e-12);
             }

@@ -42,7 +42,8 @@ double sizeOf(const Triangle& t)
 }
 
 enum Kind { CUBE, EQUILATERAL, RIGHT_ANGLE, NEEDLE, FLAT, THIN, FAR_FROM_THE_ORIGIN, KINDS };
-const char* const NAMES[] = {"cube", "equilateral", "right angle", "needle", "flat", "thin", "far from the origin"};
+const char* const NAMES[] = {"cube", "equilateral", "right angle",        "needle",
+                             "flat", "thin",        "far from the origin"};
 
 //! The corners are in any order.
 Triangle randomTriangle(Kind kind, RNG& rng)
@@ -57,7 +58,8 @@ Triangle randomTriangle(Kind kind, RNG& rng)
                                 {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(at, 0.2 * tenth, 0)},
                                 {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(at, thin, 0)}};
     const double far = kind == FAR_FROM_THE_ORIGIN ? 1000 : 1;
-    const Vec3d offset(far * rng.uniform(-1., 1.), far * rng.uniform(-1., 1.), far * rng.uniform(-1., 1.));
+    const Vec3d offset(far * rng.uniform(-1., 1.), far * rng.uniform(-1., 1.),
+                       far * rng.uniform(-1., 1.));
     const int first = rng.uniform(0, 3), step = rng.uniform(1, 3);
     do
         for (int k = 0; k < 3; ++k)
@@ -89,10 +91,12 @@ Matx34d randomMotion(bool scaled, RNG& rng)
 {
     const double scale = scaled ? std::exp(rng.uniform(-3., 3.)) : 1;
     const Matx33d R = randomRotation(rng);
-    return motionFrom(scale, R, scale * Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+    return motionFrom(
+        scale, R, scale * Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
 }
 
-//! Difference of the linear parts relative to the scale, or of where the mean goes relative to the triangle's size.
+//! Difference of the linear parts relative to the scale, or of where the mean goes relative to the
+//! triangle's size.
 double motionDistance(const Matx34d& a, const Matx34d& truth, const Triangle& from)
 {
     const double scale = cv::norm(truth.get_minor<3, 3>(0, 0)) / std::sqrt(3.);
@@ -110,8 +114,8 @@ double largestNumber(const Triangle& t)
     return largest;
 }
 
-/** The angle by which the rounding of the corners alone may turn a triangle about its longest side: no solver does
-better. */
+/** The angle by which the rounding of the corners alone may turn a triangle about its longest side:
+no solver does better. */
 double indeterminacyOf(const Triangle& from, const Triangle& to)
 {
     double result = 0;
@@ -120,9 +124,9 @@ double indeterminacyOf(const Triangle& from, const Triangle& to)
     return result;
 }
 
-/** The true motion within 1e-6, but for triangles so thin that their rounding hides it: those whose least height is
-less than some thirty million roundings of their coordinates, or about the part of their longest side below which they
-count as points of a line, 1.5e-8. */
+/** The true motion within 1e-6, but for triangles so thin that their rounding hides it: those whose
+least height is less than some thirty million roundings of their coordinates, or about the part of
+their longest side below which they count as points of a line, 1.5e-8. */
 void expectTruth(int samples)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -151,19 +155,22 @@ void expectTruth(int samples)
                 const double error = motionDistance(found, truth, from);
                 missed += !(error < 1e-6);
                 worst = std::max(worst, error / unavoidable);
-                const Matx33d A = found.get_minor<3, 3>(0, 0), R = A * (std::sqrt(3.) / cv::norm(A));
-                notRotations += !(cv::norm(R * R.t() - Matx33d::eye()) < 1e-12 && determinant(R) > 0);
+                const Matx33d A = found.get_minor<3, 3>(0, 0),
+                              R = A * (std::sqrt(3.) / cv::norm(A));
+                notRotations += !(cv::norm(R * R.t() - Matx33d::eye()) < 1e-12 &&
+                                  determinant(R) > 0);
                 notRotations += !scaled && !(std::abs(cv::norm(A) - std::sqrt(3.)) < 1e-12);
             }
-            SCOPED_TRACE(cv::format("%s, %s", NAMES[kind], scaled ? "with a scale" : "without a scale"));
+            SCOPED_TRACE(
+                cv::format("%s, %s", NAMES[kind], scaled ? "with a scale" : "without a scale"));
             EXPECT_EQ(0, missed);
             EXPECT_EQ(0, none);
             EXPECT_EQ(0, notRotations);
             EXPECT_LE(worst, 30) << "times what rounding explains";
             EXPECT_LE(hidden, kind == THIN ? 3 * samples / 10 : 0);
             if (cvtest::debugLevel > 0)
-                printf("%s, scaled %d: error at most %.1f times the rounding, %d hidden\n", NAMES[kind], scaled, worst,
-                       hidden);
+                printf("%s, scaled %d: error at most %.1f times the rounding, %d hidden\n",
+                       NAMES[kind], scaled, worst, hidden);
         }
 }
 
@@ -197,7 +204,8 @@ TEST(Usac_TriangleSolver, leastSquaresOfAnyTriangles)
         for (int i = 0; i < 20000; ++i)
         {
             const Kind kinds[] = {CUBE, EQUILATERAL, RIGHT_ANGLE, NEEDLE, FLAT};
-            const Triangle from = randomTriangle(kinds[i % 5], rng), to = randomTriangle(kinds[i / 5 % 5], rng);
+            const Triangle from = randomTriangle(kinds[i % 5], rng),
+                           to = randomTriangle(kinds[i / 5 % 5], rng);
             const SpacePoints own(from, to);
             Matx34d found;
             Model model;
@@ -237,7 +245,8 @@ TEST(Usac_TriangleSolver, anyOrderOfTheCorners)
     for (int i = 0; i < 3000; ++i)
     {
         const bool scaled = i % 2 != 0;
-        const Triangle from = randomTriangle((Kind)(i % THIN), rng), to = randomTriangle((Kind)(i / THIN % THIN), rng);
+        const Triangle from = randomTriangle((Kind)(i % THIN), rng),
+                       to = randomTriangle((Kind)(i / THIN % THIN), rng);
         Matx34d first, other;
         ASSERT_TRUE(solve(scaled, from, to, first));
         for (const int(&order)[3] : orders)
@@ -245,12 +254,14 @@ TEST(Usac_TriangleSolver, anyOrderOfTheCorners)
             const Triangle a = {from[order[0]], from[order[1]], from[order[2]]};
             const Triangle b = {to[order[0]], to[order[1]], to[order[2]]};
             ASSERT_TRUE(solve(scaled, a, b, other));
-            EXPECT_LE(motionDistance(other, first, from), 1e-13 / (thicknessOf(from) * thicknessOf(to)));
+            EXPECT_LE(motionDistance(other, first, from),
+                      1e-13 / (thicknessOf(from) * thicknessOf(to)));
         }
     }
 }
 
-//! Points of a line and points in one place, but for their rounding: there is no model, in either space.
+//! Points of a line and points in one place, but for their rounding: there is no model, in either
+//! space.
 TEST(Usac_TriangleSolver, degenerate)
 {
     RNG rng(23);

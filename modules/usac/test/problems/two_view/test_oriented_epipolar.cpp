@@ -21,11 +21,13 @@ TEST(Usac_Orientation, trueModelsAreKept)
         const Ptr<Usac> usac = createUsac(scene, params);
         const RunContext context(usac->points(), usac->components(), params);
         const Model truth = toInternal(usac->points(), scene.model);
-        const Ptr<Degeneracy> check = problem == 0 ? createHomographyOrientation() : createOrientedEpipolar();
+        const Ptr<Degeneracy> check = problem == 0 ? createHomographyOrientation()
+                                                   : createOrientedEpipolar();
         for (int i = 0; i < 500; ++i)
         {
             int sample[MAX_SAMPLE_SIZE];
-            Rng(1, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
+            Rng(1, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(),
+                               sample);
             EXPECT_TRUE(check->validSample(context, sample));
             EXPECT_TRUE(check->validModel(context, sample, truth));
             EXPECT_TRUE(check->validModel(context, sample, Matx33d(truth) * -3.))
@@ -52,8 +54,10 @@ TEST(Usac_Orientation, wrongModelsAreRefused)
         {
             int sample[MAX_SAMPLE_SIZE];
             Model models[MAX_MODELS];
-            Rng(2, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(), sample);
-            const int count = usac->components().minimalSolver->solve(usac->points(), sample, models);
+            Rng(2, i).distinct(scene.size(), usac->components().minimalSolver->sampleSize(),
+                               sample);
+            const int count = usac->components().minimalSolver->solve(usac->points(), sample,
+                                                                      models);
             for (int k = 0; k < count; ++k, ++total)
                 refused += !check->validModel(context, sample, models[k]);
         }

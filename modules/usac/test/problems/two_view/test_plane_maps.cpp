@@ -19,7 +19,10 @@ namespace {
 
 const ProblemType TYPES[] = {AFFINITY, SIMILARITY};
 
-Ptr<Problem> problemOf(ProblemType type) { return createProblem(type, noArray(), noArray(), noArray(), noArray()); }
+Ptr<Problem> problemOf(ProblemType type)
+{
+    return createProblem(type, noArray(), noArray(), noArray(), noArray());
+}
 
 Matx23d randomMap(ProblemType type, RNG& rng)
 {
@@ -43,8 +46,9 @@ struct MapScene
             const Point2d p(rng.uniform(0., 640.), rng.uniform(0., 480.));
             const Vec2d q = truth * Vec3d(p.x, p.y, 1);
             points1.push_back(p);
-            points2.push_back(i < inliers ? Point2d(q[0] + rng.gaussian(noise), q[1] + rng.gaussian(noise))
-                                          : Point2d(rng.uniform(-640., 640.), rng.uniform(-640., 640.)));
+            points2.push_back(i < inliers
+                                  ? Point2d(q[0] + rng.gaussian(noise), q[1] + rng.gaussian(noise))
+                                  : Point2d(rng.uniform(-640., 640.), rng.uniform(-640., 640.)));
         }
     }
 
@@ -94,7 +98,8 @@ TEST(Usac_PlaneMaps, minimalSolversAreExact)
             const int sample[] = {0, 1, 2};
             Model models[MAX_MODELS];
             const Point2d side = points1[1] - points1[0];
-            const double width = t == 0 ? std::abs(side.cross(points1[2] - points1[0])) : side.dot(side);
+            const double width = t == 0 ? std::abs(side.cross(points1[2] - points1[0]))
+                                        : side.dot(side);
             if (width < 1e-3)
                 continue;
             ASSERT_EQ(1, solver->solve(own.view(), sample, models));
@@ -116,11 +121,14 @@ TEST(Usac_PlaneMaps, degenerateSamples)
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k)
         {
-            const std::vector<Point2d> points1(lists[i], lists[i] + 3), points2(lists[k], lists[k] + 3);
+            const std::vector<Point2d> points1(lists[i], lists[i] + 3),
+                points2(lists[k], lists[k] + 3);
             const OwnPoints own(HOMOGRAPHY, points1, points2);
-            EXPECT_EQ(i == 2 && k == 2, problemOf(AFFINITY)->createMinimalSolver()->solve(own.view(), sample, models));
-            EXPECT_EQ(i != 1 && k != 1,
-                      problemOf(SIMILARITY)->createMinimalSolver()->solve(own.view(), sample, models));
+            EXPECT_EQ(i == 2 && k == 2, problemOf(AFFINITY)->createMinimalSolver()->solve(
+                                            own.view(), sample, models));
+            EXPECT_EQ(
+                i != 1 && k != 1,
+                problemOf(SIMILARITY)->createMinimalSolver()->solve(own.view(), sample, models));
         }
 }
 
@@ -129,7 +137,8 @@ void checkParameters(ProblemType type)
 {
     RNG rng(3);
     const Matx23d map = randomMap(type, rng);
-    const Model model = Matx33d(map(0, 0), map(0, 1), map(0, 2), map(1, 0), map(1, 1), map(1, 2), 0, 0, 1);
+    const Model model = Matx33d(map(0, 0), map(0, 1), map(0, 2), map(1, 0), map(1, 1), map(1, 2), 0,
+                                0, 1);
     const Parameters here(model);
     const Model same = here.model();
     for (int k = 0; k < 9; ++k)
@@ -173,7 +182,8 @@ TEST(Usac_PlaneMaps, leastSquares)
         std::vector<int> all;
         for (int i = 0; i < 50; ++i)
         {
-            scene.points1[i] = (scene.points1[i] - Point2d(320, 240)) * 0.005;  // about 1, as in a search
+            scene.points1[i] = (scene.points1[i] - Point2d(320, 240)) *
+                               0.005;  // about 1, as in a search
             scene.points2[i] *= 0.005;
             weights.push_back(rng.uniform(0.1, 1.));
             all.push_back(i);
@@ -182,7 +192,8 @@ TEST(Usac_PlaneMaps, leastSquares)
         const OwnPoints own(HOMOGRAPHY, scene.points1, scene.points2);
         const Ptr<Problem> problem = problemOf(TYPES[t]);
         Model model = Matx33d(1, 0.1, 3, -0.1, 1, 4, 0, 0, 1);
-        const Ptr<NonMinimalSolver> fit = problem->createNonMinimalSolver(problem->createResidual(RESIDUAL_STANDARD));
+        const Ptr<NonMinimalSolver> fit = problem->createNonMinimalSolver(
+            problem->createResidual(RESIDUAL_STANDARD));
         ASSERT_TRUE(fit->fit(own.view(), all.data(), 50, weights.data(), model));
         for (int k = 0; k < 6; ++k)
             EXPECT_NEAR(expected.val[k], model.val[k], 1e-10) << t << " " << k;
@@ -207,7 +218,8 @@ TEST(Usac_PlaneMaps, everyPreset)
                 const Mat map = scene.estimate(params, mask, report);
                 ASSERT_EQ(Size(3, 2), map.size()) << t << " " << presets[k].name;
                 // PROSAC's own criterion ends the search of unsorted points early
-                EXPECT_LE(scene.error(map), params.orderedEvery == 1 ? 0.6 : 0.45) << t << " " << presets[k].name;
+                EXPECT_LE(scene.error(map), params.orderedEvery == 1 ? 0.6 : 0.45)
+                    << t << " " << presets[k].name;
                 EXPECT_EQ(report.inliers, countNonZero(mask));
                 EXPECT_LE(report.chance, 1e-6);
                 if (t == 1)
@@ -233,11 +245,14 @@ TEST(Usac_PlaneMaps, mask)
             ASSERT_FALSE(map.empty());
             for (size_t i = 0; i < scene.points1.size(); ++i)
             {
-                const Vec2d q = Matx23d(map.ptr<double>()) * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
-                const double error = std::hypot(q[0] - scene.points2[i].x, q[1] - scene.points2[i].y);
+                const Vec2d q = Matx23d(map.ptr<double>()) *
+                                Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
+                const double error = std::hypot(q[0] - scene.points2[i].x,
+                                                q[1] - scene.points2[i].y);
                 if (!(std::abs(error - report.threshold) < 1e-9))
                 {
-                    ASSERT_EQ(error <= report.threshold, mask.at<uchar>((int)i) != 0) << t << " " << seed << " " << i;
+                    ASSERT_EQ(error <= report.threshold, mask.at<uchar>((int)i) != 0)
+                        << t << " " << seed << " " << i;
                 }
             }
         }
@@ -256,9 +271,10 @@ TEST(Usac_PlaneMaps, besideOpenCV)
                 Params params;
                 Report report;
                 const Mat map = scene.estimate(params, noArray(), report);
-                const Mat other = t == 0
-                                      ? cv::estimateAffine2D(scene.points1, scene.points2, noArray(), RANSAC, 3)
-                                      : cv::estimateAffinePartial2D(scene.points1, scene.points2, noArray(), RANSAC, 3);
+                const Mat other = t == 0 ? cv::estimateAffine2D(scene.points1, scene.points2,
+                                                                noArray(), RANSAC, 3)
+                                         : cv::estimateAffinePartial2D(scene.points1, scene.points2,
+                                                                       noArray(), RANSAC, 3);
                 ASSERT_FALSE(map.empty()) << t << " " << seed;
                 ours += scene.error(map);
                 theirs += other.empty() ? 10 : scene.error(other);
@@ -292,7 +308,8 @@ TEST(Usac_PlaneMaps, impossiblePoints)
     }
     for (int t = 0; t < 2; ++t)
     {
-        const std::vector<Point2d>* const firsts[] = {&same, &same, t == 0 ? &line : &same, &random1};
+        const std::vector<Point2d>* const firsts[] = {&same, &same, t == 0 ? &line : &same,
+                                                      &random1};
         const std::vector<Point2d>* const seconds[] = {&same, &random2, &line, &same};
         for (int i = 0; i < 4; ++i)
         {
@@ -300,8 +317,10 @@ TEST(Usac_PlaneMaps, impossiblePoints)
             params.maxIterations = 500;
             Mat mask;
             Report report;
-            const Mat map = t == 0 ? estimateAffinity2D(*firsts[i], *seconds[i], params, mask, report)
-                                   : estimateSimilarity2D(*firsts[i], *seconds[i], params, mask, report);
+            const Mat map = t == 0
+                                ? estimateAffinity2D(*firsts[i], *seconds[i], params, mask, report)
+                                : estimateSimilarity2D(*firsts[i], *seconds[i], params, mask,
+                                                       report);
             EXPECT_TRUE(map.empty()) << t << " " << i;
             EXPECT_EQ(0, countNonZero(mask));
         }

@@ -22,7 +22,8 @@ Scene sceneWith(int problem, OutlierModel outliers, uint64 seed)
     return makeScene((ProblemType)problem, options);
 }
 
-//! 30 % inliers against 35 % of matches to each of two targets, and against every second outlier on a line.
+//! 30 % inliers against 35 % of matches to each of two targets, and against every second outlier on
+//! a line.
 TEST_P(Usac_SharedPoints, targetsDoNotWin)
 {
     int wrongWithout = 0;
@@ -31,7 +32,8 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
         Params params;
         for (int line = 0; line < 2; ++line)
         {
-            const Scene scene = sceneWith(GetParam(), line ? OUTLIERS_LINE : OUTLIERS_TARGETS, seed);
+            const Scene scene = sceneWith(GetParam(), line ? OUTLIERS_LINE : OUTLIERS_TARGETS,
+                                          seed);
             Report report;
             Mat mask;
             const Mat model = estimate(scene, params, mask, &report);
@@ -52,9 +54,10 @@ TEST(Usac_SharedPoints_Samples, shareATarget)
     {
         double x1, x2;
         bool same;
-    } pairs[] = {
-        {100, 1, true}, {1, 100, true},    {100, 2.1, false}, {19, 1.9, false}, {30, 1.9, true},
-        {1, 1, false},  {100, 100, false}, {9, 1, false}};  // a threshold of 1: closer than 2 and further than 20
+    } pairs[] = {{100, 1, true},    {1, 100, true},  {100, 2.1, false},
+                 {19, 1.9, false},  {30, 1.9, true}, {1, 1, false},
+                 {100, 100, false}, {9, 1, false}};  // a threshold of 1: closer than 2 and further
+                                                     // than 20
     for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); ++i)
     {
         std::vector<Point2d> a(1, Point2d(5, 5)), b(1, Point2d(7, 7));
@@ -71,8 +74,8 @@ TEST(Usac_SharedPoints_Samples, shareATarget)
 //! What a new best model is worth after the check, and before.
 struct Checked
 {
-    Checked(const Scene& scene, const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-            const Matx33d& given, double inlierThreshold = 1.5)
+    Checked(const Scene& scene, const std::vector<Point2d>& points1,
+            const std::vector<Point2d>& points2, const Matx33d& given, double inlierThreshold = 1.5)
     {
         Params params;
         params.threshold = inlierThreshold;
@@ -85,7 +88,8 @@ struct Checked
         const Model same = model;
         State state;
         before = after = context.rate(model);
-        EXPECT_TRUE(started(createSharedPoints(), context.points)->recover(context, state, 0, model, after));
+        EXPECT_TRUE(started(createSharedPoints(), context.points)
+                        ->recover(context, state, 0, model, after));
         EXPECT_EQ(same, model);
     }
 
@@ -100,15 +104,16 @@ Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector
     const Vec3d t(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(0., 10.));
     for (int i = 0; i < 16; ++i)
     {
-        const Vec3d X(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(10., 20.)), Y = R * X + t;
+        const Vec3d X(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(10., 20.)),
+            Y = R * X + t;
         points1.push_back(Point2d(X[0] / X[2], X[1] / X[2]));
         points2.push_back(Point2d(Y[0] / Y[2], Y[1] / Y[2]));
     }
     return Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
 }
 
-/** Next to a camera the scales of the two images differ by far more than their sizes. But the other end of such a match
-is not anywhere: it is held to some thresholds. */
+/** Next to a camera the scales of the two images differ by far more than their sizes. But the other
+end of such a match is not anywhere: it is held to some thresholds. */
 TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
 {
     Scene scene;
@@ -134,8 +139,8 @@ TEST(Usac_SharedPoints_Models, targetsCountOnce)
         const Point2d target(320, 200);
         const Matx33d cross(0, -1, target.y, 1, 0, -target.x, -target.y, target.x, 0);
         const double angle = rng.uniform(0., 6.);
-        const Matx33d F = cross * Matx33d(std::cos(angle), std::sin(angle), 100, -std::sin(angle), std::cos(angle), 50,
-                                          0, 0, 1);
+        const Matx33d F = cross * Matx33d(std::cos(angle), std::sin(angle), 100, -std::sin(angle),
+                                          std::cos(angle), 50, 0, 0, 1);
         std::vector<Point2d> some, others;
         for (int i = 0; i < 300; ++i)
         {
@@ -145,7 +150,8 @@ TEST(Usac_SharedPoints_Models, targetsCountOnce)
         }
         SceneOptions options;
         const Scene scene = makeScene(FUNDAMENTAL, options);
-        const Checked checked = image == 0 ? Checked(scene, some, others, F) : Checked(scene, others, some, F.t());
+        const Checked checked = image == 0 ? Checked(scene, some, others, F)
+                                           : Checked(scene, others, some, F.t());
         EXPECT_GE(checked.before.inliers, 145);
         EXPECT_LE(checked.after.inliers, checked.before.inliers - 140);
         EXPECT_GE(checked.after.inliers, 1);
@@ -154,7 +160,8 @@ TEST(Usac_SharedPoints_Models, targetsCountOnce)
     }
 }
 
-//! Right models keep their quality: each motion, epipoles among the points, a fourfold zoom, points one pixel apart.
+//! Right models keep their quality: each motion, epipoles among the points, a fourfold zoom, points
+//! one pixel apart.
 TEST_P(Usac_SharedPoints, rightModelsCountInFull)
 {
     for (int motion = MOTION_GENERAL; motion <= MOTION_CAR; ++motion)
