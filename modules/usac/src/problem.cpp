@@ -56,6 +56,7 @@ int Problem::coordinates(int) const { return 2; }
 String Problem::arrayName(int array) const { return array ? "points2" : "points1"; }
 bool Problem::commonUnit() const { return true; }
 bool Problem::ambiguous() const { return false; }
+bool Problem::leavesFree(const Context&, const Model&) const { return false; }
 double Problem::toModelCoordinates(double* const*, int) const { return 1; }
 void Problem::toImageCoordinates(double* const*, int) const {}
 Ptr<Residual> Problem::createImageResidual(const Ptr<Residual>&) const { return Ptr<Residual>(); }

@@ -223,7 +223,8 @@ private:
 
     /** Polishing minimizes another loss than the score, and may end between two models: if the
     score is clearly worse after it, the model stays as the search found it. Few points are polished
-    from other starts, too. @param search context of the search @param context that of the polishing
+    from other starts, too, and a model that wrong matches have bent is freed of them. @param search
+    context of the search @param context that of the polishing
     @return quality of the model */
     Quality polish(const Context& search, const Context& context, State& state, Model& best)
     {

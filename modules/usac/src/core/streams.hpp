@@ -19,7 +19,7 @@ enum Stream {
     STREAM_PLANE,         //!< triples of points that show a plane
     STREAM_RESTARTS,      //!< of the polishing
     STREAM_FIT,           //!< samples that a fit without a search begins with
-    STREAM_LEVERAGE       //!< planes and samples of the inliers without those of high leverage
+    STREAM_LEVERAGE       //!< where a model may hang on few points: a plane, samples of the others
 };
 
 //! Stream of Rng, one of 2^40.

@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "opencv2/usac/problem.hpp"
 #include "core/streams.hpp"
 #include "optimization/normal_equations.hpp"
 #include "polishing/leverage.hpp"
-#include "problems/two_view/dominant_plane.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -28,14 +28,12 @@ constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 first fit, else nothing is to be expected, and that of the result. By chance two parameters gain 6
 in one of 20 cases; then the result is as good as the model. */
 constexpr double HOPE = 3, GAIN = 6;
-/** The same where the inliers leave the epipole free: so many of them are on a plane. Another
+/** The same where nearly all inliers leave parameters free, as the epipole on a plane. Another
 epipole then turns the direction in which all errors are measured, and the difference of two sums of
 n squares has a deviation of at most 2 sqrt(n) variances. With GAIN alone 4 % of F with 95 % of the
-right matches on a plane lose those off it. */
-constexpr double PLANAR = 0.85, FREE_GAIN = 20, TURNED = 1.5;
-//! A model with no more parameters, E, is not free on a plane, but has two solutions, which fits of
-//! its points confuse: in 10 of 200 scenes of nothing but a plane they led to neither.
-constexpr int DETERMINED = 5;
+right matches on a plane lose those off it. An ambiguous model, E, is left alone there: fits confuse
+its two solutions, and led to neither in 10 of 200 scenes of nothing but a plane. */
+constexpr double FREE_GAIN = 20, TURNED = 1.5;
 //! The noise is no less, in thresholds: there float errors end.
 constexpr double LEAST_NOISE = 1e-3;
 //! Steps of a fit; they need not be to its end, as the result is polished.
@@ -97,22 +95,13 @@ bool Leverage::convinces(const Model& fitted, const Model& model, const Points& 
     const double sum = sumOf(common, fitted), gain = (before - sum) / variance(sum, common.count);
     if (!(gain >= GAIN))
         return false;
-    const bool undecided = context.points.problem->dimension() <= DETERMINED ||
+    const Problem& problem = *context.points.problem;
+    const bool undecided = problem.ambiguous() ||
                            gain < std::max(FREE_GAIN, TURNED * std::sqrt((double)common.count));
-    if (undecided && onPlane(fitted))
+    if (undecided && problem.leavesFree(context, fitted))
         return false;
     const double against = surpriseOf(all - inliersOf(fitted));
     return against <= gain / 2 && against <= byChance();
-}
-
-bool Leverage::onPlane(const Model& model) const
-{
-    if (context.points.columns() != 4)
-        return false;
-    DominantPlane plane;
-    Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE));
-    Matx33d H;
-    return plane.find(context, rng, model, PLANAR, H);
 }
 
 bool Leverage::look(const Model& model)

@@ -63,9 +63,6 @@ private:
     //! Is a fit better than the model for the points that agree with it, and are the inliers lost
     //! no evidence against it?
     bool convinces(const Model& fitted, const Model& model, const Points& points) const;
-    //! Do so many inliers of the model lie on a plane, or show a rotation alone, that its epipole
-    //! is free?
-    bool onPlane(const Model& model) const;
     //! Minus the logarithm of the probability, at most, that so many of the points that are no
     //! inliers, and of themselves, are met by a model by chance (Chernoff's bound, see
     //! SignificantScale).

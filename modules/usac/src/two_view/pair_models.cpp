@@ -7,7 +7,6 @@
 #include "problems/camera_arguments.hpp"
 #include "read_points.hpp"
 #include "two_view/pair_models.hpp"
-#include "two_view/rules.hpp"
 
 namespace cv {
 namespace usacv20 {

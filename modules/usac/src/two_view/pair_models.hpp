@@ -14,6 +14,10 @@ namespace usacv20 {
 
 struct ModelKind;
 
+//! Samples of a search for a pair, at least. Those that a right sample takes are not always enough:
+//! its points may be near to each other. That many cost less than 2 ms.
+enum { LEAST_SAMPLES = 500 };
+
 //! A model of a pair and what it explains.
 struct PairModel
 {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "two_view/rules.hpp"
+#include "two_view/pair_models.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -60,20 +60,24 @@ TEST(Usac_Leverage, small_baselines)
         }
 }
 
-//! The right matches off a plane have much leverage, too, and stay.
+//! The right matches off a plane have much leverage, too, and stay: 8 of 100 models miss them, with
+//! or without Leverage, 27 if it did not know of planes.
 TEST(Usac_Leverage, few_matches_off_a_plane_stay)
 {
     int lost = 0;
-    for (int seed = 1; seed <= 40; ++seed)
+    for (int seed = 1; seed <= 100; ++seed)
     {
         SceneOptions options;
-        options.setSize(500, 0.8);
+        options.setSize(1000, 0.5);
+        options.noise = 0.5;
         options.planeFraction = 0.95;
         options.seed = seed;
         const Scene scene = makeScene(FUNDAMENTAL, options);
-        lost += modelError(scene, estimate(scene, Params::usacV20()), OFF_PLANE) > 1.5;
+        Params params;
+        params.threshold = 1.5;
+        lost += modelError(scene, estimate(scene, params), OFF_PLANE) > 1.5;
     }
-    EXPECT_LE(lost, 4);
+    EXPECT_LE(lost, 15);
 }
 
 //! With its sign, as the root of the square has no derivative at 0. A step of 1e-9 changes errors

@@ -61,6 +61,13 @@ public:
     //! True if two good models can have the same inliers, as the two motions of a plane that E has:
     //! then each is optimized. Default: false.
     virtual bool ambiguous() const;
+    /** @brief True if nearly all inliers of a model leave some of its parameters free, as those of
+    F or E on a plane, or seen by a camera that has only turned: then their errors tell little of
+    these parameters.
+    @param context the points in the coordinates of the model, the threshold
+    @param model as components see it
+    Default: false. */
+    virtual bool leavesFree(const Context& context, const Model& model) const;
 
     /** @brief Moves the caller's points to the coordinates of the model, in place; E: from pixels
     to the normalized image plane.

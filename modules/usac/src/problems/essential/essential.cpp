@@ -7,6 +7,7 @@
 #include "problems/essential/cameras.hpp"
 #include "problems/essential/essential.hpp"
 #include "problems/essential/essential_parameterization.hpp"
+#include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/two_view.hpp"
 #include "scoring/residuals.hpp"
 
@@ -29,6 +30,10 @@ public:
     //! A plane has two motions with the same inliers @cite ma2004invitation; which is right the few
     //! points beside it tell.
     bool ambiguous() const CV_OVERRIDE { return true; }
+    bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE
+    {
+        return epipoleIsFree(context, model);
+    }
 
     double toModelCoordinates(double* const* columns, int count) const CV_OVERRIDE
     {

@@ -6,6 +6,7 @@
 #include "optimization/least_squares.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"
+#include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/two_view.hpp"
 #include "scoring/residuals.hpp"
 
@@ -36,6 +37,10 @@ public:
     int errorDimension() const CV_OVERRIDE { return 1; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(700, 1.2); }  // measured
     int normalization(int) const CV_OVERRIDE { return SCALE_COMMON; }
+    bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE
+    {
+        return epipoleIsFree(context, model);
+    }
 
     //! Rank 2, unit norm.
     bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/streams.hpp"
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/epipole.hpp"
 #include "problems/share_a_point.hpp"
@@ -85,6 +86,15 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
         }
     }
     return found;
+}
+
+bool epipoleIsFree(const Context& context, const Model& F)
+{
+    constexpr double PLANAR = 0.85;  // of the inliers; half, double: doc/constants.md
+    DominantPlane plane;
+    Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE));
+    Matx33d H;
+    return plane.find(context, rng, F, PLANAR, H);
 }
 
 }  // namespace usacv20

@@ -56,6 +56,10 @@ private:
     SideBySide<MAX_INLIERS> someInliers;
 };
 
+//! Are so many inliers of F or E on a plane, or seen by a camera that has only turned, that its
+//! epipole is free?
+bool epipoleIsFree(const Context& context, const Model& F);
+
 }  // namespace usacv20
 }  // namespace cv
 

@@ -24,7 +24,7 @@ void createChecksOfMaps(int flags, const String& problem,
 //! F, E: see SharedPoints.
 Ptr<Degeneracy> createSharedPoints();
 
-//! Of Frobenius. cv::norm adds in another order since OpenCV 5; this is the one before.
+//! Frobenius norm. cv::norm adds in another order since OpenCV 5; this is that of OpenCV 4.
 inline double frobeniusNorm(const Matx33d& m)
 {
     const double* const v = m.val;
