@@ -30,10 +30,12 @@ in one of 20 cases; then the result is as good as the model. */
 constexpr double HOPE = 3, GAIN = 6;
 /** The same where nearly all inliers leave parameters free, as the epipole on a plane. Another
 epipole then turns the direction in which all errors are measured, and the difference of two sums of
-n squares has a deviation of at most 2 sqrt(n) variances. With GAIN alone 4 % of F with 95 % of the
-right matches on a plane lose those off it. An ambiguous model, E, is left alone there: fits confuse
-its two solutions, and led to neither in 10 of 200 scenes of nothing but a plane. */
-constexpr double FREE_GAIN = 20, TURNED = 1.5;
+n squares has a deviation of at most 2 sqrt(n) variances; and the inliers off the plane are all that
+tells the epipole, so the inliers lost have to be the less improbable by chance. With GAIN alone 4 %
+of F with 95 % of the right matches on a plane lose those off it. An ambiguous model, E, is left
+alone there: fits confuse its two solutions, and led to neither in 10 of 200 scenes of nothing but a
+plane. */
+constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! The noise is no less, in thresholds: there float errors end.
 constexpr double LEAST_NOISE = 1e-3;
 //! Steps of a fit; they need not be to its end, as the result is polished.
@@ -95,13 +97,14 @@ bool Leverage::convinces(const Model& fitted, const Model& model, const Points& 
     const double sum = sumOf(common, fitted), gain = (before - sum) / variance(sum, common.count);
     if (!(gain >= GAIN))
         return false;
-    const Problem& problem = *context.points.problem;
-    const bool undecided = problem.ambiguous() ||
-                           gain < std::max(FREE_GAIN, TURNED * std::sqrt((double)common.count));
-    if (undecided && problem.leavesFree(context, fitted))
-        return false;
     const double against = surpriseOf(all - inliersOf(fitted));
-    return against <= gain / 2 && against <= byChance();
+    if (against > gain / 2 ||  // what the likelihood gains
+        against > byChance())
+        return false;
+    const Problem& problem = *context.points.problem;
+    const bool certain = !problem.ambiguous() && against <= gain / FREE_AGAINST &&
+                         gain >= std::max(FREE_GAIN, TURNED * std::sqrt((double)common.count));
+    return certain || !problem.leavesFree(context, fitted);
 }
 
 bool Leverage::look(const Model& model)
