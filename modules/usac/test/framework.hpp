@@ -45,7 +45,8 @@ using namespace cv;
         if (!cvtest::runsVeryLong())                                                               \
             USAC_SKIP(tag);                                                                        \
     while (0)
-// The name of it in OpenCV's GoogleTest; in the newer ones it is deprecated, of which clang++ warns.
+
+// The name of it in OpenCV's GoogleTest; in newer ones it is deprecated, of which clang++ warns.
 #undef INSTANTIATE_TEST_CASE_P
 #define INSTANTIATE_TEST_CASE_P INSTANTIATE_TEST_SUITE_P
 
