@@ -149,6 +149,19 @@ standard() # of C++
     done
 }
 
+# What is compiled for AVX has one symbol a file that others can be linked with, its table of kernels: any other inline function of it
+# might be taken in the place of the same one compiled for all processors. Optimized, and, in the other project, not.
+instruction_sets()
+{
+    [ "$(uname -m)" = x86_64 ] || return 0
+    objects=$(find "$work/build" "$work/parent" -name '*_avx*.cpp.o')
+    [ "$(echo "$objects" | wc -l)" -ge 2 ] &&
+    for object in $objects; do
+        [ "$(nm -C --defined-only "$object" | grep -c ' T .*avx[0-9]*Kernels()$')" = 1 ] || return 1
+        ! nm -C --defined-only "$object" | grep ' [TWVuBDR] ' | grep -v -e 'avx[0-9]*Kernels()$' -e DW.ref.__gxx_personality || return 1
+    done
+}
+
 # One after the other: each has its copyright, nothing of the build is named in it, what is compiled is stripped.
 debian_packages()
 {
@@ -251,6 +264,7 @@ check pkg-config by_pkg_config
 check custom_components custom_components
 check parent parent parent -DFETCH=OFF
 check fetch parent fetch -DFETCH=ON
+check instruction_sets instruction_sets
 check cxx20 standard c++20
 check cxx23 standard c++2b
 check documentation documentation

@@ -37,7 +37,7 @@ void arcsKernel(const float* rows, int stride, const float* weights, int* USAC_R
                          w[22] * g12[k] + w[23] * g22[k];
         const float A = r1 * r1 - d2, B = r0 * r1 - d1, C = r0 * r0 - d0;
         const float D = (d2 * r0 * r0 + d0 * r1 * r1 - 2 * d1 * r0 * r1) - (d0 * d2 - d1 * d1);
-        const float root = std::sqrt(D > 0 ? D : 0.f);
+        const float root = sqrtf(D > 0 ? D : 0.f);
         const float q = B >= 0 ? -B - root : root - B;
         const int one = binOf(placeOf(q, A)), other = binOf(placeOf(C, q));
         const int begin = B >= 0 ? one : other, end = B >= 0 ? other : one;

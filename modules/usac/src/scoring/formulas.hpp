@@ -10,7 +10,8 @@ namespace usacv20 {
 
 /* The formulas of the geometric errors, each once, for float and double. They stand inside an
 unnamed namespace because this file is compiled several times for different instruction sets, and
-inline functions with external linkage would be merged by the linker. `m` is the model, row by row,
+inline functions with external linkage would be merged by the linker (so sqrtf() and fabsf(), not
+those of std). `m` is the model, row by row,
 NUMBERS of them; a datum has COLUMNS numbers. Where an error is not defined the result is NaN or
 infinite. */
 namespace {

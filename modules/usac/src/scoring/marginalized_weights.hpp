@@ -75,10 +75,7 @@ public:
 
     //! From the tables. 0 <= u, also infinite; NaN is taken as infinite.
     float tabulatedLoss(float u) const { return interpolate(losses, u < 1 ? u : 1.f); }
-    float tabulatedWeight(float u) const
-    {
-        return interpolate(weights, std::sqrt(u < 1 ? u : 1.f));
-    }
+    float tabulatedWeight(float u) const { return interpolate(weights, sqrtf(u < 1 ? u : 1.f)); }
     //! Sum of tabulatedLoss(u[i]); u is changed.
     double sumOfLosses(float* u, int count) const;
 

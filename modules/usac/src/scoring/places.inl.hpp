@@ -15,7 +15,7 @@ namespace {
 itself up to 1, beyond that 2 - 1 / t. The circle closes at -1 and 3. */
 inline float placeOf(float s, float c)
 {
-    const bool small = std::abs(s) <= std::abs(c);
+    const bool small = fabsf(s) <= fabsf(c);
     const float ratio = (small ? s : c) / (small ? c : s);
     return small ? ratio : 2.f - ratio;
 }
