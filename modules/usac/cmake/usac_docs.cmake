@@ -15,7 +15,7 @@ if(NOT DOXYGEN_FOUND OR NOT USAC_BIBTEX OR NOT USAC_PERL)
 endif()
 
 set(USAC_DOCS_MODULE "${PROJECT_SOURCE_DIR}/modules/usac")
-file(GLOB files doc/benchmark/*.png)
+file(GLOB files doc/measurements/*.png)
 set(USAC_DOCS_FILES "")
 foreach(file ${files} "${PROJECT_SOURCE_DIR}/doc/CITATION.cff" "${PROJECT_SOURCE_DIR}/LICENSE")
   string(APPEND USAC_DOCS_FILES " \"${file}\"")

@@ -8,6 +8,7 @@
 #   [text](folder/name.hpp)                    the page of the source
 #   [text](folder/name.markdown)               the page whose label is in the first line of that file
 #   [text](folder/name.png), .cff, LICENSE     HTML_EXTRA_FILES: beside the page
+# The marks around figures go: doxygen takes the space behind a comment with it.
 
 function name_of(path) # doc/file.md: file
 {
@@ -57,6 +58,7 @@ function target_of(link, at, base)
 
 FNR == 1 { file = name_of(FILENAME); code = 0 }
 /^ *```/ { code = !code }
+!code { gsub(/<!-- figures: [^ ]+ -->/, "") }
 !code && /^#+ / { gsub(/`/, "") }  # shown as tags
 !code && /^##+ / {
     id = $0

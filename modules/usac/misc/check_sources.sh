@@ -69,6 +69,8 @@ grep -rnoE '#include "[a-z_]+/' --include='*.[ch]pp' "$src"/*/ | grep -v opencv2
     [ "${lower:-9}" -lt "${upper:-0}" ] || echo "$place includes from $to/"
 done > "$mistakes"
 report "folders that include from those below them"
+/usr/bin/python3 samples/benchmark/measure.py --check > "$mistakes" || [ -s "$mistakes" ] || echo "measure.py --check failed" > "$mistakes"
+report "figures that are not as measured, or older than the last change of results"
 rm "$mistakes"
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

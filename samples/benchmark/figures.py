@@ -1,0 +1,236 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Figures that documents quote, and whether they are still true.
+
+A measurement is a file doc/measurements/NAME.md: a stamp (command, commit, date, machine ..) and a body. In the body, and in the
+documents that quote it, a block is what stands between a comment `figures: NAME/PART` and a comment `figures: end`. The text of a
+block in a document is that of the file; measure.py writes both.
+
+The stamp has a digest of the rows of test_data/hashes.txt that belong to the presets and problems of the measurement: where these
+rows are others today, results have changed since, and the measurement is older than they are."""
+
+import glob
+import hashlib
+import json
+import os
+import re
+
+FOLDER = "doc/measurements"
+HASHES = "test_data/hashes.txt"
+PYTHON_HASHES = "modules/usac/misc/python/test/hashes.json"
+INDEX = FOLDER + "/all.md"  # the list of all
+DOCUMENTS = ("README.md", "doc/*.md", INDEX, "modules/usac/README.md", "modules/usac/tutorials/**/*.markdown")
+BEGIN = re.compile(r"(?<!`)<!-- figures: (\S+) -->")
+END = "<!-- figures: end -->"
+STAMP = ("command", "commit", "date", "machine", "OpenCV", "repeats", "results", "text")
+
+
+class FiguresError(ValueError):
+    pass
+
+
+def short_hash(text):
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def read_text(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def write_text(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+class Rows:
+    """The stored hashes that a measurement depends on: those of some sets (all if none is named) with some parameters (all ..). The
+    lines about the machine that made the file are not among them."""
+
+    def __init__(self, sets=(), params=()):
+        self.sets, self.params = sets, params
+
+    def __contains__(self, name):
+        a, _, b = name.partition(":")
+        return (not self.sets or a in self.sets) and (not self.params or b in self.params)
+
+    def digest(self, hashes):
+        """Of the text of hashes.txt."""
+        rows = [line for line in hash_rows(hashes) if line.split()[0] in self]
+        if not rows:
+            raise FiguresError("%s: no row of the sets %s with the parameters %s" % (HASHES, self.sets, self.params))
+        return short_hash("\n".join(rows))
+
+
+def hash_rows(hashes):
+    """`set:parameters iterations inliers hash hash`, in the order of the names."""
+    return sorted(line for line in hashes.splitlines() if re.fullmatch(r"[^\s:#]+:\S+( \S+){4}", line))
+
+
+def find_blocks(text, file):
+    """[(name, start, end)] of what stands between the marks."""
+    found, position = [], 0
+    for begin in BEGIN.finditer(text):
+        if begin.group(1) == "end":
+            if not found or found[-1][2] != begin.start():
+                raise FiguresError("%s: `figures: end` without a beginning" % file)
+            continue
+        end = text.find(END, begin.end())
+        following = BEGIN.search(text, begin.end())
+        if end < 0 or following.start() != end:
+            raise FiguresError("%s: the block %s has no end" % (file, begin.group(1)))
+        found.append((begin.group(1), begin.end(), end))
+    return found
+
+
+def blocks_of(text, file):
+    """{name: text}"""
+    return {name: text[start:end].strip() for name, start, end in find_blocks(text, file)}
+
+
+def block(name, text):
+    """As it stands in the body of a measurement."""
+    return "<!-- figures: %s -->\n\n%s\n\n%s\n" % (name, text.strip(), END)
+
+
+def inline_block(name, text):
+    return "<!-- figures: %s -->%s%s" % (name, text, END)
+
+
+def filled(text, file, contents):
+    """The text with the blocks that `contents` has. A block within a line stays there."""
+    for name, start, end in reversed(find_blocks(text, file)):
+        if name in contents:
+            new = contents[name].strip()
+            if "\n" in text[start:end] or "\n" in new:
+                new = "\n\n%s\n\n" % new
+            text = text[:start] + new + text[end:]
+    return text
+
+
+class Measurement:
+    """A file of doc/measurements. stamp: {name of STAMP: text}."""
+
+    def __init__(self, name, title, stamp, body):
+        self.name, self.title, self.stamp, self.body = name, title, stamp, body.strip() + "\n"
+
+    @staticmethod
+    def file(root, name):
+        return os.path.join(root, FOLDER, name + ".md")
+
+    @classmethod
+    def read(cls, root, name):
+        text = read_text(cls.file(root, name))
+        head = re.match(r"# (.*)\n\n\| measurement \| (\S+) \|\n\|---\|---\|\n((?:\| [^|\n]+ \| [^|\n]+ \|\n)+)\n", text)
+        if not head or head.group(2) != name:
+            raise FiguresError("%s/%s.md: no stamp" % (FOLDER, name))
+        stamp = dict(line.strip("| ").split(" | ", 1) for line in head.group(3).splitlines())
+        missing = [key for key in STAMP if key not in stamp]
+        if missing:
+            raise FiguresError("%s/%s.md: no %s in the stamp" % (FOLDER, name, ", ".join(missing)))
+        return cls(name, head.group(1), stamp, text[head.end():])
+
+    def write(self, root):
+        self.stamp["text"] = short_hash(self.body)
+        rows = "".join("| %s | %s |\n" % (key, self.stamp[key]) for key in STAMP)
+        write_text(self.file(root, self.name),
+                   "# %s\n\n| measurement | %s |\n|---|---|\n%s\n%s" % (self.title, self.name, rows, self.body))
+
+    def as_written(self):
+        return self.stamp["text"] == short_hash(self.body)
+
+    def blocks(self):
+        return blocks_of(self.body, "%s/%s.md" % (FOLDER, self.name))
+
+
+def documents(root):
+    """Paths of the documents with blocks, relative to the root."""
+    paths = [path for pattern in DOCUMENTS for path in sorted(glob.glob(os.path.join(root, pattern), recursive=True))]
+    return [os.path.relpath(path, root) for path in paths if BEGIN.search(read_text(path))]
+
+
+class Project:
+    """The state of all figures. rows: {name of a measurement: its Rows}; current: those whose quotations in README.md must not be
+    older than the results."""
+
+    def __init__(self, root, rows, current):
+        self.root, self.rows, self.current = root, rows, current
+        self.hashes = read_text(os.path.join(root, HASHES))
+        self.mistakes, self.measurements = [], {}
+        for path in sorted(glob.glob(os.path.join(root, FOLDER, "*.md"))):
+            name = os.path.splitext(os.path.basename(path))[0]
+            if name == "all":
+                continue
+            try:
+                self.measurements[name] = Measurement.read(root, name)
+                if any(block.split("/")[0] != name for block in self.measurements[name].blocks()):
+                    raise FiguresError("%s/%s.md: blocks of another measurement" % (FOLDER, name))
+                if name not in rows:
+                    raise FiguresError("%s/%s.md: measure.py has no such measurement" % (FOLDER, name))
+                if not self.measurements[name].as_written():
+                    raise FiguresError("%s/%s.md: changed by hand" % (FOLDER, name))
+            except FiguresError as error:
+                self.mistakes.append(str(error))
+
+    def is_older(self, name):
+        """Have results changed since?"""
+        return name in self.rows and self.measurements[name].stamp["results"] != self.rows[name].digest(self.hashes)
+
+    def older(self):
+        return [name for name in self.measurements if self.is_older(name)]
+
+    def index(self):
+        """A table of all measurements, for INDEX."""
+        lines = ["| measurement | what | OpenCV | commit | date | results |", "|---|---|---|---|---|---|"]
+        for name, m in self.measurements.items():
+            lines.append("| [%s](%s.md) | %s | %s | %s | %s | %s |" % (
+                name, name, m.title, m.stamp["OpenCV"], m.stamp["commit"], m.stamp["date"],
+                "older" if self.is_older(name) else "current"))
+        return "\n".join(lines)
+
+    def contents(self):
+        """{name: text} of all blocks that a document may quote."""
+        found = {"hashes/cpp": str(len(hash_rows(self.hashes))),
+                 "hashes/python": str(len(json.loads(read_text(os.path.join(self.root, PYTHON_HASHES))))),
+                 "index": self.index()}
+        for m in self.measurements.values():
+            found.update(m.blocks())
+        return found
+
+    def fill(self):
+        """Writes the blocks of all documents; the names of those that changed."""
+        contents, changed = self.contents(), []
+        for document in documents(self.root):
+            path = os.path.join(self.root, document)
+            before = read_text(path)
+            after = filled(before, document, contents)
+            if after != before:
+                write_text(path, after)
+                changed.append(document)
+        return changed
+
+    def check(self):
+        """All mistakes, one a line."""
+        if self.mistakes:
+            return self.mistakes
+        contents, mistakes = self.contents(), []
+        for document in documents(self.root):
+            try:
+                text = read_text(os.path.join(self.root, document))
+                quoted = [(name, text[start:end].strip()) for name, start, end in find_blocks(text, document)]
+            except FiguresError as error:
+                mistakes.append(str(error))
+                continue
+            for name, text in quoted:
+                if name not in contents:
+                    mistakes.append("%s: no measurement has the block %s" % (document, name))
+                elif text != contents[name].strip():
+                    mistakes.append("%s: the block %s is not what was measured (measure.py --fill)" % (document, name))
+            names = {name.split("/")[0] for name, _ in quoted}
+            for name in sorted(names & set(self.current) & set(self.measurements)) if document == "README.md" else ():
+                if self.is_older(name):
+                    mistakes.append("%s: its figures of %s are older than the last change of %s (measure.py %s)" %
+                                    (document, name, HASHES, name))
+        return mistakes

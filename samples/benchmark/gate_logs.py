@@ -1,0 +1,120 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Counts of tests, coverage and times of what run_tests.sh and sanitize.sh have left in USAC_BUILD_DIR: NAME.log, NAME.commit, and
+NAME.before and NAME.after with the processor times of the shell. A part without a log keeps the row that it had."""
+
+import datetime
+import os
+import re
+
+PARTS = {"cpp": "C++", "perf": "performance", "python": "Python inside OpenCV", "consumer": "consumer", "python_package": "Python package",
+         "python_package_alone": "package without `cv2`", "benchmark": "benchmark", "opencv": "OpenCV's own", "sanitized": "C++ with sanitizers",
+         "sources": "rules of the sources", "tsan": "ThreadSanitizer", "assertions": "assertions of libstdc++", "valgrind": "valgrind",
+         "coverage": "coverage", "fuzz": "fuzzer", "lint": "lint"}
+GATE = ("cpp", "perf", "python", "consumer", "python_package", "python_package_alone", "benchmark", "opencv", "sanitized")  # of run_tests.sh
+TOOLS = ("sanitized", "tsan", "assertions", "valgrind")
+COLUMNS = ("part", "passed", "failed", "more", "processor s", "commit", "date", "results")
+COUNTS = (r"^(\d+) passed, (\d+) failed$", r"^\[  PASSED  \] (\d+) tests?\.$")
+FAILED = r"^\[  FAILED  \] (\d+) tests?, listed below"
+
+
+class GateError(ValueError):
+    pass
+
+
+def read_counts(log):
+    """(passed, failed) of a log; as run() of common.sh reads it, the last line of a kind counts."""
+    for pattern in COUNTS:
+        found = re.findall(pattern, log, re.M)
+        if found:
+            failed = re.findall(FAILED, log, re.M)
+            last = found[-1]
+            return (int(last[0]), int(last[1])) if isinstance(last, tuple) else (int(last), int(failed[-1]) if failed else 0)
+    raise GateError("no count of tests")
+
+
+def read_more(name, log):
+    """What else a log tells: coverage, and how long the fuzzer has run."""
+    if name == "coverage":
+        found = re.findall(r"^(lines|branches): [\d.]+% \((\d+) out of (\d+)\)$", log, re.M)
+        if len(found) != 2:
+            raise GateError("no summary of gcovr")
+        return "; ".join("%s %s of %s" % row for row in found)
+    if name == "fuzz":
+        found = re.findall(r"^Done (\d+) runs in (\d+) second", log, re.M)
+        if not found:
+            raise GateError("no count of runs")
+        return "%s inputs in %d minutes" % (found[-1][0], int(found[-1][1]) // 60)
+    return "-"
+
+
+def read_seconds(before, after):
+    """Processor seconds between two outputs of the shell's `times`, whose second line is of the processes."""
+    def seconds(text):
+        numbers = [float(n) for n in re.findall(r"[\d.]+", text.splitlines()[1])]
+        return 60 * (numbers[0] + numbers[2]) + numbers[1] + numbers[3]
+    return "%d" % (seconds(after) - seconds(before))
+
+
+def read_row(folder, name, stamp):
+    """The row of a part, or None without a log. stamp(time, commit): (commit, digest) of what was tested; without NAME.commit then."""
+    def text(suffix):
+        with open(os.path.join(folder, name + suffix), encoding="utf-8", errors="replace") as file:
+            return file.read()
+    path = os.path.join(folder, name + ".log")
+    if not os.path.isfile(path):
+        return None
+    try:
+        passed, failed = read_counts(text(".log"))
+        more = read_more(name, text(".log"))
+    except GateError as error:
+        raise GateError("%s: %s" % (path, error)) from None
+    try:
+        seconds = read_seconds(text(".before"), text(".after"))
+    except (OSError, IndexError):
+        seconds = "-"
+    time = datetime.datetime.fromtimestamp(os.path.getmtime(path), datetime.timezone.utc)
+    try:
+        commit = text(".commit").strip()
+    except OSError:
+        commit = ""
+    commit, digest = stamp(time, commit)
+    return dict(zip(COLUMNS, (name, str(passed), str(failed), more, seconds, commit, "%s" % time.date(), digest)))
+
+
+def parse_table(text):
+    """{part: row} of the table of an older file."""
+    lines = [line.strip("| ").split(" | ") for line in text.splitlines() if re.match(r"\| [a-z_]+ \|", line)]
+    return {row[0]: dict(zip(COLUMNS, row)) for row in lines if len(row) == len(COLUMNS) and row[0] in PARTS}
+
+
+def table(rows):
+    lines = ["| " + " | ".join(COLUMNS) + " |", "|---|---:|---:|---|---:|---|---|---|"]
+    lines += ["| " + " | ".join(rows[name][column] for column in COLUMNS) + " |" for name in PARTS if name in rows]
+    return "\n".join(lines)
+
+
+def outcome(row):
+    """`no finding` or the number of failures, and of which state."""
+    failed = "none failed" if row["failed"] == "0" else "%s failed" % row["failed"]
+    return "%s (%s, %s)" % (failed, row["date"], row["commit"])
+
+
+def sentences(rows):
+    """{part: words for README} of the tools, and of `gate` if all its parts are there."""
+    found = {name: "%s tests, %s" % (rows[name]["passed"], outcome(rows[name])) for name in TOOLS if name in rows}
+    if "fuzz" in rows:
+        found["fuzz"] = "%s, %s" % (rows["fuzz"]["more"], outcome(rows["fuzz"]).replace("none failed", "no finding"))
+    if "coverage" in rows:
+        (hit, lines), (taken, branches) = re.findall(r"(\d+) of (\d+)", rows["coverage"]["more"])
+        found["coverage"] = "%s of %s lines of `src/` and %.1f %% of the branches (%s of %s; %s, %s)" % (
+            hit, lines, 100 * int(taken) / int(branches), taken, branches, rows["coverage"]["date"], rows["coverage"]["commit"])
+    if all(name in rows for name in GATE):
+        gate = [rows[name] for name in GATE]
+        parts = ", ".join("%s %s" % (row["passed"], PARTS[row["part"]]) for row in gate)
+        failed = sum(int(row["failed"]) for row in gate)
+        dates = sorted({row["date"] for row in gate})
+        found["gate"] = "%s; %s failed (%s)" % (parts, failed or "none", " to ".join(dict.fromkeys((dates[0], dates[-1]))))
+    return found

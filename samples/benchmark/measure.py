@@ -1,0 +1,380 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Makes the files of doc/measurements and the figures that README.md and doc/ quote from them.
+
+    measure.py --build=BUILD --data=DATA [NAME ...]   runs measurements (default: those that README.md quotes)
+    measure.py --logs=USAC_BUILD_DIR                  counts of tests, coverage and times of run_tests.sh and sanitize.sh
+    measure.py --fill                                 writes the quotations anew from the files
+    measure.py --check                                fails where a quotation is not what was measured, a file was changed by hand,
+                                                      or README.md quotes what is older than the last change of results
+
+BUILD is a build folder of this project, which is brought up to date first; DATA a folder as usac_benchmark takes it."""
+
+import argparse
+import collections
+import contextlib
+import datetime
+import glob
+import io
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import figure_tables as tables
+import gate_logs
+from figures import FOLDER, HASHES, FiguresError, Measurement, Project, Rows, block, inline_block, read_text
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+TWO_VIEWS = ("graf", "aloe", "office12_F", "office01_E")  # the sets of hashes.txt for H, F and E
+OWN = ("USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_MAGSAC", "USACV20+scores")
+OWN_ROWS = ("usacV20", "fast", "accurate", "magsacPlusPlus", "scores")
+RIVALS = ("cv:USAC_DEFAULT", "cv:USAC_FAST", "cv:USAC_ACCURATE", "cv:USAC_MAGSAC")
+FAST = "cv:USAC_FAST"
+NAMES = {"USACV20+scores": "`USACV20` with match scores"}
+NAMES.update({"cv:" + flag: "`cv::%s`" % flag for flag in ("RANSAC", "USAC_DEFAULT", "USAC_FAST", "USAC_ACCURATE", "USAC_MAGSAC")})
+PRESETS = tuple("preset:" + p for p in ("usacV20", "fast", "accurate", "ransac", "msac", "lmeds", "mlesac", "prosac+scores", "loRansac",
+                                        "floRansac", "gcRansac", "usac2013+scores", "magsac", "magsacPlusPlus"))
+PICTURES = ("summary", "accuracy_over_time", "EVD_tent.H", "strecha.F", "strecha.E", "synth_general.E")
+
+
+def processor_times():
+    """(busy seconds of all processors, those of this process and its children), or None where the system does not tell."""
+    try:
+        numbers = [int(n) for n in read_text("/proc/stat").splitlines()[0].split()[1:9]]
+    except (OSError, ValueError):
+        return None
+    return (sum(numbers) - numbers[3] - numbers[4]) / os.sysconf("SC_CLK_TCK"), sum(os.times()[:4])
+
+
+def machine_name():
+    model = re.search(r"^(?:model name|Model)\s*: (.*)$", read_text("/proc/cpuinfo"), re.M) if os.path.exists("/proc/cpuinfo") else None
+    cores = os.cpu_count()
+    return "%s, %d core%s" % (model.group(1).strip() if model else os.uname().machine, cores, "" if cores == 1 else "s")
+
+
+def busy_words(before, after, seconds):
+    """What other programs did meanwhile, where it was more than half of a core for each core."""
+    if not before or not after or seconds <= 0:
+        return ""
+    others = (after[0] - before[0] - (after[1] - before[1])) / seconds
+    return "; other programs took %.1f of them" % others if others > 0.5 * os.cpu_count() else ""
+
+
+def git(*arguments):
+    done = subprocess.run(("git", "-C", ROOT) + arguments, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, universal_newlines=True)
+    return done.stdout.strip() if done.returncode == 0 else ""
+
+
+class Run:
+    """What a measurement has: programs, data, a folder for scratch; and what it was, for the stamp."""
+
+    def __init__(self, build, data, repeats, scratch):
+        self.build, self.data, self.scratch, self.chosen = build, data, scratch, repeats
+        self.repeats, self.commands = None, []
+        self.opencv = self.find_opencv()
+
+    def find_opencv(self):
+        """The version that the programs were built with: that of an installation, or of the build itself."""
+        cache = read_text(os.path.join(self.build, "CMakeCache.txt"))
+        folder = re.search(r"^OpenCV_DIR:\w+=(.*)$", cache, re.M)
+        for path in [folder.group(1)] if folder else [self.build]:
+            file = os.path.join(path, "OpenCVConfig-version.cmake")
+            if os.path.isfile(file):
+                return re.search(r"OpenCV_VERSION (\S+?)\)", read_text(file)).group(1)
+        raise FiguresError("%s: no OpenCV was found in it" % self.build)
+
+    def path(self, name):
+        return os.path.join(self.scratch, name)
+
+    def times(self, default):
+        """The number of repeats."""
+        self.repeats = self.chosen or default
+        return "--repeats=%d" % self.repeats
+
+    def call(self, program, *arguments, shown=True):
+        """Its standard output. The stamp has the command without files of output and with DATA and SCENES for the folders."""
+        words = [program if program.endswith(".py") else os.path.join(self.build, "bin", program)] + list(arguments)
+        if program.endswith(".py"):
+            words = [sys.executable, os.path.join(ROOT, "samples", "benchmark", program)] + list(arguments)
+        if shown:
+            kept = [a for a in arguments if not re.match(r"--(csv|boundCsv|runs|program)=", a)]
+            line = " ".join([program] + [shlex.quote(a) for a in kept])
+            for folder, word in ((self.scratch, "SCENES"), (self.data, "DATA")):
+                line = line.replace(folder, word) if folder else line
+            if line not in self.commands:
+                self.commands.append(line)
+        print("-- " + " ".join(words), file=sys.stderr, flush=True)
+        environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
+        done = subprocess.run(words, stdout=subprocess.PIPE, universal_newlines=True, env=environment)
+        if done.returncode != 0:
+            raise FiguresError("%s: exit code %d" % (program, done.returncode))
+        return done.stdout
+
+    def lists(self, letters):
+        return sorted(path for letter in letters for path in glob.glob(os.path.join(self.data, "lists", "*.%s.list" % letter)))
+
+    def benchmark(self, name, *options):
+        """usac_benchmark: (its tables, the file of the single runs, its text with headings one level down, without its title)."""
+        csv, runs = self.path(name + ".csv"), self.path(name + ".runs.csv")
+        text = self.call("usac_benchmark", *options, "--csv=" + csv, "--runs=" + runs)
+        return tables.read_tables(csv), runs, re.sub("^#", "##", re.sub(r"\A# .*\n+", "", text), flags=re.M)
+
+    def two_views(self, methods, *options):
+        """The same of all lists of H, F and E, a call for each."""
+        found, runs, text = collections.OrderedDict(), [], ""
+        for p in "HFE":
+            rows, file, more = self.benchmark(p, "--data=" + self.data, "--problem=" + p, "--methods=" + ",".join(methods), *options)
+            found.update(rows)
+            runs.append(file)
+            text += "\n## All tables: %s\n\n%s" % (p, more)
+        return found, runs, text
+
+    def scenes(self, scene, name, *options):
+        self.call("usac_synthetic", "--out=" + self.scratch, "--scene=" + scene, "--name=" + name, *options)
+
+
+def pair_by_pair(files):
+    import compare
+    out = io.StringIO()
+    compare.print_table(compare.read_pairs(files), "USACV20", list(RIVALS), out)
+    return "\n#" + out.getvalue()
+
+
+def measure_lists(run, more=("cv:RANSAC",)):
+    methods = OWN + ("USACV20_ACCURATE+scores",) + more + ("cv:RHO",) + RIVALS + ("cv:USAC_PROSAC+scores",)
+    found, files, text = run.two_views(methods, run.times(5), "--baseline=" + FAST)
+    name, counts = run.name, [sum(t["USACV20"]["pairs"] for t in found.values()), len(found)]
+    shown = [m for m in OWN + more + RIVALS]
+    caption = tables.CAPTION.format(auc=" / for E the AUC of the pose error at 10 degrees")
+    body = block(name + "/setting", "%d problems in %d lists, %d repeats" % (counts[0], counts[1], run.repeats))
+    body += "\n## Averages\n\n%s\n\n" % caption
+    body += block(name + "/averages", tables.averages(found, shown, NAMES))
+    body += "\nThe other methods of the same run:\n\n" + tables.averages(found, [m for m in methods if m not in shown] + [FAST], None, FAST, ("cv:RHO",))
+    body += "\n\nTime over all lists, geometric mean of the ratios of the medians:\n\n"
+    body += block(name + "/times", tables.markdown(["to `%s`" % FAST] + ["`%s`" % m for m in OWN], [["all lists"] + [
+        "%.2f" % tables.geometric_mean([t[m]["median_cpu_ms"] / t[FAST]["median_cpu_ms"] for t in found.values()]) for m in OWN]]))
+    body += "\n## List by list\n\nMedian error / failures in % / CPU ms / for E AUC at 10 degrees.\n\n"
+    body += tables.single_lists(found, OWN + (FAST, "cv:USAC_ACCURATE"), RIVALS)
+    body += ("\n\n## Where `USACV20` is behind\n\nAll lists on which its median error is more than 2 %% above the best of four flags, it fails more often, or takes "
+             "2 %% longer than `%s` (bold).\n\n" % FAST) + block(name + "/losses", tables.losses(found, "USACV20", RIVALS, FAST))
+    if name == "lists":
+        run.call("plot.py", *files, "--out=" + run.scratch, shown=False)
+        for picture in PICTURES:
+            shutil.copy(run.path(picture + ".png"), os.path.join(ROOT, FOLDER, picture + ".png"))
+    return body + pair_by_pair(files) + text
+
+
+def measure_lists_4_10(run):
+    if not run.opencv.startswith("4.10."):
+        raise FiguresError("lists_4.10 needs a build with OpenCV 4.10, not %s" % run.opencv)
+    return measure_lists(run, ())
+
+
+def measure_presets(run):
+    found, _, text = run.two_views(PRESETS, run.times(1), "--baseline=" + PRESETS[0])
+    names = {m: "`%s`" % m.replace("preset:", "") for m in PRESETS}
+    caption = tables.CAPTION.format(auc=" / for E the AUC of the pose error at 10 degrees")
+    return "%s. `+scores`: points in the order of their scores. No list is left out for `lmeds`, which needs half of the matches to be right.\n\n%s%s" % (
+        caption, block("presets/averages", tables.averages(found, PRESETS, names, hopeless=("preset:lmeds",))), text)
+
+
+def measure_threshold(run):
+    run.times(3)
+    text = run.call("threshold.py", "--program=" + os.path.join(run.build, "bin", "usac_benchmark"), "--repeats=%d" % run.repeats,
+                    *["--list=" + path for path in run.lists("HFE")])
+    run.commands = ["threshold.py --data=DATA --repeats=%d (lists of H, F and E)" % run.repeats]
+    text = re.sub(r"\A# .*\n+", "", text)
+    head, _, last = text.rpartition("\n| threshold |")
+    return head + "\n" + block("threshold/ratios", "| threshold |" + last)
+
+
+def measure_pose(run):
+    methods = ("USACV20", "USACV20_FAST", "USACV20+scores", "USACV20_MAGSAC", FAST, "cv:USAC_MAGSAC", "cv:PNP_P3P", "cv:PNP_ITERATIVE",
+               "cv:PNP_EPNP")
+    found, _, _ = run.benchmark("pose", *["--list=" + path for path in run.lists("P")], run.times(7), "--baseline=" + FAST,
+                                "--methods=" + ",".join(methods))
+    return "\n".join("%d views. Error: degrees between the rotations, median; centers: percent of the depth.\n\n%s" % (
+        table["USACV20"]["pairs"], block("pose/" + name, tables.ratios(table, methods, FAST))) for (_, name), table in found.items())
+
+
+def measure_affine(run):
+    body = "1000 matches, noise of half a pixel, uniform wrong matches, 20 pairs a list. Median error in pixels / failures in %; CPU: median.\n"
+    for letter, scene, flag in (("A", "affinity", "cv:RANSAC"), ("S", "similarity", "cv:RANSAC")):
+        for part in ("0.5", "0.2"):
+            run.scenes(scene, "%s_%s" % (scene, part), "--inliers=" + part, "--pairs=20")
+        found, _, _ = run.benchmark(letter, "--data=" + run.scratch, "--problem=" + letter, run.times(3), "--baseline=" + flag,
+                                    "--methods=USACV20,USACV20_FAST," + flag)
+        body += "\n" + block("affine/" + scene, tables.against(found, ["USACV20", "USACV20_FAST"], flag))
+    return body
+
+
+def measure_rigid(run):
+    body = ("Noise of half a unit at a width of 200, uniform wrong matches, 20 pairs a list; lists by number of matches and part of right ones. Error: "
+            "degrees between the rotations, median / failures in %; CPU: median.\n")
+    for letter, scene in (("R", "rigid"), ("M", "rigidScaled")):
+        for size in (200, 1000, 10000):
+            for part in ("0.1", "0.2", "0.5", "0.8"):
+                run.scenes(scene, "%s_%d_%s" % (scene, size, part), "--inliers=" + part, "--size=%d" % size, "--pairs=20")
+        found, _, _ = run.benchmark(letter, "--data=" + run.scratch, "--problem=" + letter, run.times(3), "--baseline=cv:AFFINE3D",
+                                    "--methods=USACV20,USACV20_FAST,cv:AFFINE3D,cv:AFFINE3D_REFIT")
+        body += "\n" + block("rigid/" + scene, tables.against(found, ["USACV20", "USACV20_FAST", "cv:AFFINE3D_REFIT"], "cv:AFFINE3D"))
+    return body
+
+
+def measure_tracking(run):
+    run.repeats = run.chosen or 5
+    run.call("usac_tracking", "--sequences=%d" % run.repeats, "--csv=" + run.path("tracking.csv"))
+    return ("Median error (degrees; pixels) / failures in % of the frames / samples a frame / CPU time to that of the defaults without a model / "
+            "frames lost behind the jump.\n\n" + block("tracking/table", tables.tracking(run.path("tracking.csv"))))
+
+
+def measure_scale(run):
+    text = run.call("usac_scale", run.times(5), "--limit=1500", "--csv=" + run.path("scale.csv"))
+    run.call("plot_scale.py", run.path("scale.csv"), "--out=" + run.scratch, shown=False)
+    for picture in ("scale_time", "scale_error"):
+        shutil.copy(run.path(picture + ".png"), os.path.join(ROOT, FOLDER, picture + ".png"))
+    before, _, bound = re.sub(r"\A# .*\n+", "", text).partition("\n| problem |")
+    return before + "\n" + block("scale/bound", "| problem |" + bound)
+
+
+def measure_threads(run):
+    found, _, _ = run.two_views(("USACV20", "USACV20_PARALLEL"), run.times(3), "--threads=2", "--baseline=USACV20")
+    rows = [["%s %s" % key, "%.2f" % (t["USACV20"]["mean_wall_ms"] / t["USACV20_PARALLEL"]["mean_wall_ms"])] for key, t in found.items()]
+    return "Mean wall time of `USACV20` over that of `USACV20_PARALLEL`; a machine with other work cannot tell it.\n\n" + block(
+        "threads/table", tables.markdown(["list", "times faster"], rows, True))
+
+
+Kind = collections.namedtuple("Kind", "title measure rows current")
+TWO_VIEW_ROWS = Rows(TWO_VIEWS, OWN_ROWS)
+KINDS = collections.OrderedDict((
+    ("lists", Kind("H, F and E on public lists and synthetic scenes", measure_lists, TWO_VIEW_ROWS, True)),
+    ("lists_4.10", Kind("H, F and E on the same lists, OpenCV 4.10", measure_lists_4_10, TWO_VIEW_ROWS, False)),
+    ("presets", Kind("The presets of the literature", measure_presets, Rows(TWO_VIEWS), False)),
+    ("threshold", Kind("Sensitivity to the threshold", measure_threshold, Rows(TWO_VIEWS, ("usacV20", "magsacPlusPlus")), False)),
+    ("pose", Kind("Absolute pose", measure_pose, Rows(("absolutePose", "absolutePose_lens"), OWN_ROWS), False)),
+    ("affine", Kind("Affinities and similarities", measure_affine, Rows(("affinity", "similarity"), ("usacV20", "fast")), False)),
+    ("rigid", Kind("Rigid motions of space", measure_rigid, Rows(("rigid3D", "similarity3D"), ("usacV20", "fast")), False)),
+    ("tracking", Kind("A model for the next frame", measure_tracking, Rows(("graf", "absolutePose"), ("usacV20",)), False)),
+    ("scale", Kind("Time over size and hardness; the search and its lower bound", measure_scale, Rows(TWO_VIEWS, ("usacV20", "fast")), False)),
+    ("threads", Kind("Two threads", measure_threads, Rows(TWO_VIEWS, ("usacV20", "parallel")), False)),
+    ("tests", Kind("Tests, sanitizers, fuzzer, coverage", None, Rows(), False))))
+PROGRAMS = ("usac_benchmark", "usac_scale", "usac_synthetic", "usac_tracking")
+
+
+def project():
+    return Project(ROOT, {name: kind.rows for name, kind in KINDS.items()}, [name for name, kind in KINDS.items() if kind.current])
+
+
+def state():
+    """Commit of the sources, named so if they differ from it."""
+    changed = git("status", "--porcelain", "--", "modules/usac/src", "modules/usac/include", "samples/benchmark")
+    return (git("rev-parse", "--short", "HEAD") or "-") + (" and changes" if re.search(r"\.[ch]pp$", changed, re.M) else "")
+
+
+def today():
+    return "%s" % datetime.datetime.now(datetime.timezone.utc).date()
+
+
+def stamp_line(stamp):
+    """The stamp in a line, for a document."""
+    return "%s, commit %s, OpenCV %s, %s" % (stamp["date"], stamp["commit"], stamp["OpenCV"], stamp["machine"])
+
+
+def measure(name, build, data, repeats):
+    kind = KINDS[name]
+    with tempfile.TemporaryDirectory() as scratch:
+        run = Run(build, data, repeats, scratch)
+        run.name = name
+        clock, before = datetime.datetime.now(), processor_times()
+        body = kind.measure(run)
+        words = busy_words(before, processor_times(), (datetime.datetime.now() - clock).total_seconds())
+        stamp = {"command": "`%s`" % "; ".join(run.commands), "commit": state(), "date": today(), "machine": machine_name() + words,
+                 "OpenCV": run.opencv, "repeats": str(run.repeats), "results": kind.rows.digest(read_text(os.path.join(ROOT, HASHES)))}
+        body = "%s\n\n%s" % (inline_block(name + "/stamp", stamp_line(stamp)), body)
+        Measurement(name, kind.title, stamp, body).write(ROOT)
+
+
+def tested(time, commit):
+    """(commit, digest) of what a log is of: of the commit, or if that is not known of the last one before a time."""
+    commit = commit or git("log", "-1", "--format=%h", "--before=" + time.isoformat())
+    return commit or "-", KINDS["tests"].rows.digest(git("show", "%s:%s" % (commit, HASHES)) or read_text(os.path.join(ROOT, HASHES)))
+
+
+def take_logs(folder):
+    """Writes doc/measurements/tests.md; the parts that were found."""
+    path = Measurement.file(ROOT, "tests")
+    rows = gate_logs.parse_table(read_text(path)) if os.path.isfile(path) else {}
+    found = {name: gate_logs.read_row(folder, name, tested) for name in gate_logs.PARTS}
+    found = {name: row for name, row in found.items() if row}
+    if not found:
+        raise FiguresError("%s: no log of run_tests.sh or sanitize.sh" % folder)
+    rows.update(found)
+    write_tests(rows)
+    return list(found)
+
+
+def write_tests(rows):
+    digest = KINDS["tests"].rows.digest(read_text(os.path.join(ROOT, HASHES)))
+    stamp = {"command": "`run_tests.sh`, `sanitize.sh`", "commit": "of each part", "date": max(row["date"] for row in rows.values()), "machine": machine_name(),
+             "OpenCV": "of each part", "repeats": "1", "results": next((r["results"] for r in rows.values() if r["results"] != digest), digest)}
+    body = "Each part as it was run last, with the OpenCV that `run_tests.sh` names for it.\n\n%s\n\nIn README.md:\n\n" % gate_logs.table(rows)
+    body += "\n".join("- %s: %s" % (name, inline_block("tests/" + name, text)) for name, text in gate_logs.sentences(rows).items())
+    Measurement("tests", KINDS["tests"].title, stamp, body).write(ROOT)
+
+
+def check(out):
+    """The number of mistakes."""
+    state_of_all = project()
+    mistakes = state_of_all.check()
+    for mistake in mistakes:
+        print(mistake, file=out)
+    older = [] if state_of_all.mistakes else [name for name in state_of_all.older() if not KINDS[name].current]
+    if older:
+        print("of older results: %s" % ", ".join(older), file=sys.stderr)
+    return len(mistakes)
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(name for name, kind in KINDS.items() if kind.measure))
+    parser.add_argument("--build", metavar="DIR")
+    parser.add_argument("--data", metavar="DIR", help="not needed by affine, rigid, tracking and scale")
+    parser.add_argument("--repeats", type=int, help="other than the measurement has")
+    parser.add_argument("--logs", metavar="DIR", help="of run_tests.sh or sanitize.sh")
+    parser.add_argument("--fill", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args(arguments)
+    try:
+        if options.check:
+            return 1 if check(sys.stdout) else 0
+        names = options.names or ([name for name, kind in KINDS.items() if kind.current] if options.build else [])
+        unknown = [name for name in names if name not in KINDS or not KINDS[name].measure]
+        if unknown:
+            raise FiguresError("no measurement %s" % ", ".join(unknown))
+        if names and not options.build:
+            raise FiguresError("--build is missing")
+        if not names and not options.logs and not options.fill:
+            parser.error("nothing to do")
+        if names:
+            subprocess.run(["cmake", "--build", options.build, "--target"] + list(PROGRAMS), check=True, stdout=sys.stderr)
+        for name in names:
+            measure(name, options.build, options.data, options.repeats)
+        if options.logs:
+            print("logs: %s" % ", ".join(take_logs(options.logs)))
+        for document in project().fill():
+            print("written: " + document)
+    except (OSError, ValueError, subprocess.CalledProcessError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
