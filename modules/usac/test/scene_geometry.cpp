@@ -25,7 +25,7 @@ Vec3d randomDirection(RNG& rng)
 {
     Vec3d v;
     do
-        v = Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+        v = uniformVector(rng, -1., 1.);
     while (cv::norm(v) > 1 || cv::norm(v) < 0.1);
     return v * (1 / cv::norm(v));
 }
@@ -97,7 +97,7 @@ bool inside(const Point2d& p)
 
 Point2d randomPixel(RNG& rng)
 {
-    return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
+    return uniformPoint(rng, MARGIN, WIDTH - MARGIN, MARGIN, HEIGHT - MARGIN);
 }
 
 Vec3d makeGeometry(Scene& scene, RNG& rng, const SceneOptions& options)

@@ -42,7 +42,7 @@ void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
 
 Point2d randomInSquare(RNG& rng, const Point2d& corner, double side)
 {
-    return corner + Point2d(rng.uniform(0., side), rng.uniform(0., side));
+    return corner + uniformPoint(rng, 0., side);
 }
 
 //! By Cauchy's distribution in both coordinates, within the image.
@@ -77,15 +77,15 @@ struct OutlierStructure
         for (int k = 0; k < 2; ++k)
         {
             target[k] = randomPixel(rng);
-            corner[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - PATCH),
-                                rng.uniform(MARGIN, HEIGHT - MARGIN - PATCH));
+            corner[k] = uniformPoint(rng, MARGIN, WIDTH - MARGIN - PATCH, MARGIN,
+                                     HEIGHT - MARGIN - PATCH);
         }
         const double direction = rng.uniform(0., 2 * CV_PI),
                      length = rng.uniform(LEAST_SHIFT, LARGEST_SHIFT);
         shift = Point2d(std::cos(direction), std::sin(direction)) * length;
         for (int k = 0; k < 2 * CLUSTERS; ++k)
-            small[k] = Point2d(rng.uniform(MARGIN, WIDTH - MARGIN - SMALL_CLUSTER),
-                               rng.uniform(MARGIN, HEIGHT - MARGIN - SMALL_CLUSTER));
+            small[k] = uniformPoint(rng, MARGIN, WIDTH - MARGIN - SMALL_CLUSTER, MARGIN,
+                                    HEIGHT - MARGIN - SMALL_CLUSTER);
     }
 
     //! The i-th wrong match; false if there is none of this kind.
@@ -103,9 +103,7 @@ struct OutlierStructure
                 p1 = randomPixel(rng);
             break;
         case OUTLIERS_PLANE: seenPoint(geometry, true, rng, p1, p2); break;
-        case OUTLIERS_PLACE:
-            p2 = target[i % options.places] + Point2d(rng.gaussian(JITTER), rng.gaussian(JITTER));
-            break;
+        case OUTLIERS_PLACE: p2 = target[i % options.places] + gaussianPoint(rng, JITTER); break;
         case OUTLIERS_CLUSTERS:
             p1 = randomInSquare(rng, small[rng.uniform(0, (int)CLUSTERS)], SMALL_CLUSTER);
             p2 = randomInSquare(rng, small[CLUSTERS + rng.uniform(0, (int)CLUSTERS)],
@@ -117,7 +115,7 @@ struct OutlierStructure
             break;
         case OUTLIERS_WINDOW:
             do
-                p2 = p1 + Point2d(rng.uniform(-WINDOW, WINDOW), rng.uniform(-WINDOW, WINDOW));
+                p2 = p1 + uniformPoint(rng, -WINDOW, WINDOW);
             while (!inside(p2));
             break;
         case OUTLIERS_BORDER:
@@ -264,8 +262,8 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
         }
         const double noise = i < own || structure.noisy(i - options.inliers) ? options.noise : 0;
         scene.onSecond[row] = i >= own && structure.ofSecond(i - options.inliers);
-        scene.points1[row] = p1 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
-        scene.points2[row] = p2 + Point2d(rng.gaussian(noise), rng.gaussian(noise));
+        scene.points1[row] = p1 + gaussianPoint(rng, noise);
+        scene.points2[row] = p2 + gaussianPoint(rng, noise);
     }
     if (options.copies > 1)
         copyRows(scene, options.copies, rng);

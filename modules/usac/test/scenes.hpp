@@ -11,6 +11,7 @@
 #include "opencv2/core.hpp"
 #include "opencv2/usac.hpp"
 #include "own_points.hpp"
+#include "random_points.hpp"
 
 namespace opencv_test {
 

@@ -19,8 +19,8 @@ inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1,
     for (int i = 0; i < count; ++i)
     {
         const double reach = i % 50 == 7 ? 30 : 1;
-        points1.push_back(Point2d(rng.uniform(-reach, reach), rng.uniform(-reach, reach)));
-        points2.push_back(points1.back() * 0.8 + Point2d(rng.gaussian(0.2), rng.gaussian(0.2)));
+        points1.push_back(uniformPoint(rng, -reach, reach));
+        points2.push_back(points1.back() * 0.8 + gaussianPoint(rng, 0.2));
         if (i > 0 && i % 5 == 0)
         {
             const int other = rng.uniform(0, i);

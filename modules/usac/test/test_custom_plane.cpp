@@ -124,7 +124,7 @@ std::vector<Point3d> scene(int inliers, int outliers, double noise)
     std::vector<Point3d> points;
     for (int i = 0; i < inliers + outliers; ++i)
     {
-        Point3d p(rng.uniform(-5., 5.), rng.uniform(-5., 5.), rng.uniform(0., 10.));
+        Point3d p = Point3d(uniformVector(rng, Vec3d(-5., -5., 0.), Vec3d(5., 5., 10.)));
         if (i < inliers)
             p.z = (-TRUTH[3] - TRUTH[0] * p.x - TRUTH[1] * p.y) / TRUTH[2] + rng.gaussian(noise);
         points.push_back(p);

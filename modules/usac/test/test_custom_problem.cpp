@@ -20,12 +20,11 @@ struct AffineScene
         RNG rng(7);
         for (int i = 0; i < inliers + outliers; ++i)
         {
-            const Point2d p(rng.uniform(0., 640.), rng.uniform(0., 480.));
+            const Point2d p = uniformPoint(rng, 0., 640., 0., 480.);
             const Vec2d q = TRUTH * Vec3d(p.x, p.y, 1);
-            const Point2d right(q[0] + rng.gaussian(noise), q[1] + rng.gaussian(noise));
+            const Point2d right = Point2d(q[0], q[1]) + gaussianPoint(rng, noise);
             points1.push_back(p);
-            points2.push_back(i < inliers ? right
-                                          : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+            points2.push_back(i < inliers ? right : uniformPoint(rng, 0., 640., 0., 480.));
         }
     }
 

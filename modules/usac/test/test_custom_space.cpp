@@ -115,12 +115,11 @@ TEST(Usac_CustomSpace, everyPreset)
     RNG rng(2);
     for (int i = 0; i < 300; ++i)
     {
-        const Vec3d a(rng.uniform(-3., 3.), rng.uniform(-3., 3.), rng.uniform(-3., 3.));
-        const Vec3d noise(rng.gaussian(0.01), rng.gaussian(0.01), rng.gaussian(0.01));
+        const Vec3d a = uniformVector(rng, -3., 3.);
+        const Vec3d noise = gaussianVector(rng, 0.01);
         points1.push_back(Point3d(a));
-        points2.push_back(
-            i % 3 ? Point3d(a + truth + noise)
-                  : Point3d(rng.uniform(-5., 5.), rng.uniform(-5., 5.), rng.uniform(-5., 5.)));
+        points2.push_back(i % 3 ? Point3d(a + truth + noise)
+                                : Point3d(uniformVector(rng, -5., 5.)));
     }
     for (const NamedPreset& preset : allPresets())
     {

@@ -176,8 +176,8 @@ TEST_P(UsacGiven, fit_is_least_squares)
         for (int i = 0; i < 20; ++i)
         {
             Mat moved = fitted.clone();
-            moved.at<double>(rng.uniform(0, moved.rows),
-                             rng.uniform(0, moved.cols)) *= 1 + rng.uniform(-1e-4, 1e-4);
+            const int column = rng.uniform(0, moved.cols), row = rng.uniform(0, moved.rows);
+            moved.at<double>(row, column) *= 1 + rng.uniform(-1e-4, 1e-4);
             // what is refined without a step has the constraints of the problem
             Matches none(matches);
             none.params.polishing = POLISHING_NONE;

@@ -88,11 +88,11 @@ TEST(Usac_RelativePose, two_cameras_with_lenses)
         const Matx33d K1(800, 0, 320, 0, 790, 240, 0, 0, 1), K2(600, 0, 300, 0, 610, 250, 0, 0, 1);
         const std::vector<double> d1 = {-0.3, 0.1, 0.001, -0.001, 0.02},
                                   d2 = {0.1, -0.05, -0.002, 0.001, 0};
-        const Vec3d r(rng.uniform(-.1, .1), rng.uniform(-.1, .1), rng.uniform(-.1, .1));
-        const Vec3d t0(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+        const Vec3d r = uniformVector(rng, -.1, .1);
+        const Vec3d t0 = uniformVector(rng, -1., 1.);
         std::vector<Point3d> X;
         for (int i = 0; i < 100; ++i)
-            X.push_back(Point3d(rng.uniform(-1.5, 1.5), rng.uniform(-1., 1.), rng.uniform(4., 9.)));
+            X.push_back(Point3d(uniformVector(rng, Vec3d(-1.5, -1., 4.), Vec3d(1.5, 1., 9.))));
         std::vector<Point2d> x1, x2;
         projectPoints(X, Vec3d(), Vec3d(), K1, d1, x1);
         projectPoints(X, r, t0, K2, d2, x2);
@@ -206,8 +206,7 @@ TEST(Usac_RelativePose, points_at_infinity)
     for (int i = 0; i < scene.size(); i += 2)
     {
         const Vec3d x2 = H * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
-        scene.points2[i] = Point2d(x2[0] / x2[2] + rng.gaussian(0.2),
-                                   x2[1] / x2[2] + rng.gaussian(0.2));
+        scene.points2[i] = Point2d(x2[0] / x2[2], x2[1] / x2[2]) + gaussianPoint(rng, 0.2);
     }
     Mat R, t, mask;
     RelativePose pose;

@@ -68,7 +68,7 @@ TEST(UsacReport_Space, threshold_in_another_unit)
     std::vector<Point2d> image;
     for (int i = 0; i < 100; ++i)
     {
-        const Point3d X(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(3., 5.));
+        const Point3d X = Point3d(uniformVector(rng, Vec3d(-1., -1., 3.), Vec3d(1., 1., 5.)));
         space.push_back(X);
         moved.push_back(Point3d(X.y, -X.x, X.z + 1));
         image.push_back(Point2d(X.x / X.z, X.y / X.z));
@@ -120,8 +120,8 @@ TEST(UsacReport_Chance, random_points)
     std::vector<Point2d> points1, points2;
     for (int i = 0; i < 200; ++i)
     {
-        points1.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
-        points2.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+        points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+        points2.push_back(uniformPoint(rng, 0., 640., 0., 480.));
     }
     for (int refuse = 0; refuse < 2; ++refuse)
     {

@@ -83,8 +83,9 @@ TEST(Usac_Contracts, homography_with_h33_zero)
     std::vector<Point2d> points1, points2;
     for (int i = 0; i < 100; ++i)
     {
-        const Vec3d x(rng.uniform(100., 600.), rng.uniform(0., 480.), 1), y = H * x;
-        points1.push_back(Point2d(x[0], x[1]));
+        const Point2d p = uniformPoint(rng, 100., 600., 0., 480.);
+        const Vec3d y = H * Vec3d(p.x, p.y, 1);
+        points1.push_back(p);
         points2.push_back(Point2d(y[0] / y[2], y[1] / y[2]));
     }
     Mat mask;

@@ -76,8 +76,8 @@ TEST_P(UsacExtremes, all_iterations_without_a_model)
     std::vector<Point2d> points1, points2;
     for (int i = 0; i < 9; ++i)
     {
-        points1.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
-        points2.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+        points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+        points2.push_back(uniformPoint(rng, 0., 640., 0., 480.));
     }
     checkEveryWay(problem(), points1, points2, 1e-3, INT_MAX);
     const std::vector<Point2d> same(1000, Point2d(3, 4));

@@ -13,7 +13,7 @@ namespace {
 typedef UsacProblem UsacHostile;
 INSTANTIATE_TEST_CASE_P(/**/, UsacHostile, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-Point2d randomPixel(RNG& rng) { return Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)); }
+Point2d randomPixel(RNG& rng) { return uniformPoint(rng, 0., 640., 0., 480.); }
 
 //! The default scene with so many more rows, of which `value` takes the place of some coordinates.
 Scene withRows(ProblemType problem, double value, int rows)
@@ -172,7 +172,7 @@ TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
         std::vector<Point2d> points1, points2;
         for (int i = 0; i < 120; ++i)
         {
-            const Point2d p(rng.uniform(-1200., 1200.), rng.uniform(-900., 900.));
+            const Point2d p = uniformPoint(rng, -1200., 1200., -900., 900.);
             const double depth = rng.uniform(4., 8.);
             points1.push_back(p * (scales[s] / depth));
             points2.push_back(p * (scales[s] / (depth - 1)));

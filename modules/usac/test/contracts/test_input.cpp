@@ -283,8 +283,8 @@ TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
     RNG rng(4);
     for (int i = 0; i < 60000; ++i)
     {
-        scene.points1.push_back(Point2d(100 + rng.uniform(0., 1.), 100 + rng.uniform(0., 1.)));
-        scene.points2.push_back(Point2d(500 + rng.uniform(0., 1.), 300 + rng.uniform(0., 1.)));
+        scene.points1.push_back(uniformPoint(rng, 100., 101.));
+        scene.points2.push_back(uniformPoint(rng, 500., 501., 300., 301.));
     }
     Mat mask;
     Report report;

@@ -78,8 +78,8 @@ TEST_P(UsacPoints, collinear)
         const double s = rng.uniform(0., 400.), t = rng.uniform(0., 400.);
         points1.push_back(Point2d(s, 2 * s + 1));
         points2.push_back(Point2d(t, 30 - t));
-        noisy1.push_back(points1[i] + Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
-        noisy2.push_back(points2[i] + Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
+        noisy1.push_back(points1[i] + gaussianPoint(rng, 0.3));
+        noisy2.push_back(points2[i] + gaussianPoint(rng, 0.3));
         axis1.push_back(Point2d(s, 100));
         axis2.push_back(Point2d(s + 10, 100));
     }
@@ -140,7 +140,7 @@ TEST_P(UsacPoints, many_matches_of_one_target)
     RNG rng(7);
     for (int i = 0; i < 150; ++i)
     {
-        scene.points1.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+        scene.points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
         scene.points2.push_back(Point2d(320, 100));
     }
     const Mat model = tryPoints(problem(), scene.points1, scene.points2);
@@ -154,7 +154,7 @@ TEST_P(UsacPoints, static_camera)
     std::vector<Point2d> moved = scene.points1;
     RNG rng(3);
     for (size_t i = 0; i < moved.size(); ++i)
-        moved[i] += Point2d(rng.gaussian(1e-3), rng.gaussian(1e-3));
+        moved[i] += gaussianPoint(rng, 1e-3);
     const Mat exact = tryPoints(problem(), scene.points1, scene.points1);
     const Mat nearly = tryPoints(problem(), scene.points1, moved);
     if (mapsPoints(problem()))
@@ -191,8 +191,8 @@ TEST_P(UsacPoints, only_outliers)
     std::vector<Point2d> points1, points2;
     for (int i = 0; i < 200; ++i)
     {
-        points1.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
-        points2.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+        points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+        points2.push_back(uniformPoint(rng, 0., 640., 0., 480.));
     }
     tryPoints(problem(), points1, points2, 1);
     tryPoints(problem(), points1, points2, 1e-9);

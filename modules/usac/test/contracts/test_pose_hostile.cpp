@@ -26,8 +26,8 @@ PoseScene withRows(int coefficients, double value, int rows)
     RNG rng(5);
     for (int i = 0; i < rows; ++i)
     {
-        Point3d X(rng.uniform(-2., 2.), rng.uniform(-2., 2.), rng.uniform(-2., 2.));
-        Point2d x(rng.uniform(0., 640.), rng.uniform(0., 480.));
+        Point3d X = Point3d(uniformVector(rng, -2., 2.));
+        Point2d x = uniformPoint(rng, 0., 640., 0., 480.);
         double* const numbers[] = {&X.x, &X.y, &X.z, &x.x, &x.y};
         for (int k = 0; k < 5; ++k)
             if (i % 6 == k || (i % 6 == 5 && k > 2))
@@ -176,7 +176,7 @@ TEST(Usac_PoseHostile, wild_lenses)
         for (double& d : scene.distortion)
             d = rng.uniform(-1., 1.) * std::pow(10., rng.uniform(-3., i % 10 == 0 ? 20. : 1.));
         for (int row = 0; row < scene.size() / 2; ++row)
-            scene.image[row] = Point2d(rng.uniform(-3000., 3000.), rng.uniform(-3000., 3000.));
+            scene.image[row] = uniformPoint(rng, -3000., 3000.);
         scene.image = i % 2 ? scene.image : project(scene, scene.pose, scene.object);
         Params params;
         params.maxIterations = 50;

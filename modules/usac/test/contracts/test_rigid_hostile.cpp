@@ -32,8 +32,8 @@ RigidScene withRows(ProblemType type, double value, int rows)
     RNG rng(5);
     for (int i = 0; i < rows; ++i)
     {
-        const Point3d x1(rng.uniform(-2., 2.), rng.uniform(-2., 2.), rng.uniform(-2., 2.));
-        const Point3d x2(rng.uniform(-2., 2.), rng.uniform(-2., 2.), rng.uniform(-2., 2.));
+        const Point3d x1 = Point3d(uniformVector(rng, -2., 2.));
+        const Point3d x2 = Point3d(uniformVector(rng, -2., 2.));
         const int row = (i * 7) % scene.size();
         scene.points1.insert(scene.points1.begin() + row, x1);
         scene.points2.insert(scene.points2.begin() + row, x2);

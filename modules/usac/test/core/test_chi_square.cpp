@@ -50,8 +50,8 @@ std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int 
     std::vector<double> errors(count);
     for (int i = 0; i < count; ++i)
     {
-        const Point2d a = scene.clean1[row] + Point2d(rng.gaussian(0.5), rng.gaussian(0.5));
-        const Point2d b = scene.clean2[row] + Point2d(rng.gaussian(0.5), rng.gaussian(0.5));
+        const Point2d a = scene.clean1[row] + gaussianPoint(rng, 0.5);
+        const Point2d b = scene.clean2[row] + gaussianPoint(rng, 0.5);
         if (scene.problem == HOMOGRAPHY)
             errors[i] = squaredDistance(scene.model, a, b) +
                         (symmetric ? squaredDistance(inverse, b, a) : 0);
@@ -104,8 +104,8 @@ TEST(Usac_Statistics, degreesOfFreedomInSpace)
         for (int i = 0; i < 60000; ++i)
         {
             const Vec3d at(scene.points1[i % 200]), to(scene.points2[i % 200]);
-            const Vec3d off1(rng.gaussian(noise1), rng.gaussian(noise1), rng.gaussian(noise1));
-            const Vec3d off2(rng.gaussian(0.01), rng.gaussian(0.01), rng.gaussian(0.01));
+            const Vec3d off1 = gaussianVector(rng, noise1);
+            const Vec3d off2 = gaussianVector(rng, 0.01);
             const Vec3d error = moved(scene.motion, Point3d(at + off1)) - to - off2;
             errors.push_back(error.dot(error));
         }

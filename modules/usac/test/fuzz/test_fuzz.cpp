@@ -15,7 +15,7 @@ namespace {
 TEST(Usac_Fuzz, kept_inputs)
 {
     std::vector<cv::String> files;
-    cv::glob(std::string(USAC_TEST_DATA_DIR) + "/fuzz/*.bin", files);
+    cv::glob(USAC_TEST_DATA_DIR "/fuzz/*.bin", files);
     ASSERT_GT(files.size(), 20u);
     for (size_t i = 0; i < files.size(); ++i)
     {

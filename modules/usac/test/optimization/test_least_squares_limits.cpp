@@ -18,9 +18,8 @@ struct Matches
         RNG rng(2);
         for (int i = 0; i < 12; ++i)
         {
-            points1.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
-            points2.push_back(0.8 * points1.back() +
-                              Point2d(rng.gaussian(0.05), rng.gaussian(0.05)));
+            points1.push_back(uniformPoint(rng, -1., 1.));
+            points2.push_back(0.8 * points1.back() + gaussianPoint(rng, 0.05));
             indices.push_back(i);
         }
     }

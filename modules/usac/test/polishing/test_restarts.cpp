@@ -18,11 +18,9 @@ void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point
     points2.clear();
     for (int i = 0; i < right + wrong; ++i)
     {
-        points1.push_back(i ? Point2d(rng.uniform(220., 225.), rng.uniform(260., 315.))
-                            : Point2d(280, 240));
-        points2.push_back(i < right ? points1[i] - Point2d(96, 96) +
-                                          Point2d(rng.gaussian(noise), rng.gaussian(noise))
-                                    : Point2d(rng.uniform(0., 370.), rng.uniform(0., 490.)));
+        points1.push_back(i ? uniformPoint(rng, 220., 225., 260., 315.) : Point2d(280, 240));
+        points2.push_back(i < right ? points1[i] - Point2d(96, 96) + gaussianPoint(rng, noise)
+                                    : uniformPoint(rng, 0., 370., 0., 490.));
     }
 }
 
@@ -92,7 +90,7 @@ TEST(Usac_Restarts, aWrongMatchIsNot)
         RNG rng(seed);
         std::vector<Point2d> points1, points2;
         stripAndOne(10, 19, 2e-3, rng, points1, points2);
-        points2[0] += Point2d(rng.uniform(20., 60.), rng.uniform(20., 60.));
+        points2[0] += uniformPoint(rng, 20., 60.);
         taken += Restarted(points1, points2, 0.01, 1, 10).after.inliers > 9;
     }
     EXPECT_LE(taken, 1);

@@ -146,8 +146,8 @@ void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vecto
     points2.clear();
     for (int i = 0; i < count; ++i)
     {
-        points1.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
-        points2.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+        points1.push_back(uniformPoint(rng, -1., 1.));
+        points2.push_back(uniformPoint(rng, -1., 1.));
     }
 }
 
@@ -327,10 +327,9 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
         for (int i = 0; i < 7; ++i)
         {
             const bool exact = repeat % 2 == 0;  // without any rounding
-            const Point2d p(rng.uniform(-2, 3), rng.uniform(-2, 3)),
-                q(rng.uniform(-2., 2.), rng.uniform(-2., 2.));
+            const Point2d p = integerPoint(rng, -2, 3), q = uniformPoint(rng, -2., 2.);
             points1.push_back(exact ? p : q);
-            points2.push_back(exact ? Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3))
+            points2.push_back(exact ? integerPoint(rng, -2, 3)
                                     : Point2d(q.y * q.y, q.x * q.x * q.x));
             if (i < 4)
                 points1.back().y = 0.5 * points1.back().x + 0.25;
@@ -362,10 +361,9 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
         std::vector<Point2d> points1, points2;
         for (int i = 0; i < 8; ++i)
         {
-            points1.push_back(Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3)));
+            points1.push_back(integerPoint(rng, -2, 3));
             // also without any parallax
-            points2.push_back(repeat % 3 ? Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3))
-                                         : points1.back());
+            points2.push_back(repeat % 3 ? integerPoint(rng, -2, 3) : points1.back());
         }
         const OwnPoints points(problem, points1, points2);
         const std::vector<Model> models = solveFirst(*solver, points.view());

@@ -34,7 +34,7 @@ struct FewPoints
 
 Vec3d direction(RNG& rng)
 {
-    const Vec3d v(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1));
+    const Vec3d v = gaussianVector(rng, 1);
     return v * (1 / cv::norm(v));
 }
 
@@ -42,8 +42,9 @@ Vec3d direction(RNG& rng)
 FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
 {
     const double towards = rng.uniform(0., 2 * CV_PI), angle = rng.uniform(0., 2 * CV_PI);
-    const Matx33d A(std::cos(angle), -std::sin(angle), rng.uniform(-50., 50.), std::sin(angle),
-                    std::cos(angle), rng.uniform(-50., 50.), 0, 0, 100);
+    const Point2d shift = uniformPoint(rng, -50., 50.);
+    const Matx33d A(std::cos(angle), -std::sin(angle), shift.x, std::sin(angle), std::cos(angle),
+                    shift.y, 0, 0, 100);
     const Matx33d H = A * Matx33d(1, 0, 0, 0, 1, 0, std::cos(towards) / horizon,
                                   std::sin(towards) / horizon, 1);
     std::vector<Point2d> points1, points2;
@@ -55,8 +56,7 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
         if (std::abs(q[2]) < 5)  // 1/20 of that of the center: next to the horizon
             continue;
         points1.push_back(p);
-        points2.push_back(
-            Point2d(q[0] / q[2] + rng.gaussian(noise), q[1] / q[2] + rng.gaussian(noise)));
+        points2.push_back(Point2d(q[0] / q[2], q[1] / q[2]) + gaussianPoint(rng, noise));
     }
     const FewPoints points = {HOMOGRAPHY, Mat(points1, true), Mat(points2, true),
                               std::vector<double>(H.val, H.val + 9), 3};
@@ -69,22 +69,21 @@ FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
 {
     Matx33d R;
     Rodrigues(direction(rng) * rng.uniform(0.1, 0.5), R);
-    Vec3d t(rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3), 1);
+    const Point2d side = uniformPoint(rng, -0.3, 0.3);
+    Vec3d t(side.x, side.y, 1);
     t *= (problem == ABSOLUTE_POSE ? -0.3 : 1) / cv::norm(t);
     std::vector<Point2d> points1, points2;
     std::vector<Point3d> space;
     while ((int)points2.size() < count)
     {
         const double depth = rng.uniform(0.5, 3.);
-        const Vec3d X(rng.uniform(-0.6, 0.6) * depth, rng.uniform(-0.6, 0.6) * depth, depth),
-            Y = R * X + t;
+        const Point2d ray = uniformPoint(rng, -0.6, 0.6);
+        const Vec3d X(ray.x * depth, ray.y * depth, depth), Y = R * X + t;
         if (Y[2] < 0.15)
             continue;
         space.push_back(Point3d(X[0], X[1], X[2]));
-        points1.push_back(
-            Point2d(X[0] / X[2] + rng.gaussian(noise), X[1] / X[2] + rng.gaussian(noise)));
-        points2.push_back(
-            Point2d(Y[0] / Y[2] + rng.gaussian(noise), Y[1] / Y[2] + rng.gaussian(noise)));
+        points1.push_back(Point2d(X[0] / X[2], X[1] / X[2]) + gaussianPoint(rng, noise));
+        points2.push_back(Point2d(Y[0] / Y[2], Y[1] / Y[2]) + gaussianPoint(rng, noise));
     }
     const Matx33d E = Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
     const Matx34d P(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0),
@@ -218,7 +217,7 @@ void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1,
     points2.clear();
     while ((int)points1.size() < count)
     {
-        const Vec3d X(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(10., 20.));
+        const Vec3d X = uniformVector(rng, Vec3d(0., 0., 10.), Vec3d(10., 10., 20.));
         const bool back = (int)points1.size() < behind;
         const Vec3d Y = R * (X - Vec3d(5, 5, 15)) + Vec3d(2, 1, 1);
         if ((Y[2] < 0) != back)

@@ -51,9 +51,9 @@ struct Matches
         unit = std::sqrt(std::abs(map(0, 0) * map(1, 1) - map(0, 1) * map(1, 0)));
         for (int i = 0; i < right + wrong; ++i)
         {
-            const Point2d p(rng.uniform(0., 640.), rng.uniform(0., 480.)),
-                q(rng.uniform(0., 640.), rng.uniform(0., 480.)),
-                error(rng.gaussian(noise_ * unit), rng.gaussian(noise_ * unit));
+            const Point2d p = uniformPoint(rng, 0., 640., 0., 480.),
+                          q = uniformPoint(rng, 0., 640., 0., 480.),
+                          error = gaussianPoint(rng, noise_ * unit);
             points1.push_back(p);
             points2.push_back(i < right ? mapped(map, p) + error : mapped(map, q));
         }
@@ -188,8 +188,7 @@ TEST_P(Usac_Maps, pointsOfALine)
         for (int i = 0; i < 80; ++i)
         {
             points1[i].x += rng.uniform(-width, width);
-            points2.push_back(mapped(map, points1[i]) +
-                              Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
+            points2.push_back(mapped(map, points1[i]) + gaussianPoint(rng, 0.3));
         }
         const Mat model = estimatePoints(problem(), points1, points2, Params(), noArray(), report);
         ASSERT_FALSE(model.empty()) << width;

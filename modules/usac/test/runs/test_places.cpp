@@ -147,19 +147,17 @@ TEST(Usac_Places_Objects, small_ones_are_found)
                     RNG rng(seed);
                     std::vector<Point2d> points1, points2;
                     std::vector<float> scores;
-                    const Point2d corner1(rng.uniform(0., 640 - size), rng.uniform(0., 480 - size)),
-                        corner2(rng.uniform(0., 624.), rng.uniform(0., 464.));
+                    const Point2d corner1 = uniformPoint(rng, 0., 640 - size, 0., 480 - size),
+                                  corner2 = uniformPoint(rng, 0., 624., 0., 464.);
                     for (int i = 0; i < SIZE; ++i)
                     {
                         const bool right = i < SIZE / 2;
-                        const Point2d u(rng.uniform(0., 1.), rng.uniform(0., 1.)),
-                            noise(rng.gaussian(0.5), rng.gaussian(0.5));
-                        points1.push_back(
-                            right ? corner1 + u * size
-                                  : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
-                        points2.push_back(
-                            right ? corner2 + u * 16 + noise
-                                  : Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
+                        const Point2d u = uniformPoint(rng, 0., 1.),
+                                      noise = gaussianPoint(rng, 0.5);
+                        points1.push_back(right ? corner1 + u * size
+                                                : uniformPoint(rng, 0., 640., 0., 480.));
+                        points2.push_back(right ? corner2 + u * 16 + noise
+                                                : uniformPoint(rng, 0., 640., 0., 480.));
                         scores.push_back(rng.uniform(0.f, 1.f));
                     }
                     Mat mask;

@@ -190,8 +190,7 @@ TEST(Usac_TwoViewGeometry, rotation)
             const Vec3d x = scene.K * scene.R * scene.K.inv() *
                             Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
             if (scene.truth[i])
-                scene.points2[i] = Point2d(x[0] / x[2] + rng.gaussian(0.5),
-                                           x[1] / x[2] + rng.gaussian(0.5));
+                scene.points2[i] = Point2d(x[0] / x[2], x[1] / x[2]) + gaussianPoint(rng, 0.5);
         }
         const TwoViewPair pair = pairOf(scene);
         const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
@@ -210,8 +209,8 @@ TEST(Usac_TwoViewGeometry, watermark)
     Mat_<Point2d> first(60, 1), second(60, 1);
     for (int i = 0; i < 60; ++i)  // a date in the corner, 3 pixels to the right in image 2
     {
-        first(i) = Point2d(rng.uniform(10., 200.), rng.uniform(440., 475.));
-        second(i) = first(i) + Point2d(3 + rng.gaussian(0.3), rng.gaussian(0.3));
+        first(i) = uniformPoint(rng, 10., 200., 440., 475.);
+        second(i) = first(i) + Point2d(3, 0) + gaussianPoint(rng, 0.3);
     }
     TwoViewPair pair(first, second);
     EXPECT_NE((int)TWO_VIEW_WATERMARK,
@@ -229,7 +228,7 @@ TEST(Usac_TwoViewGeometry, no_overlap)
         Scene scene = sceneOf(seed, 0, 100);
         RNG rng(seed);
         for (int i = 0; i < scene.size(); ++i)
-            scene.points2[i] = Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.));
+            scene.points2[i] = uniformPoint(rng, 0., 640., 0., 480.);
         const TwoViewGeometry found = estimateTwoViewGeometry(pairOf(scene), twoPixels());
         EXPECT_EQ((int)TWO_VIEW_DEGENERATE, found.configuration) << seed;
         EXPECT_EQ(0, found.inliers);

@@ -48,8 +48,7 @@ PoseSample poseSampleOf(const Vec3d (&Y)[3], RNG& rng)
     const Vec3d mean = (Y[0] + Y[1] + Y[2]) * (1. / 3);
     s.size = std::max(std::max(cv::norm(Y[0] - mean), cv::norm(Y[1] - mean)),
                       cv::norm(Y[2] - mean));
-    const Vec3d t = mean + s.size * Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.),
-                                          rng.uniform(-1., 1.));
+    const Vec3d t = mean + s.size * uniformVector(rng, -1., 1.);
     hconcat(R, t, s.pose);
     for (int i = 0; i < 3; ++i)
     {

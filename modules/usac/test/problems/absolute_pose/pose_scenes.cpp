@@ -29,14 +29,14 @@ Vec3d randomInBall(RNG& rng, double radius)
 {
     Vec3d v;
     do
-        v = Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+        v = uniformVector(rng, -1., 1.);
     while (v.dot(v) > 1);
     return v * radius;
 }
 
 Point2d randomPixel(RNG& rng)
 {
-    return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
+    return uniformPoint(rng, MARGIN, WIDTH - MARGIN, MARGIN, HEIGHT - MARGIN);
 }
 
 bool inside(const Point2d& p)
@@ -86,7 +86,10 @@ public:
     {
         do
             for (int i = 0; i < 2; ++i)
-                normal[i] = Vec3d(rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4), 1) * (1 / MIDDLE);
+            {
+                const Point2d tilt = uniformPoint(rng, -0.4, 0.4);
+                normal[i] = Vec3d(tilt.x, tilt.y, 1) * (1 / MIDDLE);
+            }
         while (cv::norm(normal[0] - normal[1]) < 0.4 / MIDDLE);
         Point2d ends[2];
         do
@@ -96,8 +99,8 @@ public:
         } while (cv::norm(ends[0] - ends[1]) < SHORTEST_LINE);
         line[0] = rayOf(ends[0]) * (NEAREST + 1);
         line[1] = rayOf(ends[1]) * (FARTHEST - 1);
-        center = rayOf(Point2d(rng.uniform(0.3, 0.7) * WIDTH, rng.uniform(0.3, 0.7) * HEIGHT)) *
-                 MIDDLE;
+        const Point2d middle = uniformPoint(rng, 0.3, 0.7);
+        center = rayOf(Point2d(middle.x * WIDTH, middle.y * HEIGHT)) * MIDDLE;
     }
 
     //! The i-th point; in sight, but for the distortion and what lies at the margin.
@@ -113,7 +116,7 @@ public:
         case POSE_LINE: return onLine(rng);
         case POSE_NEAR_LINE:
         {
-            const Vec3d exact = onLine(rng), off(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1));
+            const Vec3d exact = onLine(rng), off = gaussianVector(rng, 1);
             return exact + off * ROUGHNESS;
         }
         case POSE_CLUSTER: return center + randomInBall(rng, CLUSTER_RADIUS);
@@ -141,18 +144,20 @@ public:
         scene.K = Matx33d(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
         scene.distortion = makeDistortion(options.coefficients);
         scene.depth = MIDDLE * options.scale;
-        const Matx33d R = rotationAround(randomInBall(rng, 1), rng.uniform(0., CV_PI));
+        const double angle = rng.uniform(0., CV_PI);
+        const Matx33d R = rotationAround(randomInBall(rng, 1), angle);
         const Vec3d middle = Vec3d(0, 0, MIDDLE) +
                              randomInBall(rng, 1);  // of the object's coordinates
         scene.pose = poseOf(R, middle * options.scale - R * options.offset);
         // the object turns around its middle and moves
-        const Matx33d turn = rotationAround(randomInBall(rng, 1), rng.uniform(0.3, 0.6));
+        const double turned = rng.uniform(0.3, 0.6);
+        const Matx33d turn = rotationAround(randomInBall(rng, 1), turned);
         const Vec3d pivot(0, 0, MIDDLE * options.scale),
             moved = randomInBall(rng, 0.5) * options.scale;
         scene.secondPose = poseOf(turn * R,
                                   turn * (translationOf(scene.pose) - pivot) + pivot + moved);
-        corner = Point2d(rng.uniform(MARGIN, WIDTH - OUTLIER_SQUARE - MARGIN),
-                         rng.uniform(MARGIN, HEIGHT - OUTLIER_SQUARE - MARGIN));
+        corner = uniformPoint(rng, MARGIN, WIDTH - OUTLIER_SQUARE - MARGIN, MARGIN,
+                              HEIGHT - OUTLIER_SQUARE - MARGIN);
         ball = rayOf(randomPixel(rng)) * MIDDLE;
         for (int i = 0; i < options.places && options.outliers == POSE_OUTLIERS_PLACE; ++i)
             places.push_back(randomPixel(rng));
@@ -199,7 +204,7 @@ private:
 
     void add(const Point3d& X, const Point2d& clean, double noise, uchar truth)
     {
-        const Point2d noisy = clean + Point2d(rng.gaussian(noise), rng.gaussian(noise));
+        const Point2d noisy = clean + gaussianPoint(rng, noise);
         scene.object.push_back(X);
         scene.image.push_back(noisy);
         scene.clean.push_back(truth ? clean : noisy);
@@ -228,13 +233,17 @@ private:
     void addWrong(int i)
     {
         if (options.outliers == POSE_OUTLIERS_CLUSTERED)
-            add(toObject(ball + randomInBall(rng, OUTLIER_RADIUS)),
-                corner + Point2d(rng.uniform(0., OUTLIER_SQUARE), rng.uniform(0., OUTLIER_SQUARE)),
-                0, 0);
+        {
+            const Point2d pixel = corner + uniformPoint(rng, 0., OUTLIER_SQUARE);
+            add(toObject(ball + randomInBall(rng, OUTLIER_RADIUS)), pixel, 0, 0);
+        }
         else if (i < options.structured && !places.empty())
             add(toObject(shape.point(i, rng)), places[i % places.size()], JITTER, 0);
         else
-            add(toObject(shape.point(i, rng)), randomPixel(rng), 0, 0);
+        {
+            const Point2d pixel = randomPixel(rng);
+            add(toObject(shape.point(i, rng)), pixel, 0, 0);
+        }
     }
 
     void repeatRow(int i)

@@ -116,8 +116,9 @@ void checkResidual(const Residual& residual, const Matx33d& camera)
     for (int trial = 0; trial < 50; ++trial)
     {
         Matx33d R;
-        Rodrigues(Vec3d(rng.gaussian(0.5), rng.gaussian(0.5), rng.gaussian(0.5)), R);
-        const Vec3d t(rng.gaussian(0.3), rng.gaussian(0.3), 4);
+        Rodrigues(gaussianVector(rng, 0.5), R);
+        const Point2d side = gaussianPoint(rng, 0.3);
+        const Vec3d t(side.x, side.y, 4);
         const Model model = PoseParameterization(camera, R, t).model();
         double datum[5], error[2], derivative[24], squared;
         for (double& number : datum)

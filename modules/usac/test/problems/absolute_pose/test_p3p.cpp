@@ -217,7 +217,7 @@ TEST(Usac_P3P, coplanarWithTheCenter)
         Vec3d Y[3];
         do
             for (int k = 0; k < 3; ++k)
-                Y[k] = Vec3d(rng.uniform(-1., 1.), 0, rng.uniform(1., 3.));
+                Y[k] = uniformVector(rng, Vec3d(-1, 0, 1), Vec3d(1, 0, 3));
         while (flatness(Y) < 1);
         const PoseSample s = poseSampleOf(Y, rng);
         tally.add(s, solve(*solver, s.X, s.image), DOUBLE_SOLUTION);
@@ -259,8 +259,7 @@ TEST(Usac_P3P, anyOrder)
 PoseSample flatSample(double height, RNG& rng)
 {
     PoseSample s = randomPoseSample(CUBE, rng);
-    const Vec3d side = s.X[1] - s.X[0],
-                any(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+    const Vec3d side = s.X[1] - s.X[0], any = uniformVector(rng, -1., 1.);
     const Vec3d across = side.cross(any);
     s.X[2] = s.X[0] + rng.uniform(0.1, 0.9) * side +
              (height * cv::norm(side) / cv::norm(across)) * across;
@@ -386,8 +385,8 @@ TEST(Usac_P3P, smallIntegers)
         s.size = 1;
         for (int k = 0; k < 3; ++k)
         {
-            s.X[k] = Vec3d(rng.uniform(-2, 3), rng.uniform(-2, 3), rng.uniform(-2, 3));
-            s.image[k] = Point2d(rng.uniform(-2, 3), rng.uniform(-2, 3));
+            s.X[k] = integerVector(rng, -2, 3);
+            s.image[k] = integerPoint(rng, -2, 3);
         }
         tally.add(s, solve(*solver, s.X, s.image), 0);
     }

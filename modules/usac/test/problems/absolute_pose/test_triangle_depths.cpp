@@ -53,8 +53,9 @@ TEST(Usac_TriangleDepths, solutionsFit)
     for (int i = 0; i < 20000; ++i)
     {
         const double along = rng.uniform(0., 1.), height = rng.uniform(0.05, 0.8);
-        Triangle T = isosceles(0, rng.uniform(0.1, 1.), rng.uniform(0.1, 1.),
-                               std::pow(10., -rng.uniform(0., 5.)));
+        const double power = rng.uniform(0., 5.);
+        const Point2d sides = uniformPoint(rng, 0.1, 1.);
+        Triangle T = isosceles(0, sides.x, sides.y, std::pow(10., -power));
         T.a12 = along * along + height * height;
         T.a13 = (1 - along) * (1 - along) + height * height;
         T.s13 *= rng.uniform(0.5, 1.);

@@ -248,8 +248,8 @@ void expectNoPlane(const Model& F, double threshold)
     std::vector<Point2d> points1, points2;
     for (int i = 0; i < 20; ++i)
     {
-        points1.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
-        points2.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+        points1.push_back(uniformPoint(rng, -1., 1.));
+        points2.push_back(uniformPoint(rng, -1., 1.));
     }
     points2[0] = Point2d(0, 0);
     const OwnPoints own(FUNDAMENTAL, points1, points2, threshold);

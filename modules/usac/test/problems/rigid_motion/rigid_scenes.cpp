@@ -55,8 +55,10 @@ public:
           axes(randomRotation(rng))
     {
         const double s = options.modelScale;
-        near = motionFrom(s, randomRotation(rng), randomInBall(rng, FARTHEST_MOVED) * s);
-        const Matx33d turn = rotationBy(randomInBall(rng, 1), rng.uniform(0.3, 0.6));
+        const Vec3d moved1 = randomInBall(rng, FARTHEST_MOVED) * s;
+        near = motionFrom(s, randomRotation(rng), moved1);
+        const double angle = rng.uniform(0.3, 0.6);
+        const Matx33d turn = rotationBy(randomInBall(rng, 1), angle);
         const Vec3d shift = randomInCube(rng, 1);
         other = motionFrom(1, turn * linearPart(near), moved(near, Point3d(0, 0, 0)) + shift * s);
         scene.motion = placed(near);

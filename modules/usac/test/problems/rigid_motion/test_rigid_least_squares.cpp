@@ -98,7 +98,7 @@ void expectMinimum(const RigidScene& scene, const std::vector<double>& weights)
     {
         const Matx33d R = randomRotation(rng);
         const double scale = SCALED ? std::exp(rng.uniform(-1., 1.)) : 1;
-        const Vec3d t(rng.uniform(-2., 2.), rng.uniform(-2., 2.), rng.uniform(-2., 2.));
+        const Vec3d t = uniformVector(rng, -2., 2.);
         EXPECT_GT(costOf(scene, weights, motionFrom(scale, R, t)), cost) << "anywhere else";
     }
 }

@@ -293,10 +293,8 @@ TEST_P(Usac_RigidMotion, impossible_points)
     for (int i = 0; i < 100; ++i)
     {
         line.push_back(Point3d(i, 2 * i, -i));
-        random1.push_back(
-            Point3d(rng.uniform(0., 600.), rng.uniform(0., 600.), rng.uniform(0., 600.)));
-        random2.push_back(
-            Point3d(rng.uniform(0., 600.), rng.uniform(0., 600.), rng.uniform(0., 600.)));
+        random1.push_back(Point3d(uniformVector(rng, 0., 600.)));
+        random2.push_back(Point3d(uniformVector(rng, 0., 600.)));
     }
     const std::vector<Point3d>* const firsts[] = {&same,    &same,    &line,   &line,
                                                   &random1, &random1, &random1};

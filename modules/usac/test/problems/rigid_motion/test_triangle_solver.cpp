@@ -58,13 +58,12 @@ Triangle randomTriangle(Kind kind, RNG& rng)
                                 {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(at, 0.2 * tenth, 0)},
                                 {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(at, thin, 0)}};
     const double far = kind == FAR_FROM_THE_ORIGIN ? 1000 : 1;
-    const Vec3d offset(far * rng.uniform(-1., 1.), far * rng.uniform(-1., 1.),
-                       far * rng.uniform(-1., 1.));
+    const Vec3d offset = far * uniformVector(rng, -1., 1.);
     const int first = rng.uniform(0, 3), step = rng.uniform(1, 3);
     do
         for (int k = 0; k < 3; ++k)
         {
-            const Vec3d any(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.));
+            const Vec3d any = uniformVector(rng, -1., 1.);
             const bool table = kind >= EQUILATERAL && kind <= THIN;
             t[(first + step * k) % 3] = (table ? R * corners[kind - EQUILATERAL][k] : any) + offset;
         }
@@ -91,8 +90,7 @@ Matx34d randomMotion(bool scaled, RNG& rng)
 {
     const double scale = scaled ? std::exp(rng.uniform(-3., 3.)) : 1;
     const Matx33d R = randomRotation(rng);
-    return motionFrom(
-        scale, R, scale * Vec3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+    return motionFrom(scale, R, scale * uniformVector(rng, -1., 1.));
 }
 
 //! Difference of the linear parts relative to the scale, or of where the mean goes relative to the
@@ -299,7 +297,11 @@ TEST(Usac_TriangleSolver, smallIntegers)
         for (int side = 0; side < 2; ++side)
         {
             for (int k = 0; k < 3; ++k)
-                t[side][k] = Vec3d(rng.uniform(-1, 2), rng.uniform(-1, 2), rng.uniform(0, 2));
+            {
+                const int z = rng.uniform(0, 2);
+                const Point2d p = integerPoint(rng, -1, 2);
+                t[side][k] = Vec3d(p.x, p.y, z);
+            }
             expected = expected && thicknessOf(t[side]) > 0;  // exact, or NaN
         }
         Matx34d motion;

@@ -28,7 +28,8 @@ Matx23d randomMap(ProblemType type, RNG& rng)
 {
     const double angle = rng.uniform(-CV_PI, CV_PI), scale = std::exp(rng.uniform(-1., 1.));
     const double a = scale * std::cos(angle), b = scale * std::sin(angle);
-    Matx23d map(a, -b, rng.uniform(-50., 50.), b, a, rng.uniform(-50., 50.));
+    const Point2d t = uniformPoint(rng, -50., 50.);
+    Matx23d map(a, -b, t.x, b, a, t.y);
     for (int k = 0; k < 6 && type == AFFINITY; ++k)
         map.val[k] += rng.gaussian(0.2 * scale);
     return map;
@@ -43,12 +44,11 @@ struct MapScene
         truth = randomMap(type, rng);
         for (int i = 0; i < inliers + outliers; ++i)
         {
-            const Point2d p(rng.uniform(0., 640.), rng.uniform(0., 480.));
+            const Point2d p = uniformPoint(rng, 0., 640., 0., 480.);
             const Vec2d q = truth * Vec3d(p.x, p.y, 1);
             points1.push_back(p);
-            points2.push_back(i < inliers
-                                  ? Point2d(q[0] + rng.gaussian(noise), q[1] + rng.gaussian(noise))
-                                  : Point2d(rng.uniform(-640., 640.), rng.uniform(-640., 640.)));
+            points2.push_back(i < inliers ? Point2d(q[0], q[1]) + gaussianPoint(rng, noise)
+                                          : uniformPoint(rng, -640., 640.));
         }
     }
 
@@ -90,7 +90,7 @@ TEST(Usac_PlaneMaps, minimalSolversAreExact)
             std::vector<Point2d> points1, points2;
             for (int i = 0; i < solver->sampleSize(); ++i)
             {
-                points1.push_back(Point2d(rng.uniform(-1., 1.), rng.uniform(-1., 1.)));
+                points1.push_back(uniformPoint(rng, -1., 1.));
                 const Vec2d q = map * Vec3d(points1[i].x, points1[i].y, 1);
                 points2.push_back(Point2d(q[0], q[1]));
             }
@@ -303,8 +303,8 @@ TEST(Usac_PlaneMaps, impossiblePoints)
     for (int i = 0; i < 50; ++i)
     {
         line.push_back(Point2d(i, 2 * i));
-        random1.push_back(Point2d(rng.uniform(0., 600.), rng.uniform(0., 600.)));
-        random2.push_back(Point2d(rng.uniform(0., 600.), rng.uniform(0., 600.)));
+        random1.push_back(uniformPoint(rng, 0., 600.));
+        random2.push_back(uniformPoint(rng, 0., 600.));
     }
     for (int t = 0; t < 2; ++t)
     {

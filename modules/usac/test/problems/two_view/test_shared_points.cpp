@@ -100,12 +100,11 @@ struct Checked
 Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
     Matx33d R;
-    Rodrigues(Vec3d(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1)), R);
-    const Vec3d t(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(0., 10.));
+    Rodrigues(gaussianVector(rng, 1), R);
+    const Vec3d t = uniformVector(rng, 0., 10.);
     for (int i = 0; i < 16; ++i)
     {
-        const Vec3d X(rng.uniform(0., 10.), rng.uniform(0., 10.), rng.uniform(10., 20.)),
-            Y = R * X + t;
+        const Vec3d X = uniformVector(rng, Vec3d(0, 0, 10), Vec3d(10, 10, 20)), Y = R * X + t;
         points1.push_back(Point2d(X[0] / X[2], X[1] / X[2]));
         points2.push_back(Point2d(Y[0] / Y[2], Y[1] / Y[2]));
     }
@@ -144,9 +143,9 @@ TEST(Usac_SharedPoints_Models, targetsCountOnce)
         std::vector<Point2d> some, others;
         for (int i = 0; i < 300; ++i)
         {
-            some.push_back(Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.)));
-            others.push_back(i % 2 ? Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.))
-                                   : target + Point2d(rng.gaussian(0.3), rng.gaussian(0.3)));
+            some.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+            others.push_back(i % 2 ? uniformPoint(rng, 0., 640., 0., 480.)
+                                   : target + gaussianPoint(rng, 0.3));
         }
         SceneOptions options;
         const Scene scene = makeScene(FUNDAMENTAL, options);
