@@ -10,7 +10,7 @@
 #   bookworm trixie sid    run_tests.sh --installed, whole, in Debian 12 (OpenCV 4.6, g++ 12), 13 (4.10, g++ 14) and the newest with OpenCV 5 of
 #                          experimental: each in a root of its own, made by debootstrap and kept; the system itself where it is the one
 #   clang cxx17 cxx20 static debug    run_tests.sh --cpp on this system, compiled by clang++, as another C++, as a static library with
-#                          the samples, without optimization (less the long statistics). C++11 is the rows above but sid
+#                          the samples, as Debug with -Og (less the long statistics). C++11 is the rows above but sid
 #   arm64                  the same on 64-bit ARM, bookworm's: cross-compiled, run by qemu, less the long statistics
 #   mingw                  the library's sources compiled for Windows by mingw-w64, with the headers of this system's OpenCV; a file is a test
 #
@@ -173,7 +173,7 @@ run_row()
     clang) install_packages clang && run_cpp "clang $(clang++ -dumpversion)" -DCMAKE_CXX_COMPILER=clang++ ;;
     cxx17 | cxx20) run_cpp "g++ $(g++ -dumpfullversion), C++${1#cxx}" "-DCMAKE_CXX_STANDARD=${1#cxx}" ;;
     static) run_cpp "g++ $(g++ -dumpfullversion), static" -DBUILD_SHARED_LIBS=OFF -DBUILD_SAMPLES=ON ;;
-    debug) USAC_CPP_FILTER="-$slow_tests" run_cpp "g++ $(g++ -dumpfullversion), Debug" -DCMAKE_BUILD_TYPE=Debug ;;
+    debug) USAC_CPP_FILTER="-$slow_tests" run_cpp "g++ $(g++ -dumpfullversion), Debug" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-Og ;;
     arm64 | mingw) "run_$1" ;;
     esac
 }
