@@ -14,7 +14,7 @@ namespace usacv20 {
 Ptr<Problem> createAffinityProblem();
 //! From 3 points, see Affinity3Solver.
 Ptr<MinimalSolver> createAffinity3Solver();
-//! Least squares of a residual: in closed form where it is the transfer error, else by steps
+//! Least squares of a residual: in closed form for the transfer error, else iterative
 //! (LeastSquaresSolver).
 Ptr<NonMinimalSolver> createAffinityFit(const Ptr<Residual>& residual);
 //! Least squares of the transfer error.

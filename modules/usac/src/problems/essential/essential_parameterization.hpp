@@ -27,10 +27,10 @@ public:
     explicit EssentialParameterization(const Model& model);
 
     bool hasFullRank() const { return true; }
-    //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
+    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T
-    //! Jtr with B = tangent().
+    //! Converts normal equations in the entries of the model to normal equations in the
+    //! parameters: B^T JtJ B and B^T Jtr with B = tangent().
     void project(const NormalEquations& sums, Matrix& A, Step& b) const
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);
