@@ -15,8 +15,8 @@ namespace {
 
 // The effect of halving and doubling these is in doc/constants.md.
 
-//! Number of points that are compared first, and the least number of them that are at the same
-//! place as one of them.
+//! Number of points that are compared first. At least SEEN of them are near another one of them if
+//! there is a place.
 constexpr int LOOKED_AT = 64, SEEN = 3;
 //! To compute the extent, one in TRIMMED of the first points is left out at each end.
 constexpr int TRIMMED = 32;

@@ -25,9 +25,8 @@ constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
 //! To estimate the size of an image, one in TRIMMED of the first points is left out at each end.
 constexpr int TRIMMED = 10;
 
-//! In thresholds: a match is an inlier wherever one of its ends is if moving the other end by at
-//! most this much suffices for it. In images of 640 pixels, #FAR_APART is stricter from a threshold
-//! of 1.1 px on.
+//! Shift of one end of a match, in thresholds, that must move the epipolar line across the whole
+//! other image. In images of 640 pixels, #FAR_APART is stricter if the threshold exceeds 1.1 px.
 constexpr double ANYWHERE = 60;
 
 /** Test whether a match is an inlier of F wherever one of its two points is, see SharedPoints.
