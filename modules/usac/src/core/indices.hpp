@@ -14,7 +14,7 @@ template <int... K>
 struct Indices
 {};
 
-//! Indices<0, ..., N - 1> as Type.
+//! The member Type is Indices<0, ..., N - 1>.
 template <int N, int... K>
 struct IndicesTo : IndicesTo<N - 1, N - 1, K...>
 {};

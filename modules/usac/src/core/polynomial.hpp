@@ -8,7 +8,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Highest degree that #realRoots takes.
+//! Highest degree that #realRoots accepts.
 constexpr int MAX_DEGREE = 10;
 
 /** @brief Real roots of a polynomial, in no particular order, each once.

@@ -11,7 +11,7 @@
 namespace cv {
 namespace usacv20 {
 
-/** Moves `count` random items out of `size` to the front, as the Fisher-Yates shuffle begins.
+/** Moves `count` random items out of `size` to the front: a partial Fisher-Yates shuffle.
 @param exchange swaps the items at two indices */
 template <class Exchange>
 void randomPart(int size, int count, Rng& rng, const Exchange& exchange)

@@ -10,16 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-//! Time per point to find repetitions in both arrays, in point tests, the unit of time of Watch:
-//! 150 ns with a million points. It affects only how late a run with a time limit ends.
+//! Time per point to find repetitions in both arrays, in tests of a point, the unit of Watch: 150
+//! ns with a million points. It affects only how late a run with a time limit ends.
 constexpr double REPETITION_WORK = 75;
 
 /** @brief Number of independent inliers: those at the same place count once.
 
 A place is a cell of side `threshold1` in array 1 and of side `threshold2` in array 2, which have
-`coordinates` numbers per point. The array with fewer occupied places counts, so that neither
-repeated matches nor many points matched to a single one support a model. `mask` marks the inliers
-among the `count` points. O(count). */
+`coordinates` numbers per point. The smaller number of occupied places of the two arrays is
+returned, so that neither repeated matches nor many points matched to a single one support a model.
+`mask` marks the inliers among the `count` points. O(count). */
 int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask,
                        int count, double threshold1, double threshold2, Arena& arena);
 
@@ -29,8 +29,8 @@ int independentInliers(const double* const* columns, const int* coordinates, con
 @return number of marked points, including those marked before */
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
                  int count, double side, uchar* repeated, Arena& arena);
-//! The same in both arrays, with the threshold as side; 0 in the first one if its unit differs, see
-//! Problem::commonUnit.
+//! The same in both arrays. The side is the threshold, but 0 in the first array if its unit
+//! differs, see Problem::commonUnit.
 int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena);
 

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// Guards against hostile input: halving or doubling them changes at most one or two runs of H.
+// Guards against extreme input: halving or doubling them changes at most one or two runs of H.
 
 //! Number of the first values, whose medians are compared with the means of all.
 constexpr int SAMPLE = 31;

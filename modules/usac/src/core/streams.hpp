@@ -17,7 +17,7 @@ enum Stream {
     STREAM_REFINEMENT,    //!< local optimization and degeneracy checks of an iteration
     STREAM_UNEXPLAINED,   //!< samples of the outliers of the so-far-the-best model
     STREAM_PLANE,         //!< triples of points, to find a plane
-    STREAM_RESTARTS,      //!< restarts of the polishing
+    STREAM_RESTARTS,      //!< restarts of the final polishing
     STREAM_FIT,           //!< samples that a fit without a search starts from
     STREAM_LEVERAGE       //!< check for points of high leverage: planes, samples of the others
 };

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Lowers a quality as if at most `kept` inliers of a subset existed. The points of the
-subset are no independent evidence: repetitions of a match, or matches at one place.
+/** @brief Lowers the quality (inliers and cost) of a model as if a subset had at most `kept`
+inliers. Its points are no independent evidence: repetitions of a match, or matches at one place.
 
 @param kept 1: they count once; 0: not at all, because a point outside the subset represents them
 @param subset the dependent points

@@ -15,8 +15,7 @@ and fabsf() instead of functions of std. `m` is the model row by row, NUMBERS nu
 COLUMNS numbers. Where an error is undefined, the result is NaN or infinite. */
 namespace {
 
-//! Truncated squared error in units of the squared threshold @cite torr2000mlesac, the cost of
-//! MSAC.
+//! MSAC cost: truncated squared error in units of the squared threshold @cite torr2000mlesac.
 inline float msacCost(float squaredError, float scale)
 {
     const float cost = squaredError * scale;

@@ -20,7 +20,7 @@ public:
 
     //! No inliers.
     InlierBits();
-    //! @param width in units of Context::inlierThreshold
+    //! @param width threshold of the inliers, in units of Context::inlierThreshold
     InlierBits(const Context& context, const Model& model, double width = 1);
 
     //! Number of inliers.

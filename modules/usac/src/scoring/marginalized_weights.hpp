@@ -19,7 +19,7 @@ inline float lookUp(const float* table, float position)
     return table[cell] + (position - cell) * (table[cell + 1] - table[cell]);
 }
 
-//! Moves the errors within the threshold (NaN is not) to the front, without a branch.
+//! Moves the errors within the threshold to the front, without a branch; NaN is outside.
 //! @return their number
 int keepInliers(float* squaredErrors, int count, float squaredThreshold);
 
@@ -46,7 +46,7 @@ incomplete gamma function G this is proportional to
 
     G(a, x) - G(a, K),
 
-and the loss that re-weighted least squares with these weights minimize, its integral over x, to
+and the loss that re-weighted least squares minimize with it, its integral over x, to
 
     x (G(a, x) - G(a, K)) + g(a + 1, x)
 
@@ -56,7 +56,7 @@ with respect to u. For n = 1 the weight grows like -log(u) towards u = 0; below 
 for errors below 1/45 of the threshold, it is constant.
 
 The tables have 2048 cells of equal length, in u for the loss and in sqrt(u) for the weight, with
-linear interpolation. Its error is below 1e-3, for the weight relative to the weight. */
+linear interpolation. The interpolation error is below 1e-3, relative for the weight. */
 class MarginalizedWeights
 {
 public:

@@ -9,9 +9,9 @@ namespace cv {
 namespace usacv20 {
 
 /** Logarithm of the density of an inlier without error over that of an outlier, divided by the
-degrees of freedom: log(extent / (sqrt(2 pi) sigma)). At least the value for which both are equally
-likely at the threshold (thresholdInSigmas): it would be lower if the threshold is wide and the
-points lie close together. */
+degrees of freedom: log(extent / (sqrt(2 pi) sigma)). Not below the value for which both are equally
+likely at the threshold (thresholdInSigmas), as it would be if the threshold is wide and the points
+lie close together. */
 double logDensityRatio(double extent, double sigma, int degrees);
 
 /** Maximum-likelihood inlier ratio of `count` points, by expectation maximization. For the first

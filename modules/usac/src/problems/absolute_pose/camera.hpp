@@ -23,9 +23,9 @@ public:
     //! Arguments as for cv::solvePnP. Raises cv::Exception if they are no camera.
     PoseCamera(InputArray cameraMatrix, InputArray distCoeffs);
 
-    //! Pixels to points of the search, in place; NaN where the lens model images nothing.
+    //! Converts pixels to these coordinates, in place; NaN where the lens images nothing.
     void toSearch(double* u, double* v, int count) const;
-    //! The same without removing the distortion, in place.
+    //! The same without removing the distortion.
     void toSearchUnits(double* u, double* v, int count) const;
     //! Where the lens images a point of the normalized image plane, in the units of
     //! toSearchUnits(). False if it does not image it.

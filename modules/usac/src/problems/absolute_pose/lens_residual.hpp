@@ -13,8 +13,9 @@ namespace usacv20 {
 
 /** @brief Reprojection error in the original, distorted image.
 
-A datum is a point of space and one of PoseCamera::toSearchUnits, a model the camera matrix of
-PoseCamera. Infinite for points behind the camera and for points that the lens does not image. */
+A datum is an object point and an image point of PoseCamera::toSearchUnits; a model is a camera
+matrix `matrix` [R t] of PoseCamera. Infinite for points behind the camera and for points that the
+lens does not image. */
 class LensResidual : public Residual
 {
 public:

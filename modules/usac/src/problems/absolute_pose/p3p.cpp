@@ -78,7 +78,7 @@ struct PoseSample
     }
 
     Vec3d X[3], ray[3];
-    double length[3];  //!< of the rays up to the image plane
+    double length[3];  //!< lengths of the rays up to the image plane
     double largest;    //!< largest absolute coordinate of the object points
 };
 

@@ -77,8 +77,7 @@ struct Pencil
 };
 
 /** The real root of c0 + c1 x + c2 x^2 + c3 x^3 that lies alone on its side of the point of
-inflection: if there are three, the one that is farthest from the others and thus the best
-conditioned. */
+inflection: of three roots, the one that is farthest from the others and thus best conditioned. */
 double loneRoot(const double* c)
 {
     const double inverse = 1 / c[3], shift = c[2] * inverse / 3;

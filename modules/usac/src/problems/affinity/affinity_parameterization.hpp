@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! @brief An affine map and its parameters: the entries of the first two rows. Parameters 0 are the
-//! model itself.
+//! @brief An affine map and its parameters: the entries of the first two rows. Zero parameters give
+//! the model itself.
 class AffinityParameterization
 {
 public:

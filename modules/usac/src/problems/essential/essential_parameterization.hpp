@@ -10,11 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief An essential matrix and a minimal parameterization around it; parameters 0 are the model
-itself.
+/** @brief An essential matrix and a minimal parameterization around it; zero parameters give the
+model itself.
 
-E = U diag(1, 1, 0) V^T / sqrt(2); 3 rotations of U, 2 of V (the third moves E like one of U): 5
-@cite helmke2007essential. */
+E = U diag(1, 1, 0) V^T / sqrt(2) has 5 parameters: 3 rotations of U and 2 of V, whose third one
+changes E like one of U @cite helmke2007essential. */
 class EssentialParameterization
 {
 public:

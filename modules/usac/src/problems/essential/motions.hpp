@@ -28,8 +28,7 @@ void motionsOf(const Matx33d& E, Motion motions[4]);
 @param H homography of the plane from image plane 1 to image plane 2
 @param x a point of the plane in image plane 1, homogeneous, in front of both cameras
 @param motions output
-@return false if the camera has only rotated, so that the plane is undetermined, or if H is
-singular */
+@return false if H is singular or the camera has only rotated, so that the plane is undetermined */
 bool motionsOfPlane(const Matx33d& H, const Vec3d& x, Motion motions[2]);
 
 /** @brief True if the point of a match is in front of both cameras.

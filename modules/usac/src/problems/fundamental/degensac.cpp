@@ -172,8 +172,7 @@ private:
 
     /** Repeats least squares over the points on the plane until their number stops growing: the
     homography of three noisy points often has only some of them.
-    @return false if they are fewer than `least`; else onPlane and offPlane are those for the
-    parallax */
+    @return false if they are fewer than `least`; else sets onPlane, offPlane for the parallax */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;

@@ -13,8 +13,8 @@ namespace usacv20 {
 //! Smallest ratio of the two singular values of F that counts as rank 2.
 constexpr double LEAST_RATIO = 1e-6;
 
-/** @brief A fundamental matrix and a minimal parameterization around it; parameters 0 are the model
-itself.
+/** @brief A fundamental matrix and a minimal parameterization around it; zero parameters give the
+model itself.
 
 F = U S V^T with orthogonal U and V and a 2x2 matrix, of unit norm, in the upper left corner of S. A
 tangent vector of the manifold of rank 2 is U D V^T, where the last entry of D is 0 and the others

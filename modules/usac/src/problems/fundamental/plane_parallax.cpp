@@ -16,10 +16,10 @@ namespace {
 //! count: with an epipole there the match agrees anyway, which is no evidence.
 constexpr int NEAR = 2;
 
-/* The following were measured on scenes with 80 to 100 % of the right matches on a plane, N = 500
+/* The following were measured on scenes with 80 to 100 % of the correct matches on a plane, N = 500
 and 1000, 50 to 90 % inliers; see also doc/constants.md. */
 
-//! Share of the right matches whose line leads to the epipole despite its noise. With 1, failures
+//! Share of the correct matches whose line leads to the epipole despite its noise. With 1, failures
 //! rise from 3 to 7 %, with 0.3 they stay; the time of F changes by +9 % (0.25) to -4 % (1).
 constexpr double GOOD_LINES = 0.5;
 //! An epipole with at least this share of the best support in votes is worth a fit: with the same

@@ -14,7 +14,7 @@ namespace usacv20 {
 /** @brief Plane and parallax: the best F = [e]x H for the homography H of a plane, that is, the
 epipole e of image 2 that agrees with most points off the plane.
 
-For a right match off the plane, the line through x2 and H x1 contains e, so two matches determine
+For a correct match off the plane, the line through x2 and H x1 contains e, so two matches determine
 it. DEGENSAC @cite chum2005two draws pairs and counts the support of each; if a share w of the
 points is right, that takes w^-2 pairs. Here a single match is drawn. Only the position of e on its
 line is then unknown, and all other matches vote for it at once: the positions that keep a match

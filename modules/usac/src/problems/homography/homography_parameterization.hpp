@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief A homography and a minimal parameterization around it: unit 9-vectors, 8 directions
-orthogonal to it. Parameters 0 are the model itself. */
+orthogonal to it. Zero parameters give the model itself. */
 class HomographyParameterization
 {
 public:

@@ -35,9 +35,9 @@ Model movedBack(const MapOfSpace& map, const Frame& from, const Frame& to)
     return motionOf(A, t);
 }
 
-/** @brief Rotation and translation from points of space 1 to their counterparts in space 2, X2 = s
-R X1 + t, with the scale s or with s = 1. Models are the 3x4 matrices [s R t], as the caller gets
-them. */
+/** @brief Rotation and translation from points of space 1 to their counterparts in space 2,
+X2 = s R X1 + t, with the scale s or with s = 1. The caller gets the models, 3x4 matrices [s R t].
+*/
 template <bool SCALED>
 class RigidMotionProblem : public Problem
 {

@@ -22,7 +22,7 @@ inline Model motionOf(const Eigen::Matrix3d& A, const Eigen::Vector3d& t)
 
 /** @brief A rigid motion of space [s R t] and a minimal parameterization around it: the rotation
 vector of a rotation that is applied after the present one, an increment of the translation and, if
-`SCALED`, the relative increase of the scale. Parameters 0 are the motion itself. */
+`SCALED`, the relative increase of the scale. Zero parameters give the motion itself. */
 template <bool SCALED>
 class RigidParameterization
 {

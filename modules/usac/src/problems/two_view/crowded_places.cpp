@@ -84,7 +84,7 @@ quality, because it does not shrink the object to one place.
 
 In the other direction, from one place of array 1 to many points of array 2, no map fits. Places are
 searched for once, with the threshold of the inliers: the wider one of some scores (Params::reach)
-would take a small object for one place. Scores that are no sum over the points are not changed. */
+would take a small object for one place. Scores that are no sum over the points are unchanged. */
 class CrowdedPlaces : public Degeneracy
 {
 public:

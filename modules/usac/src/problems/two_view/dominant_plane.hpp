@@ -18,9 +18,8 @@ bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A,
 //! A = [e]x F with the unit epipole e of image 2; false if F has none.
 bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 
-//! Points with a squared error of at most this many squared thresholds are on a plane that was
-//! found from three points: three thresholds. With 6 the time of F rises by 8 %, see
-//! doc/constants.md.
+//! Points within three thresholds are on a plane that was found from three points; squared. With 6
+//! thresholds the time of F rises by 8 %, see doc/constants.md.
 constexpr int PLANE_LIMIT = 9;
 inline double planeLimit(const Context& context)
 {

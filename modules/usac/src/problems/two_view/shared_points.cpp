@@ -29,8 +29,8 @@ constexpr int TRIMMED = 10;
 //! other image. In images of 640 pixels, #FAR_APART is stricter if the threshold exceeds 1.1 px.
 constexpr double ANYWHERE = 60;
 
-/** Test whether a match is an inlier of F wherever one of its two points is, see SharedPoints.
-`sizes` are those of the images. */
+/** Test whether a match is an inlier of F wherever one of its two ends (points) is, see
+SharedPoints. `sizes` are those of the images. */
 class OneEnd
 {
 public:
@@ -64,7 +64,7 @@ epipolar geometry whose epipole is the target, wherever their other ends are; ma
 targets, or to points on a line, of an F of nearly rank 1 whose epipolar lines all coincide with
 that line. Therefore
 - samples are rejected in which two matches share a point; if many matches do, also up to noise
-(shareATarget; if few do, two of them may be right matches that one camera sees close together);
+(shareATarget; if few do, two of them may be correct matches that one camera sees close together);
 - in the quality of a new so-far-the-best model, the inliers that would be inliers wherever one of
 their ends were count as one. The model is kept, because there may be no better one, but it no
 longer beats models with real support.
@@ -72,7 +72,7 @@ longer beats models with real support.
 These inliers are recognized as follows. If the normal of the epipolar line F^T x2 (its first two
 entries) is nearly 0, a shift of x2 within the noise turns the line to any direction, and x1 is not
 constrained. The ratio of the lengths of the normals of F x1 and F^T x2 is the ratio of the
-distances between neighboring epipolar lines in the two images, which for right geometries is that
+distances between neighboring epipolar lines in the two images, which for correct geometries is that
 of the local scales. It is too large if it exceeds #FAR_APART times the ratio of the image sizes and
 a shift of one end by #ANYWHERE thresholds moves the epipolar line across the whole other image. (If
 a camera is among the points, the scale in one image may differ by hundreds.) Points near the
