@@ -14,7 +14,7 @@
 #include <sanitizer/asan_interface.h>
 #define USAC_FORBID(from, to) __asan_poison_memory_region(from, (size_t)((to) - (from)))
 #define USAC_ALLOW(from, bytes) __asan_unpoison_memory_region(from, bytes)
-#define USAC_GAP ALIGNMENT  // behind each array, so that one that ends too late is seen
+#define USAC_GAP ALIGNMENT  // unused bytes behind each array, so that an overrun is detected
 #else
 #define USAC_FORBID(from, to) (void)0
 #define USAC_ALLOW(from, bytes) (void)0
@@ -27,15 +27,15 @@ namespace usacv20 {
 namespace {
 
 constexpr int ALIGNMENT = 64;
-/** Bytes of a block, unless a single array is larger. At the end of its life glibc gives memory
-back to the system, and then each page that the next Usac writes to is a page fault, a quarter of
-the time of a call; but not if a block that it has taken from the system by itself (128 kB and more,
-up to 32 MB) was freed before, and no more than twice as much is free now. So the least is above the
-first bound, and the largest below the second one; in between blocks double, so that not each call
-with a few more points is the first of its size. Pages that nobody writes to cost nothing. */
+/** Size of a block in bytes, unless a single array is larger. When a Usac is destroyed, glibc
+returns its memory to the system, and each page that the next Usac writes to causes a page fault,
+which takes a quarter of the time of a call. glibc keeps the memory if a block that it had mapped
+separately (128 kB to 32 MB) was freed before and at most twice as much is free now. Therefore
+SMALLEST is above the lower bound and LARGEST below the upper one; sizes in between double, so that
+not every call with a few more points is the first of its size. Untouched pages cost nothing. */
 constexpr size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
 
-//! The size of a block of so many bytes.
+//! Size of a block that has room for `bytes`.
 size_t blockSize(size_t bytes)
 {
     size_t size = SMALLEST;
@@ -49,14 +49,14 @@ size_t sizeOf(size_t bytes) { return rounded(bytes) + USAC_GAP; }
 
 }  // namespace
 
-//! In front of its memory.
+//! Header of a block, directly in front of its memory.
 struct Arena::Block
 {
     Block* next;
     char *begin, *end;
-    char* kept;  //!< up to where clear() does not free
-    char* low;   //!< up to where memory is taken from the low end,
-    char* high;  //!< and from where on from the high end
+    char* kept;  //!< clear() frees only what lies behind
+    char* low;   //!< end of what has been taken from the low end
+    char* high;  //!< start of what has been taken from the high end
 
     size_t room() const { return (size_t)(high - low); }
 };
@@ -80,8 +80,8 @@ void Arena::release()
     top = 0;
 }
 
-//! Appends a block of so many bytes at least, of as many as all others have if that is more and not
-//! too much.
+//! Appends a block of at least `bytes`; it is as large as all others together if that is more and
+//! within LARGEST.
 Arena::Block* Arena::add(size_t bytes)
 {
     const size_t header = rounded(sizeof(Block)),
@@ -115,7 +115,7 @@ void* Arena::low(size_t bytes)
     return taken;
 }
 
-//! Behind the present block none is in use at its high end.
+//! No block behind `top` is in use at its high end.
 void* Arena::high(size_t bytes)
 {
     const size_t size = sizeOf(bytes);

@@ -8,7 +8,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Stirling's series; std::lgamma writes to a global variable in some libraries.
+//! By Stirling's series, because std::lgamma writes to a global variable in some C libraries.
 double logFactorial(double n)
 {
     if (n < 16)

@@ -8,13 +8,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Probability that at least `successes` of `trials` succeed, if `earlierSuccesses` of
-`earlierTrials` did and nothing else is known of their common probability (which is uniform before):
-the upper tail of the beta-binomial distribution @cite gelman2013bayesian.
+/** @brief Probability that at least `successes` of `trials` succeed, given that `earlierSuccesses`
+of `earlierTrials` did and that the prior of their common probability is uniform: the upper tail of
+the beta-binomial distribution @cite gelman2013bayesian.
 
-With many earlier trials that of the binomial distribution; with few, it is as much wider as their
-ratio is uncertain. The first term is exact to 1e-9, the others come by their ratios, from the side
-of the distribution where they decrease. At most O(trials) time, mostly O(sqrt(trials)). */
+With many earlier trials it is the tail of the binomial distribution; with few, it is wider because
+their ratio is uncertain. The first term is accurate to 1e-9, the others follow by the ratios of
+neighboring terms, on the side of the distribution where they decrease. At most O(trials) time,
+usually O(sqrt(trials)). */
 double betaBinomialTail(int successes, int trials, int earlierSuccesses, int earlierTrials);
 
 //! log(n!), n >= 0.

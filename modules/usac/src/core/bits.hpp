@@ -11,10 +11,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! Bits of a word.
+//! Number of bits of a word.
 constexpr int WORD_BITS = 64;
 
-//! Ones of a word, summed side by side in fields of 2, 4 and 8 bits.
+//! Number of ones of a word, summed in parallel in fields of 2, 4 and 8 bits.
 inline int ones(uint64 word)
 {
     word -= (word >> 1) & 0x5555555555555555ULL;
@@ -22,7 +22,7 @@ inline int ones(uint64 word)
     return (int)((((word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fULL) * 0x0101010101010101ULL) >> 56);
 }
 
-//! Number of the lowest one of a word that is not 0.
+//! Index of the lowest one of a word that is not 0.
 inline int lowestOne(uint64 word)
 {
 #ifdef __GNUC__
@@ -32,8 +32,8 @@ inline int lowestOne(uint64 word)
 #endif
 }
 
-/** A word whose bit i says whether errors[i] <= limit, of at most #WORD_BITS errors; NaN is not.
-The comparison becomes vector code; a multiplication brings the ones of eight bytes together in the
+/** A word whose bit i tells whether errors[i] <= limit, for at most #WORD_BITS errors; 0 for NaN.
+Compilers vectorize the comparison; a multiplication then gathers the flags of eight bytes in the
 highest byte. */
 inline uint64 within(const float* errors, int count, float limit)
 {
@@ -45,7 +45,7 @@ inline uint64 within(const float* errors, int count, float limit)
     uchar flags[WORD_BITS];
     if (count < WORD_BITS)
         std::memset(flags, 0, WORD_BITS);
-    if (count == WORD_BITS)  // a constant length
+    if (count == WORD_BITS)  // constant trip count, for vectorization
     {
         USAC_SIMD
         for (int i = 0; i < WORD_BITS; ++i)

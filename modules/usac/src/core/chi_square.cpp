@@ -9,7 +9,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Part of the inliers with the largest noise that are within the threshold, as in
+//! Share of the inliers with the largest noise whose errors are within the threshold, as in
 //! @cite barath2019magsac.
 constexpr double QUANTILE = 0.99;
 
@@ -18,7 +18,7 @@ double chiSquareDistribution(double x, int degrees)
     return lowerGamma(0.5 * degrees, 0.5 * x) / gammaFunction(0.5 * degrees);
 }
 
-//! By bisection, down to neighboring numbers.
+//! By bisection, until the bounds are adjacent doubles.
 double chiSquareQuantile(double p, int degrees)
 {
     CV_Assert(p >= 0 && p < 1 && degrees > 0);

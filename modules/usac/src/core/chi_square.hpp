@@ -10,14 +10,15 @@
 namespace cv {
 namespace usacv20 {
 
-//! Probability that the squared error of an inlier, in units of the variance, is at most x.
+//! Probability that the squared error of an inlier, in units of the variance, is at most x;
+//! `degrees` are the degrees of freedom of the error.
 double chiSquareDistribution(double x, int degrees);
 //! The x at which chiSquareDistribution is p; 0 <= p < 1.
 double chiSquareQuantile(double p, int degrees);
 
-/** The threshold in units of the largest standard deviation of the noise, sigma_max: the root of
-the 0.99 quantile, as in @cite barath2019magsac. So Params::threshold says what sigma_max is, and
-losses that are marginalized over the noise up to sigma_max end at the threshold. */
+/** The threshold in units of the largest standard deviation of the noise, sigma_max: the square
+root of the 0.99 quantile, as in @cite barath2019magsac. Params::threshold thus defines sigma_max,
+and losses that are marginalized over noise levels up to sigma_max end at the threshold. */
 double thresholdInSigmas(int degrees);
 
 }  // namespace usacv20

@@ -12,12 +12,12 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief Null space of a matrix with more columns than rows, by Gauss-Jordan elimination; the
-pivot of a row is its largest element @cite golub2013matrix. The matrix is given column by column:
-all loops over rows have a fixed length and become vector code.
+pivot of a row is its largest element @cite golub2013matrix. The matrix is stored by columns, so
+that all loops over rows have a fixed length and are vectorized.
 
-@param A columns of the matrix, the ROWS elements filled up with zeros; destroyed
+@param A columns of the matrix, ROWS elements padded with zeros; overwritten
 @param basis output, COLS - ROWS vectors; each has a 1 where the others have a 0
-@return false if the rank is lower than ROWS: a pivot is not above 1e-9 times the largest element.
+@return false if the rank is below ROWS: a pivot is at most 1e-9 times the largest element.
 */
 template <int ROWS, int COLS, int PADDED>
 bool nullSpace(double (&A)[COLS][PADDED], double (&basis)[COLS - ROWS][COLS])
@@ -29,7 +29,7 @@ bool nullSpace(double (&A)[COLS][PADDED], double (&basis)[COLS - ROWS][COLS])
     for (int i = 0; i < ROWS; ++i)
         scale = std::max(scale, largest[i]);
     const double least = 1e-9 * scale;
-    int order[COLS];  // of the columns
+    int order[COLS];  // columns after the swaps
     for (int j = 0; j < COLS; ++j)
         order[j] = j;
     for (int k = 0; k < ROWS; ++k)

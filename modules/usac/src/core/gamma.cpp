@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-constexpr int MAX_TERMS = 1000;  // of which some dozens are needed
+constexpr int MAX_TERMS = 1000;  // a guard; a few dozen terms are needed
 
 //! x^a exp(-x) times the sum of x^n / (a (a+1) .. (a+n)).
 double lowerSeries(double a, double x)
@@ -24,7 +24,7 @@ double lowerSeries(double a, double x)
     return sum * std::pow(x, a) * std::exp(-x);
 }
 
-//! The exponential integral: -C - log(x) - the sum of (-x)^n / (n n!), with Euler's constant C.
+//! The exponential integral E_1: -C - log(x) - the sum of (-x)^n / (n n!), with Euler's constant C.
 double exponentialSeries(double x)
 {
     double power = 1, sum = -0.57721566490153286061 - std::log(x);

@@ -8,11 +8,10 @@
 namespace cv {
 namespace usacv20 {
 
-/* Incomplete gamma functions by their power series below x = a + 1 and by their continued fraction
-above
+/* Incomplete gamma functions, by power series for x < a + 1 and by continued fractions for larger x
 @cite press2007numerical; relative error about 1e-14. */
 
-//! The gamma function of a multiple of 1/2; that of libm differs in the last bit between the
+//! The gamma function of a multiple of 1/2. Not std::tgamma, whose last bit differs between
 //! versions of glibc.
 double gammaFunction(double a);
 //! Integral of t^(a-1) exp(-t) over 0 .. x; a > 0, x >= 0.

@@ -8,14 +8,14 @@
 namespace cv {
 namespace usacv20 {
 
-//! T_N, samples after which the set has grown to all points, as in @cite chum2005matching. Half and
-//! double: errors of H and F within 2 %, E +2 and +3 %; with scores within 1 %.
+//! T_N, the number of samples after which the set has grown to all points @cite chum2005matching.
+//! Halving or doubling it changes errors by at most 3 %, see doc/constants.md.
 constexpr double UNIFORM_SAMPLES = 200000;
 
 Growth::Growth(int sampleSize, int pointCount)
     : m(sampleSize), n(sampleSize), expected(UNIFORM_SAMPLES), limit(1)
 {
-    double share = 1;  // of the samples that lie within the m best points
+    double share = 1;  // of the uniform samples: those that lie within the m best points
     for (int i = 0; i < m; ++i)
         share *= (double)(m - i) / (pointCount - i);
     expected = std::min(expected * share, 1.);

@@ -10,10 +10,9 @@ namespace usacv20 {
 
 /** @brief How PROSAC's set of the best points grows @cite chum2005matching.
 
-Of T_N = 200 000 uniform samples of N points, or of as many as there are different ones, T_n = T_N
-prod_{i<m} (n - i)/(N
-- i) would lie within the n best. The set grows from n to n + 1 when the ceiling of that many
-samples has been drawn: T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
+Among T_N = 200 000 uniform samples of all N points (or as many as there are different ones, if
+these are fewer), T_n = T_N prod_{i<m} (n - i)/(N - i) lie on average within the n best points. The
+set grows from n to n + 1 points after T'_n samples, with T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
 class Growth
 {
 public:
@@ -23,11 +22,10 @@ public:
     void grow();
     //! Number n of best points.
     int size() const { return n; }
-    //! T'_n: this many samples are drawn before the set grows; all of them lie within the n best
-    //! points.
+    //! T'_n: this many samples, all within the n best points, are drawn before the set grows.
     double samples() const { return limit; }
-    //! T_n: of uniform samples of the n best points, so many have as many good ones as the T'_n
-    //! have at least, on average.
+    //! T_n: a number of uniform samples of the n best points. The T'_n samples drawn contain, on
+    //! average, at least as many all-inlier samples as these.
     double uniformSamples() const { return expected; }
 
 private:
@@ -36,11 +34,11 @@ private:
     double limit;     //!< T'_n
 };
 
-//! The growing set of the best points, sample by sample.
+//! The growing set of the best points, stepped from sample to sample.
 class GrowingSet
 {
 public:
-    //! That of no points.
+    //! A set of no points.
     GrowingSet() : growth(0, 1), total(0), drawn(0) {}
     GrowingSet(int sampleSize, int pointCount)
         : growth(sampleSize, pointCount), total(pointCount), drawn(0)
@@ -50,13 +48,13 @@ public:
     void next();
     //! Number n of best points that the sample is drawn from.
     int size() const { return growth.size(); }
-    //! True if the sample must contain the n-th point: no earlier sample could.
+    //! True if the sample must contain the n-th point, which no earlier sample could contain.
     bool newest() const { return drawn <= growth.samples() && growth.size() < total; }
 
 private:
     Growth growth;
     int total;
-    double drawn;  //!< t
+    double drawn;  //!< number of the sample, t in the paper
 };
 
 }  // namespace usacv20

@@ -8,13 +8,13 @@
 namespace cv {
 namespace usacv20 {
 
-//! Numbers that are known to the compiler, to hand the columns of a datum to a formula as
-//! arguments.
+//! A list of indices at compile time, like std::index_sequence of C++14: it passes the columns of
+//! a datum to a formula as separate arguments.
 template <int... K>
 struct Indices
 {};
 
-//! Indices<0, ..., N - 1> as Type.
+//! The member Type is Indices<0, ..., N - 1>.
 template <int N, int... K>
 struct IndicesTo : IndicesTo<N - 1, N - 1, K...>
 {};

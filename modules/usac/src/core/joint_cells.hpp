@@ -10,29 +10,28 @@
 namespace cv {
 namespace usacv20 {
 
-//! Cells of each array along its sides, and in all. For the order by density, 4 and 16: errors of H
-//! +1 and +2 %, of E +5 and +3 %; 16: time +2 to +3 %.
+//! Number of cells of an array along each side, and in total. In the ordering by density, 4 or 16
+//! divisions raise errors by up to 5 %, see doc/constants.md.
 constexpr int CELL_DIVISIONS = 8, CELLS = CELL_DIVISIONS * CELL_DIVISIONS;
 
-//! The cell of each point by the first two coordinates of an array; where there are less, there is
-//! one row of cells.
+//! The cell of each point by the first two coordinates of an array; a single coordinate gives one
+//! row of cells.
 void assignCells(const Correspondences& points, int array, ushort* cells);
 
-//! Pairs of points that have the same cell.
+//! Numbers of pairs of points that lie in the same cell.
 struct CellPairs
 {
-    //! Of the points whose `mask` has this value, in cells with `merged` times the sides, a divisor
-    //! of CELL_DIVISIONS.
+    //! Counts the points whose `mask` equals `value`, in cells with `merged` times the side;
+    //! `merged` divides CELL_DIVISIONS.
     CellPairs(const Correspondences& points, const uchar* mask, uchar value, Arena& arena,
               int merged = 1);
 
-    int cells;         //!< of an array
-    double all;        //!< pairs of points
-    double in[2];      //!< those in one cell of array 1, of array 2
-    double both;       //!< those in one cell of each
-    double expected;   //!< `both`, on average, if the two have nothing to do with each other
-    double coherence;  //!< part of the pairs in one cell of either array that are so in both; 0
-                       //!< where there are none
+    int cells;         //!< number of cells of an array
+    double all;        //!< all pairs of points
+    double in[2];      //!< pairs in one cell of array 1, of array 2
+    double both;       //!< pairs in one cell of array 1 and in one cell of array 2
+    double expected;   //!< mean of `both` if the positions in the two arrays are independent
+    double coherence;  //!< `both` over the geometric mean of `in`; 0 if that is 0
 };
 
 }  // namespace usacv20

@@ -10,8 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! True if the order of the points is somebody's knowledge: scores, or the caller's order; else it
-//! is a guess.
+//! True if the order of the points is given, by scores or by the caller; false if it is guessed.
 inline bool orderIsKnown(const Context& context)
 {
     const Ptr<Ordering>& ordering = context.components.ordering;

@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! The upper one of an even number, > 0. Changes the order of the values.
+//! Of an even number of values, the upper median; `count` > 0. Reorders the values.
 template <class T>
 T median(T* values, int count)
 {

@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Some of the points, copied as the columns that a residual takes, in memory of a scope.
+//! A subset of the points, copied to columns as a residual takes them, in memory of a scope.
 class PointSubset
 {
 public:
@@ -31,7 +31,7 @@ public:
 
     int size() const { return count; }
 
-    //! size() numbers, which the next call overwrites.
+    //! The squared errors of the size() points; the next call overwrites them.
     const double* squaredErrors(const Residual& residual, const Model& model)
     {
         residual.squaredErrors(model, columns, count, errors);

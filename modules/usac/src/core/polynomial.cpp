@@ -28,10 +28,10 @@ struct Polynomial
     }
 };
 
-/** Sturm's sequence p, p', -(p mod p'), ... Two neighbors are linked by f[k-1] = (a x + b) f[k] - s
-f[k+1] with s > 0, so that the whole sequence at x costs three operations an element, from the last
-one upwards. Where a degree is (nearly) skipped, as for x^3 - 1, there is no such link: the sequence
-is then not regular and must not be used. */
+/** Sturm's sequence p, p', -(p mod p'), ... Neighbors are linked by f[k-1] = (a x + b) f[k] - s
+f[k+1] with s > 0, so that evaluating the whole sequence at x, from the last element upwards, takes
+three operations per element. Where a degree is (nearly) skipped, as for x^3 - 1, there is no such
+link: `regular` is then false and the sequence must not be used. */
 class SturmSequence
 {
 public:
@@ -62,7 +62,7 @@ public:
                       std::abs(rest[degree - 1]) > 1e-5 * largest;
             if (degree == 0 || !(largest > 1e-14) || !regular)
             {
-                link.s = 0;  // g divides f as far as the precision tells: the sequence ends here
+                link.s = 0;  // g divides f up to rounding: the sequence ends here
                 lastDegree = degree;
                 for (int i = 0; i <= degree; ++i)
                     tail[i] = g[i];
@@ -105,8 +105,8 @@ private:
     int count, lastDegree;
 };
 
-//! The root in (low, high], where the polynomial changes its sign: Newton's steps, bisection where
-//! they leave the bracket.
+//! The root in (low, high], where the polynomial changes sign: Newton's method, with bisection
+//! where a step leaves the bracket.
 double refine(const Polynomial& p, double low, double high, double atLow)
 {
     double x = 0.5 * (low + high);
@@ -121,16 +121,15 @@ double refine(const Polynomial& p, double low, double high, double atLow)
         const bool inside = next > low && next < high;
         if (!inside)
             next = 0.5 * (low + high);
-        if (std::abs(next - x) <=
-            (inside ? 1e-9 : 4e-16) *
-                std::abs(x))  // the error of a step of Newton is that of the last one squared
+        // Newton's method converges quadratically: a step of 1e-9 leaves an error of about 1e-18
+        if (std::abs(next - x) <= (inside ? 1e-9 : 4e-16) * std::abs(x))
             return next;
         x = next;
     }
     return x;
 }
 
-//! Roots in (low, high], of which there are fromLow - fromHigh.
+//! The roots in (low, high]. Their number is fromLow - fromHigh, the sign changes at both ends.
 int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double high, int fromLow,
             int fromHigh, int depth, double* roots)
 {
@@ -148,7 +147,7 @@ int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double 
     const double middle = 0.5 * (low + high);
     if (depth == 0)
     {
-        roots[0] = middle;  // a multiple root, or a cluster too narrow to be told from one
+        roots[0] = middle;  // a multiple root, or a cluster too narrow to distinguish from one
         return 1;
     }
     const int fromMiddle = sturm.changes(middle);
@@ -156,12 +155,12 @@ int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double 
     return left + isolate(p, sturm, middle, high, fromMiddle, fromHigh, depth - 1, roots + left);
 }
 
-//! Where #realRoots changes from the polynomial to the reversed one; no round number, as Sturm's
-//! interval excludes it.
+//! Beyond these bounds #realRoots uses the reversed polynomial. No round numbers, because Sturm's
+//! theorem excludes a root at the lower end of the interval.
 constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
 
-//! Roots in (LOWEST, HIGHEST], between the roots of the derivative: slower than Sturm's sequence,
-//! but without its exceptions.
+//! The roots in (LOWEST, HIGHEST], bracketed by the roots of the derivative: slower than Sturm's
+//! sequence, but works for every polynomial.
 int betweenExtrema(const Polynomial& p, double* roots)
 {
     if (p.degree <= 1)
@@ -202,7 +201,7 @@ int rootsNearZero(const double* c, int degree, double* roots)
                    roots);
 }
 
-//! One of Newton's steps towards a root, where it helps.
+//! One Newton step towards a root, if it reduces the absolute value of the polynomial.
 double polish(const Polynomial& p, double x)
 {
     double value, slope, newValue, newSlope;
@@ -213,7 +212,8 @@ double polish(const Polynomial& p, double x)
 }
 
 /** Roots of a cubic in closed form, by Viete's cosines or Cardano's cube root
-@cite press2007numerical; double roots once. The leading coefficient must not be small. */
+@cite press2007numerical; double roots are listed once. The leading coefficient must not be small.
+*/
 int cubicRoots(const double* c, double* roots)
 {
     const Polynomial p = {c, 3};
@@ -260,7 +260,7 @@ int realRoots(const double* coefficients, int degree, double* roots)
     if (degree == 3 && std::abs(c[3]) > 1e-3)
         return cubicRoots(c, roots);
     int count = rootsNearZero(c, degree, roots);
-    int lowest = 0;  // roots at 0 make the reversed polynomial lose degrees
+    int lowest = 0;  // roots at 0 lower the degree of the reversed polynomial
     while (std::abs(c[lowest]) <= 1e-14)
         ++lowest;
     double inverses[MAX_DEGREE];

@@ -8,14 +8,14 @@
 namespace cv {
 namespace usacv20 {
 
-//! Highest degree that #realRoots takes.
+//! Highest degree that #realRoots accepts.
 constexpr int MAX_DEGREE = 10;
 
 /** @brief Real roots of a polynomial, in no particular order, each once.
 
-Sturm's theorem isolates the roots in [-1, 1], those outside are the inverses of the roots of the
-reversed polynomial; Newton's method inside a bracket refines them to double precision.
-@param coefficients degree + 1 of them, the constant first
+Sturm's theorem isolates the roots in [-1, 1]; the others are inverses of roots of the reversed
+polynomial. Newton's method inside a bracket refines them to double precision.
+@param coefficients degree + 1 numbers, the constant term first
 @param degree at most #MAX_DEGREE
 @param roots output, at most `degree`
 @return number of roots; 0 for a constant and for coefficients that are not finite.

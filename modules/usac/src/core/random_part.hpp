@@ -11,9 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** Brings `count` random ones of `size` things to the front, by the first exchanges of Fisher and
-Yates' shuffle.
-@param exchange takes two indices */
+/** Moves `count` random items out of `size` to the front: a partial Fisher-Yates shuffle.
+@param exchange swaps the items at two indices */
 template <class Exchange>
 void randomPart(int size, int count, Rng& rng, const Exchange& exchange)
 {

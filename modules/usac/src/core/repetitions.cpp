@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Cells of a space that something lies in: a hash table with linear probing.
+//! A set of occupied cells: a hash table with linear probing.
 template <int DIMENSIONS>
 class Cells
 {
@@ -26,13 +26,14 @@ public:
         --mask;
     }
 
-    //! False if the cell is there already. Doubles, as small sides make large numbers.
+    //! Returns false if the cell is in the set already. Coordinates of cells are doubles, because
+    //! small sides make them large.
     bool insert(const Cell& cell)
     {
         uint64 bits[DIMENSIONS];
         std::memcpy(bits, cell.val, sizeof(bits));
-        // small whole numbers have zeros but for their highest bits, which a product moves nowhere
-        // but up
+        // a double that is a small integer has ones in its high bits only, and the product below
+        // moves bits only upwards
         uint64 h = bits[0];
         for (int k = 1; k < DIMENSIONS; ++k)
             h ^= bits[k] << k | bits[k] >> (64 - k);
@@ -47,7 +48,7 @@ public:
 
 private:
     Arena::Scope scope;
-    Cell* slots;  //!< NaN: free
+    Cell* slots;  //!< NaN if free
     int mask;
 };
 

@@ -10,25 +10,27 @@
 namespace cv {
 namespace usacv20 {
 
-//! Tests of a point, as Watch counts them, that each point takes of which both arrays are looked
-//! at: 150 ns of a million. Half, double: as those of Watch.
+//! Time per point to find repetitions in both arrays, in tests of a point, the unit of Watch: 150
+//! ns with a million points. It affects only how late a run with a time limit ends.
 constexpr double REPETITION_WORK = 75;
 
-/** @brief Number of inliers that are independent of each other: those of one place count once.
+/** @brief Number of independent inliers: those at the same place count once.
 
-A place is a cell of side `threshold1` in array 1 and `threshold2` in array 2, of `coordinates`
-numbers each; the smaller of the numbers of places counts, so that neither repeated matches nor many
-points that match one give a model support. `mask` marks the inliers among the `count` points.
-O(count). */
+A place is a cell of side `threshold1` in array 1 and of side `threshold2` in array 2, which have
+`coordinates` numbers per point. The smaller number of occupied places of the two arrays is
+returned, so that neither repeated matches nor many points matched to a single one support a model.
+`mask` marks the inliers among the `count` points. O(count). */
 int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask,
                        int count, double threshold1, double threshold2, Arena& arena);
 
-/** Marks in `repeated` those inliers of one array that lie in a cell of side `side` with an earlier
-one; 0: that are equal to it. `mask` and `repeated` are in the order of `order`, null for 0, 1, 2,
-... @return their number, those marked before included. */
+/** Marks in `repeated` the inliers of one array that lie in the same cell as an earlier inlier.
+@param side of the cells; 0: only equal points are repeated
+@param order indices of the points, for `mask` and `repeated`; null: 0, 1, 2, ...
+@return number of marked points, including those marked before */
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
                  int count, double side, uchar* repeated, Arena& arena);
-//! Those of either array, whose points are the same within the threshold, see Problem::commonUnit.
+//! The same in both arrays. The side is the threshold, but 0 in the first array if its unit
+//! differs, see Problem::commonUnit.
 int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena);
 

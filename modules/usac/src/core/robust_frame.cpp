@@ -12,16 +12,15 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: no run of the lists differs but for one or two of H. They guard against
-// hostile input.
+// Guards against extreme input: halving or doubling them changes at most one or two runs of H.
 
-//! Values that a first look takes.
+//! Number of the first values, whose medians are compared with the means of all.
 constexpr int SAMPLE = 31;
-//! In mean deviations: a value further out dominates the mean. In those of the first look: so large
-//! a mean deviation is that of values far out.
+//! A value farther out than FAR_OUT mean deviations dominates the mean. A mean deviation above
+//! SPOILT times the median deviation of the first SAMPLE values stems from values far out.
 constexpr double FAR_OUT = 20, SPOILT = 100;
 
-//! Median of values and median of their distances from it, but for those that are equal to it.
+//! Median of the values, and median of the distances from it of all values that differ from it.
 void medianFrame(const double* values, int count, double& center, double& deviation, Arena& arena)
 {
     Arena::Scope scope(arena);
@@ -35,14 +34,14 @@ void medianFrame(const double* values, int count, double& center, double& deviat
     deviation = others > 0 ? median(copy, others) : 0;
 }
 
-//! Sums and extremes are kept in so many parts, which do not wait for each other.
+//! Number of partial sums and extremes, which do not depend on each other.
 constexpr int LANES = 4;
 
 double sumOf(const double* lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
 double meanAndExtremes(const double* values, int count, double& lowest, double& highest)
 {
-    const double part = 1. / count;  // of each, as the sum may be too large
+    const double part = 1. / count;  // for each value, because the sum may overflow
     double sums[LANES] = {0}, low[LANES], high[LANES];
     std::fill(low, low + LANES, values[0]);
     std::fill(high, high + LANES, values[0]);

@@ -10,9 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** Center and mean deviation of values in random order, and their range. Mean values where the data
-are sane, medians where points lie so far out that they would dominate the means: single points, or
-so many of the first ones that most points are next to nothing. */
+/** Center and mean deviation of values in random order, and their range. Means for sane data;
+medians if values lie so far out that they would dominate the means: single values, or so many that
+the spread of the others is negligible beside the mean deviation. */
 void robustFrame(const double* values, int count, double& center, double& deviation, double& low,
                  double& high, Arena& arena);
 

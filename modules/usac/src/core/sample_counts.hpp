@@ -8,10 +8,10 @@
 namespace cv {
 namespace usacv20 {
 
-/** Probability that a sample of m of n points has inliers only, if there are `inliers` of them.
-`exact`: no point is drawn twice, C(inliers, m) / C(n, m); else (inliers / n)^m. */
+/** Probability that a sample of m out of n points contains only inliers, of which there are
+`inliers`. `exact`: without replacement, C(inliers, m) / C(n, m); else (inliers / n)^m. */
 double goodSampleProbability(double inliers, int n, int m, bool exact = true);
-//! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX where it is no int.
+//! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX if it does not fit an int.
 int samplesNeeded(double p, double logFailure);
 
 }  // namespace usacv20

@@ -11,8 +11,8 @@
 #define USAC_RESTRICT __restrict__
 #endif
 
-//! Keeps compilers from unrolling a short loop before they can vectorize it; needs -fopenmp-simd,
-//! no OpenMP.
+//! Keeps compilers from unrolling a short loop before they can vectorize it. Needs -fopenmp-simd,
+//! but not OpenMP.
 #if defined __GNUC__
 #define USAC_SIMD _Pragma("omp simd")
 #else

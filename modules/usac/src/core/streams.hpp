@@ -10,19 +10,19 @@
 namespace cv {
 namespace usacv20 {
 
-//! Who draws random numbers beside the samples, which have the streams 0 .. 2^31 of Rng. Each has
-//! numbers of its own.
+//! What random numbers are drawn for, apart from the samples of the main loop, which use the
+//! streams 0 .. 2^31 of Rng. Each purpose has streams of its own.
 enum Stream {
-    STREAM_ROTATION = 1,  //!< where the verifier begins
-    STREAM_REFINEMENT,    //!< of an iteration: local optimization and checks
-    STREAM_UNEXPLAINED,   //!< samples of the points that the best model leaves
-    STREAM_PLANE,         //!< triples of points that show a plane
-    STREAM_RESTARTS,      //!< of the polishing
-    STREAM_FIT,           //!< samples that a fit without a search begins with
-    STREAM_LEVERAGE       //!< where a model may hang on few points: a plane, samples of the others
+    STREAM_ROTATION = 1,  //!< point at which the verification of a model begins
+    STREAM_REFINEMENT,    //!< local optimization and degeneracy checks of an iteration
+    STREAM_UNEXPLAINED,   //!< samples of the outliers of the so-far-the-best model
+    STREAM_PLANE,         //!< triples of points, to find a plane
+    STREAM_RESTARTS,      //!< restarts of the final polishing
+    STREAM_FIT,           //!< samples that a fit without a search starts from
+    STREAM_LEVERAGE       //!< check for points of high leverage: planes, samples of the others
 };
 
-//! Stream of Rng, one of 2^40.
+//! Number of a stream of Rng, where each purpose has 2^40 streams.
 inline uint64 streamOf(Stream stream, uint64 number = 0) { return ((uint64)stream << 40) + number; }
 
 }  // namespace usacv20

@@ -10,16 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A camera matrix of the caller's.
+/** @brief Reads a camera matrix.
 @param array 3x3, any depth; a multiple is the same camera
 @param name of the argument, for messages
-@return with the last row 0 0 1. Raises cv::Exception for what is no camera. */
+@return the matrix with the last row 0 0 1. Raises cv::Exception if it is no camera matrix. */
 Matx33d readCamera(InputArray array, const char* name);
 
-/** @brief Coefficients of the distortion as cv::undistortPoints takes them.
+/** @brief Reads distortion coefficients as cv::undistortPoints takes them.
 @param array 4, 5, 8, 12 or 14 coefficients, or none
 @param name of the argument, for messages
-@return empty where there is no distortion. Raises cv::Exception for any others. */
+@return the coefficients; empty if there is no distortion. Raises cv::Exception for other arrays. */
 Mat readDistortion(InputArray array, const char* name);
 
 }  // namespace usacv20

@@ -11,18 +11,18 @@ namespace usacv20 {
 
 namespace {
 
-//! Names of the coefficients.
+//! Indices of the coefficients.
 enum { K1, K2, P1, P2, K3, K4, K5, K6, S1, S2, S3, S4, TAU_X, TAU_Y };
 
-//! Of Newton's method, which takes 3 to 6 steps where the lens is ordinary.
+//! Maximum number of steps of Newton's method; an ordinary lens takes 3 to 6.
 constexpr int STEPS = 50;
-//! Of halving an interval of radii down to rounding.
+//! Number of bisections that reduce an interval of radii to rounding.
 constexpr int HALVES = 60;
-//! What rounding leaves of the equations, in radii of the point or of the image plane.
+//! Error of the equations that is due to rounding, relative to 1 + the distorted radius.
 constexpr double EXACT = 1e-14;
 
-//! The projection onto a sensor that is turned about the axes x and y, straightened so that the
-//! center stays.
+//! The projection onto a sensor that is tilted about the axes x and y, corrected so that the center
+//! stays in place.
 Matx33d tiltOf(double x, double y)
 {
     if (x == 0 && y == 0)
@@ -49,7 +49,7 @@ Distortion::Distortion(const Mat& coefficients)
     limit = firstFold();
 }
 
-//! The factor of the radius, and its derivative by the squared radius.
+//! The factor that scales the radius, and its derivative with respect to the squared radius.
 double Distortion::radial(double squared, double* derivative) const
 {
     const double q = squared;
@@ -62,8 +62,8 @@ double Distortion::radial(double squared, double* derivative) const
     return above * below;
 }
 
-//! The least q > 0 at which the radius seen, r radial(r^2), no longer grows or the denominator is
-//! 0.
+//! The smallest q = r^2 > 0 at which the distorted radius r radial(r^2) stops growing or the
+//! denominator is 0.
 double Distortion::firstFold() const
 {
     const double N[4] = {1, c[K1], c[K2], c[K3]}, D[4] = {1, c[K4], c[K5], c[K6]};
@@ -117,7 +117,8 @@ bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
     return true;
 }
 
-//! By the radial terms alone, of which the radius seen grows with the radius.
+//! Inverts the radial terms alone by bisection: up to the first fold, the distorted radius grows
+//! with the radius.
 bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
 {
     const double wanted = std::sqrt(d.dot(d));
@@ -138,8 +139,8 @@ bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
     return low > 0;
 }
 
-//! From the point itself, which is enough for an ordinary lens, or else from that of the radial
-//! terms.
+//! Starts from the distorted point, which suffices for an ordinary lens; if that fails, from the
+//! solution for the radial terms.
 bool Distortion::undistort(const Vec2d& d, Vec2d& p) const
 {
     p = d;
@@ -162,7 +163,7 @@ void Distortion::undistort(double* x, double* y, int count) const
     }
 }
 
-//! Newton's method; a step that leads outside of the fold, or away, is halved.
+//! Newton's method; a step that crosses the fold or increases the error is halved.
 bool Distortion::descend(const Vec2d& d, Vec2d& p) const
 {
     const double tolerance = EXACT * (1 + std::sqrt(d.dot(d)));

@@ -10,29 +10,29 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief How a lens moves points of the normalized image plane: OpenCV's model.
+/** @brief OpenCV's model of lens distortion, on the normalized image plane.
 
 Rational radial terms k1 to k6, tangential p1, p2, thin prism s1 to s4, tilt of the sensor tau_x,
 tau_y; in the order k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y (see cv::projectPoints). A model
-of few coefficients is one of the middle of the image: from some radius on, the radial terms fold
-the plane back upon itself. What lies outside the first fold is not seen. */
+with few coefficients is valid near the center of the image only: beyond some radius, the radial
+terms fold the plane back onto itself. Points outside the first fold are not seen. */
 class Distortion
 {
 public:
-    //! @param coefficients the first of them, any depth, as readDistortion() returns them; empty:
-    //! nothing is moved
+    //! @param coefficients the first ones of the list above, any depth, as readDistortion() returns
+    //! them; empty: no distortion
     explicit Distortion(const Mat& coefficients);
 
     bool none() const { return identity; }
-    /** @brief Where a point of the plane is seen.
+    /** @brief Distorts a point.
     @param p the point
     @param d output, where it is seen
-    @param derivative output, of `d` by `p`; may be null
+    @param derivative output, of `d` with respect to `p`; may be null
     @return false if it is not seen. */
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
     //! The point that is seen at `d`, to double precision. False if there is none.
     bool undistort(const Vec2d& d, Vec2d& p) const;
-    //! Of many points, in place; NaN where there is none.
+    //! The same for many points, in place; NaN if there is none.
     void undistort(double* x, double* y, int count) const;
 
 private:
@@ -43,7 +43,7 @@ private:
     bool startOf(const Vec2d& d, Vec2d& p) const;
     bool descend(const Vec2d& d, Vec2d& p) const;
 
-    bool identity, straight;  //!< nothing is moved; the sensor is not tilted
+    bool identity, straight;  //!< no distortion; the sensor is not tilted
     double c[COEFFICIENTS];
     Matx33d tilt;
     double limit;  //!< squared radius of the first fold

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The problem of a type. To add one: its folder, its enumerator and one line here. The
-cameras are for #ESSENTIAL, as for Usac::create. */
+/** @brief Creates the problem of a type. A new problem needs its folder, its enumerator and one
+line here. Cameras as for Usac::create. */
 Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2,
                            InputArray distCoeffs1, InputArray distCoeffs2);
 

@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! True if two points of an array are at the same place.
+//! True if two points of an array have the same coordinates.
 inline bool samePlace(const Correspondences& p, int array, int i, int j)
 {
     const int first = array ? p.coordinates[0] : 0, last = first + p.coordinates[array];
@@ -22,8 +22,8 @@ inline bool samePlace(const Correspondences& p, int array, int i, int j)
     return true;
 }
 
-//! True if two matches have the same point in either array: at most one of them is right, or they
-//! are the same.
+//! True if two matches have the same point in at least one array: they are the same match, or at
+//! most one of them is right.
 inline bool shareAPoint(const Correspondences& p, int i, int j)
 {
     return samePlace(p, 0, i, j) || (p.coordinates[1] > 0 && samePlace(p, 1, i, j));
@@ -35,7 +35,7 @@ inline bool sameMatch(const Correspondences& p, int i, int j)
     return samePlace(p, 0, i, j) && samePlace(p, 1, i, j);
 }
 
-//! True if `share(i, k)` is, for two points i and k of a sample of m.
+//! True if `share(i, k)` holds for any two points i and k of a sample of m.
 template <class Share>
 inline bool anyPair(const int* sample, int m, const Share& share)
 {
@@ -46,8 +46,8 @@ inline bool anyPair(const int* sample, int m, const Share& share)
     return false;
 }
 
-//! True if two points of a sample of m have the same number in a column. `m` may be a constant:
-//! then there is no loop.
+//! True if two points of a sample of m have the same value in a column. `m` may be a compile-time
+//! constant, so that the loops are unrolled.
 template <class Size>
 inline bool anyEqual(const float* column, const int* sample, Size m)
 {
@@ -62,9 +62,8 @@ inline bool anyEqual(const float* column, const int* sample, Size m)
     return equal;
 }
 
-/** False if no two matches of a sample have the same first number of an array, so that they do not
-share a point of it. Hardly any sample has, and this is soon told: without branches that depend on
-the points. */
+/** Fast first test: false if no two matches of a sample have the same first coordinate in an array,
+so that they share no point of it. It settles nearly all samples without data-dependent branches. */
 inline bool mayShareAPoint(const Correspondences& p, int array, const int* sample, int m)
 {
     const float* const column = p.column[array ? p.coordinates[0] : 0];
@@ -85,8 +84,8 @@ inline bool anyShareAPoint(const Correspondences& p, const int* sample, int m)
            anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
 }
 
-//! True if a match is twice in a sample of m, and no two different ones share a point: of these one
-//! would be wrong.
+//! True if a sample of m contains a match twice, and no two different matches share a point, of
+//! which one would be wrong.
 inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 {
     return mayShareAPoint(p, 0, sample, m) &&
@@ -95,12 +94,11 @@ inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
                     [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
 }
 
-//! The scale between the images of a small surface is less. Half: the same; double: on scenes of
-//! matches to one or two points 3 of 704 F are wrong for 1. Half, double of this and of the next,
-//! lists: no run but one or two of E differs.
+//! Upper bound of the scale between two images of a small surface, relative to that of the images.
+//! With 20 instead of 10, 3 of 704 F are wrong instead of 1, see doc/constants.md.
 constexpr int FAR_APART = 10;
-//! Points so many thresholds from each other may be one, but for the noise; at most one part in so
-//! many of the image.
+//! Points that are at most NEAR_THRESHOLDS thresholds apart, and at most 1 / NEAR_PART of the
+//! image, may be the same point up to noise.
 constexpr int NEAR_THRESHOLDS = 2, NEAR_PART = 50;
 
 template <class T>
@@ -109,12 +107,12 @@ T square(T x)
     return x * x;
 }
 
-//! Squared distances in the two images below which two points may be one but for the noise, and
+//! Squared distances in the two images below which two points may be the same up to noise, and
 //! above which they are far apart.
 struct TargetLimits
 {
-    /** Two thresholds are near, but no more than a fiftieth of the image: a threshold may be as
-    wide as an image.
+    /** Two thresholds are near, but at most a fiftieth of the image, because a threshold may be as
+    large as an image.
     @param threshold of the errors
     @param sizes extents of the points in the two images, above 0 */
     TargetLimits(double threshold, const float* sizes)
@@ -131,9 +129,8 @@ struct TargetLimits
     float near[2], far[2];
 };
 
-/** True if two matches have the same point of an image; or if they are, but for the noise each,
-matches of one point of an image, but FAR_APART times as far from each other in the other image: at
-most one of them is right. */
+/** True if two matches share a point; or if their points in one image are the same up to noise, but
+in the other image more than FAR_APART times as far apart: at most one of the matches is right. */
 inline bool shareATarget(const Correspondences& p, const TargetLimits& limits, int i, int j)
 {
     const float dx1 = p.column[X1][i] - p.column[X1][j], dy1 = p.column[Y1][i] - p.column[Y1][j],

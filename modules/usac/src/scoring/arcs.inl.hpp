@@ -11,10 +11,12 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-/* For e = u + t v of a line, (e n)^2 <= e^T G e reads A t^2 + 2 B t + C <= 0. The arc begins where
-this becomes negative, at t = (-B - sqrt(D)) / A, and ends at (-B + sqrt(D)) / A, through infinity
-if A is negative. D is written without the fourth powers of r, which cancel. A point that every e
-suits, D <= 0, does not vote: its arc is from 0 to -1. */
+/* For an epipole e = u + t v on a line, the test (e n)^2 <= e^T G e of whether a point is within
+the threshold (PlaneParallax::setPlane()) becomes A t^2 + 2 B t + C <= 0. The arc begins where this
+polynomial becomes negative, at t = (-B - sqrt(D)) / A, and ends at
+(-B + sqrt(D)) / A; it passes through infinity if A is negative. D = B^2 - A C is expanded, because
+the fourth powers of r cancel. If D <= 0, every e agrees with the point, which then does not vote:
+its arc is from 0 to -1. */
 void arcsKernel(const float* rows, int stride, const float* weights, int* USAC_RESTRICT from,
                 int* USAC_RESTRICT to)
 {

@@ -10,14 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Points that are no independent evidence (one match several times, matches of one place):
-lowers a quality as if no more than `kept` of those that are inliers were there.
+/** @brief Lowers the quality (inliers and cost) of a model as if a subset had at most `kept`
+inliers. Its points are no independent evidence: repetitions of a match, or matches at one place.
 
-@param kept 1: they count once; 0: not at all, as a point that is not among them stands for them
-@param subset these points
-@param model that the quality is of
-@param quality in, out: inliers and cost of all points. The score must be a sum over the points
-(Score::wholeModel()) */
+@param kept 1: they count once; 0: not at all, because a point outside the subset represents them
+@param subset the dependent points
+@param model the model that was scored
+@param quality input and output: inliers and cost of all points. The score must be a sum over the
+points, see Score::wholeModel() */
 void countOnce(const Context& context, int kept, PointSubset& subset, const Model& model,
                Quality& quality);
 

@@ -8,16 +8,14 @@
 namespace cv {
 namespace usacv20 {
 
-/* The formulas of the geometric errors, each once, for float and double. They stand inside an
+/* The formulas of the geometric errors, for float and double. They are inside an
 unnamed namespace because this file is compiled several times for different instruction sets, and
-inline functions with external linkage would be merged by the linker (so sqrtf() and fabsf(), not
-those of std). `m` is the model, row by row,
-NUMBERS of them; a datum has COLUMNS numbers. Where an error is not defined the result is NaN or
-infinite. */
+the linker would merge inline functions with external linkage; for the same reason they call sqrtf()
+and fabsf() instead of functions of std. `m` is the model row by row, NUMBERS numbers; a datum has
+COLUMNS numbers. Where an error is undefined, the result is NaN or infinite. */
 namespace {
 
-//! Truncated squared error in units of the squared threshold @cite torr2000mlesac, the cost of
-//! MSAC.
+//! MSAC cost: truncated squared error in units of the squared threshold @cite torr2000mlesac.
 inline float msacCost(float squaredError, float scale)
 {
     const float cost = squaredError * scale;
@@ -67,8 +65,8 @@ struct SampsonError
 };
 
 /** Symmetric transfer error, squared: that of H in image 2 plus that of its inverse in image 1
-@cite hartley2003multiple. The adjugate serves as the inverse, since a factor cancels; it is the
-same for all points. */
+@cite hartley2003multiple. The adjugate serves as the inverse, because a factor cancels; it does not
+depend on the point. */
 struct SymmetricTransferError
 {
     enum { COLUMNS = 4, NUMBERS = 9 };
@@ -100,7 +98,7 @@ struct SymmetricEpipolarError
 };
 
 /** Reprojection error, squared: |p(P X) - x|^2 for a point X of space and the 3x4 matrix P of a
-camera @cite hartley2003multiple. What is not in front of the camera is not seen: infinite. */
+camera @cite hartley2003multiple. Infinite for a point that is not in front of the camera. */
 struct ReprojectionError
 {
     enum { COLUMNS = 5, NUMBERS = 12 };

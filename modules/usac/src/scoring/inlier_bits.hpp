@@ -10,21 +10,22 @@
 namespace cv {
 namespace usacv20 {
 
-//! Which of the first points are inliers of a model, a bit each: the points are in random order, so
-//! that these stand for all.
+//! Marks which of the first points are inliers of a model, one bit per point. The points are in
+//! random order, so that the first ones represent all.
 class InlierBits
 {
 public:
-    //! Most points. 512: search failures the same within their noise.
+    //! Maximum number of points. With 512, search failures stay the same within their noise.
     enum { MOST = 256 };
 
-    //! None.
+    //! No inliers.
     InlierBits();
-    //! @param width in units of Context::inlierThreshold
+    //! @param width threshold of the inliers, in units of Context::inlierThreshold
     InlierBits(const Context& context, const Model& model, double width = 1);
 
+    //! Number of inliers.
     int count() const;
-    //! Those that are not among `others`.
+    //! Number of inliers that are not in `others`.
     int without(const InlierBits& others) const;
 
 private:

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold, else
-1; the errors themselves are not used. One pass over the points, fused with the residual. */
+/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold,
+else 1. One pass over the points, fused with the residual. */
 class InlierScore : public Score
 {
 public:

@@ -13,10 +13,10 @@ Kernels baselineKernels() { return allKernels(); }
 static Kernels bestKernels()
 {
 #ifdef USACV20_HAVE_AVX512
+    // OPENCV_CPU_DISABLE can name the group AVX512_SKX or single features
     if (checkHardwareSupport(CV_CPU_AVX512_SKX) && checkHardwareSupport(CV_CPU_AVX_512F) &&
         checkHardwareSupport(CV_CPU_AVX_512BW) && checkHardwareSupport(CV_CPU_AVX_512DQ) &&
-        checkHardwareSupport(
-            CV_CPU_AVX_512VL))  // OPENCV_CPU_DISABLE can name the group or one of them
+        checkHardwareSupport(CV_CPU_AVX_512VL))
         return avx512Kernels();
 #endif
 #ifdef USACV20_HAVE_AVX2

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* No include guard: each source file that sets an instruction set includes this once. Nothing but
-the kernels may be instantiated here, as inline functions of other headers would be merged with
-those of the other instruction sets. */
+/* No include guard: each source file that sets an instruction set includes this once. Only kernels
+may be instantiated here, because the linker would merge inline functions of other headers with
+those compiled for other instruction sets. */
 
 #include <cmath>
 #include <limits>
@@ -19,8 +19,8 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Partial sums of a block; as many as the widest registers have, whatever the registers of this
-//! build.
+//! Number of partial sums, as many as the widest registers hold. The same for all instruction sets,
+//! so that all return the same bits.
 constexpr int LANES = 16;
 
 template <class Error, typename... Columns>
@@ -54,14 +54,14 @@ struct MsacCost
     static inline float of(float error, float, float scale) { return msacCost(error, scale); }
 };
 
-//! One for an outlier.
+//! 1 for an outlier, 0 for an inlier.
 struct InlierCost
 {
     static inline float of(float error, float limit, float) { return error <= limit ? 0.f : 1.f; }
 };
 
-//! Adds #LANES points to the lanes. The loop has a constant length and touches no memory twice: it
-//! becomes vector code.
+//! Adds #LANES points to the partial sums. Compilers vectorize the loop, because its length is
+//! constant and its arrays do not overlap.
 template <class Error, class Cost, typename... Columns>
 inline void addLanes(const float* m, float limit, float scale, float* USAC_RESTRICT cost,
                      int* USAC_RESTRICT inliers, const Columns* USAC_RESTRICT... column)

@@ -13,24 +13,23 @@ namespace usacv20 {
 
 namespace {
 
-//! Of @cite rousseeuw1984least: inliers are within so many standard deviations; what small sets add
-//! to the scale, over n
-//! - m.
+//! From @cite rousseeuw1984least: inliers are within DEVIATIONS standard deviations; for small sets
+//! the scale is multiplied by 1 + SMALL_SETS / (n - m).
 constexpr double DEVIATIONS = 2.5, SMALL_SETS = 5;
 
-/** Least median of squares @cite rousseeuw1984least. Needs no threshold and at least half of the
-points right.
+/** Least median of squares @cite rousseeuw1984least. Needs no threshold, but at least half of the
+points must be inliers.
 
-The cost of a model is s / (s + extent) for each point, s being the root of the median squared error
-and `extent` that of the points (outlierExtent), so it is the median error as a part of the image
-where that is small. Quality::inliers are the points up to the median, the half that the method
-presumes to be right. A multiple of the median would not do: a wrong model has a large median, most
-points lie within its multiples, and the termination would believe them.
+The cost of a model is s / (s + extent) for each point, where s is the square root of the median
+squared error and `extent` the size of the image (outlierExtent). For small s this is the median
+error relative to the image. Quality::inliers are the points up to the median, the half that the
+method presumes to be inliers. A multiple of the median would not do: a wrong model has a large
+median, most points lie within its multiples, and the termination criterion would rely on them.
 
-The threshold of the final inliers is q c (1 + 5 / (n - m)) s: c makes s the standard deviation of
-Gaussian noise (1.4826 for F and E), the next factor is Rousseeuw's for small sets, and q is 2.5 for
-one degree of freedom (F, E) and as unlikely for two (H). It does not fall below the rounding of the
-errors. Linear time. */
+The threshold of the final inliers is q c (1 + 5 / (n - m)) s: c converts s to the standard
+deviation of Gaussian noise (1.4826 for F and E), the next factor is Rousseeuw's for small sets, and
+q is 2.5 for one degree of freedom (F, E) and the value of the same probability for two (H). The
+threshold is at least the rounding error of the residuals. Linear time. */
 class LmedsScore : public Score
 {
 public:
@@ -89,7 +88,7 @@ private:
                         (double)FLT_MAX);
     }
 
-    //! Of numbers that it reorders; NaN counts as infinite, as nth_element knows no order of it.
+    //! Reorders the values. NaN counts as infinite, because std::nth_element needs an ordering.
     static float medianOf(float* values, int count)
     {
         for (int i = 0; i < count; ++i)

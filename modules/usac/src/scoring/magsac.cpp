@@ -13,29 +13,31 @@ namespace usacv20 {
 
 namespace {
 
-//! Cells of the table. Half, double: the same.
+//! Number of cells of the table. Halving or doubling it changes no errors, see doc/constants.md.
 constexpr int SIZE = 1024;
 
-/** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over sigma uniform in 0
-.. sigma_max.
+/** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over a noise level
+sigma that is uniform in 0 .. sigma_max.
 
-Given sigma, points within k sigma (thresholdInSigmas) are inliers, Gaussian; the others are
-outliers, uniform on the area of the points (outlierExtent). The log-likelihood of the set is a sum
-over its points, and so is its average: for n degrees of freedom, a point with error r adds,
-measured from an outlier, the integral over sigma = r/k .. sigma_max of
+Given sigma, points within k sigma (thresholdInSigmas) are inliers with Gaussian noise; the others
+are outliers, uniform on the area of the points (outlierExtent). The log-likelihood of all points is
+a sum over them, and so is its average: for n degrees of freedom, a point with error r adds,
+relative to an outlier, the integral over sigma = r/k .. sigma_max of
 
     n log(extent / (sqrt(2 pi) sigma)) - r^2 / (2 sigma^2).
 
-The density of the inliers is that of the error as a vector. The paper has that of its length r,
-which for n = 2 vanishes at 0 and would rate a perfect point worst; for n = 1 they are the same.
-With u = r / threshold and L = logDensityRatio(sigma_max) the integral is in closed form, and as a
-loss from 0 to 1
+The density of the inliers is that of the error vector. The paper uses the density of its length r,
+which for n = 2 vanishes at 0, so that a point without error would be rated worst; for n = 1 both
+are the same.
+
+With u = r / threshold and L = logDensityRatio(sigma_max) the integral has a closed form. Scaled to
+a loss from 0 to 1 it is
 
     u + (k^2 / (2 n) u (1 - u) - u log(u)) / (1 + L).
 
-It grows strictly, as L is at least k^2 / (2 n), where an inlier at the threshold is as likely as an
-outlier. What L divides is tabulated over u with linear interpolation: a root and a look-up for each
-inlier. */
+It increases strictly, because L is at least k^2 / (2 n), the value for which an inlier at the
+threshold is as likely as an outlier. The term in parentheses is tabulated over u and interpolated
+linearly: a square root and a table lookup for each inlier. */
 class MagsacScore : public Score
 {
 public:

@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss of the weights that are
-marginalized over the scale of the noise, see MarginalizedWeights. A look-up for each inlier. */
+/** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss that belongs to weights
+marginalized over the scale of the noise, see MarginalizedWeights. A table lookup per inlier. */
 class MagsacPlusPlusScore : public Score
 {
 public:

@@ -11,19 +11,19 @@
 namespace cv {
 namespace usacv20 {
 
-//! Between the entries of a table, to both sides of a position >= 0; one entry more than there are
-//! cells.
+//! Interpolates linearly in a table, at a position >= 0 in units of cells; the table has one entry
+//! more than cells.
 inline float lookUp(const float* table, float position)
 {
     const int cell = (int)position;
     return table[cell] + (position - cell) * (table[cell + 1] - table[cell]);
 }
 
-//! Moves the errors up to a limit to the front, without a branch. @return their number; NaN is not
-//! among them
+//! Moves the errors within the threshold to the front, without a branch; NaN is outside.
+//! @return their number
 int keepInliers(float* squaredErrors, int count, float squaredThreshold);
 
-//! Of errors that are numbers.
+//! Number of errors within the threshold.
 inline int countWithin(const float* squaredErrors, int count, float squaredThreshold)
 {
     int within = 0;
@@ -32,8 +32,8 @@ inline int countWithin(const float* squaredErrors, int count, float squaredThres
     return within;
 }
 
-//! Sum of the values at `count` positions. Four sums side by side, so that no addition waits for
-//! the one before.
+//! Sum of the interpolated values at `count` positions, in four partial sums, so that an addition
+//! does not wait for the previous one.
 double sumOfLookUps(const float* table, const float* positions, int count);
 
 /** @brief Weights and loss of MAGSAC++ @cite barath2020magsac.
@@ -46,37 +46,37 @@ incomplete gamma function G this is proportional to
 
     G(a, x) - G(a, K),
 
-and the loss whose re-weighted least squares have these weights, its integral over x, to
+and the loss that re-weighted least squares minimize with it, its integral over x, to
 
     x (G(a, x) - G(a, K)) + g(a + 1, x)
 
-with the lower function g. Both take u = x/K, the squared error in units of the squared threshold.
-The loss is scaled to 1 at u = 1, and the weight is its derivative by u. For n = 1 the weight grows
-with -log(u) towards u = 0; it is kept where it is at u = 1/2048, for errors below 1/45 of the
-threshold.
+with the lower incomplete gamma function g. Both are functions of u = x/K, the squared error in
+units of the squared threshold. The loss is scaled to 1 at u = 1, and the weight is its derivative
+with respect to u. For n = 1 the weight grows like -log(u) towards u = 0; below u = 1/2048, that is,
+for errors below 1/45 of the threshold, it is constant.
 
-The tables have 2048 cells of equal length, in u for the loss and in the root of u for the weight,
-and linear interpolation. Errors are below 1e-3, those of the weight relative to it. */
+The tables have 2048 cells of equal length, in u for the loss and in sqrt(u) for the weight, with
+linear interpolation. The interpolation error is below 1e-3, relative for the weight. */
 class MarginalizedWeights
 {
 public:
-    //! Cells of the tables; below u = 1/SIZE the weight is constant. Half, double: errors within 1
-    //! %.
+    //! Number of cells of the tables; below u = 1/SIZE the weight is constant. Halving or doubling
+    //! it changes errors by at most 1 %, see doc/constants.md.
     enum { SIZE = 2048 };
 
-    //! Those of errors of so many degrees of freedom, made at first use.
+    //! The instance for errors with 1, 2 or 3 degrees of freedom, made at first use.
     static const MarginalizedWeights& of(int degrees);
 
     explicit MarginalizedWeights(int degrees);
 
-    //! By the formulas.
+    //! Loss and weight by the formulas above.
     double loss(double u) const;
     double weight(double u) const;
 
-    //! From the tables. 0 <= u, also infinite; NaN is taken as infinite.
+    //! Loss and weight from the tables; u >= 0 may be infinite, NaN counts as infinite.
     float tabulatedLoss(float u) const { return interpolate(losses, u < 1 ? u : 1.f); }
     float tabulatedWeight(float u) const { return interpolate(weights, sqrtf(u < 1 ? u : 1.f)); }
-    //! Sum of tabulatedLoss(u[i]); u is changed.
+    //! Sum of tabulatedLoss(u[i]); overwrites u.
     double sumOfLosses(float* u, int count) const;
 
 private:

@@ -9,8 +9,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Half, double: no run of the lists differs. Steps of expectation and maximization at most, and
-//! the change of the part of inliers that is the last.
+//! Maximum number of steps of expectation maximization, and the change of the inlier ratio that
+//! ends it. Halving or doubling them changes no run, see doc/constants.md.
 constexpr int MAX_ITERATIONS = 50;
 constexpr double SETTLED = 1e-4;
 

@@ -8,14 +8,15 @@
 namespace cv {
 namespace usacv20 {
 
-/** Log of how much more likely an inlier without error is than an outlier, divided by the degrees
-of freedom: log(extent / (sqrt(2 pi) sigma)). Not less than what makes both equally likely at the
-threshold, thresholdInSigmas: wide thresholds on points that hardly differ would ask for more. */
+/** Logarithm of the density of an inlier without error over that of an outlier, divided by the
+degrees of freedom: log(extent / (sqrt(2 pi) sigma)). Not below the value for which both are equally
+likely at the threshold (thresholdInSigmas), as it would be if the threshold is wide and the points
+lie close together. */
 double logDensityRatio(double extent, double sigma, int degrees);
 
-/** The part of inliers among `count` points that makes them most likely, by expectation and
-maximization. The density as an inlier of the first `near` points is `ratios` times that as an
-outlier; that of the others is 0. */
+/** Maximum-likelihood inlier ratio of `count` points, by expectation maximization. For the first
+`near` points, `ratios` are the densities as inliers over those as outliers; the others have the
+ratio 0. */
 double mixingWeight(const float* ratios, int near, int count);
 
 }  // namespace usacv20

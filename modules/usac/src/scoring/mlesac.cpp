@@ -12,26 +12,26 @@ namespace usacv20 {
 
 namespace {
 
-//! Points that are less than so many times as likely as inliers than as outliers count as outliers.
-//! Half, double: no run of the lists differs.
+//! Points whose density as inliers is below this multiple of that as outliers count as outliers.
+//! Halving or doubling it changes no run, see doc/constants.md.
 constexpr double NEGLIGIBLE = 1e-6;
-//! So many factors of any float do not overflow a double.
+//! Number of densities multiplied before a logarithm is taken; 4 floats do not overflow a double.
 constexpr int GROUP = 4;
 
 /** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers, Gaussian with sigma =
 threshold / thresholdInSigmas, and outliers, uniform on the area of the points (outlierExtent). With
-q the ratio of both densities at an error of 0, the log-likelihood of a point, measured from that of
+q the ratio of both densities at an error of 0, the log-likelihood of a point, relative to that of
 an outlier, is
 
     log(gamma q exp(-error^2 / (2 sigma^2)) + 1 - gamma),
 
-where the part gamma of inliers is found for each model by expectation and maximization. The cost is
-the sum over the points of 1 - this / log(q): 0 if all errors are 0, and never more than the number
-of points, which gamma = 0 has. Points that are less than #NEGLIGIBLE times as likely as inliers
-than as outliers count as outliers.
+where the inlier ratio gamma is found for each model by expectation maximization. The cost is the
+sum over the points of 1 - this / log(q): 0 if all errors are 0, and at most the number of points,
+which is the cost for gamma = 0. Points whose density as inliers is below #NEGLIGIBLE times that as
+outliers count as outliers.
 
-One pass over the points, with an exponential for those near the model, and some short ones over
-these. */
+One pass over the points, with an exponential for those near the model, and several short passes
+over the latter. */
 class MlesacScore : public Score
 {
 public:
@@ -62,7 +62,8 @@ public:
         }
         const double gamma = mixingWeight(squaredErrors, near, count);
         double likelihood = near < count ? (count - near) * std::log1p(-gamma) : 0;
-        for (int i = 0; i < near; i += GROUP)  // logarithms are slow
+        for (int i = 0; i < near;
+             i += GROUP)  // one logarithm per group, because logarithms are slow
         {
             double product = 1;
             for (int j = i; j < std::min<int>(i + GROUP, near); ++j)

@@ -11,8 +11,9 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-/* The place u + t v of a line as a number that grows with t and needs no arc tangent: t = s / c
-itself up to 1, beyond that 2 - 1 / t. The circle closes at -1 and 3. */
+/* Position of the point u + t v on a line, t = s / c, as a number that increases with t and needs
+no arc tangent: t itself if |t| <= 1, else 2 - 1 / t. -1 and 3 are the same point: the projective
+line is closed. */
 inline float placeOf(float s, float c)
 {
     const bool small = fabsf(s) <= fabsf(c);
@@ -20,7 +21,7 @@ inline float placeOf(float s, float c)
     return small ? ratio : 2.f - ratio;
 }
 
-//! NaN is in the first bin.
+//! Bin of such a position; the first one for NaN.
 inline int binOf(float place)
 {
     const float bin = (place + 1) * (0.25f * ARCS_BINS);

@@ -12,11 +12,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Most points of one block, whose errors stay in the first cache. Half, double: the same.
+//! Maximum number of points of a block: their errors stay in the L1 cache. Halving or doubling it
+//! changes nothing, see doc/constants.md.
 constexpr int BLOCK = 256;
 
-/** One model against the points: the fused kernel where score and residual have one, else errors,
-then score. */
+/** Evaluates one model on blocks of points: by the fused kernel if score and residual have one,
+else first the errors, then their score. */
 class Judge
 {
 public:
@@ -50,7 +51,7 @@ private:
     float m[MAX_MODEL_SIZE];
 };
 
-//! Block after block; false if the model was dropped.
+//! Evaluates block by block. @return false if the model was rejected or its cost reached `bound`
 bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double bound, int start,
                 Rating& rating)
 {
@@ -78,7 +79,7 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
     return true;
 }
 
-//! All points at once. A verifier looks at the numbers of inliers before.
+//! For scores that need all errors at once. A verifier, if any, tests the numbers of inliers first.
 void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound,
                int start, Rating& rating, float* errors)
 {
@@ -87,7 +88,7 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
     if (verifier &&
         !rateBlocks(Judge(context, counter, model), points.size, verifier, DBL_MAX, start, rating))
     {
-        rating.costBefore = 0;  // that was the counter's
+        rating.costBefore = 0;  // it was a number of outliers, not a cost of this score
         return;
     }
     context.components.residual->squaredErrors(points, model, 0, points.size, errors);

@@ -21,7 +21,7 @@ void errorsOf(const double* m, const double* const* columns, int count, double* 
         errors[i] = Error::squared(m, columns[K][i]...);
 }
 
-/** A residual is a formula and a name for its kernels; cost: one pass over the points. */
+/** The residual of a formula, with its kernels; one pass over the points. */
 template <class Error, Residual::Kind KIND>
 class FormulaResidual : public Residual
 {
@@ -50,7 +50,8 @@ public:
     bool homogeneous() const CV_OVERRIDE { return false; }
 };
 
-//! With its sign, which the root of its square does not have, nor a derivative where it is 0.
+//! Defines the signed error: the square root of the squared error has no sign, and no derivative
+//! at 0.
 class SampsonResidual : public FormulaResidual<SampsonError, Residual::SAMPSON>
 {
 public:

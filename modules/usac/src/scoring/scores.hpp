@@ -18,28 +18,28 @@ Ptr<Score> createMsacScore();
 Ptr<Score> createMlesacScore();
 //! See LmedsScore.
 Ptr<Score> createLmedsScore();
-//! See MagsacScore. @param reach Params::reach: inliers are the points within 1 / reach of the
-//! threshold of the cost
+//! See MagsacScore. @param reach Params::reach: inliers are the points with an error of at most
+//! 1 / reach times the threshold of the cost
 Ptr<Score> createMagsacScore(int errorDimension, double reach);
 //! See MagsacPlusPlusScore. @param reach as above
 Ptr<Score> createMagsacPlusPlusScore(int errorDimension, double reach);
 
-//! What rating one model found out.
+//! Result of the evaluation of one model.
 struct Rating
 {
     Quality quality;    //!< of all points if `complete`
-    bool complete;      //!< false: dropped by the verifier, or no better than the bound
-    bool refused;       //!< dropped by the verifier
-    int firstInliers;   //!< inliers among
-    int firstTested;    //!< the points of the first block
-    double costBefore;  //!< the last block that was looked at
+    bool complete;      //!< false: rejected by the verifier, or no better than the bound
+    bool refused;       //!< rejected by the verifier
+    int firstInliers;   //!< inliers of the first block
+    int firstTested;    //!< points of the first block
+    double costBefore;  //!< cost before the last evaluated block
 };
 
-/** Rates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points.
-After each block the verifier may drop the model, and it is dropped when its cost reaches the bound.
-The blocks start at point `start` and wrap around, so that no point is always the first to be asked.
-`errors` is memory for as many numbers as there are points, for scores that want all errors at once
-(Score::wholeModel); else it may be null. */
+/** Evaluates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points.
+The evaluation ends early if the verifier rejects the model after a block, or if its cost reaches
+the bound. The blocks start at point `start` and wrap around, so that it is not always the same
+points that are tested first. `errors` has room for one number per point, for scores that need all
+errors at once (Score::wholeModel); else it may be null. */
 Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound,
             int start, float* errors);
 

@@ -2,16 +2,16 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* Gauss-Newton sums of the geometric errors over a chunk of points, in vector code. No include
-guard: compiled once for each instruction set by scoring/kernels.inl.hpp. The sums run in lanes that
-the caller adds in a fixed order. */
+/* Gauss-Newton sums of the geometric errors over a chunk of points, in loops that compilers
+vectorize. No include guard: compiled once for each instruction set by scoring/kernels.inl.hpp. The
+caller adds the lanes of each sum in a fixed order. */
 
 namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Cost of a point behind the camera, a squared error: no sum of errors of points in front of it is
-//! as large.
+//! Squared error of a point behind the camera: larger than any sum of squared errors of points in
+//! front of it.
 constexpr double BEHIND = 1e200;
 
 //! Adds a[i] b[i] to the lanes.
@@ -31,7 +31,7 @@ inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRI
         lanes[k] = sum[k];
 }
 
-//! The same for a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1], of which each value is read once.
+//! The same for a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1]; reads each value once.
 inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
                         const double (*USAC_RESTRICT b)[SUMS_CHUNK], double* USAC_RESTRICT lanes00,
                         double* USAC_RESTRICT lanes01, double* USAC_RESTRICT lanes10,
@@ -65,10 +65,10 @@ inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
     }
 }
 
-/** Transfer error: residuals (u - x2, v - y2) with (u, v) = p(H x1). The derivatives by the rows of
-H are p / w times (1, 0, -u) and (0, 1, -v), with p = (x1, y1, 1): all blocks of JtJ are multiples
-of p p^T / w^2. sums: p p^T as 6 numbers times 1, u, v, u^2 + v^2 (24); the gradient (9); the cost.
-*/
+/** Transfer error: residuals (u - x2, v - y2) with (u, v) the perspective division of H x1. Their
+derivatives with respect to the rows of H are p / w times (1, 0, -u) and (0, 1, -v), with p = (x1,
+y1, 1), so that all blocks of J^T J are multiples of p p^T / w^2. sums: the 6 different entries of
+p p^T times 1, u, v, u^2 + v^2 (24); the gradient (9); the cost. */
 void transferSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {
     const double *x = chunk[0], *y = chunk[1], *x2 = chunk[2], *y2 = chunk[3], *weight = chunk[4];
@@ -128,10 +128,9 @@ void transferCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     addProducts(cost, weight, sums[0]);
 }
 
-/** Reprojection error of a 3x4 camera matrix: as transferSums, with p = (X, Y, Z, 1), whose
-products are 10 numbers. Points behind the camera do not move the model; each costs more than any
-model is worth. sums: p p^T as 10 numbers times 1, u, v, u^2 + v^2 (40); the gradient (12); the
-cost. */
+/** Reprojection error of a 3x4 camera matrix: like transferSums, with p = (X, Y, Z, 1). Points
+behind the camera add nothing to the normal equations and BEHIND to the cost. sums: the 10 different
+entries of p p^T times 1, u, v, u^2 + v^2 (40); the gradient (12); the cost. */
 void reprojectionSums(const double (*chunk)[SUMS_CHUNK], const double* m,
                       double (*sums)[SUMS_LANES])
 {
@@ -205,7 +204,7 @@ void reprojectionCost(const double (*chunk)[SUMS_CHUNK], const double* m,
 /** Epipolar distances: residual r = N / sqrt(D) with N = x2^T F x1 and D = a^2 + b^2 + d^2 + e^2
 for Sampson's distance, where (a, b) are the first two entries of F x1 (FIRST) and (d, e) those of
 F^T x2 (SECOND); one pair alone gives the distance to the line in one image. dr/dF = (x2 x1^T - N/D
-((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D). sums: the lower triangle of JtJ row by row (45); the
+((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D). sums: the lower triangle of J^T J row by row (45); the
 gradient (9); the cost. */
 template <bool FIRST, bool SECOND>
 void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
@@ -221,8 +220,8 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
         const double a = FIRST ? l0 : 0, b = FIRST ? l1 : 0;
         const double d = SECOND ? m[0] * x2[i] + m[3] * y2[i] + m[6] : 0;
         const double e = SECOND ? m[1] * x2[i] + m[4] * y2[i] + m[7] : 0;
-        const double D = a * a + b * b + d * d + e * e +
-                         1e-200;  // 0 where both points are epipoles, as is N
+        // without 1e-200, D is 0 if both points are epipoles, and so is N
+        const double D = a * a + b * b + d * d + e * e + 1e-200;
         const double s = 1 / std::sqrt(D), q = N * s * s;
         const double left0 = s * (x2[i] - q * a), left1 = s * (y2[i] - q * b);
         const double right0 = s * q * d, right1 = s * q * e;
@@ -256,7 +255,7 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
     }
 }
 
-//! Their cost alone, in the first sum.
+//! The cost of epipolarSums alone, in the first sum.
 template <bool FIRST, bool SECOND>
 void epipolarCost(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {

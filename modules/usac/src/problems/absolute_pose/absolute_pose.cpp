@@ -16,8 +16,8 @@ namespace usacv20 {
 
 namespace {
 
-/** @brief Rotation and translation of a calibrated camera from points of space and their images: x
-~ K (R X + t).
+/** @brief Rotation and translation of a calibrated camera from 3D points and their images:
+x ~ K (R X + t).
 
 Models of the search are 3x4 camera matrices, see PoseCamera; the caller gets [R t]. */
 class AbsolutePoseProblem : public Problem

@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! See AbsolutePoseProblem. Arguments as of cv::solvePnP.
+//! See AbsolutePoseProblem. Arguments as for cv::solvePnP.
 Ptr<Problem> createAbsolutePoseProblem(InputArray cameraMatrix, InputArray distCoeffs);
 /** @brief From 3 points, see P3PSolver.
 @param camera upper triangular, last row 0 0 1: models are `camera` [R t] */

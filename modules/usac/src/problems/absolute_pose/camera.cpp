@@ -13,7 +13,7 @@ namespace {
 
 double meanFocal(const Matx33d& K) { return (std::abs(K(0, 0)) + std::abs(K(1, 1))) / 2; }
 
-//! By the four numbers of a linear map of the plane, in place.
+//! Applies the upper left 2x2 block of M to each point, in place.
 void map(const Matx33d& M, double* u, double* v, int count)
 {
     for (int i = 0; i < count; ++i)

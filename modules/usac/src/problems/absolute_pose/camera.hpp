@@ -12,29 +12,27 @@ namespace usacv20 {
 
 /** @brief The camera of an absolute pose.
 
-The search works on pixels from the principal point, without distortion, over the mean focal length:
-there an error is one of pixels but for a factor, and the camera matrix is `matrix` [R t]. */
+The search uses undistorted pixel coordinates relative to the principal point, divided by the mean
+focal length. There errors are proportional to errors in pixels, and models are `matrix` [R t]. */
 class PoseCamera
 {
     const Matx33d K;
     const Distortion distortion;
 
 public:
-    //! As the arguments of the same names of cv::solvePnP. Raises cv::Exception for what is no
-    //! camera.
+    //! Arguments as for cv::solvePnP. Raises cv::Exception if they are no camera.
     PoseCamera(InputArray cameraMatrix, InputArray distCoeffs);
 
-    //! Pixels to points of the search, in place; NaN where nothing is seen.
+    //! Converts pixels to these coordinates, in place; NaN where the lens images nothing.
     void toSearch(double* u, double* v, int count) const;
-    //! Pixels from the principal point over the mean focal length, in place: the same but for the
-    //! distortion.
+    //! The same without removing the distortion.
     void toSearchUnits(double* u, double* v, int count) const;
-    //! Where a point of the normalized image plane is seen, in these units. False if it is not.
+    //! Where the lens images a point of the normalized image plane, in the units of
+    //! toSearchUnits(). False if it does not image it.
     bool see(const Vec2d& point, Vec2d& seen, Matx22d* derivative = 0) const;
 
-    const Matx33d matrix,
-        inverse;         //!< its last row is 0 0 1, its last column, too; and its inverse
-    const double focal;  //!< mean focal length in pixels
+    const Matx33d matrix, inverse;  //!< last row and column are 0 0 1; its inverse
+    const double focal;             //!< mean focal length in pixels
     const bool distorted;
 };
 

@@ -10,15 +10,15 @@ namespace usacv20 {
 
 namespace {
 
-//! Numbers of a datum.
+//! Size of a datum.
 enum { COLUMNS = 5 };
-//! Of what is not seen, each component of the error: its square is more than any sum of errors of
-//! what is.
+//! Each component of the error of a point that is not seen: its square exceeds any sum of squared
+//! errors of points that are.
 constexpr double UNSEEN = 1e100;
 
 }  // namespace
 
-//! `derivative`: by the point before it is divided by its depth, K (R X + t).
+//! `derivative`: with respect to the point before the division by its depth, K (R X + t).
 bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt,
                            Matx<double, 2, 3>* derivative) const
 {

@@ -11,10 +11,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Reprojection error in the image as it was taken, distortion included.
+/** @brief Reprojection error in the original, distorted image.
 
-A datum is a point of space and one of PoseCamera::toSearchUnits, a model the camera matrix of
-PoseCamera. Infinite for what is behind the camera and for what the lens does not show. */
+A datum is an object point and an image point of PoseCamera::toSearchUnits; a model is a camera
+matrix `matrix` [R t] of PoseCamera. Infinite for points behind the camera and for points that the
+lens does not image. */
 class LensResidual : public Residual
 {
 public:

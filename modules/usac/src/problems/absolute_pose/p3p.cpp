@@ -23,7 +23,7 @@ struct TriangleFrame
         x = side3 * (1 / length);
         along = side1.dot(x);
         Vec3d across = side1 - along * x;
-        across -= across.dot(x) * x;  // of a flat triangle, rounding has left a part along x
+        across -= across.dot(x) * x;  // rounding leaves a part along x if the triangle is flat
         height = std::sqrt(across.dot(across));
         y = across * (1 / height);
         z = x.cross(y);
@@ -33,12 +33,12 @@ struct TriangleFrame
     Vec3d x, y, z;  //!< the axes
 };
 
-//! A triangle is flat if its height is less than these parts of the longest side and of the largest
-//! coordinate.
+//! A triangle is flat if its height is at most LEAST_HEIGHT times the longest side or LEAST_EXTENT
+//! times the largest coordinate.
 constexpr double LEAST_HEIGHT = 1e-9, LEAST_EXTENT = 1e-13;
-//! Unit rays closer than this are the same one but for rounding.
+//! Unit rays at a smaller distance are equal up to rounding.
 constexpr double LEAST_DISTANCE = 4e-15;
-//! How far from its image a point may be reprojected, on the image plane.
+//! Largest reprojection error of a point of the sample, on the image plane.
 constexpr double MISFIT = 1e-6;
 
 //! Three points, the first one opposite the longest side.
@@ -78,12 +78,12 @@ struct PoseSample
     }
 
     Vec3d X[3], ray[3];
-    double length[3];  //!< of the rays up to the image plane
-    double largest;    //!< magnitude of a coordinate of the object points
+    double length[3];  //!< lengths of the rays up to the image plane
+    double largest;    //!< largest absolute coordinate of the object points
 };
 
 //! [R t] that takes the triangle of the object to that of the camera. False if they are not
-//! congruent, or if a point is so close to the center that nobody knows where it is seen.
+//! congruent, or if a point is so close to the camera center that its image is undetermined.
 bool poseOf(const PoseSample& sample, const TriangleFrame& object, const TriangleDepths& depths,
             double sigma, Model& model)
 {
@@ -116,7 +116,7 @@ bool poseOf(const PoseSample& sample, const TriangleFrame& object, const Triangl
     return true;
 }
 
-//! camera [R t] in the place of [R t].
+//! Replaces [R t] by camera [R t].
 void withCamera(const Matx33d& camera, Model& model)
 {
     for (int k = 0; k < 4; ++k)

@@ -16,20 +16,20 @@ The columns of a datum are X, Y and Z of the object point and u and v of its ima
 1 of the camera. A model is the 3x4 matrix [R t] that takes object points to camera points, R a
 rotation.
 
-The law of cosines gives three quadrics in the distances of the points from the camera. Their ratios
-are the points where two conics meet @cite persson2018lambda, found by means of a degenerate conic
-of their pencil, a pair of lines @cite ding2023revisiting. Unlike there the unknowns are the first
-distance and by how much the others exceed it, in such units that nothing cancels for a narrow field
-of view or a scene far away.
+The law of cosines gives three quadrics in the distances of the points from the camera. The ratios
+of these distances are the intersections of two conics @cite persson2018lambda, found by means of a
+degenerate conic of their pencil, a pair of lines @cite ding2023revisiting. Unlike there, the
+unknowns are the first distance and the differences of the others from it, in units in which nothing
+cancels for a narrow field of view or a distant scene.
 
-Every model has its three points in front of the camera and reprojects them; no two are the same.
-There is none if the points of space lie on a line, if two image points are the same, or if a number
-is not finite. */
+Every model has the three points in front of the camera and reprojects them to their images; no two
+models are the same. There is none if the object points are collinear, if two image points are the
+same, or if a coordinate is not finite. */
 class P3PSolver : public MinimalSolver
 {
 public:
-    //! Models are `camera` [R t], u and v points of camera X / Z; its last row and column are 0 0
-    //! 1.
+    //! `camera`: last row and column 0 0 1. Models are `camera` [R t], and u and v are coordinates
+    //! of `camera` X / Z.
     explicit P3PSolver(const Matx33d& camera_) : camera(camera_), inverse(camera_.inv()) {}
 
     int sampleSize() const CV_OVERRIDE;

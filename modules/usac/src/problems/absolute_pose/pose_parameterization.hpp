@@ -10,9 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The pose of a camera and a minimal parameterization around it: a rotation that is applied
-after the present one, as a vector, and what is added to the translation. Parameters 0 are the pose
-itself. */
+/** @brief The pose of a camera and a minimal parameterization around it: the rotation vector of a
+rotation that is applied after the present one, and an increment of the translation. Parameters 0
+are the pose itself. */
 class PoseParameterization
 {
 public:
@@ -21,8 +21,8 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Makes it around the rotation and translation that are closest to the camera matrix K [R t],
-    //! a model.
+    //! Makes the parameterization around the pose whose rotation and translation are closest to a
+    //! model, the camera matrix K [R t].
     struct Around
     {
         explicit Around(const Matx33d& K_) : K(K_) {}
@@ -38,9 +38,9 @@ public:
     PoseParameterization(const Matx33d& K, const Matx33d& rotation, const Vec3d& translation);
 
     bool hasFullRank() const { return true; }
-    //! Derivatives of the model, as a 12-vector row by row, by the parameters at zero.
+    //! Derivatives of the model, as a 12-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model.
+    //! Converts normal equations in the entries of the model to normal equations in the parameters.
     void project(const SpaceEquations& sums, Matrix& A, Step& b) const
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);

@@ -41,8 +41,8 @@ double trace(const Conic& a, const Conic& b)
            2 * (a.m[1] * b.m[1] + a.m[2] * b.m[2] + a.m[4] * b.m[4]);
 }
 
-/** The pencil E + x F of two conics. det(E + x F) = c0 + c1 x + c2 x^2 + c3 x^3; F is such a conic
-of the pencil that c3 is not small, so that there is no root near infinity. */
+/** The pencil E + x F of two conics, det(E + x F) = c0 + c1 x + c2 x^2 + c3 x^3. F is chosen from
+the pencil so that c3 is not small and no root is near infinity. */
 struct Pencil
 {
     Pencil(const Conic& first, const Conic& second) : E(first), F(second)
@@ -77,8 +77,7 @@ struct Pencil
 };
 
 /** The real root of c0 + c1 x + c2 x^2 + c3 x^3 that lies alone on its side of the point of
-inflection: if there are three, the one that is farthest from the others and thus the best
-conditioned. */
+inflection: of three roots, the one that is farthest from the others and thus best conditioned. */
 double loneRoot(const double* c)
 {
     const double inverse = 1 / c[3], shift = c[2] * inverse / 3;
@@ -92,7 +91,7 @@ double loneRoot(const double* c)
         const double A = std::cbrt(std::abs(q) + std::sqrt(excess));
         y = A - p / A;
     }
-    else  // between sqrt(3) and 2 times sqrt(-p); from above Newton's method does not overshoot
+    else  // at most 2 sqrt(-p), at least sqrt(-3 p); Newton's method does not overshoot from above
         y = 2 * std::sqrt(-p);
     double x = (q > 0 ? -y : y) - shift;
     for (int i = 0; i < 8; ++i)
@@ -102,20 +101,20 @@ double loneRoot(const double* c)
         if (!(std::abs(step) <= 1e300))  // a triple root
             break;
         x -= step;
-        if (std::abs(step) <= 1e-9 * std::abs(x))  // squared, it is the error now
+        if (std::abs(step) <= 1e-9 * std::abs(x))  // the error is now about its square
             break;
     }
     return x;
 }
 
-//! A pair of lines: where they meet, and another point of each.
+//! A pair of lines: their intersection, and one more point of each.
 struct LinePair
 {
     double common[3], other[2][3];
 };
 
-/** The lines of a degenerate conic. Its adjugate is -p p^T, where p is the point that they share.
-With i the largest element of p, they cross the line x_i = 0 elsewhere, at the roots of a quadratic
+/** The lines of a degenerate conic. Its adjugate is -p p^T, where p is their intersection. With p_i
+the largest entry of p, they intersect the line x_i = 0 elsewhere, at the roots of a quadratic
 equation.
 @return false if they are not real */
 bool split(const Conic& D, LinePair& lines)
@@ -143,11 +142,12 @@ bool split(const Conic& D, LinePair& lines)
     return true;
 }
 
-/** A radicand as little below 0 as that part of the coefficients counts as 0: rounding has torn a
-double solution apart. What is none violates the equations by no more than that. */
+/** A negative radicand counts as 0 if its magnitude is at most this part of the squared
+coefficients: rounding has made the two equal solutions complex. If there is no solution after all,
+the one returned violates the equations by no more than that. */
 constexpr double TORN = 1e-12;
 
-//! Where the lines meet a conic: homogeneous points. @return their number
+//! Intersections of the lines with a conic, homogeneous. @return their number
 int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
 {
     const double *p = lines.common, *m = C.m;
@@ -177,8 +177,8 @@ int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
     return count;
 }
 
-//! The triangle of the given ratio p : q : w with side 23 of length 1 and w > 0. False if a corner
-//! is not in front.
+//! The triangle with the given ratio p : q : w, side 23 of length 1 and w > 0. False if a corner is
+//! not in front of the camera.
 bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
 {
     const double p = ratio[0], q = ratio[1], w = ratio[2], w2 = w + T.sigma * p,
@@ -193,8 +193,8 @@ bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
     return d.w > 0 && w2 * factor > 0 && w3 * factor > 0;
 }
 
-//! Two solutions closer than this, relative to their size, are one: rounding tears a double one
-//! apart by its root.
+//! Solutions whose relative difference is smaller are one: rounding splits a double solution by
+//! about the square root of the machine precision.
 constexpr double SAME = 1e-7;
 
 bool same(const TriangleDepths& a, const TriangleDepths& b)
@@ -207,7 +207,7 @@ bool same(const TriangleDepths& a, const TriangleDepths& b)
 
 int solveTriangle(const Triangle& T, TriangleDepths* depths)
 {
-    // a12 and a13 times the third equation, off the first and the second
+    // subtract a12 and a13 times the third equation from the first and the second
     const double pq = 1 - 0.5 * T.sigma * T.sigma * T.s23, half = 0.5 * T.sigma;
     const double w12 = T.s12 - T.a12 * T.s23, w13 = T.s13 - T.a13 * T.s23;
     const Conic first = {{1 - T.a12, T.a12 * pq, half * w12, -T.a12, -half * T.a12 * T.s23, w12}};

@@ -8,22 +8,23 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A triangle of which the lengths of the sides and the rays through its corners are known.
+/** @brief A triangle with known side lengths and known viewing rays through its corners.
 
 With the distances d1, d2, d3 of the corners from the center, c the cosine of the angle between two
 rays and s = 2 - 2 c the squared distance of their unit vectors, the law of cosines is
 
     a_ij = d_i^2 + d_j^2 - 2 c_ij d_i d_j = (d_i - d_j)^2 + s_ij d_i d_j
 
-The second form does not cancel for small angles. Side 23 is the longest, and the unit of length. */
+The second form does not suffer from cancellation for small angles. Side 23 is the longest one and
+the unit of length. */
 struct Triangle
 {
     double a12, a13;       //!< squared lengths of the other two sides; a23 = 1
-    double s12, s13, s23;  //!< squared distances between unit rays, over those of the two farthest
-    double sigma;          //!< distance of the two farthest
+    double s12, s13, s23;  //!< squared distances between unit rays over the largest of them
+    double sigma;          //!< largest distance between unit rays
 };
 
-/** @brief Where a triangle may be: d1 = w / sigma, d2 = w / sigma + p, d3 = w / sigma + q.
+/** @brief A position of the triangle: d1 = w / sigma, d2 = w / sigma + p, d3 = w / sigma + q.
 
 In these unknowns, with s for the squared distances over sigma^2,
 
@@ -31,19 +32,20 @@ In these unknowns, with s for the squared distances over sigma^2,
     a13 = q^2 + s13 w (w + sigma q)
       1 = (p - q)^2 + s23 (w + sigma p) (w + sigma q)
 
-which turns into the equations of a camera at infinity for sigma = 0: all numbers are of the order
-of 1, however far the triangle is. With the distances as unknowns the poses of a scene at 100 times
-its size come out 10 000 times less exact, also after steps of Newton's method, which in these
-unknowns improve nothing. */
+which for sigma = 0 become the equations of a camera at infinity: all numbers are of the order of 1,
+however far away the triangle is. With the distances as unknowns, poses of a scene at a distance of
+100 times its size are 10 000 times less accurate, even after Newton steps; with the unknowns above,
+such steps improve nothing. */
 struct TriangleDepths
 {
     double p, q, w;
 };
 
-//! Most places of a triangle in front of the camera.
+//! Maximum number of positions of a triangle in front of the camera.
 enum { MAX_TRIANGLE_DEPTHS = 4 };
 
-/** @brief All places of a triangle with d1, d2, d3 > 0, each once.
+/** @brief All positions of a triangle with d1, d2, d3 > 0, each once.
+
 @param triangle its shape and its rays, all finite, no two rays the same
 @param depths output, at most #MAX_TRIANGLE_DEPTHS
 @return their number */

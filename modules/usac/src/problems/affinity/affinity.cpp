@@ -13,8 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-//! The affine map of a plane, of a distant or a small one seen by a camera, from image 1 to image
-//! 2.
+//! Affine map from image 1 to image 2, as for a plane that is small or far from the camera.
 class AffinityProblem : public PlaneMapProblem
 {
 public:
@@ -23,7 +22,7 @@ public:
     SampleCost sampleCost() const CV_OVERRIDE
     {
         return SampleCost(150, 1);
-    }  // measured beside that of H
+    }  // measured together with that of H
     Model closest(const Model& model) const CV_OVERRIDE
     {
         return AffinityParameterization(model).model();

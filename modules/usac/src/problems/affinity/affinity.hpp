@@ -14,8 +14,7 @@ namespace usacv20 {
 Ptr<Problem> createAffinityProblem();
 //! From 3 points, see Affinity3Solver.
 Ptr<MinimalSolver> createAffinity3Solver();
-//! Least squares of a residual: in closed form where it is the transfer error, else by steps
-//! (LeastSquaresSolver).
+//! Least squares of a residual: in closed form for the transfer error, else a LeastSquaresSolver.
 Ptr<NonMinimalSolver> createAffinityFit(const Ptr<Residual>& residual);
 //! Least squares of the transfer error.
 Ptr<NonMinimalSolver> createAffinityLeastSquares();

@@ -10,12 +10,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Twice the area of a triangle over the squared length of its longest side from the first point:
-//! below it the points are on a line, as for a homography.
+//! Points are collinear if twice the area of their triangle is at most this part of the squared
+//! longest side at the first point; the same value as for a homography.
 constexpr double COLLINEAR = 1e-6;
 
-//! The sides of the triangle from its first point, as columns. @return false if it is (nearly) a
-//! line
+//! The sides of the triangle at its first point, as columns. @return false if the points are
+//! (nearly) collinear
 bool sidesOf(const double* x, const double* y, const int* s, double* side)
 {
     for (int k = 0; k < 2; ++k)

@@ -12,13 +12,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Determinant of the second moments of image 1 over the square of their trace, below which the
-//! points are on a line: what is left of it after rounding, with room for points that are close to
-//! each other.
+//! Points are collinear if the determinant of their second moments in image 1 is at most this part
+//! of the squared trace: what rounding leaves of 0, with a margin for points close together.
 constexpr double ON_A_LINE = 1e-13;
 
-//! Least squares of the transfer error, in closed form: A is the covariance of both images times
-//! the inverse of the one of image 1.
+//! Least squares of the transfer error, in closed form: A is the cross-covariance of the images
+//! times the inverse covariance of image 1.
 class AffinityLeastSquares : public NonMinimalSolver
 {
 public:

@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Least determinant of the linear part over the sum of the squares of its entries: rounding of
-//! what is singular.
+//! The linear part is singular if its determinant is at most this part of the sum of its squared
+//! entries: what rounding leaves of 0.
 constexpr double LEAST_DETERMINANT = 1e-9;
 
 AffinityParameterization::AffinityParameterization(const Model& model)

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! @brief An affine map and its parameters: the entries of the first two rows. Parameters 0 are the
-//! model itself.
+//! @brief An affine map and its parameters: the entries of the first two rows. Zero parameters give
+//! the model itself.
 class AffinityParameterization
 {
 public:
@@ -25,9 +25,9 @@ public:
 
     //! False for a map of the plane to a line or a point.
     bool hasFullRank() const;
-    //! Derivatives of the model, as a 9-vector row by row, by the parameters.
+    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model.
+    //! Converts normal equations in the entries of the model to normal equations in the parameters.
     void project(const NormalEquations& sums, Matrix& A, Step& b) const;
     AffinityParameterization plus(const Step& step) const;
     Model model() const;

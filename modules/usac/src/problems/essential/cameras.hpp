@@ -14,13 +14,14 @@ namespace usacv20 {
 class Cameras
 {
 public:
-    /** @param cameraMatrix1, cameraMatrix2 3x3, any depth; the second one empty: as the first
+    /** Raises cv::Exception if the arguments are no cameras.
+    @param cameraMatrix1, cameraMatrix2 3x3, any depth; the second one empty: as the first
     @param distCoeffs1, distCoeffs2 4, 5, 8, 12 or 14 coefficients as for cv::undistortPoints;
-    empty: none Raises cv::Exception for what is no camera. */
+    empty: none */
     Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
             InputArray distCoeffs2);
 
-    //! From pixels to the normalized image plane, in place; NaN where the lens shows nothing.
+    //! From pixels to the normalized image plane, in place; NaN where the lens images nothing.
     //! @return mean focal length in pixels
     double toImagePlane(double* const* columns, int count) const;
 

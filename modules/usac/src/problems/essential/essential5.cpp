@@ -95,9 +95,9 @@ void constraints(const double (&basis)[4][9], double (&C)[10][20])
     }
 }
 
-/** Gauss elimination of the left 10x10 block with partial pivoting; only the last six rows, which
-the solver uses, are brought to reduced form. @return the smallest pivot as part of the largest
-coefficient; 0 if the block is singular */
+/** Gaussian elimination of the left 10x10 block with partial pivoting; only the last six rows,
+which the solver uses, are brought to reduced form. @return the smallest pivot relative to the
+largest coefficient; 0 if the block is singular */
 double eliminate(double (&C)[10][20])
 {
     double largest = 0, least = DBL_MAX;
@@ -123,15 +123,15 @@ double eliminate(double (&C)[10][20])
             if (i == k)
                 continue;
             const double factor = C[i][k];
-            for (int j = (k + 1) & ~1; j < 20; ++j)  // in pairs
+            for (int j = (k + 1) & ~1; j < 20; ++j)  // from an even column, for vector code
                 C[i][j] -= factor * C[k][j];
         }
     }
     return least / largest;
 }
 
-/** Row a of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of (monomial z) minus z times
-the row of (monomial). Coefficients from the constant upwards: degree 3, 3 and 4. */
+/** A row of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of (monomial z) minus z times
+the row of (monomial). Coefficients from the constant upwards; degrees 3, 3 and 4. */
 void linkRows(const double* withZ, const double* without, double (&B)[3][5])
 {
     for (int k = 0; k < 2; ++k)
@@ -162,8 +162,8 @@ double horner(const double* c, double z)
     return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
 }
 
-//! (x, y, 1) in the null space of B(z): the largest of the cross products of its rows. False if x
-//! or y is infinite.
+//! (x, y, 1) in the null space of B(z), from the cross product of two rows with the largest third
+//! entry. False if x or y is (nearly) infinite.
 bool backSubstitute(const double (&B)[3][3][5], double z, double& x, double& y)
 {
     double v[3][3];
@@ -186,8 +186,8 @@ bool backSubstitute(const double (&B)[3][3][5], double z, double& x, double& y)
     return best > 0 && std::abs(x) < 1e12 && std::abs(y) < 1e12;
 }
 
-//! sums[i] += the i-th of ten constraints, or a part of it: their coefficients of the monomials
-//! first..last-1 times those values.
+//! Adds to sums[i] the terms first..last-1 of the i-th constraint: its coefficients times the
+//! values of the monomials.
 inline void addRows(const double (&T)[20][10], const double* values, int first, int last,
                     double* sums)
 {
@@ -196,11 +196,11 @@ inline void addRows(const double (&T)[20][10], const double* values, int first, 
             sums[i] += values[k] * T[k][i];
 }
 
-//! What may be left of the constraints, for unit models: no correction is needed; no essential
-//! matrix has been found.
+//! Residuals of the constraints for E of unit norm: below EXACT, no correction is needed; from
+//! VIOLATED on, E is no essential matrix.
 constexpr double EXACT = 1e-12, VIOLATED = 1e-9;
 
-//! Largest of the ten constraints r at (x, y, z).
+//! Computes the residuals r of the ten constraints at (x, y, z). @return the largest absolute value
 double violation(const double (&T)[20][10], double x, double y, double z, double (&r)[10])
 {
     const double m[20] = {x * x * x, y * y * y, x * x * y, x * y * y, x * x * z, x * x, y * y * z,
@@ -214,7 +214,7 @@ double violation(const double (&T)[20][10], double x, double y, double z, double
     return largest;
 }
 
-//! Step of Gauss and Newton's method on the ten constraints; zero if it is not determined.
+//! Gauss-Newton step on the ten constraints; zero if it is not determined.
 Vec3d stepOf(const double (&T)[20][10], double x, double y, double z, const double (&r)[10])
 {
     const double mx[20] = {3 * x * x, 0,     2 * x * y, y * y, 2 * x * z, 2 * x, 0,
@@ -247,12 +247,12 @@ Vec3d stepOf(const double (&T)[20][10], double x, double y, double z, const doub
     return A.inv() * b;
 }
 
-/** Gauss and Newton's method on the ten constraints in x, y and z. The elimination loses digits
-where its pivots are small; the steps bring them back.
+/** Gauss-Newton method on the ten constraints in x, y and z. It restores the digits that the
+elimination loses if its pivots are small.
 @param T coefficients of the constraints, a row for each monomial
 @param length of Z; those of X, Y and W are 1
-@param x, y, z solution, in and out
-@return what is left of the constraints */
+@param x, y, z solution, input and output
+@return largest absolute residual of the constraints */
 double correct(const double (&T)[20][10], double length, double& x, double& y, double& z)
 {
     enum { STEPS = 4 };
@@ -306,8 +306,8 @@ struct System
     double B[3][3][5];          //!< B(z) (x, y, 1)^T = 0
 };
 
-//! Of samples with smaller pivots than this, solutions are lost; fewer than one in a hundred of a
-//! scene with parallax is among them.
+//! With smaller pivots the elimination loses solutions, and another basis is used. In a scene with
+//! parallax this happens for less than one sample in a hundred.
 constexpr double SMALL_PIVOT = 5e-4;
 
 /** @brief Up to ten essential matrices from five points of calibrated cameras
@@ -315,8 +315,7 @@ constexpr double SMALL_PIVOT = 5e-4;
 
 The epipolar constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3
 matrix of polynomials in z whose determinant, of degree 10, vanishes; its real roots give z, its
-null vectors x and y. Roots that satisfy the constraints only roughly, even after a correction, are
-no solutions. */
+null vectors x and y. Roots that violate the constraints even after a correction are rejected. */
 class Essential5Solver : public MinimalSolver
 {
 public:
@@ -360,7 +359,7 @@ public:
     }
 
 private:
-    //! Any basis of what the epipolar constraints leave.
+    //! Any basis of the null space of the epipolar constraints.
     static bool span(const Correspondences& p, const int* sample, EssentialBasis& basis)
     {
         double A[9][6] = {{0}};

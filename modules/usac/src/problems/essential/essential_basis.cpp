@@ -18,8 +18,8 @@ double product(const double* a, const double* b)
     return sum;
 }
 
-//! Gram and Schmidt's method for the k-th vector, those before are orthonormal. @return its length
-//! without their directions
+//! Gram-Schmidt step for the k-th vector; those before it are orthonormal. @return its length after
+//! their directions were removed
 double orthonormalize(double (*vectors)[9], int k)
 {
     double* const v = vectors[k];
@@ -56,7 +56,7 @@ Matx33d rotationOf(const Correspondences& p, const int* sample)
 void mix(EssentialBasis& basis)
 {
     // The rotation v -> p v q of four dimensions with the quaternions p = 3 + 5i + 7j + 11k and q =
-    // 13 - 4i + 6j + 9k, times sqrt(61608); any one without small entries will do.
+    // 13 - 4i + 6j + 9k, times sqrt(61608); any rotation without small entries will do.
     static const double ROTATION[4][4] = {
         {-82, -56, -198, -112}, {50, 200, -118, 72}, {20, 114, 76, -206}, {228, -74, -52, -38}};
     EssentialBasis q;
@@ -76,13 +76,12 @@ double align(const Correspondences& points, const int* sample, EssentialBasis& b
 {
     //! Three times a rotation of three dimensions without small entries.
     static const double ROTATION[3][3] = {{2, -2, 1}, {2, 1, -2}, {1, 2, 2}};
-    const double
-        SMALLEST = 1e-6;  // of the scale: below it nothing of the translation is left in double
+    const double SMALLEST = 1e-6;  // smaller scales are lost to rounding
     EssentialBasis q;
     for (int k = 0; k < 4; ++k)
         orthonormalize(basis, k);
     const Matx33d R = rotationOf(points, sample);
-    double inside = 1;  // cosine of the largest angle between [t]x R and the space
+    double inside = 1;  // squared cosine of the largest angle between the [t]x R and the space
     for (int k = 0; k < 3; ++k)
     {
         const Matx33d crossed(0, -(k == 2), k == 1, k == 2, 0, -(k == 0), -(k == 1), k == 0, 0);

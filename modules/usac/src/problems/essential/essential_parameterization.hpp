@@ -10,11 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief An essential matrix and a minimal parameterization around it; parameters 0 are the model
-itself.
+/** @brief An essential matrix and a minimal parameterization around it; zero parameters give the
+model itself.
 
-E = U diag(1, 1, 0) V^T / sqrt(2); 3 rotations of U, 2 of V (the third moves E like one of U): 5
-@cite helmke2007essential. */
+E = U diag(1, 1, 0) V^T / sqrt(2) has 5 parameters: 3 rotations of U and 2 of V, whose third one
+changes E like one of U @cite helmke2007essential. */
 class EssentialParameterization
 {
 public:
@@ -27,10 +27,10 @@ public:
     explicit EssentialParameterization(const Model& model);
 
     bool hasFullRank() const { return true; }
-    //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
+    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T
-    //! Jtr with B = tangent().
+    //! Converts normal equations in the entries of the model to normal equations in the
+    //! parameters: B^T JtJ B and B^T Jtr with B = tangent().
     void project(const NormalEquations& sums, Matrix& A, Step& b) const
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);

@@ -13,8 +13,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Singular values of the homography of a plane differ by more than this part if the camera has
-//! moved: rounding leaves 1e-15, a hundredth of a pixel 1e-5. Half, double: the same.
+//! The camera has translated if the singular values of the homography of a plane differ by more
+//! than this, relatively: rounding leaves 1e-15, a hundredth of a pixel 1e-5.
 constexpr double TURNED = 1e-9;
 
 Matx33d toMatx(const Eigen::Matrix3d& A)
@@ -64,9 +64,8 @@ void motionsOf(const Matx33d& E, Motion motions[4])
 }
 
 /* With H = R + t n^T of singular values s1 >= 1 >= s3, the plane spanned by the second right
-singular vector v2 and u = (sqrt(1 - s3^2) v1 +- sqrt(s1^2 - 1) v3) / sqrt(s1^2 - s3^2) keeps its
-lengths: there H is R, and n is normal to it.
-*/
+singular vector v2 and u = (sqrt(1 - s3^2) v1 +- sqrt(s1^2 - 1) v3) / sqrt(s1^2 - s3^2) is mapped
+without changing lengths: on it H equals R, and n is its normal. */
 bool motionsOfPlane(const Matx33d& given, const Vec3d& x, Motion motions[2])
 {
     Eigen::Matrix3d H = toEigen(given);
@@ -97,7 +96,7 @@ bool motionsOfPlane(const Matx33d& given, const Vec3d& x, Motion motions[2])
     return true;
 }
 
-/* d2 x2 = d1 R x1 + t: the cross products with x2 and with R x1 leave one of the depths each. */
+/* d2 x2 = d1 R x1 + t: the cross products with x2 and with R x1 eliminate one depth each. */
 bool inFront(const Motion& motion, const Vec3d& x1, const Vec3d& x2, double threshold)
 {
     const Vec3d turned = motion.R * x1, normal = turned.cross(x2);

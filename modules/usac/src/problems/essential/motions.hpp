@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! From camera 1 to camera 2: X2 = R X1 + t; the length of t is not known.
+//! From camera 1 to camera 2: X2 = R X1 + t; the length of t is unknown.
 struct Motion
 {
     Matx33d R;
@@ -28,15 +28,14 @@ void motionsOf(const Matx33d& E, Motion motions[4]);
 @param H homography of the plane from image plane 1 to image plane 2
 @param x a point of the plane in image plane 1, homogeneous, in front of both cameras
 @param motions output
-@return false if the camera has only turned, so that there is no plane to be seen, or if H is
-singular */
+@return false if H is singular or the camera has only rotated, so that the plane is undetermined */
 bool motionsOfPlane(const Matx33d& H, const Vec3d& x, Motion motions[2]);
 
-/** @brief Is the point that a match shows in front of both cameras?
+/** @brief True if the point of a match is in front of both cameras.
 @param motion of the cameras
 @param x1, x2 the match on the image planes, homogeneous
-@param threshold a match that agrees with a point at infinity up to this distance on image plane 2
-is in front: noise may put it behind */
+@param threshold a match within this distance, on image plane 2, of that of a point at infinity
+counts as in front, because noise may put its point behind a camera */
 bool inFront(const Motion& motion, const Vec3d& x1, const Vec3d& x2, double threshold);
 
 }  // namespace usacv20

@@ -12,21 +12,20 @@ namespace usacv20 {
 
 namespace {
 
-//! Part of the inliers on a plane from which on a second motion of the plane has nearly as many.
-//! 0.9: structured scenes with planes take 23 % less samples; 0.6: 37 % more, lists 13 % more time.
+//! If this share of the inliers is on a plane, a second motion of the plane has nearly as many
+//! inliers. With 0.6 searches take 13 % more time, see doc/constants.md.
 constexpr double DOMINANT = 0.8;
-//! Then so many of the samples of inliers only are taken to lead to the right motion. Lists: half:
-//! time +3 %; double: the same. Scenes with planes: half: 59 % more samples; 1: 43 % less, and 6 of
-//! 432 searches fail for 1.
+//! Share of the all-inlier samples that are then expected to lead to the correct motion. With 1, 6
+//! of 432 searches in scenes with planes fail instead of 1, see doc/constants.md.
 constexpr double YIELD = 0.5;
 
-/** @brief E of a scene that is dominated by a plane takes more samples.
+/** @brief Raises the number of samples for E if a plane dominates the scene.
 
-Five points of a plane have two motions @cite ma2004invitation, both of which fit all of the plane;
-which one is right, the few points beside it tell. With noise, the right motion of such a sample is
-often too far off to be told from others, so that a sample of inliers only does not lead to it for
-certain. If most inliers of a new best model (after its local optimization) lie on a plane, one in 1
-/ YIELD of these samples is counted on. */
+Five points of a plane have two motions @cite ma2004invitation, both of which fit the whole plane;
+only the few points off the plane tell which one is right. With noise, the correct motion of such a
+sample is often too inaccurate to stand out, so that not every all-inlier sample leads to it. If
+most inliers of a new so-far-the-best model (after its local optimization) lie on a plane, the
+termination criteria assume that only a share of YIELD of these samples does (State::yield). */
 class PlanarMotion : public Degeneracy
 {
 public:

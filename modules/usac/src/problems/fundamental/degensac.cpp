@@ -17,40 +17,41 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these on lists and structured scenes: doc/constants.md. Where nothing is said
-// errors and time of F stay within 3 %, and no search fails that did not.
+// Where nothing else is said, halving or doubling these changes errors and time of F by at most 3
+// %, see doc/constants.md.
 
-//! Most points of the fit of a plane, most fits, and steps of each; fewer points are not fitted.
+//! Maximum number of points in a fit of a plane, of fits, and of steps of each fit; planes with
+//! fewer than LEAST_POINTS points are not fitted.
 constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
-//! Points of a plane that was known are clearly more if they are so many times as many.
+//! A known plane is handled again if the number of its points has grown by more than this factor.
 constexpr double CLEARLY = 1.05;
-//! A plane is the one that is known if more than so many of the points on it are on that one, too.
+//! A plane is the known one if more than this share of its points are on that one, too.
 constexpr double SAME_PLANE = 0.9;
-//! A plane has so many of the model's inliers at least; before it is fitted, so many of these.
-//! DOMINANT 0.25: time +8 %, errors -2 %; 0.75: time -6 %.
+//! A dominant plane has at least the share DOMINANT of the model's inliers, and before it is fitted
+//! at least the share ROUGHLY of this number. With DOMINANT 0.25 or 0.75 the time of F changes by
+//! +8 or -6 %, see doc/constants.md.
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
-//! And this part w of all points. Of a smaller plane less than one sample in 5000 has five of its
-//! seven points, 21 w^5; what is seen is chance. 0.2: time -3 %.
+//! It also has at least this share w of all points. One sample in 5000 has five of its seven points
+//! on such a plane, 21 w^5; planes that seem smaller are due to chance.
 constexpr double SEEN = 0.1;
-//! A model has so many of the inliers of the best one to be of interest: what it lacks the
-//! optimization may add.
+//! A model of interest has at least this share of the inliers of the best one; local optimization
+//! may add the rest.
 constexpr double OF_INTEREST = 0.9;
-//! Squared, in squared thresholds: off the plane for the parallax. Closer to it a match agrees with
-//! any epipole.
+//! Squared distance, in squared thresholds, from which on points are off the plane and determine
+//! the parallax. Closer to it, a match agrees with any epipole.
 constexpr double OFF_PLANE = 4;
 
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
 
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else.
 One of five triples of the sample then lies on the plane; F and a triple determine the homography of
-their plane, and five points that it maps give the degeneracy away. A locally optimized model has no
-sample; there it is a plane with more than half of its inliers. The remedy is plane and parallax:
-that homography H, refined on its points, and two correspondences off the plane determine F = [e]x
-H. The paper draws pairs of them; PlaneParallax says what is done here. The best F is kept if it
-beats the original, so that other scenes lose nothing; a plane with less than half of the model's
-inliers is left alone, as there the samples find F. A plane that was dealt with is looked at again
-if clearly more points are on it now.
-*/
+their plane, and the degeneracy shows in five points that this homography maps. A locally optimized
+model has no sample; for it, the plane is one with more than half of its inliers. The remedy is
+plane and parallax: that homography H, refined on its points, and two correspondences off the plane
+determine F = [e]x H. The paper samples pairs of them; PlaneParallax describes the method used here.
+The best F is kept if it beats the original, so that other scenes lose nothing. A plane with less
+than half of the model's inliers is ignored, because there ordinary samples find F. A known plane is
+handled again only if clearly more points are on it now. */
 class Degensac : public Degeneracy
 {
 public:
@@ -99,8 +100,7 @@ public:
     }
 
 private:
-    //! True if the plane is the last one that was dealt with: what was found then would be found
-    //! again.
+    //! True if the plane is the one that was handled last, so that the result would be the same.
     bool isKnown(const Context& context, const Matx33d& H, const int* sample) const
     {
         if (sample)
@@ -159,7 +159,7 @@ private:
         return sum.inliers;
     }
 
-    //! Points with squared errors up to `most` are on the plane.
+    //! Splits the points: those with a squared error of at most `most` are on the plane.
     void split(const Correspondences& p, const Matx33d& H, double most)
     {
         float m[9];
@@ -170,10 +170,9 @@ private:
             (errors[i] <= (float)most ? onPlane[onCount++] : offPlane[offCount++]) = i;
     }
 
-    /** Least squares over the points on the plane until these are no more: the homography of three
-    noisy points has often only a part of them.
-    @return false if they are fewer than `least`; else onPlane and offPlane are those for the
-    parallax */
+    /** Repeats least squares over the points on the plane until their number stops growing: the
+    homography of three noisy points often has only some of them.
+    @return false if they are fewer than `least`; else sets onPlane, offPlane for the parallax */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;
@@ -202,7 +201,7 @@ private:
         return true;
     }
 
-    //! The best F = [e]x H of the points off the plane replaces a worse model.
+    //! Replaces the model by the best F = [e]x H of the points off the plane if that is better.
     void planeAndParallax(const Context& context, const State& state, const Matx33d& H,
                           Model& model, Quality& quality)
     {
@@ -218,15 +217,15 @@ private:
 
     Ptr<NonMinimalSolver> fitter;
     Matx33d known;          //!< homography of the last plane
-    double knownThreshold;  //!< of that time
-    int knownPoints;        //!< on it
+    double knownThreshold;  //!< threshold at that time
+    int knownPoints;        //!< number of points on it
     Model knownModel;       //!< the F found with it
-    Quality knownQuality;   //!< infinite cost: none better than what was known
+    Quality knownQuality;   //!< infinite cost: it was no better than the model before
     DominantPlane plane;
     int *onPlane, *offPlane;
-    float* errors;            //!< of all points under a plane; null before the first one
-    int onCount, offCount;    //!< of the points on and off the plane
-    PlaneParallax* parallax;  //!< from the first plane on
+    float* errors;            //!< of all points under the homography; null before the first plane
+    int onCount, offCount;    //!< numbers of points on and off the plane
+    PlaneParallax* parallax;  //!< null before the first plane
 };
 
 }  // namespace

@@ -15,8 +15,9 @@ namespace usacv20 {
 
 namespace {
 
-/** Of unit norm. T2^T F T1 has rank 2 up to the rounding of its largest terms; where these cancel,
-as with both epipoles at the origin of large coordinates, that is not small against what is left. */
+/** The closest matrix of rank 2, of unit norm. T2^T F T1 has rank 2 up to the rounding of its
+largest terms; if these cancel, as with both epipoles at the origin of large coordinates, this
+rounding is not small relative to the result. */
 Matx33d toRankTwo(const Matx33d& F)
 {
     Vec3d w;
@@ -93,8 +94,8 @@ public:
             degeneracies.push_back(createOrientedEpipolar());
         if (flags & DEGENERACY_DEGENSAC)
             degeneracies.push_back(createDegensac());
-        if (flags & DEGENERACY_REPEATED)  // last, as it changes the quality, which the others
-                                          // compare with those of their own models
+        // last, because it lowers the quality, which the others compare with that of their models
+        if (flags & DEGENERACY_REPEATED)
             degeneracies.push_back(createSharedPoints());
     }
 };

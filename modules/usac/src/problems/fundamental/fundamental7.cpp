@@ -37,8 +37,8 @@ double dot9(const double* a, const double* b)
 /** @brief One to three fundamental matrices from seven points @cite hartley2003multiple.
 
 The epipolar constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated
-points lower the rank of the constraints: the sample is degenerate. Points on a line fit l2 l1^T,
-which has rank 1 and is no epipolar geometry. */
+points lower the rank of the constraints, so that the sample is degenerate. Collinear points fit
+l2 l1^T, which has rank 1 and is no epipolar geometry. */
 class Fundamental7Solver : public MinimalSolver
 {
 public:
@@ -87,7 +87,8 @@ public:
             models[found] = root * (1 / std::sqrt(squares));
             double c[9];
             cofactors(models[found].val, c);
-            found += dot9(c, c) > LEAST_RATIO * LEAST_RATIO;  // the product of the singular values
+            found += dot9(c, c) >
+                     LEAST_RATIO * LEAST_RATIO;  // norm: product of the singular values
         }
         return found;
     }

@@ -21,17 +21,18 @@ Eigen::Matrix3d completion(const Eigen::Vector3d& n)
     return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
 }
 
-/** Orthogonal U and V whose last columns are the null vectors of a matrix of rank 2, for a fraction
-of the time of a singular value decomposition: all rows of its cofactors are multiples of the one,
-all columns of the other. False if its rank is not 2 but for rounding. */
+/** Orthogonal U and V whose last columns are the left and right null vectors of a matrix of rank 2,
+in a fraction of the time of a singular value decomposition: all columns of its cofactor matrix are
+multiples of the left one, all rows of the right one. False if its rank, up to rounding, is not 2.
+*/
 bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
 {
     Eigen::Matrix3d cofactors;
     for (int i = 0; i < 3; ++i)
         cofactors.row(i) = M.row((i + 1) % 3).cross(M.row((i + 2) % 3));
     const double size = M.norm(), det = M.row(0).dot(cofactors.row(0));
-    const double rows = cofactors.norm();  // the product of both singular values; det / rows is the
-                                           // third one
+    // product of the first two singular values; det / rows is the third one
+    const double rows = cofactors.norm();
     if (!(rows > 1e-3 * size * size) || !(std::abs(det) < 1e-12 * rows * size))
         return false;
     int row, col;
@@ -95,9 +96,9 @@ FundamentalParameterization::Basis FundamentalParameterization::tangent() const
     return basis;
 }
 
-/** S plus the step, with the last entry that makes its rank 2 again, is [I; y^T] C [I, x] with the
-new corner C, the last column C x and the last row y^T C. Its null vectors (-x, 1) and (-y, 1)
-become the last columns of V and U by a reflection each. */
+/** S plus the step, with the last entry that restores rank 2, is [I; y^T] C [I, x], where C is the
+new corner, C x the last column and y^T C the last row. A reflection each makes its null vectors
+(-x, 1) and (-y, 1) the last columns of V and U. */
 FundamentalParameterization FundamentalParameterization::plus(const Step& step) const
 {
     FundamentalParameterization result(*this);

@@ -13,15 +13,15 @@ namespace usacv20 {
 //! Smallest ratio of the two singular values of F that counts as rank 2.
 constexpr double LEAST_RATIO = 1e-6;
 
-/** @brief A fundamental matrix and a minimal parameterization around it; parameters 0 are the model
-itself.
+/** @brief A fundamental matrix and a minimal parameterization around it; zero parameters give the
+model itself.
 
-F = U S V^T with rotations U and V and a 2x2 matrix, of unit norm, in the upper left corner of S. A
-tangent of the matrices of rank 2 has any entries in the place of S but the last one
-@cite vandereycken2013low; those of unit norm are orthogonal to S, too. That leaves 3 directions of
-the corner, 2 of the last column and 2 of the last row: 7, orthogonal, whatever the singular values
-are. (The angles of U and V are no such parameters: where both singular values are equal, as under a
-pure translation, turning both about the third axis leaves F as it is.) */
+F = U S V^T with orthogonal U and V and a 2x2 matrix, of unit norm, in the upper left corner of S. A
+tangent vector of the manifold of rank 2 is U D V^T, where the last entry of D is 0 and the others
+are arbitrary @cite vandereycken2013low; for unit norm D is also orthogonal to S. This leaves 3
+directions of the corner, 2 of the last column and 2 of the last row: 7 orthogonal directions,
+whatever the singular values are. (Angles of U and V would not do: if both singular values are
+equal, as under a pure translation, rotating both about the third axis does not change F.) */
 class FundamentalParameterization
 {
 public:
@@ -35,10 +35,10 @@ public:
 
     //! False for F of rank 1.
     bool hasFullRank() const;
-    //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
+    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T
-    //! Jtr with B = tangent().
+    //! Converts normal equations in the entries of the model to normal equations in the
+    //! parameters: B^T JtJ B and B^T Jtr with B = tangent().
     void project(const NormalEquations& sums, Matrix& A, Step& b) const
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);
@@ -48,8 +48,7 @@ public:
     Model model() const;
 
 private:
-    //! The three directions of the corner: an orthonormal basis of the complement of its four
-    //! entries.
+    //! The three directions of the corner: an orthonormal basis of its orthogonal complement.
     void cornerDirections(Eigen::Matrix2d (&directions)[3]) const;
 
     Eigen::Matrix3d U, V;    //!< orthogonal, of either sign

@@ -12,33 +12,33 @@ namespace usacv20 {
 
 namespace {
 
-//! A place so many bins from the match's own points does not count: there the match agrees with
-//! anything, it is no evidence. Half, double: the same.
+//! Bins on the line of a match that are at most this far from its own points, x2 and H x1, do not
+//! count: with an epipole there the match agrees anyway, which is no evidence.
 constexpr int NEAR = 2;
 
-/* Measured on scenes with 80 to 100 % of the true matches on a plane, N = 500 and 1000, 50 to 90 %
-inliers, and for half and double of each on the lists, doc/constants.md: */
+/* The following were measured on scenes with 80 to 100 % of the correct matches on a plane, N = 500
+and 1000, 50 to 90 % inliers; see also doc/constants.md. */
 
-//! Part of the right matches whose line, in spite of its noise, leads to the epipole. With 1
-//! failures rise from 3 to 7 %, with 0.3 they stay. Lists: half: time of F +9 %; double: -4 %.
+//! Share of the correct matches whose line leads to the epipole despite its noise. With 1, failures
+//! rise from 3 to 7 %, with 0.3 they stay; the time of F changes by +9 % (0.25) to -4 % (1).
 constexpr double GOOD_LINES = 0.5;
-//! A place with so many votes, as a part of the best support, is worth a fit: the same number of
-//! inliers can be a lower cost. 0.6 changes nothing but the time; 0.9 saves 2 % of the time of F
-//! and misses 2 of 40 epipoles of cameras that move forwards.
+//! An epipole with at least this share of the best support in votes is worth a fit: with the same
+//! number of inliers its cost can be lower. 0.6 changes only the time; 0.9 saves 2 % of the time of
+//! F and misses 2 of 40 epipoles of cameras that move forward.
 constexpr double WORTH_A_FIT = 0.8;
-//! A fit goes on, and a fitted epipole is rated over all points, if its cost is at most so many
-//! outliers above the lowest one: the points on the plane decide between similar epipoles. Half:
-//! errors of F +1 and +2 %; more changes nothing.
+//! A fit continues (GOES_ON), and a fitted epipole is scored over all points (WORTH_RATING), if its
+//! cost exceeds the lowest one by at most this many outliers: the points on the plane decide
+//! between similar epipoles. Halving them raises errors of F by at most 2 %, see doc/constants.md.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
-//! Widths of the steps of a fit, in thresholds: from a bin's middle the first ones must be wider
-//! than the threshold. All 1: errors within 1 %; twice as wide: the same.
+//! Widths of the steps of a fit, in thresholds: the first ones are wider, because a fit starts at
+//! the middle of a bin. With 1 for all, errors stay within 1 %, see doc/constants.md.
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
-//! Epipoles from votes at an angle (as unit vectors) with a smaller squared sine are the same: two
-//! bins. Half: time +3 %; double: errors within 1 %; 0.1: search failures of scenes with planes, 4
-//! of 432 for 1.
+//! Epipoles (as unit vectors) are the same if the squared sine of the angle between them is
+//! smaller: about two bins. With 0.1, 4 of 432 searches in scenes with planes fail instead of 1,
+//! see also doc/constants.md.
 constexpr double SAME_PLACE = 1e-3;
 
-//! The middle of the bins first .. last of the line through the orthonormal u and v.
+//! The middle of the bins first .. last on the line through the orthonormal u and v.
 Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
 {
     const double place = 2. * (first + last + 1) / ARCS_BINS - 1;
@@ -76,9 +76,11 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
             *weights++ = (T)(k == j ? a[k] * b[k] : a[k] * b[j] + a[j] * b[k]);
 }
 
-/** The bins with most arcs over them. @param change what begins in each bin, minus what ended in
-the one before
-@param own bins that do not count, with those near them @return the number of arcs */
+/** The bins that most arcs cover.
+@param change number of arcs that begin in each bin minus those that ended in the previous one
+@param own bins that do not count, together with those near them
+@param first, last output: the bins
+@return the number of arcs */
 int densest(const int* change, const int* own, int& first, int& last)
 {
     int votes[ARCS_BINS];
@@ -96,8 +98,8 @@ int densest(const int* change, const int* own, int& first, int& last)
     return most;
 }
 
-//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, from a guess;
-//! false if all vectors are ones.
+//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, by inverse
+//! iteration from a guess; false if it is not unique.
 bool smallestEigenvector(const Matx33d& M, Vec3d& e)
 {
     enum { STEPS = 4 };
@@ -121,10 +123,11 @@ PlaneParallax::PlaneParallax()
     : H(Matx33d::zeros()), limit(0), numbers(0), stride(0), next(0), fitted(0)
 {}
 
-/* With y = H x1 and h1, h2 the first two columns of H, the numerator of Sampson's error of F = [e]x
-H is (e n)^2 with n = y x x2, its denominator |F x1|^2 + |F^T x2|^2 (first two entries) the sum of
-the squares of four products of e with (0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G is that
-sum times the squared threshold: the error is below it if (e n)^2 <= e^T G e. */
+/* With y = H x1 and h1, h2 the first two columns of H, the squared Sampson error of F = [e]x H has
+the numerator (e n)^2 with n = y x x2. Its denominator |F x1|^2 + |F^T x2|^2 (first two entries) is
+the sum of the squared scalar products of e with (0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G
+is the matrix of this quadratic form times the squared threshold: the error is within the threshold
+if (e n)^2 <= e^T G e. */
 void PlaneParallax::setPlane(const Context& context, const int* offPlane, int count,
                              const Matx33d& homography)
 {
@@ -177,7 +180,7 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
     for (int needed = linesNeeded(failure, wanted); next < needed; ++next)
     {
         Vec3d e;
-        const int votes = vote(next, e) + 1;  // and its own
+        const int votes = vote(next, e) + 1;  // its own included
         if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
             continue;
         if (samePlace(e, lastFit))
@@ -188,7 +191,7 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
     return quality.betterThan(before);
 }
 
-//! The place on the line of a voter that suits most of the others, and how many these are.
+//! The epipole on the line of a voter that agrees with most of the others. @return their number
 int PlaneParallax::vote(int line, Vec3d& epipole) const
 {
     const Correspondences& p = voters.view();
@@ -225,8 +228,8 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     return votes;
 }
 
-//! Fits an epipole to the voters within shrinking multiples of the threshold; the best of the fits
-//! is rated over all points.
+//! Fits an epipole to the voters within decreasing multiples of the threshold; the best of the fits
+//! is scored over all points.
 void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Quality& quality)
 {
     Matx33d F = crossMatrix(e) * H, candidate = F;
@@ -261,8 +264,8 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
     quality = whole;
 }
 
-//! Least squares of the errors of `most` voters within so many thresholds of F = [e]x H; their
-//! denominators are those of e.
+//! Least squares over at most `most` voters within `width` thresholds of F = [e]x H; the
+//! denominators of their errors are fixed at those of e.
 bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
 {
     const Correspondences& p = voters.view();
@@ -271,7 +274,7 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
     kernels().errors[Residual::SAMPSON](p, m, 0, p.size, errors);
     const float widest = (float)(width * width * limit);
     int near[MAX_POINTS + 1], count = 0;
-    for (int i = 0; i < p.size && count < most; ++i)  // no branches, which could not be foretold
+    for (int i = 0; i < p.size && count < most; ++i)  // no branch that would be mispredicted
     {
         near[count] = i;
         count += errors[i] <= widest;

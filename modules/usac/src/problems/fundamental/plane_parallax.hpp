@@ -11,54 +11,54 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The best F = [e]x H for the homography H of a plane: which epipole e of image 2 suits the
-points off the plane?
+/** @brief Plane and parallax: the best F = [e]x H for the homography H of a plane, that is, the
+epipole e of image 2 that agrees with most points off the plane.
 
-The line through x2 and H x1 of a right match off the plane goes through e, so two of them determine
-it. DEGENSAC @cite chum2005two draws pairs and counts the support of each; if a part w of the points
-is right, that takes w^-2 pairs. Here one match is drawn. What is left of e is its place on that
-line, and all other matches vote for it at once: the places that keep one within the threshold are
-an arc of the line (projective, so closed), in closed form. Where most arcs overlap is the best e of
-all pairs that the match is in, and of all noise of the second one. So w^-1 lines are enough.
+For a correct match off the plane, the line through x2 and H x1 contains e, so two matches determine
+it. DEGENSAC @cite chum2005two draws pairs and counts the support of each; if a share w of the
+points is right, that takes w^-2 pairs. Here a single match is drawn. Only the position of e on its
+line is then unknown, and all other matches vote for it at once: the positions that keep a match
+within the threshold form an arc of the projective (thus closed) line, in closed form. The position
+where most arcs overlap is the best e over all pairs with this match, whatever the noise of the
+second one. So w^-1 lines suffice.
 
-The lines are a RANSAC of their own, without repetition: they are looked at in the order of the
-points until one that leads to a better e would have been among them. That many are needed for a
-support that a model of interest has, see search(), and there are as many as points, so the work is
-bounded where nothing is off the plane. */
+The lines are drawn as in RANSAC, but without replacement: in the order of the points, until with
+the given confidence one that leads to a better e was among them. Their number follows from the
+support that a model of interest has, see search(). It is at most the number of points, which bounds
+the time if nothing is off the plane. */
 class PlaneParallax
 {
 public:
-    //! Most points off the plane that vote and whose lines are looked at; of more, the first. Half,
-    //! double: time and errors within 1 %.
+    //! Maximum number of points off the plane that vote and whose lines are tried; of more points,
+    //! the first ones are taken.
     enum { MAX_POINTS = 1024 };
 
     PlaneParallax();
 
-    //! Another plane. @param context the points, and memory @param offPlane, count those off it, in
-    //! random order
+    //! Sets another plane. @param context points and memory @param offPlane, count indices of the
+    //! points off the plane, in random order
     void setPlane(const Context& context, const int* offPlane, int count,
                   const Matx33d& homography);
 
     /** @brief Replaces a model by a better [e]x H.
-    @param context rates models over all points
-    @param failure probability that there is one and it is missed, in (0, 1)
-    @param wanted models with fewer inliers off the plane are of no interest; if only a part votes,
-    inliers among that part
-    @param model, quality input: what is known; output: unit Frobenius norm
+    @param context scores models over all points
+    @param failure probability of missing a better one if there is one, in (0, 1)
+    @param wanted models with fewer inliers off the plane are of no interest; if only some of the
+    points vote, the number of inliers among these
+    @param model, quality input: the known model; output: unit Frobenius norm
     @return true if the model was replaced */
     bool search(const Context& context, double failure, double wanted, Model& model,
                 Quality& quality);
 
-    //! Points that vote.
+    //! Number of points that vote.
     int size() const { return voters.size(); }
-    //! Lines looked at since setPlane().
+    //! Number of lines tried since setPlane().
     int lines() const { return next; }
-    //! Epipoles that were worth a fit since setPlane().
+    //! Number of epipoles that were worth a fit since setPlane().
     int fits() const { return fitted; }
 
 private:
-    //! Points of the first two steps of a fit, which tell whether it is worth while. Half, double:
-    //! time within 2 %.
+    //! Number of points of the first two steps of a fit, which decide whether it continues.
     enum { FIRST_FIT = 128 };
     //! Numbers of each voter: its line n and the matrix G, symmetric; see setPlane().
     enum { N0, N1, N2, G00, G01, G02, G11, G12, G22 };
@@ -76,7 +76,7 @@ private:
     Matx33d H;     //!< unit Frobenius norm
     double limit;  //!< squared threshold
     SideBySide<MAX_POINTS> voters;
-    float* numbers;  //!< ARCS_ROWS rows of `stride`; memory for the most, once there was a plane
+    float* numbers;  //!< ARCS_ROWS rows of `stride`; room for MAX_POINTS from the first plane on
     int stride;      //!< size(), rounded up to whole blocks
     Quality best;    //!< lowest cost of the voters
     Vec3d lastFit;   //!< the last epipole that was fitted

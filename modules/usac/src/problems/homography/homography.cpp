@@ -14,7 +14,7 @@ namespace usacv20 {
 
 namespace {
 
-//! The map of a plane, or of all that a rotating camera sees, from image 1 to image 2: x2 ~ H x1.
+//! The map from image 1 to image 2 of a plane, or of any scene under pure rotation: x2 ~ H x1.
 class HomographyProblem : public Problem
 {
 public:
@@ -23,21 +23,21 @@ public:
     int errorDimension() const CV_OVERRIDE { return 2; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(250, 1); }  // measured
 
-    //! The transfer error is one of image 2, so that the scale of image 1 does not matter; errors
-    //! in both images need one scale.
+    //! The transfer error is measured in image 2, so that the scale of image 1 does not matter;
+    //! errors in both images need a common scale.
     int normalization(int residual) const CV_OVERRIDE
     {
         return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH;
     }
 
-    //! h33 = 1 where that is not nearly 0 against the weights of the other points.
+    //! Scaled to h33 = 1, unless h33 is nearly 0 relative to the other terms of the denominator.
     bool toInput(const Model& model, const Correspondences& points,
                  Model& inInput) const CV_OVERRIDE
     {
         const Matx33d T1 = points.frame[0].matrix(), T2 = points.frame[1].matrix();
         const double s = 1 / T2(0, 0);
-        const Matx33d inverse(s, 0, -s * T2(0, 2), 0, s, -s * T2(1, 2), 0, 0,
-                              1);  // of a similarity
+        // T2 is a similarity
+        const Matx33d inverse(s, 0, -s * T2(0, 2), 0, s, -s * T2(1, 2), 0, 0, 1);
         Matx33d result = inverse * Matx33d(model) * T1;
         if (!toUnitNorm(result))
             return false;
@@ -46,7 +46,7 @@ public:
         if (std::abs(result(2, 2)) > 1e-12 * weights)
         {
             result *= 1 / result(2, 2);
-            result(2, 2) = 1;  // which the product may miss by a bit
+            result(2, 2) = 1;  // the product may differ by rounding
         }
         inInput = result;
         return true;
@@ -81,7 +81,7 @@ public:
 
     void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
     {
-        if (flags & DEGENERACY_ORIENTATION)  // first, as it refuses most samples
+        if (flags & DEGENERACY_ORIENTATION)  // first, because it rejects most samples
             degeneracies.push_back(createHomographyOrientation());
         if (flags & DEGENERACY_REPEATED)
         {

@@ -10,17 +10,16 @@ namespace usacv20 {
 
 namespace {
 
-//! Twice the area of a triangle over the squared distance between points: below it they are on a
-//! line. Half, double: no run of the lists differs.
+//! Three points are collinear if twice the area of their triangle is at most this part of the
+//! largest squared distance to the last point of the sample.
 constexpr double COLLINEAR = 1e-6;
 
 /** Maps the four points of the standard projective basis to four given points: columns are the
-first three points, scaled so that they sum up to the fourth. False where three of the four are
+first three points, scaled so that they sum up to the fourth. False if three of the four are
 collinear. */
 bool fromBasis(const double* x, const double* y, const int* s, double* B)
 {
-    // barycentric-like weights: determinants of the point triples, i.e. twice the areas of the
-    // triangles
+    // the weights are determinants of point triples, that is, twice the areas of the triangles
     const double x3 = x[s[3]], y3 = y[s[3]];
     double dx[3], dy[3];
     for (int k = 0; k < 3; ++k)
@@ -52,8 +51,8 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
 /** @brief Homography from four points, exact, in closed form.
 
 Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale
-@cite hartley2003multiple. A sample with three points (nearly) on a line or two points at one place
-in either image is degenerate. About 150 operations. */
+@cite hartley2003multiple. A sample with three (nearly) collinear points or two equal points in
+either image is degenerate. About 150 operations. */
 class Homography4Solver : public MinimalSolver
 {
 public:

@@ -10,8 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Determinant of H of unit norm below which it is near-singular. Half, double: no run of the lists
-//! differs.
+//! H of unit norm is near-singular if its determinant is not above this value.
 constexpr double SINGULAR = 1e-7;
 
 //! Twice the signed areas of the four triangles of four points.
@@ -29,10 +28,10 @@ void areas(const double* x, const double* y, const int* s, double* area)
     area[3] = (dx[1] - dx[0]) * (dy[2] - dy[0]) - (dx[2] - dx[0]) * (dy[1] - dy[0]);
 }
 
-/** Points of a plane seen by two cameras keep the orientation of all their triangles, or reverse
-that of all of them if one image is mirrored: a sample in which some triangles turn over has no
-homography that a camera could see @cite chum2004epipolar. A near-singular matrix maps the image to
-a line and is no model either. */
+/** Between two images of a plane, either all triangles of points keep their orientation, or all
+reverse it if one image is mirrored. A sample in which only some triangles reverse theirs has no
+homography that two cameras could produce @cite chum2004epipolar. A near-singular matrix maps the
+image to a line and is no model either. */
 class HomographyOrientation : public Degeneracy
 {
 public:

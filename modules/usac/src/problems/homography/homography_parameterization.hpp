@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief A homography and a minimal parameterization around it: unit 9-vectors, 8 directions
-orthogonal to it. Parameters 0 are the model itself. */
+orthogonal to it. Zero parameters give the model itself. */
 class HomographyParameterization
 {
 public:
@@ -23,20 +23,20 @@ public:
     //! Around a multiple of the model, of unit norm.
     explicit HomographyParameterization(const Model& model);
 
-    //! False for H that maps the plane to a line or a point.
+    //! False if H maps the plane to a line or a point.
     bool hasFullRank() const;
-    //! Derivatives of the model, as a 9-vector row by row, by the parameters at zero.
+    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model: B^T JtJ B, B^T
-    //! Jtr with B = tangent().
+    //! Converts normal equations in the entries of the model to normal equations in the
+    //! parameters: B^T JtJ B and B^T Jtr with B = tangent().
     void project(const NormalEquations& sums, Matrix& A, Step& b) const;
     //! The parameterization around the model that has these parameters.
     HomographyParameterization plus(const Step& step) const;
     Model model() const;
 
 private:
-    /** Householder's reflection I - factor v v^T that takes the axis of h33 to h or -h. It takes
-    the other axes to the complement of h. */
+    /** Householder reflection I - factor v v^T that maps the axis of h33 to h or -h, and thus the
+    other axes to the orthogonal complement of h. */
     double reflection(Eigen::Matrix<double, 9, 1>& v) const
     {
         v = h;

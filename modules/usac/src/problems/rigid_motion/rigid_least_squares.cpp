@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Points as thin as this part of their length are on a line: squared, of rounding. See
-//! RigidLeastSquares.
+//! Points are collinear if the second singular value of their covariance is at most this part of
+//! the first one: what rounding leaves of 0, see RigidLeastSquares.
 constexpr double THINNEST = 1e-14;
 
 Eigen::Vector3d pointOf(const double* const* columns, int i)
@@ -22,11 +22,12 @@ Eigen::Vector3d pointOf(const double* const* columns, int i)
 }
 
 /** Weighted least squares of the distance in space 2, in closed form @cite umeyama1991least: the
-rotation is the one closest to the covariance of both spaces, the scale is the trace of what is left
-over the variance of space 1, and the means lie on each other. Points on a line leave the rotation
-open: the second singular value of the covariance is then 0 but for rounding, a part #THINNEST of
-the first. The sums are of differences to the first point, so that little is lost where all are
-close together far from the origin. */
+rotation is the one closest to the cross-covariance of both spaces, the scale is the sum of the
+singular values of that matrix (minus the last one if it mirrors) over the variance of space 1, and
+the means are mapped to each other. Collinear points leave the rotation undetermined: the second
+singular value is then 0 up to rounding, #THINNEST times the first. Coordinates are taken relative
+to the first point, to lose little precision if all points are close together far from the origin.
+*/
 class RigidLeastSquares : public NonMinimalSolver
 {
 public:

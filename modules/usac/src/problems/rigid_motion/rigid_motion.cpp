@@ -16,8 +16,8 @@ namespace {
 
 typedef Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> MapOfSpace;
 
-//! [A t] after points of space 1 have been moved by `from` and those of space 2 by `to`; the ratio
-//! of their scales is 1 to the bit where they have one.
+//! [A t] between points of space 1 normalized by `from` and points of space 2 normalized by `to`;
+//! the ratio of their scales is exactly 1 if they are equal.
 Model moved(const MapOfSpace& map, const Frame& from, const Frame& to)
 {
     const Eigen::Map<const Eigen::Vector3d> center1(from.center), center2(to.center);
@@ -35,9 +35,9 @@ Model movedBack(const MapOfSpace& map, const Frame& from, const Frame& to)
     return motionOf(A, t);
 }
 
-/** @brief Rotation and translation from points of space 1 to their counterparts in space 2, X2 = s
-R X1 + t, with the scale s or with s = 1. Models are the 3x4 matrices [s R t], as the caller gets
-them. */
+/** @brief Rotation and translation from points of space 1 to their counterparts in space 2,
+X2 = s R X1 + t, with the scale s or with s = 1. The caller gets the models, 3x4 matrices [s R t].
+*/
 template <bool SCALED>
 class RigidMotionProblem : public Problem
 {
@@ -51,7 +51,7 @@ public:
     SampleCost sampleCost() const CV_OVERRIDE
     {
         return SampleCost(320, 1);
-    }  // measured beside H, A and S
+    }  // measured together with H, A and S
     int normalization(int) const CV_OVERRIDE { return SCALED ? SCALE_EACH : SCALE_COMMON; }
 
     bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE

@@ -16,8 +16,7 @@ Ptr<Problem> createRigid3DProblem();
 Ptr<Problem> createSimilarity3DProblem();
 //! From 3 points, see TriangleSolver. `scaled`: with a scale, else it is 1.
 Ptr<MinimalSolver> createTriangleSolver(bool scaled);
-//! Least squares of a residual: in closed form where it is the distance in space 2, else by steps
-//! (LeastSquaresSolver).
+//! Least squares of a residual: closed form for the distance in space 2, else LeastSquaresSolver.
 Ptr<NonMinimalSolver> createRigidFit(const Ptr<Residual>& residual, bool scaled);
 //! Least squares of the distance in space 2, see RigidLeastSquares.
 Ptr<NonMinimalSolver> createRigidLeastSquares(bool scaled);

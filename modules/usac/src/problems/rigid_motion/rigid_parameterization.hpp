@@ -20,9 +20,9 @@ inline Model motionOf(const Eigen::Matrix3d& A, const Eigen::Vector3d& t)
     return result;
 }
 
-/** @brief A rigid motion of space [s R t] and a minimal parameterization around it: a rotation that
-is applied after the present one, as a vector, what is added to the translation and, if it is
-`SCALED`, by what part the scale grows. Parameters 0 are the motion itself. */
+/** @brief A rigid motion of space [s R t] and a minimal parameterization around it: the rotation
+vector of a rotation that is applied after the present one, an increment of the translation and, if
+`SCALED`, the relative increase of the scale. Zero parameters give the motion itself. */
 template <bool SCALED>
 class RigidParameterization
 {
@@ -35,11 +35,11 @@ public:
     //! Around the motion whose linear part is the closest to that of the model.
     explicit RigidParameterization(const Model& model);
 
-    //! False if all points become one.
+    //! False if all points are mapped to one.
     bool hasFullRank() const { return scale > 0; }
-    //! Derivatives of the model, as a 12-vector row by row, by the parameters at zero.
+    //! Derivatives of the model, as a 12-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model.
+    //! Converts normal equations in the entries of the model to normal equations in the parameters.
     void project(const SpaceEquations& sums, Matrix& A, Step& b) const
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);

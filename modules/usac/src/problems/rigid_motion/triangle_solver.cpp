@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Three points with a frame of their own: two axes in their plane, and its normal.
+//! Three points with their own coordinate frame: two axes in their plane, and its normal.
 struct Triangle
 {
     Triangle(const double* const* columns, const int* sample)
@@ -30,26 +30,26 @@ struct Triangle
         regular = area > DBL_EPSILON * longest * longest && area <= DBL_MAX;
         axes.col(0) = side.normalized();
         axes.col(1) = normal.normalized().cross(axes.col(0)).normalized();
-        axes.col(2) = axes.col(0).cross(
-            axes.col(1));  // not the normal, which of a thin one is not quite upright
+        // not `normal`, which for a thin triangle is not exactly perpendicular
+        axes.col(2) = axes.col(0).cross(axes.col(1));
     }
 
-    //! Corners in the plane, from the center.
+    //! Corners in the plane, relative to the center.
     Eigen::Matrix<double, 2, 3> flat() const { return axes.leftCols<2>().transpose() * corners; }
 
-    Eigen::Matrix3d corners;  //!< from the center, a column each
+    Eigen::Matrix3d corners;  //!< relative to the center, as columns
     Eigen::Matrix3d axes;     //!< orthonormal, as columns
     Eigen::Vector3d center;
-    //! Its height over its longest side is more than the root of the rounding, so that the normal
-    //! has a sense.
+    //! True if height over longest side is above the square root of the machine precision, so that
+    //! the normal is determined.
     bool regular;
 };
 
-/** Rigid motion from three points by least squares @cite horn1987closed: the best rotation takes
-the plane of the first triangle to that of the second one, corners in the same sense, and turns it
-there by the angle that is best for points of a plane; the centers lie on each other. With a scale,
-that of least squares for this rotation @cite umeyama1991least. Three points on a line are
-degenerate. */
+/** Rigid motion from three points by least squares @cite horn1987closed: the best rotation maps the
+plane of the first triangle to that of the second one, with the corners in the same orientation, and
+then rotates within this plane by the least-squares angle; the centroids are mapped to each other.
+The scale, if any, is the least-squares one for this rotation @cite umeyama1991least. Three
+collinear points are degenerate. */
 class TriangleSolver : public MinimalSolver
 {
 public:

@@ -22,7 +22,7 @@ public:
     SampleCost sampleCost() const CV_OVERRIDE
     {
         return SampleCost(120, 1);
-    }  // measured beside that of H
+    }  // measured together with that of H
     Model closest(const Model& model) const CV_OVERRIDE
     {
         return SimilarityParameterization(model).model();

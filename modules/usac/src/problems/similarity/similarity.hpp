@@ -14,8 +14,7 @@ namespace usacv20 {
 Ptr<Problem> createSimilarityProblem();
 //! From 2 points, see Similarity2Solver.
 Ptr<MinimalSolver> createSimilarity2Solver();
-//! Least squares of a residual: in closed form where it is the transfer error, else by steps
-//! (LeastSquaresSolver).
+//! Least squares of a residual: in closed form for the transfer error, else a LeastSquaresSolver.
 Ptr<NonMinimalSolver> createSimilarityFit(const Ptr<Residual>& residual);
 //! Least squares of the transfer error.
 Ptr<NonMinimalSolver> createSimilarityLeastSquares();

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Similarity from two points, exact: as complex numbers, the difference of the points of image 2
-is that of image 1 times a + bi. Two points at one place in either image are degenerate. */
+/** Similarity from two points, exact: as complex numbers, the difference of the points in image 2
+is that in image 1 times a + bi. Two equal points in either image are degenerate. */
 class Similarity2Solver : public MinimalSolver
 {
 public:

@@ -13,8 +13,8 @@ namespace usacv20 {
 namespace {
 
 /** Least squares of the transfer error, in closed form. With the points as complex numbers it is
-linear regression with one coefficient a + bi: the covariance of both images over the variance of
-image 1. */
+linear regression with one coefficient a + bi: the cross-covariance of the images over the variance
+of image 1. */
 class SimilarityLeastSquares : public NonMinimalSolver
 {
 public:

@@ -20,14 +20,14 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Around the similarity whose entries are those of the model, or their means.
+    //! Around the similarity with the entries of the model, averaged where they should be equal.
     explicit SimilarityParameterization(const Model& model);
 
     //! False for a map of the plane to a line or a point.
     bool hasFullRank() const;
-    //! Derivatives of the model, as a 9-vector row by row, by the parameters.
+    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.
     Basis tangent() const;
-    //! Normal equations in the parameters from those in the entries of the model.
+    //! Converts normal equations in the entries of the model to normal equations in the parameters.
     void project(const NormalEquations& sums, Matrix& A, Step& b) const;
     SimilarityParameterization plus(const Step& step) const;
     Model model() const;

@@ -13,20 +13,20 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: doc/constants.md.
+// The effect of halving and doubling these is in doc/constants.md.
 
-//! Points that are looked at first, and how many of them, at least, are at a place beside the one
-//! it is seen from.
+//! Number of points that are compared first. At least SEEN of them are near another one of them if
+//! there is a place.
 constexpr int LOOKED_AT = 64, SEEN = 3;
-//! One in so many of the first points is left out at each end for the extent.
+//! To compute the extent, one in TRIMMED of the first points is left out at each end.
 constexpr int TRIMMED = 32;
-//! A place has at least one in so many of all points. An object as small as 16 pixels has fewer in
-//! any of its places.
+//! A place has at least one in TENTH of all points. An object of only 16 pixels has fewer in any of
+//! its places.
 constexpr int TENTH = 10;
-//! Places with that many points there are no more.
+//! There cannot be more places with that many points.
 constexpr int MOST_PLACES = TENTH;
-//! Of the scatter of a place in array 2 an affine map of array 1 explains this part at least if the
-//! place is a distant object. Of a jitter it explains some 2 / n with n points.
+//! A place is a distant object if an affine map of array 1 explains at least this share of its
+//! scatter in array 2. Of the jitter of n points it explains about 2 / n.
 constexpr double EXPLAINED = 0.9;
 
 //! Squared distance of two points of an array.
@@ -39,8 +39,8 @@ inline float squaredDistance(const Correspondences& p, int array, int i, int k)
     return sum;
 }
 
-/** Is what seems to be one place a distant object, whose points are where an affine map of array 1
-has them? By the squared multiple correlation. */
+/** True if an apparent place is a distant object: an affine map of array 1 predicts its points in
+array 2, judged by the squared multiple correlation. */
 bool isObject(const Correspondences& p, const int* members, int count)
 {
     if (count < 2 * (p.coordinates[0] + 1))
@@ -75,18 +75,16 @@ bool isObject(const Correspondences& p, const int* members, int count)
 /** @brief Maps and poses: matches of many points to one place (a watermark, a blinking light, a
 dead pixel), however noisy, are no independent evidence.
 
-A map that shrinks everything to that place, or a camera far away, fits them all, whatever their
-other ends are. So
+A map that shrinks everything to that place, or a camera far away, fits them all, wherever their
+points in array 1 are. Therefore
+- samples are rejected in which two matches to a place are far apart in array 1, see TargetLimits;
+- in the quality of a new so-far-the-best model, the inliers of each place count once. The model is
+kept, but no longer beats models with real support. The map of a small object keeps most of its
+quality, because it does not shrink the object to one place.
 
-- samples are refused in which two matches of a place are far from each other in array 1, see
-  TargetLimits;
-- of a new best model, the inliers of each place count once. The model stays, but it does not beat
-those with real support any more. The map of a small object keeps most of its quality, as it does
-not shrink it to one place.
-
-The other way, from one place of array 1 to many of array 2, nothing fits. Places are looked for
-once, with the threshold of the inliers: a wide reach takes a small object for one place. Qualities
-that are no sum over the points are left. */
+In the other direction, from one place of array 1 to many points of array 2, no map fits. Places are
+searched for once, with the threshold of the inliers: the wider one of some scores (Params::reach)
+would take a small object for one place. Scores that are no sum over the points are unchanged. */
 class CrowdedPlaces : public Degeneracy
 {
 public:
@@ -150,8 +148,8 @@ public:
     }
 
 private:
-    //! Of the first points, but for those that are far out. (Where nearly all points are at one
-    //! place the frame has no more than that.)
+    //! Extent of the first points without those far out. (If nearly all points are at one place,
+    //! the frame of the points covers no more than that place.)
     static float extent(const float* column, int count)
     {
         float values[LOOKED_AT];
@@ -160,8 +158,8 @@ private:
         return values[count - 1 - count / TRIMMED] - values[count / TRIMMED];
     }
 
-    //! How many of the first points are near each of them in array 2, but not in array 1; squared
-    //! distances.
+    //! Counts for each of the first points how many others are near it in array 2 but far from it
+    //! in array 1; `near` and `far` are squared distances.
     static void look(const Correspondences& p, float near, float far, int count, int* seen)
     {
         std::fill(seen, seen + count, 0);
@@ -184,7 +182,7 @@ private:
         }
     }
 
-    //! The points near one, if they are that many. No point is of two places.
+    //! Adds the points near `center` as a place if they are enough. No point is in two places.
     void addPlace(const Context& context, int center, float near)
     {
         const Correspondences& p = context.points;
@@ -208,9 +206,9 @@ private:
 
     int places;
     float farApart;             //!< squared distance in array 1
-    uchar* placeOf;             //!< of each point, from 1 on; 0: none
-    int* members;               //!< points of each place in turn
-    int ends[MOST_PLACES + 1];  //!< of their lists, from 0 on
+    uchar* placeOf;             //!< place of each point, from 1 on; 0: none
+    int* members;               //!< points of the places, one place after the other
+    int ends[MOST_PLACES + 1];  //!< list k is ends[k] .. ends[k + 1] - 1 of `members`
 };
 
 }  // namespace

@@ -18,37 +18,38 @@ bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A,
 //! A = [e]x F with the unit epipole e of image 2; false if F has none.
 bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 
-//! Squared errors above this are off a plane that was found from three points: three thresholds.
-//! 1.5: time of F -3 %, errors +2 %; 6: time +8 % (F) and +4 % (E), errors -3 and -2 %.
+//! Points within three thresholds are on a plane that was found from three points; squared. With 6
+//! thresholds the time of F rises by 8 %, see doc/constants.md.
 constexpr int PLANE_LIMIT = 9;
 inline double planeLimit(const Context& context)
 {
     return PLANE_LIMIT * context.inlierThreshold() * context.inlierThreshold();
 }
 
-//! Looks for a plane with many of the inliers of F, or of E, which is the F of normalized points.
+//! Finds a plane that contains many inliers of F, or of E, which is the F of normalized points.
 class DominantPlane
 {
 public:
     DominantPlane() : count(0) {}
 
-    /** @brief The homography of three random inliers that maps most of (a part of) the inliers.
+    /** @brief Finds the homography of three random inliers that maps the most inliers, among the
+    first MAX_INLIERS.
     @param context the points
     @param rng draws the triples
-    @param F model whose inliers are looked at
-    @param least part of the inliers that must be on the plane, below 1
+    @param F model whose inliers are tested
+    @param least share of the tested inliers that must be on the plane, below 1
     @param H output
     @return false if there is no such plane */
     bool find(const Context& context, Rng& rng, const Model& F, double least, Matx33d& H);
 
-    //! Those that have been looked at.
+    //! The inliers that find() tested.
     const int* inliers() const { return members; }
     int inlierCount() const { return count; }
 
 private:
-    //! Triples that are drawn: a plane of half of the inliers is missed once in 14. Most inliers
-    //! that are looked at; fewer than LEAST_INLIERS are no plane. Half, double: errors within 2 %,
-    //! time within 3 %.
+    //! Number of triples drawn: a plane of half of the inliers is missed once in 14. Maximum number
+    //! of tested inliers; fewer than LEAST_INLIERS are no plane. Halving or doubling them changes
+    //! errors by at most 2 % and time by 3 %, see doc/constants.md.
     enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, LEAST_INLIERS = 8 };
 
     int members[MAX_INLIERS];
@@ -56,8 +57,8 @@ private:
     SideBySide<MAX_INLIERS> someInliers;
 };
 
-//! Are so many inliers of F or E on a plane, or seen by a camera that has only turned, that its
-//! epipole is free?
+//! True if nearly all inliers of F or E are on a plane, or the camera has only rotated, so that the
+//! inliers hardly determine the epipole.
 bool epipoleIsFree(const Context& context, const Model& F);
 
 }  // namespace usacv20

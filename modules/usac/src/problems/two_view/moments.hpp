@@ -10,14 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Weighted means and second moments of matches, of which the least-squares map x2 = A x1 +
-t of an affinity or a similarity is made: the normal equations are linear, and those of the rows of
-A separate once the means are at the origin @cite umeyama1991least. One pass over the matches, about
-30 operations each. */
+/** @brief Weighted means and second moments of matches, from which the least-squares map x2 = A x1
++ t of an affinity or a similarity is computed: the problem is linear, and the rows of A separate
+once the means are at the origin @cite umeyama1991least. One pass over the matches, about 30
+operations each. */
 struct Moments
 {
-    /** Of so many matches. The sums are of differences to the first match, so that little is lost
-    where all are close together far from the origin. `weights` may be null for ones. */
+    /** Of `count` matches. Coordinates are taken relative to the first match, to lose little
+    precision if all are close together far from the origin. Null `weights` are all 1. */
     Moments(const Correspondences& points, const int* indices, int count, const double* weights);
 
     //! The map with the linear part a b, c d that takes the mean of image 1 to that of image 2.

@@ -11,9 +11,9 @@ namespace usacv20 {
 
 namespace {
 
-/** Oriented epipolar constraint @cite chum2004epipolar: points in front of both cameras fulfil e2 x
-x2 = s F x1 with s > 0 for all, or s < 0 for all, as F and e2 are known up to sign. A model whose
-own sample breaks it is dropped before any other point is looked at. */
+/** Oriented epipolar constraint @cite chum2004epipolar: points in front of both cameras fulfill
+e2 x x2 = s F x1, with s > 0 for all or s < 0 for all, because F and e2 are known up to sign only. A
+model whose own sample violates it is rejected before any other point is tested. */
 class OrientedEpipolar : public Degeneracy
 {
 public:
@@ -27,8 +27,7 @@ public:
         {
             const int i = sample[k];
             const double x = p.exact[X2][i], y = p.exact[Y2][i];
-            // the first two entries of e x x2 and F x1; they determine the sign, as the vectors are
-            // parallel
+            // the first two entries of e x x2 and F x1 suffice, because the vectors are parallel
             const double a = e[1] - e[2] * y, b = e[2] * x - e[0];
             const double c = F(0, 0) * p.exact[X1][i] + F(0, 1) * p.exact[Y1][i] + F(0, 2);
             const double d = F(1, 0) * p.exact[X1][i] + F(1, 1) * p.exact[Y1][i] + F(1, 2);

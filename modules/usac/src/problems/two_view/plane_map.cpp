@@ -15,7 +15,7 @@ int PlaneMapProblem::normalization(int residual) const
     return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH;
 }
 
-//! Entry by entry, so that the last row stays as it is to the bit.
+//! Entry by entry, so that the last row stays exactly 0 0 1.
 bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points,
                               Model& result) const
 {
@@ -72,9 +72,9 @@ Ptr<Residual> PlaneMapProblem::createResidual(int type) const
                                       : createTransferResidual();
 }
 
-/** Any orientation is right here, and there is no plane to be dominated by: the one check is that
-of repeated points. The set of all bits stands for all checks that a problem has; who names DEGENSAC
-by itself expects it. */
+/** Any orientation is valid here, and there are no dominant planes: only repeated points and
+crowded places are checked. The set of all flags stands for all checks that a problem has; a caller
+who requests DEGENSAC explicitly expects it, so that this is an error. */
 void PlaneMapProblem::createDegeneracies(int flags,
                                          std::vector<Ptr<Degeneracy>>& degeneracies) const
 {

@@ -10,14 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief What the maps of a plane to a plane that keep parallels have in common: x2 = A x1 + t. As
-a model each is the homography with the last row 0 0 1, so that errors, kernels and sums are those
-of a homography; the caller gets the 2x3 matrix [A t], as from cv::estimateAffine2D. */
+/** @brief Common base of the problems whose model is an affine map of the plane, x2 = A x1 + t. A
+model is a homography with the last row 0 0 1, so that errors, kernels and sums are those of a
+homography; the caller gets the 2x3 matrix [A t], as from cv::estimateAffine2D. */
 class PlaneMapProblem : public Problem
 {
 public:
     int errorDimension() const CV_OVERRIDE { return 2; }
-    //! As for a homography: the transfer error is one of image 2.
+    //! As for a homography: the transfer error is measured in image 2.
     int normalization(int residual) const CV_OVERRIDE;
     bool toInput(const Model& model, const Correspondences& points,
                  Model& result) const CV_OVERRIDE;

@@ -12,20 +12,17 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these, doc/constants.md: lists the same within 2 %; 720 scenes with
-// repetitions, of which 1 search fails: TENTH 5: 0 fail, 6 % less samples, 1 H is wrong for 0; 20:
-// 4 fail, 12 % more samples.
-
-//! A match that is there so often among the first points, or more often than once in so many of
-//! all, is one match.
+//! A match that occurs OFTEN times among the FIRST_POINTS first points, and among all points more
+//! often than once in TENTH, counts as one. With TENTH 20, 4 of 720 searches in scenes with
+//! repetitions fail instead of 1, see doc/constants.md.
 constexpr int FIRST_POINTS = 64, OFTEN = 3, TENTH = 10;
 
-/** @brief Refuses samples in which two matches share a point of image 1 or of image 2.
+/** @brief Rejects samples in which two matches share a point of image 1 or of image 2.
 
-A point has one counterpart at most: of two such matches one is wrong, or they are the same match
-twice. Compares all pairs of the sample. A match that is there so often that it is a tenth of all
-counts as one for the quality of a new best model: any model fitted to it would have that tenth, and
-no sample of right matches has. */
+A point has at most one counterpart: of two such matches one is wrong, or they are the same match
+twice. Compares all pairs of the sample. Repetitions of a match that make up a tenth of all matches
+count as one in the quality of a new so-far-the-best model: any model fitted to this match would
+have that tenth as inliers. */
 class RepeatedPoints : public Degeneracy
 {
 public:
@@ -61,7 +58,7 @@ public:
     }
 
 private:
-    //! Finds the repetitions, but for the first of each.
+    //! Finds the repetitions, except one of each.
     void search(const Context& context)
     {
         const Correspondences& p = context.points;
@@ -78,8 +75,7 @@ private:
         }
     }
 
-    //! Different matches have different repetitions, so that together they are no more than there
-    //! are points.
+    //! Different matches have different repetitions, so that the array has room for all.
     void addRepetitions(const Context& context, int of)
     {
         const Correspondences& p = context.points;
@@ -95,7 +91,7 @@ private:
 
     bool searched;
     int* repetitions;
-    int count;  //!< of them
+    int count;  //!< number of repetitions
 };
 
 }  // namespace

@@ -13,27 +13,24 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these, doc/constants.md: on the lists no run but one or two of E differs; what
-// scenes of matches to one or two points tell is said here. Where nothing is said they are the
-// same.
+// The effect of halving and doubling these is in doc/constants.md.
 
-//! Fewer than so many of the first points are no matter; all of few points are looked at. FEW 16:
-//! 14 of 704 F are wrong for 1 (23 if the inliers were always left as they are), 11 of 720 E for 8.
+//! Quality is lowered only if at least FEW of the LOOKED_AT first points are inliers wherever one
+//! of their ends is. With FEW 16, 14 of 704 F are wrong instead of 1 (23 without this).
 constexpr int LOOKED_AT = 64, FEW = 8;
-//! Many matches share points if so many pairs of the first points do, 3 %. With two targets of a
-//! third of the matches each a fifth of the pairs do. 64 points, and still 3 % of the pairs: 5 F
-//! are wrong for 1.
+//! Many matches share points if SHARED_PAIRS pairs of the FIRST_PAIRS first points do, 3 %. If a
+//! third of the matches go to each of two targets, a fifth of the pairs do. With 64 points and 64
+//! pairs, 5 of 704 F are wrong instead of 1.
 constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
-//! One in so many of the first points is left out at each end for the size of the image.
+//! To estimate the size of an image, one in TRIMMED of the first points is left out at each end.
 constexpr int TRIMMED = 10;
 
-//! Thresholds: what the error is, at most, of a match that is an inlier whatever one of its ends
-//! is. At the thresholds of images of some hundred pixels #FAR_APART says more. 20: the same for E
-//! of OpenCV's tests.
+//! Shift of one end of a match, in thresholds, that must move the epipolar line across the whole
+//! other image. In images of 640 pixels, #FAR_APART is stricter if the threshold exceeds 1.1 px.
 constexpr double ANYWHERE = 60;
 
-/** Tells whether a match is an inlier whatever one of its ends is, see SharedPoints. `sizes`: of
-the images. */
+/** Test whether a match is an inlier of F wherever one of its two ends (points) is, see
+SharedPoints. `sizes` are those of the images. */
 class OneEnd
 {
 public:
@@ -62,35 +59,36 @@ private:
 
 /** @brief F, E: matches of many points to one, however noisy, are no independent evidence.
 
-Matches of one target (repeated patterns, matching without cross-check) are fitted by every epipolar
-geometry whose epipole is the target, whatever their other ends are; those of two targets, or of
-points on a line, by an F of nearly rank 1, to which all epipolar lines are that line. So
+Matches to one target (repeated patterns, matching without cross-check) are inliers of every
+epipolar geometry whose epipole is the target, wherever their other ends are; matches to two
+targets, or to points on a line, of an F of nearly rank 1 whose epipolar lines all coincide with
+that line. Therefore
+- samples are rejected in which two matches share a point; if many matches do, also up to noise
+(shareATarget; if few do, two of them may be correct matches that one camera sees close together);
+- in the quality of a new so-far-the-best model, the inliers that would be inliers wherever one of
+their ends were count as one. The model is kept, because there may be no better one, but it no
+longer beats models with real support.
 
-- samples are refused in which two matches share a point; if many matches do, also but for the noise
-(shareATarget: where they are few, two of them may be right ones that one camera sees close
-together);
-- of a new best model, the inliers that would be inliers whatever their other ends were count as
-one. Quality is changed by the rest of them. The model stays, as there may be no better one; but it
-does not beat those with real support any more.
+These inliers are recognized as follows. If the normal of the epipolar line F^T x2 (its first two
+entries) is nearly 0, a shift of x2 within the noise turns the line to any direction, and x1 is not
+constrained. The ratio of the lengths of the normals of F x1 and F^T x2 is the ratio of the
+distances between neighboring epipolar lines in the two images, which for correct geometries is that
+of the local scales. It is too large if it exceeds #FAR_APART times the ratio of the image sizes and
+a shift of one end by #ANYWHERE thresholds moves the epipolar line across the whole other image. (If
+a camera is among the points, the scale in one image may differ by hundreds.) Points near the
+epipole of a camera that moves forward are near both epipoles and pass the test.
 
-Which inliers these are: where the line F^T x2 has next to no normal (its first two entries), a
-shift of x2 within the noise turns it anywhere, and x1 tells nothing. The lengths of the normals of
-F x1 and F^T x2 are as the distances of neighboring epipolar lines in the two images, which in right
-geometries are as the local scales; a ratio of #FAR_APART times that of the images' sizes is taken
-for too much, if it is enough for #ANYWHERE thresholds to hold the other end wherever it is in its
-image. (With a camera among the points the scale in one image may differ by hundreds.) Points beside
-the epipole of a camera that moves forwards are beside both epipoles, and pass.
-
-The first #LOOKED_AT points tell whether it is worth while to look at the others. Qualities that are
-no sum over the points are left. */
+The first #LOOKED_AT points decide whether the others are tested at all. Scores that are no sum over
+the points are not changed. */
 class SharedPoints : public Degeneracy
 {
 public:
     SharedPoints() : targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
 
-    /** How large the images are, as far as there are points: by the frame of the points, which some
-    that are far out do not change, or by the first points, of which the matches of one target are
-    not all; the images are most often of one size. */
+    /** Estimates the sizes of the images, as far as they contain points: by the frame of the
+    points, which is robust against points far out, or by the first points without the extremes,
+    which are robust against many matches to one target. The more equal sizes are taken, because
+    most images of a pair have the same size. */
     void start(const Context& context) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
@@ -154,7 +152,7 @@ public:
     }
 
 private:
-    float sizes[2];  //!< of the images
+    float sizes[2];  //!< sizes of the images
     bool targets;    //!< many matches share points
 };
 

@@ -12,8 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! At most MOST of some correspondences, copied side by side so that the vector kernels can test
-//! them.
+//! A contiguous copy of selected correspondences, at most MOST, for the vectorized kernels.
 template <int MOST>
 class SideBySide
 {
@@ -38,13 +37,13 @@ public:
 
     const Correspondences& view() const { return points; }
 
-    //! Points whose squared error is at most `limit`.
+    //! Number of points whose squared error is at most `limit`.
     int count(Residual::Kind kind, const Model& model, double limit) const
     {
         return sum(kernels().inliers[kind], model, limit).inliers;
     }
 
-    //! The same points, and the sum of the squared errors in units of `limit`, each at most 1.
+    //! The same number, and the MSAC cost: the sum of squared errors over `limit`, each at most 1.
     Quality msac(Residual::Kind kind, const Model& model, double limit) const
     {
         return sum(kernels().msac[kind], model, limit);

@@ -13,18 +13,18 @@ namespace usacv20 {
 
 //! F, E: see OrientedEpipolar.
 Ptr<Degeneracy> createOrientedEpipolar();
-//! Maps of points: matches of which many are the same, see RepeatedPoints.
+//! Maps of points: repeated matches, see RepeatedPoints.
 Ptr<Degeneracy> createRepeatedPoints();
 //! Maps of points: matches of many points to one place, see CrowdedPlaces.
 Ptr<Degeneracy> createCrowdedPlaces();
-//! The checks of a set that maps of points have, these two. Raises cv::Exception if
-//! #DEGENERACY_DEGENSAC is asked for, unless all are.
+//! Adds those checks of a set of flags that maps of points have, which are these two. Raises
+//! cv::Exception if #DEGENERACY_DEGENSAC is set, unless all flags are.
 void createChecksOfMaps(int flags, const String& problem,
                         std::vector<Ptr<Degeneracy>>& degeneracies);
 //! F, E: see SharedPoints.
 Ptr<Degeneracy> createSharedPoints();
 
-//! Frobenius norm. cv::norm adds in another order since OpenCV 5; this is that of OpenCV 4.
+//! Frobenius norm, summed in the order of cv::norm of OpenCV 4, which OpenCV 5 has changed.
 inline double frobeniusNorm(const Matx33d& m)
 {
     const double* const v = m.val;
@@ -33,8 +33,7 @@ inline double frobeniusNorm(const Matx33d& m)
     return std::sqrt(sum + v[8] * v[8]);
 }
 
-//! A model of normalized points, as x2^T F x1 = 0 has it, in the coordinates before; unit norm,
-//! false if it is not finite.
+//! Scales a model to unit Frobenius norm. False if it is zero or not finite.
 inline bool toUnitNorm(Matx33d& model)
 {
     const double size = frobeniusNorm(model);
