@@ -46,8 +46,9 @@ if(MSVC)
   set(USAC_AVX512_FLAGS /arch:AVX512)
 else()
   # No contraction, no reordering: the same bits with every instruction set. The pragma "omp simd" without OpenMP. Square
-  # roots that need not set errno are vector code.
-  set(USAC_ARITHMETIC_FLAGS -fno-fast-math -fno-math-errno -ffp-contract=off -fopenmp-simd)
+  # roots that need not set errno, and choices between numbers that need not keep the flags of floating point exceptions as
+  # they would be, are vector code.
+  set(USAC_ARITHMETIC_FLAGS -fno-fast-math -fno-math-errno -fno-trapping-math -ffp-contract=off -fopenmp-simd)
   set(USAC_AVX2_FLAGS -mavx2)
   set(USAC_AVX512_FLAGS -mavx512f -mavx512bw -mavx512dq -mavx512vl)
 endif()

@@ -158,7 +158,7 @@ run_mingw()
     for file in $(cd "$module" && find src -name '*.cpp' | sort); do
         case $file in *_avx2.cpp) set="-mavx2" ;; *_avx512.cpp) set="-mavx512f -mavx512bw -mavx512dq -mavx512vl" ;; *) set= ;; esac
         if $compiler -c -o "$roots/mingw/object.o" -std=c++11 -Wall -Wextra -Wshadow -Werror -D_USE_MATH_DEFINES -DCVAPI_EXPORTS \
-            -DUSACV20_HAVE_AVX2 -DUSACV20_HAVE_AVX512 -fno-math-errno -ffp-contract=off -fopenmp-simd $set -I"$module/include" \
+            -DUSACV20_HAVE_AVX2 -DUSACV20_HAVE_AVX512 -fno-math-errno -fno-trapping-math -ffp-contract=off -fopenmp-simd $set -I"$module/include" \
             -I"$module/src" -isystem "$roots/mingw" -isystem /usr/include/eigen3 "$module/$file"
         then good=$((good + 1)); else bad=$((bad + 1)); echo "FAILED $file"; fi
     done
