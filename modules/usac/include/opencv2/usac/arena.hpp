@@ -56,8 +56,7 @@ public:
     //! Bytes in all blocks.
     size_t capacity() const;
 
-    //! Memory that is freed when the scope ends. Scopes end in the reverse order of their
-    //! construction.
+    //! Memory that is freed when the scope ends. Scopes end in reverse order of their construction.
     class CV_EXPORTS Scope
     {
     public:
