@@ -59,8 +59,8 @@ public:
     //! The points as the components see them.
     virtual const Correspondences& points() const = 0;
     /** @brief Replaces the points of #create for the next #run; their number may differ.
-    @param points1, points2 as in #create. Params::scores, if any, belong to the new points, so
-    their number must be the same.
+    @param points1, points2 as in #create. Params::scores, if any, are taken as those of the new
+    points, whose number must then be the same.
 
     The object keeps its memory, as much as the largest run so far needed: a tracker allocates once.
     After a cv::Exception it has no points. */
