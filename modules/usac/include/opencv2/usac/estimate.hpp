@@ -161,8 +161,8 @@ the threshold, else 0.
 @param report output, what the run learned.
 @return 3x4, CV_64F, [R t]; empty if there is none, and `report` says why.
 
-Minimal samples have three points @cite horn1987closed; many points are fitted in closed form @cite
-umeyama1991least. Collinear points do not determine a rotation. Points with NaN or infinite
+Minimal samples have three points @cite horn1987closed; many points are fitted in closed form
+@cite umeyama1991least. Collinear points do not determine a rotation. Points with NaN or infinite
 coordinates, which depth cameras produce, are never inliers. */
 CV_EXPORTS_W Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params,
                                  OutputArray mask, CV_OUT Report& report);

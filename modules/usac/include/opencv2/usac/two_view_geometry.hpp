@@ -177,8 +177,9 @@ CV_EXPORTS_W TwoViewGeometry estimateTwoViewGeometry(const TwoViewPair& pair,
 
 #ifndef OPENCV_BINDING_PARSER  // other languages have their own functions for this
 
-//! @overload For points of cameras without distortion. An empty camera matrix means that the focal
-//! length of this image is unknown.
+//! @overload
+//! For points of cameras without distortion. An empty camera matrix means that the focal length of
+//! this image is unknown.
 CV_EXPORTS TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArray points2,
                                                    InputArray cameraMatrix1 = noArray(),
                                                    InputArray cameraMatrix2 = noArray(),
