@@ -91,8 +91,7 @@ private:
     //! explains other points). @param drawn samples before this search
     void sampleForRivals(const int* indices, int count, double wanted, int drawn);
     void sampleUnexplained(const int* indices, int count, int most);
-    //! Minimum number of inliers, among the points of InlierBits, that a rival adds to the best
-    //! model's.
+    //! Inliers, among the points of InlierBits, that a rival has at least and the best model lacks.
     double rivalInliers() const;
     //! @return false if the model is not a rival
     bool addRival(const Sample& sample, const Model& model);
