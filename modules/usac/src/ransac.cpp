@@ -29,12 +29,11 @@ constexpr int EXPENSIVE = 2000;
 constexpr double PARALLEL_WORK = 44800;
 
 //! A model may become a runner-up if its gain (reduction of the cost relative to no model at all)
-//! is at least this fraction of the gain of the best model. Half: time +2 to +8 %, the same errors;
-//! 0.8: time -2 to -4 %, failures of H and E +0.2 percentage points.
+//! is at least this fraction of the gain of the best model. Half: time +2 to +8 %; 0.8: failures of
+//! H and E +0.2 percentage points.
 constexpr double WORTHWHILE = 0.6;
 //! A runner-up is optimized if the best model does not explain more than this fraction of its
-//! inliers. Halving or doubling it changes no failures and no number of samples; 0: time of F +4 %,
-//! of H +2 %, the same failures.
+//! inliers. Halving or doubling it changes no failures; 0: time of F +4 %, of H +2 %.
 constexpr double DIFFERENT = 0.1;
 
 Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
@@ -272,10 +271,9 @@ bool Ransac::validModel(const int* sample, const Model& model) const
 }
 
 /* Processes a model that is better than the models of all previous samples. The paper compares
-with the optimized best model instead; but a good model from a noisy sample is often worse than a
-bad one after its optimization, and would then never be optimized. `before` is the quality that
-models had to beat before this one: if a check rejects this model or lowers its quality, it does not
-exclude others.
+with the optimized best model instead; but a good model of a noisy sample is often worse than an
+optimized bad one, and would never be optimized. `before` is the quality that models had to beat
+before this one: if a check rejects this model or lowers its quality, it does not exclude others.
 */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {

@@ -42,15 +42,15 @@ public:
     //! `checkSamples`: check the samples, because the sampler is not a built-in one.
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
-    //! To be called before run(): scores a model and optimizes it, like one from a sample.
+    //! Called before run(): scores and optimizes a model, like one of a sample.
     void begin(const Model& initial);
     /** Fills State::best; its quality stays infinite if no model was found. Searches until a
     criterion ends the search, or until `pause` samples have been drawn. @return false in the latter
     case; another call continues the search. */
     bool run(int pause = INT_MAX);
-    //! To be called when the threshold has changed: scores and optimizes the best model anew, and
-    //! forgets the scores of other models. If a check rejects the model now, there is no best model
-    //! until run() finds one.
+    //! Called when the threshold has changed: scores and optimizes the best model anew, and forgets
+    //! the scores of other models. If a check rejects the model now, there is no best model until
+    //! run() finds one.
     void thresholdChanged();
     //! The sample that led to State::best; null if it did not come from a sample.
     const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
@@ -79,8 +79,7 @@ private:
     void improveRunnersUp();
     bool worthOptimizing(const RunnerUp& runnerUp) const;
     /** Points within this many Context::inlierThreshold of the best model count as explained by it:
-    if the noise is as wide as the threshold, inliers of the best model lie beyond it and do not
-    belong to another model. With 1, all such scenes need a third more samples, see
+    with wide noise, some of its correct matches lie beyond the threshold. 1: samples +33 %, see
     doc/constants.md. */
     static constexpr double EXPLAINED = 1.5;
     //! Draws samples of the points that the best model does not explain; see

@@ -22,12 +22,12 @@ points are far more often all-inlier: with 45 % inliers of one model and 35 % of
 
 A few such samples are always drawn. If the model of one of them, or a runner-up, has inliers that
 the best model does not have, at least RIVAL times the number of inliers of the best model, there
-may be a rival, that is a second model of about the same support. Then as many samples are drawn as
-are needed to find, with the promised confidence, a model that has as many inliers as the best one
-and shares few of them; at most a third of the number of samples drawn so far. If an order that the
-data confirm has ended the search (ConfirmedOrderTermination), this order may be that of a group of
-wrong matches; then that criterion sets the number of samples. These samples count as iterations,
-but not for the criteria. */
+may be a rival, that is a second model of about the same support. Then enough samples are drawn to
+find, with the promised confidence, a model with as many inliers as the best one that shares few of
+them; at most a third of the number drawn so far. If an order that the data confirm has ended the
+search (ConfirmedOrderTermination), this order may be that of a group of wrong matches; then that
+criterion sets the number of samples. These samples count as iterations, but not for the criteria.
+*/
 
 namespace cv {
 namespace usacv20 {
@@ -38,8 +38,7 @@ namespace {
 // and F in scenes with a second motion of nearly the same size (doc/structured.md).
 
 //! Without evidence of a rival: at most 1 / FIRST_PART of the samples drawn so far, but at least
-//! LEAST_SAMPLES. With 32 instead of 64, instructions of H and E rise by 1 %; with 8 samples and
-//! MOST_PART 1, USACV20_FAST fails half as often.
+//! LEAST_SAMPLES. 32: instructions of H and E +1 %.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
 //! With evidence of a rival: at most 1 / MOST_PART of the samples drawn so far. 1: instructions of
 //! H +6 %; 2: H +1 %, failures of USACV20_FAST fall from 20 to 15 %.

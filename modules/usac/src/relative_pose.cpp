@@ -15,9 +15,8 @@ PlanarMotion. 0.9: half of the planes of 0.9 of the points are missed; 0.6: plan
 detected as well, and the returned motions are the same. */
 constexpr double DOMINANT = 0.8;
 //! Distance, in thresholds, from its image under the homography within which a point is on the
-//! plane. Half: 134 of 358 planes with noise of up to two thirds of a threshold are missed, and 41
-//! of 180 correct motions if there is nothing but a plane; double: 5 of 180 planes of 0.7 of the
-//! points are detected.
+//! plane. Half: 134 of 358 planes with noise of up to two thirds of a threshold are missed; double:
+//! 5 of 180 planes of 0.7 of the points are detected.
 constexpr double ON_PLANE = 2;
 
 //! The essential matrix of two views and the motion derived from it.

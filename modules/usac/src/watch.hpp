@@ -13,17 +13,15 @@ namespace usacv20 {
 
 /** Number of points: a run that must stop uses all points for its last steps if there is time for
 that, else at most this many where this affects only details of the report. 50 000 points take 20 ms
-for Report::chance, the slowest such step. Halving or doubling it makes the run end earlier or later
-in proportion. */
+for Report::chance, the slowest such step. */
 constexpr int ENOUGH = 50000;
 
 /** @brief Stops a run before its termination criteria do: when Params::maxTime is exceeded, or when
 the function of a ProgressScope returns false.
 
-The loops of a run query it. Without a time limit and a ProgressScope a query tests a flag. With
-them, the clock is read whenever an amount of work has been done that takes a fraction of a
-millisecond, and the progress functions are called every few milliseconds. To be used by the thread
-that began the run. */
+The loops of a run query it. Without a time limit and a ProgressScope a query only tests a flag.
+Otherwise, the clock is read after every fraction of a millisecond of work, and the progress
+functions are called every few milliseconds. To be used by the thread that began the run. */
 class Watch
 {
 public:

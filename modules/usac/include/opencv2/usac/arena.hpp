@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_ARENA_HPP
 #define OPENCV_USACV20_ARENA_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
+#ifndef OPENCV_BINDING_PARSER  // not available in other languages
 
 #include <new>
 #include <type_traits>
@@ -125,7 +125,7 @@ public:
     }
 
     int size() const { return count; }         //!< number of elements
-    bool empty() const { return count == 0; }  //!< no elements?
+    bool empty() const { return count == 0; }  //!< true if there are no elements
     //! Shortens the list to `size_` elements; never lengthens it.
     void resize(int size_) { count = std::min(count, size_); }
     T& operator[](int i) { return items[i]; }              //!< element 0 <= i < size(), unchecked
@@ -133,7 +133,7 @@ public:
     T& back() { return items[count - 1]; }                 //!< the last element; there must be one
     const T& back() const { return items[count - 1]; }     //!< the same
     const T* begin() const { return items; }               //!< the first element
-    const T* end() const { return items + count; }         //!< behind the last element
+    const T* end() const { return items + count; }         //!< past the last element
 
 private:
     enum { FIRST = 32 };

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_DATA_HPP
 #define OPENCV_USACV20_DATA_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
+#ifndef OPENCV_BINDING_PARSER  // not available in other languages
 
 #include <algorithm>
 #include <limits>

@@ -28,7 +28,7 @@ a single row or column is one point.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the
 threshold, else 0.
-@param report output, what the run learned.
+@param report output, statistics of the run.
 @return 3x3, CV_64F, with h33 = 1 (unit Frobenius norm where h33 is 0); empty if there is none, and
 `report` says why.
 
@@ -48,7 +48,7 @@ CV_EXPORTS Mat estimateHomography(InputArray points1, InputArray points2,
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
 threshold, else 0.
-@param report output, what the run learned.
+@param report output, statistics of the run.
 @return 2x3, CV_64F, [A t], as returned by cv::estimateAffine2D and used by cv::warpAffine; empty if
 there is none, and `report` says why.
 */
@@ -66,7 +66,7 @@ CV_EXPORTS Mat estimateAffinity2D(InputArray points1, InputArray points2,
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
 threshold, else 0.
-@param report output, what the run learned.
+@param report output, statistics of the run.
 @return 2x3, CV_64F, rows (a, -b, x) and (b, a, y), as returned by cv::estimateAffinePartial2D;
 empty if there is none, and `report` says why.
 */
@@ -83,7 +83,7 @@ CV_EXPORTS Mat estimateSimilarity2D(InputArray points1, InputArray points2,
 @param params options; `threshold` is the Sampson distance in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance under the returned F is at most
 the threshold, else 0.
-@param report output, what the run learned.
+@param report output, statistics of the run.
 @return 3x3, CV_64F, rank 2, unit Frobenius norm; empty if there is none, and `report` says why.
 */
 CV_EXPORTS_W Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
@@ -106,7 +106,7 @@ cv::undistortPoints; empty: none.
 the mean of the four focal lengths.
 @param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalized points under
 the returned E is at most threshold / mean focal length, else 0.
-@param report output, what the run learned.
+@param report output, statistics of the run.
 @return 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there is none, and `report` says
 why.
 */
@@ -133,7 +133,7 @@ none.
 image.
 @param mask output, Nx1, CV_8U: 1 exactly where a point is in front of the camera and its
 reprojection error, distortion included, is at most the threshold, else 0.
-@param report output, what the run learned.
+@param report output, statistics of the run.
 @return 3x4, CV_64F, [R t]; empty if there is none, and `report` says why. cv::Rodrigues turns R
 into a vector.
 
@@ -158,7 +158,7 @@ CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoi
 points, so its default is rarely suitable.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned motion is at most
 the threshold, else 0.
-@param report output, what the run learned.
+@param report output, statistics of the run.
 @return 3x4, CV_64F, [R t]; empty if there is none, and `report` says why.
 
 Minimal samples have three points @cite horn1987closed; many points are fitted in closed form
@@ -181,7 +181,7 @@ For example, from a reconstruction of unknown scale to measured points.
 `points2`.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
 threshold, else 0.
-@param report output, what the run learned.
+@param report output, statistics of the run.
 @return 3x4, CV_64F, [s R t]; empty if there is none, and `report` says why. */
 CV_EXPORTS_W Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params,
                                       OutputArray mask, CV_OUT Report& report);

@@ -37,7 +37,7 @@ CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, Output
 //! With all options, like usacv20::estimateHomography.
 CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
                               const usacv20::Params& params);
-//! The same, in the order of Python.
+//! The same, with the argument order of Python.
 inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, const usacv20::Params& params,
                           OutputArray mask = noArray())
 {
@@ -59,14 +59,14 @@ CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, Output
 //! With all options, like usacv20::estimateFundamental.
 CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, OutputArray mask,
                                   const usacv20::Params& params);
-//! The same, in the order of Python.
+//! The same, with the argument order of Python.
 inline Mat findFundamentalMat(InputArray points1, InputArray points2, const usacv20::Params& params,
                               OutputArray mask = noArray())
 {
     return findFundamentalMat(points1, points2, mask, params);
 }
 
-//! An essential matrix; arguments and result as of usacv20::findEssentialMat.
+//! An essential matrix; arguments and result as in usacv20::findEssentialMat.
 CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix,
                                 UsacV20Method method, double prob = 0.999, double threshold = 1.0,
                                 int maxIters = 1000, OutputArray mask = noArray());
@@ -92,7 +92,7 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArr
                                 InputArray cameraMatrix2, InputArray dist_coeff1,
                                 InputArray dist_coeff2, OutputArray mask,
                                 const usacv20::Params& params);
-//! The same, in the order of Python.
+//! The same, with the argument order of Python.
 inline Mat findEssentialMat(InputArray points1, InputArray points2, InputArray cameraMatrix1,
                             InputArray cameraMatrix2, InputArray dist_coeff1,
                             InputArray dist_coeff2, const usacv20::Params& params,
@@ -122,8 +122,8 @@ the namespace, `usacv20::findHomography(...)`, because calib3d's function matche
 @param method value of one of #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold in pixels
 @param mask output, Nx1, CV_8U, 1 for inliers
-@param maxIters upper bound of the number of samples
-@param confidence probability that the result is the best model
+@param maxIters maximum number of samples
+@param confidence confidence of the search, see usacv20::Params::confidence
 @return 3x3, CV_64F; empty if there is none
 */
 CV_EXPORTS_W Mat findHomography(InputArray srcPoints, InputArray dstPoints,
@@ -139,8 +139,8 @@ CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, Output
 @param points2 their counterparts in image 2
 @param method value of one of #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold in pixels
-@param confidence probability that the result is the best model
-@param maxIters upper bound of the number of samples; it has a default in Python so that a None in
+@param confidence confidence of the search, see usacv20::Params::confidence
+@param maxIters maximum number of samples; it has a default in Python so that a None in
 this position, meant for `mask`, does no harm
 @param mask output, Nx1, CV_8U, 1 for inliers
 @return 3x3, CV_64F (with OpenCV's flags and seven points up to three matrices, stacked as 9x3);
@@ -164,9 +164,9 @@ CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, Output
 @param points2 their counterparts in image 2
 @param cameraMatrix 3x3 camera matrix of both images
 @param method value of one of #UsacV20Method, or a flag of OpenCV
-@param prob probability that the result is the best model
+@param prob confidence of the search, see usacv20::Params::confidence
 @param threshold inlier threshold in pixels
-@param maxIters upper bound of the number of samples
+@param maxIters maximum number of samples
 @param mask output, Nx1, CV_8U, 1 for inliers
 @return 3x3, CV_64F (with OpenCV's flags and five points up to ten matrices, stacked as 30x3); empty
 if there is none
@@ -184,9 +184,9 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArr
 @param focal focal length of both cameras in pixels
 @param pp principal point of both cameras in pixels
 @param method value of one of #UsacV20Method, or a flag of OpenCV
-@param prob probability that the result is the best model
+@param prob confidence of the search, see usacv20::Params::confidence
 @param threshold inlier threshold in pixels
-@param maxIters upper bound of the number of samples
+@param maxIters maximum number of samples
 @param mask output, Nx1, CV_8U, 1 for inliers
 */
 CV_EXPORTS_W Mat findEssentialMat(InputArray points1, InputArray points2, double focal = 1.0,
@@ -204,7 +204,7 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, double f
 @param cameraMatrix2 3x3 camera matrix of image 2
 @param distCoeffs2 distortion of camera 2; empty: none
 @param method value of one of #UsacV20Method, or a flag of OpenCV
-@param prob probability that the result is the best model
+@param prob confidence of the search, see usacv20::Params::confidence
 @param threshold inlier threshold in pixels
 @param mask output, Nx1, CV_8U, 1 for inliers
 */

@@ -36,7 +36,7 @@ CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inli
 //! With all options, like usacv20::estimateAffinity2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers,
                                 const usacv20::Params& params);
-//! The same, in the order of Python.
+//! The same, with the argument order of Python.
 inline Mat estimateAffine2D(InputArray pts1, InputArray pts2, const usacv20::Params& params,
                             OutputArray inliers = noArray())
 {
@@ -51,7 +51,7 @@ CV_EXPORTS Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArr
 //! With all options, like usacv20::estimateSimilarity2D.
 CV_EXPORTS Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers,
                                        const usacv20::Params& params);
-//! The same, in the order of Python.
+//! The same, with the argument order of Python.
 inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, const usacv20::Params& params,
                                    OutputArray inliers = noArray())
 {
@@ -73,9 +73,9 @@ cv::Exception that names `method`, and after both using-directives the call must
 @param inliers output, Nx1, CV_8U, 1 for inliers
 @param method value of one of #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold, distance in image 2 in pixels
-@param maxIters upper bound of the number of samples
-@param confidence probability that the result is the best model
-@param refineIters upper bound of the steps of the last polish; 0: none
+@param maxIters maximum number of samples
+@param confidence confidence of the search, see usacv20::Params::confidence
+@param refineIters maximum number of steps of the final polishing; 0: none
 @return 2x3, CV_64F, the affine map [A t]; empty if there is none
 */
 CV_EXPORTS_W Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers = noArray(),
@@ -89,9 +89,9 @@ CV_EXPORTS_W Mat estimateAffine2D(InputArray from, InputArray to, OutputArray in
 @param inliers output, Nx1, CV_8U, 1 for inliers
 @param method value of one of #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold, distance in image 2 in pixels
-@param maxIters upper bound of the number of samples
-@param confidence probability that the result is the best model
-@param refineIters upper bound of the steps of the last polish; 0: none
+@param maxIters maximum number of samples
+@param confidence confidence of the search, see usacv20::Params::confidence
+@param refineIters maximum number of steps of the final polishing; 0: none
 @return 2x3, CV_64F, rows (a, -b, x) and (b, a, y): rotation, uniform scale and translation; empty
 if there is none
 */

@@ -22,7 +22,7 @@ error is measured in the original image, distortion included, and points behind 
 inliers.
 @{ */
 /** @brief The pose of a calibrated camera.
-@param objectPoints N points of space
+@param objectPoints N 3-D points
 @param imagePoints their images in pixels
 @param cameraMatrix 3x3 camera matrix
 @param distCoeffs 4, 5, 8, 12 or 14 coefficients of the distortion; empty: none
@@ -31,9 +31,9 @@ also input, 3 numbers
 @param tvec output, 3x1, CV_64F, the translation; with `useExtrinsicGuess` also input
 @param useExtrinsicGuess `rvec` and `tvec` hold an initial pose, which is scored and optimized
 before the first sample
-@param iterationsCount upper bound of the number of samples
+@param iterationsCount maximum number of samples
 @param reprojectionError inlier threshold in pixels
-@param confidence probability that the result is the best model
+@param confidence confidence of the search, see usacv20::Params::confidence
 @param inliers output, Mx1, CV_32S, the indices of the inliers in ascending order; empty if there is
 no pose
 @param flags one of #UsacV20Method
@@ -57,16 +57,16 @@ namespace usacv20 {
 As for usacv20::findHomography, one of OpenCV's own flags passes the call on to calib3d unchanged, a
 number that is no flag raises a cv::Exception that names `flags`, and after both using-directives
 the call must name the namespace. The defaults are those of calib3d, except for the flag.
-@param objectPoints N points of space
+@param objectPoints N 3-D points
 @param imagePoints their images in pixels
 @param cameraMatrix 3x3 camera matrix
 @param distCoeffs coefficients of the distortion; empty: none
 @param rvec output, 3x1, CV_64F, the rotation as a vector; with `useExtrinsicGuess` also input
 @param tvec output, 3x1, CV_64F, the translation; with `useExtrinsicGuess` also input
 @param useExtrinsicGuess `rvec` and `tvec` hold an initial pose
-@param iterationsCount upper bound of the number of samples
+@param iterationsCount maximum number of samples
 @param reprojectionError inlier threshold in pixels
-@param confidence probability that the result is the best model
+@param confidence confidence of the search, see usacv20::Params::confidence
 @param inliers output, Mx1, CV_32S, the indices of the inliers
 @param flags value of one of #UsacV20Method, or a flag of OpenCV
 @return false if there is no pose */

@@ -52,13 +52,13 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 
 @param problem what the model is
 @param model as #estimateHomography and its kin return it, any depth
-@param points1, points2 as of #fitModel
+@param points1, points2 as in #fitModel
 @param params options; `threshold`, `residual`, `polishing` and `polishingSteps` are used
 @param mask, report as in #fitModel
 @param chosen mask of the inliers, N numbers, 0 for other points: least-squares fit to the inliers,
 starting from the model. Empty: the last step of an estimation (Params::polishing), starting from
 the model, with the inliers that it finds.
-@param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as of #fitModel
+@param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as in #fitModel
 @return the model; empty if the points determine none. */
 CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray points1,
                              InputArray points2, const Params& params, OutputArray mask,
@@ -72,9 +72,9 @@ CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray p
 
 @param problem what the model is
 @param model as #estimateHomography and its kin return it, any depth
-@param points1, points2 as of #fitModel
+@param points1, points2 as in #fitModel
 @param params options; `residual` is used
-@param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as of #fitModel
+@param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as in #fitModel
 @return N x 1, CV_64F, not squared, in the unit of Params::threshold (pixels; 3-D motions: the unit
 of `points2`): the mask of an estimation is 1 exactly where this is at most Report::threshold.
 Infinite or NaN where the error is not defined: for points that are not finite, behind a camera, or

@@ -150,7 +150,7 @@ enum QualityType {
 enum VerificationType {
     VERIFICATION_NONE = 0,  //!< no test; every model sees as many points as the score needs
     VERIFICATION_SPRT = 1,  //!< Wald's sequential probability ratio test @cite chum2008optimal
-    VERIFICATION_TDD = 2    //!< the first Params::tddPoints points must be inliers
+    VERIFICATION_TDD = 2    //!< Params::tddPoints random points must be inliers
                             //!< @cite matas2004randomized
 };
 
@@ -162,7 +162,7 @@ enum LocalOptimizationType {
                                         //!< @cite barath2018graph
     LOCAL_OPTIMIZATION_LO_RANSAC = 2,   //!< inner RANSAC and least squares with a shrinking
                                         //!< threshold @cite chum2003locally
-    LOCAL_OPTIMIZATION_FLO_RANSAC = 3,  //!< the same on a bounded number of inliers
+    LOCAL_OPTIMIZATION_FLO_RANSAC = 3,  //!< the same with fits of bounded size
                                         //!< @cite lebeda2012fixing
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4,            //!< fits marginalized over the noise scale
                                                        //!< @cite barath2019magsac
@@ -357,9 +357,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     local optimization, 24 runners-up and 20 polishing steps. */
     CV_WRAP static Params accurate();
     /** @brief Like usacV20(), with PROSAC sampling of points that the caller has sorted, best first
-    (if `scores` are given, they determine the order, as in all presets for sorted points). Only one
-    sample in eight follows the order (`orderedEvery`); the others are uniform, so that `confidence`
-    holds even if the order is wrong. What UsacV20Method::USACV20_PROSAC uses. */
+    (if `scores` are given, they determine the order, as in all presets for sorted points). One
+    sample in eight follows the order (`orderedEvery`), the others are uniform, so that `confidence`
+    holds even for a wrong order. What UsacV20Method::USACV20_PROSAC uses. */
     CV_WRAP static Params sorted();
     /** @brief Like usacV20(), for an order that the caller trusts (`scores`, or
     #ORDERING_INPUT_ORDER): all samples are PROSAC's, and its criterion may end the search

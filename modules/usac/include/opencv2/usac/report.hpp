@@ -18,8 +18,7 @@ namespace usacv20 {
 enum StopReason {
     STOP_NOT_RUN = 0,         //!< no estimation has been run
     STOP_TOO_FEW_POINTS = 1,  //!< fewer finite correspondences than a minimal sample: no model
-    STOP_NO_MODEL = 2,  //!< no sample gave a model with more inliers than a sample (degenerate
-                        //!< data): no model
+    STOP_NO_MODEL = 2,        //!< no sample yielded a model with enough inliers (degenerate data)
     STOP_MAX_ITERATIONS = 3,  //!< Params::maxIterations was reached
     STOP_STANDARD = 4,        //!< #TERMINATION_STANDARD fired
     STOP_SPRT = 5,            //!< #TERMINATION_SPRT fired

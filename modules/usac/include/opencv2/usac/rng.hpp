@@ -31,7 +31,7 @@ public:
     unsigned next() { return (unsigned)(mix(key + 0x9e3779b97f4a7c15ULL * ++counter) >> 32); }
     //! Uniform in 0 .. n-1, n > 0.
     int uniform(int n) { return (int)(((uint64)next() * (unsigned)n) >> 32); }
-    //! Writes `count` distinct numbers of 0 .. n-1 with count <= min(n, MAX_SAMPLE_SIZE).
+    //! Writes `count` distinct numbers in 0 .. n-1, where count <= min(n, MAX_SAMPLE_SIZE).
     void distinct(int n, int count, int* out)
     {
         for (int i = 0; i < count;)
