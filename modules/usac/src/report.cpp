@@ -12,8 +12,8 @@ namespace {
 //! Report::chance above which a model is called no better than chance: the limit for
 //! Params::significance 0.
 constexpr double SIGNIFICANT = 0.01;
-//! Points out that few inliers are independent, because most are at a few places, if there are more
-//! than this many inliers per independent one. Half, double: not measured.
+//! describe() says that few inliers are independent (most are at a few places) if there are more
+//! than this many inliers for each independent one. Half, double: not measured.
 constexpr int FEW = 4;
 
 }  // namespace

@@ -77,7 +77,8 @@ private:
     std::vector<Params> list;
 };
 
-/** @name Batches of one problem Each calls #estimateBatch with tasks of one problem.
+/** @name Batches of one problem
+Each calls #estimateBatch with tasks of one problem.
 @param points1, points2 lists of the same length, one entry per task:
 `std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry like the points of
 #estimateHomography and its kin

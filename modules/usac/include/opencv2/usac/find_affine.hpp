@@ -63,8 +63,8 @@ namespace usacv20 {
 
 /** @name Maps of the plane with any flag, known only at run time
 The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D that have an `int method`,
-except that an omitted `method` is UsacV20Method::USACV20. As for usacv20::findHomography, one of
-OpenCV's own flags passes the call on to calib3d unchanged, a number that is no flag raises a
+except that an omitted `method` is UsacV20Method::USACV20. As for usacv20::findHomography, a call
+with one of OpenCV's own flags is passed on to calib3d unchanged, a number that is no flag raises a
 cv::Exception that names `method`, and after both using-directives the call must name the namespace.
 @{ */
 /** @brief cv::estimateAffine2D with a flag of this module or of OpenCV.

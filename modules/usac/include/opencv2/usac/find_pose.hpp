@@ -54,9 +54,10 @@ namespace usacv20 {
 
 /** @brief cv::solvePnPRansac with a flag of this module or of OpenCV, known only at run time.
 
-As for usacv20::findHomography, one of OpenCV's own flags passes the call on to calib3d unchanged, a
-number that is no flag raises a cv::Exception that names `flags`, and after both using-directives
-the call must name the namespace. The defaults are those of calib3d, except for the flag.
+As for usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d
+unchanged, a number that is no flag raises a cv::Exception that names `flags`, and after both
+using-directives the call must name the namespace. The defaults are those of calib3d, except for the
+flag.
 @param objectPoints N 3-D points
 @param imagePoints their images in pixels
 @param cameraMatrix 3x3 camera matrix
