@@ -63,7 +63,8 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       localTicks(0), checkSamples(checkSamples_)
 {}
 
-// Numbers are lines of Algorithm 1; lines 4 to 14 are in hypothesize(), 15 to 27 in improve().
+// Comments with a number name lines of Algorithm 1: 4 to 14 in hypothesize(), 15 to 27 in
+// improve().
 bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();

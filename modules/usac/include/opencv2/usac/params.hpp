@@ -89,9 +89,9 @@ enum SamplerType {
     SAMPLER_PROSAC = 1,   //!< from a growing set of the best points @cite chum2005matching
     //! A point and its neighbors, best points first, in growing neighborhoods
     //! @cite barath2019progressive. Of the samples that are not uniform (Params::orderedEvery), one
-    //! in four is local, or every second one if the order is the density; in the paper all are
-    //! local until the neighborhood contains all points. A neighborhood doubles when its point is
-    //! chosen again; in the paper it grows like PROSAC's set.
+    //! in four is drawn from a neighborhood, or one in two if the order is the density of the
+    //! points; in the paper all are, until the neighborhood contains all points. A neighborhood
+    //! doubles when its point is chosen again; in the paper it grows like PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC = 3,     //!< any point and its neighbors @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4  //!< each point with probability proportional to Params::scores, for
@@ -308,8 +308,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
     //! Maximum number of models that are optimized before the search ends, in addition to those
-    //! that were better than all models before them: those that explain most of what the best model
-    //! does not explain. If above 0, the points that the best model does not explain are also
+    //! that were better than all models before them: those with the most inliers that the best
+    //! model does not have. If above 0, the points that the best model does not explain are also
     //! sampled. 0..100. Default 16.
     CV_PROP_RW int runnersUp;
     /** Samplers that prefer some points (all except #SAMPLER_UNIFORM) draw one in this many samples

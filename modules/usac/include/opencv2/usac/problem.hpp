@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_PROBLEM_HPP
 #define OPENCV_USACV20_PROBLEM_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // not available in other languages
+#ifndef OPENCV_BINDING_PARSER  // C++ only, no bindings
 
 #include "opencv2/usac/components.hpp"
 
@@ -60,9 +60,9 @@ public:
     //! True if two good models can have the same inliers, like the two motions that are compatible
     //! with a plane (E): then each is optimized. Default: false.
     virtual bool ambiguous() const;
-    /** @brief True if nearly all inliers leave some parameters of the model undetermined, as
-    inliers of F or E on a plane, or of a pure rotation: then their errors say little about these
-    parameters.
+    /** @brief True if nearly all inliers leave some parameters of the model undetermined, like
+    those of F or E if they lie on a plane or the camera only rotates: then their errors say little
+    about these parameters.
     @param context the data of the run: points in the coordinates of the model, and the threshold
     @param model in the coordinates of Correspondences
 
@@ -144,7 +144,7 @@ public:
     virtual double randomInlierRatio(const Correspondences& points) const;
 };
 
-//! Values of Problem::normalization.
+//! How points are normalized for the search, see Problem::normalization.
 enum Normalization {
     SCALE_NONE,    //!< no normalization: the constraints of the model hold in the original
                    //!< coordinates only

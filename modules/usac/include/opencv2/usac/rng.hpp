@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_RNG_HPP
 #define OPENCV_USACV20_RNG_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // not available in other languages
+#ifndef OPENCV_BINDING_PARSER  // C++ only, no bindings
 
 #include "opencv2/core.hpp"
 
