@@ -63,8 +63,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       localTicks(0), checkSamples(checkSamples_)
 {}
 
-// Comments with a number name lines of Algorithm 1: 4 to 14 in hypothesize(), 15 to 27 in
-// improve().
+// Numbers in comments are lines of Algorithm 1: 4 to 14 in hypothesize(), 15 to 27 in improve().
 bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();

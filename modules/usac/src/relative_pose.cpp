@@ -169,8 +169,8 @@ private:
 
     const Params params;
     const Ptr<Usac> usac;
-    const double threshold;     //!< on the normalized image planes
-    std::vector<Vec3d> x1, x2;  //!< points on these, undistorted; NaN: not finite
+    const double threshold;     //!< inlier threshold, on the normalized image planes
+    std::vector<Vec3d> x1, x2;  //!< points on the same, undistorted; NaN: not finite
 };
 
 }  // namespace
