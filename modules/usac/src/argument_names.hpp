@@ -5,26 +5,27 @@
 #ifndef OPENCV_USACV20_ARGUMENT_NAMES_HPP
 #define OPENCV_USACV20_ARGUMENT_NAMES_HPP
 
-// Messages in the words of a function whose arguments have other names than those of the estimation
-// that it calls.
+// Translates argument names in error messages for functions (those of calib3d, for example) whose
+// arguments have other names than those of the estimation that they call.
 
 #include <opencv2/core.hpp>
 
 namespace cv {
 namespace usacv20 {
 
-//! What an estimation calls an argument, and what the caller wrote.
+//! Name of an argument in the estimation, and in the function that the caller used.
 struct ArgumentName
 {
     const char *inner, *callers;
 };
 
-//! Throws `mistake` with the caller's words in its head, "points1 and points2" of "points1 and
-//! points2: lists of ...", if these are other ones. A head that is no list of names stays as it is.
+//! Rethrows `mistake` with the argument names before the colon, as in "points1 and points2: lists
+//! of ...", replaced by those of the caller if they differ. Text before the colon that is not a
+//! list of names is left unchanged.
 void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake);
 
-//! Calls an estimation; its messages name the arguments as the caller does. cv::redirectError sees
-//! them as they were.
+//! Calls an estimation and translates the argument names in its exceptions. A handler installed
+//! with cv::redirectError sees the original messages.
 template <size_t COUNT, class Call>
 auto calling(const ArgumentName (&names)[COUNT], const Call& call) -> decltype(call())
 {

@@ -35,7 +35,7 @@ bool isList(InputArrayOfArrays list)
            kind == _InputArray::STD_ARRAY_MAT;
 }
 
-//! A list of arrays: an entry for each task, one for all, or none.
+//! A list of arrays with an entry for each task, a single one for all tasks, or none.
 class OneOrEach
 {
 public:

@@ -16,25 +16,26 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The scopes of the thread that calls estimateBatch, for all threads that work for it.
+/** @brief Lets the ProgressScopes of the thread that calls estimateBatch cancel the work of all its
+threads.
 
-Only that thread asks them: while it estimates, between its estimations, and while it waits for
-those of the others. The others look at the answer. Without a scope nothing is asked, and nobody
-waits. */
+Only the calling thread calls the progress functions: during its own estimations, between them, and
+while it waits for those of other threads. The other threads read the answer from a flag. Without a
+ProgressScope nothing is called, and no thread waits. */
 class BatchProgress
 {
 public:
     BatchProgress();
-    //! Has the calling thread a scope, so that an estimation of its may be cancelled?
+    //! True if the calling thread has a ProgressScope, so that its estimations may be cancelled.
     static bool isWatched() { return ProgressScope::current() != 0; }
 
-    //! A thread while it works for the batch.
+    //! Registers a thread while it works for the batch.
     class Worker
     {
     public:
         explicit Worker(BatchProgress& batch);
-        //! The calling thread waits here until all others that have begun are done, and asks in the
-        //! meantime.
+        //! In the calling thread: waits until all other threads that have begun are done, and
+        //! meanwhile calls the progress functions.
         ~Worker();
 
     private:
@@ -42,27 +43,28 @@ public:
         std::unique_ptr<ProgressScope> scope;
     };
 
-    //! Shall the next estimation begin?
+    //! True if the next estimation may begin.
     bool goesOn();
-    //! Raises what a scope has thrown.
+    //! Rethrows an exception from a progress function.
     void finish();
 
 private:
     bool isCaller() const { return std::this_thread::get_id() == caller; }
-    //! By the calling thread: an exception is kept, as those of an estimation are its task's.
+    //! For the calling thread: stores an exception of a progress function, because exceptions
+    //! during an estimation are otherwise attributed to its task.
     bool ask(const Report& report);
-    //! The same if it is time.
+    //! The same, if PERIOD has passed since the last call.
     void askNowAndThen();
     void waitForOthers();
 
-    const ProgressScope* const scopes;  //!< of the calling thread; null: none
+    const ProgressScope* const scopes;  //!< innermost one of the calling thread; null: none
     const std::thread::id caller;
     std::atomic<bool> stopped;
     std::exception_ptr thrown;
-    int64 asked;  //!< when, ticks
+    int64 asked;  //!< time of the last call, in ticks
     std::mutex mutex;
     std::condition_variable changed;
-    int working;  //!< other threads; guarded by the mutex
+    int working;  //!< number of other threads at work; guarded by the mutex
 };
 
 }  // namespace usacv20

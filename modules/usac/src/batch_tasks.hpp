@@ -11,17 +11,18 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Many estimations side by side: the threads of cv::parallel_for_ take the next one when
-they have done one.
-@param count how many
-@param threads of them at once, at most cv::getNumThreads(); 0: as many as that. Raises
-cv::Exception if it is below 0
-@param estimate does one of them, by its number; raises nothing
-@param leave is called for those that are not begun, as a ProgressScope has said no */
+/** @brief Runs many estimations in parallel: each thread of cv::parallel_for_ takes the next one
+when it has finished one.
+@param count number of estimations
+@param threads how many run at once, at most cv::getNumThreads(); 0: cv::getNumThreads(). Raises
+cv::Exception if negative
+@param estimate runs the estimation with a given index; must not throw
+@param leave called for each one that is not begun because a ProgressScope has cancelled the batch
+*/
 void forEachTask(int count, int threads, const std::function<void(int)>& estimate,
                  const std::function<void(int)>& leave);
 
-//! Calls an estimation. @return the message of what it has raised; empty: nothing
+//! Calls an estimation. @return the message of the exception that it raised, or an empty string
 template <class Call>
 String mistakeOf(const Call& call)
 {

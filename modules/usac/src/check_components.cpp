@@ -27,7 +27,7 @@ void checkEntries(const std::vector<Ptr<T>>& parts, const char* name)
 
 }  // namespace
 
-//! Points without error, and points as far away as can be.
+//! Tests the score with points without error and with points that are as far away as possible.
 void checkScore(const Score& score)
 {
     if (!(score.inlierPart() > 0 && score.inlierPart() <= 1))

@@ -10,24 +10,25 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Raises cv::Exception that names a problem of the caller's whose numbers do not fit each
-other: errors of one or two dimensions, samples that determine a model, costs above 0. @param
-residual ResidualType */
+/** @brief Raises a cv::Exception with the name of a caller's problem if its numbers are
+inconsistent: errors must have one to three dimensions, a sample must determine a model, costs must
+be positive.
+@param residual ResidualType */
 void checkProblem(const Problem& problem, int residual);
 
-//! Raises cv::Exception that names the component where a required one or an entry of a list is
-//! empty, or samples have a size that cannot be.
+//! Raises a cv::Exception that names the component if a required one or an entry of a list is
+//! empty, or if the sample size is impossible.
 void checkComponents(const Components& parts);
 
-/** @brief Raises cv::Exception where a score of the caller's, which has been started, is none:
-points without error must be inliers, and costs lie between 0 and 1. */
+/** @brief Raises a cv::Exception for an invalid score of the caller, which must have been started:
+points without error must be inliers, and costs must lie between 0 and 1. */
 void checkScore(const Score& score);
 
-//! Raises cv::Exception if a sample of a caller's sampler does not have m distinct indices of 0 ..
-//! size-1.
+//! Raises a cv::Exception if a sample of a caller's sampler does not have m distinct indices in 0
+//! .. size-1.
 void checkSample(const int* sample, int m, int size);
 
-//! That a minimal solver has written models; else a cv::Exception.
+//! Raises a cv::Exception if a minimal solver returned too many models, or empty ones.
 void checkModels(const Model* models, int count);
 
 }  // namespace usacv20

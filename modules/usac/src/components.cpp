@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-// The destructors are here so that each class has one home for its virtual table, also in the
-// libraries of users.
+// The destructors are defined here so that the virtual table of each class is emitted once, in this
+// library and not in those of users as well.
 Component::~Component() {}
 Ordering::~Ordering() {}
 bool Ordering::informative(const Context&) const { return true; }
@@ -28,9 +28,9 @@ Usac::~Usac() {}
 
 namespace {
 
-//! Tests of a point, as Watch counts them, that an order takes for each: 130 ns with scores, 80 by
-//! density, of a million. Half, double: a run with a limit of time ends as much later or earlier,
-//! if it is in this step.
+//! Time to sort the points, per point, in point tests (see Watch): measured for a million points,
+//! 130 ns with scores and 80 ns by density. It only affects how late a run with a time limit ends
+//! during this step.
 constexpr double SORT_WORK = 65;
 
 }  // namespace
@@ -41,8 +41,8 @@ void State::sort(const Context& context)
     int* const sorted = context.arena.take<int>(size);
     for (int i = 0; i < size; ++i)
         sorted[i] = i;
-    const double work = size * SORT_WORK;  // without the time for it all samples are uniform: the
-                                           // points are in random order
+    const double work = size * SORT_WORK;  // if there is no time to sort, all samples are uniform,
+                                           // because the points are in random order
     const bool timely = !context.watch || (context.watch->fits(work) && !context.watch->stop(work));
     if (context.components.ordering && timely)
         context.components.ordering->sort(context, sorted);
@@ -98,8 +98,8 @@ double Context::randomInlierRatio() const
 
 bool Context::mustStop() const
 {
-    constexpr double FIT = 2000;  // tests of a point, as Watch counts them: about that of a fit to
-                                  // a part of the points
+    constexpr double FIT = 2000;  // in point tests (see Watch): about the time of a fit to a subset
+                                  // of the points
     return watch->stop(points.size + FIT);
 }
 
@@ -128,7 +128,7 @@ bool Residual::homogeneous() const { return true; }
 int Residual::error(const Model& model, const double* datum, double* error) const
 {
     const double*
-        columns[MAX_COLUMNS];  // of one row; those that the residual does not have are not read
+        columns[MAX_COLUMNS];  // of one datum; the residual does not read those it does not have
     for (int k = 0; k < MAX_COLUMNS; ++k)
         columns[k] = datum + k;
     squaredErrors(model, columns, 1, error);
@@ -139,7 +139,7 @@ int Residual::error(const Model& model, const double* datum, double* error) cons
 int Residual::linearize(const Model& model, const double* datum, double* error,
                         double* derivative) const
 {
-    // the step at which rounding and the third derivative cost as many digits
+    // the step that balances rounding and truncation errors of central differences
     const double step = std::cbrt(DBL_EPSILON) *
                         std::sqrt(normL2Sqr<double, double>(model.val, model.size()));
     double above[MAX_COMPONENTS], below[MAX_COMPONENTS];

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! The components that the parameters name. To add a variant: its file, its enumerator and one line
-//! here.
+//! Creates the components that the options name. A new variant needs its file, its enumerator and
+//! one line here.
 Components createComponents(const Problem& problem, const Params& params);
 
 }  // namespace usacv20

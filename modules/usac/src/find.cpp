@@ -13,8 +13,8 @@ using usacv20::calling;
 using usacv20::Params;
 using usacv20::paramsOf;
 
-// The arguments of calib3d's functions; of those with a Params, whose fields keep their names, only
-// the arrays.
+// Argument names of calib3d's functions. Functions with a Params translate only the arrays, since
+// its fields keep their names.
 static const ArgumentName HOMOGRAPHY_NAMES[] = {{"points1", "srcPoints"},
                                                 {"points2", "dstPoints"},
                                                 {"threshold", "ransacReprojThreshold"},
@@ -29,7 +29,7 @@ static const ArgumentName FOCAL[] = {{"cameraMatrix", "focal, pp"}};
 static const ArgumentName CAMERAS_OF_PARAMS[] = {{"distCoeffs1", "dist_coeff1"},
                                                  {"distCoeffs2", "dist_coeff2"}};
 
-//! E of two cameras.
+//! Essential matrix of two cameras.
 static Mat estimate(InputArray points1, InputArray points2, InputArray cameraMatrix1,
                     InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
                     OutputArray mask, const Params& params)
@@ -47,7 +47,7 @@ static Matx33d cameraOf(double focal, Point2d pp)
     return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
 }
 
-// Where a signature of calib3d has no maxIters, its default is used.
+// If a signature of calib3d has no maxIters, its default is used.
 
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method,
                    double ransacReprojThreshold, OutputArray mask, const int maxIters,

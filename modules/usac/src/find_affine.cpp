@@ -14,7 +14,7 @@ using usacv20::ArgumentName;
 using usacv20::calling;
 using usacv20::Params;
 
-// The arguments of calib3d's functions; the fields of a Params keep their names.
+// Argument names of calib3d's functions; the fields of a Params keep their names.
 static const ArgumentName NAMES[] = {{"points1", "from"},
                                      {"points2", "to"},
                                      {"threshold", "ransacReprojThreshold"},
@@ -22,7 +22,8 @@ static const ArgumentName NAMES[] = {{"points1", "from"},
                                      {"polishingSteps", "refineIters"}};
 static const ArgumentName ARRAYS_OF_PARAMS[] = {{"points1", "pts1"}, {"points2", "pts2"}};
 
-//! A count of calib3d's functions; negative ones are huge as a `size_t`.
+//! Converts a `size_t` count of calib3d's functions; a negative one appears as a huge number and
+//! raises cv::Exception.
 static int countOf(const char* name, size_t count)
 {
     if (count > (size_t)INT_MAX)

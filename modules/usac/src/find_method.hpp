@@ -5,22 +5,22 @@
 #ifndef OPENCV_USACV20_FIND_METHOD_HPP
 #define OPENCV_USACV20_FIND_METHOD_HPP
 
-// What the functions with a `method` have in common; in find.cpp.
+// Shared by the functions with a `method`; defined in find.cpp.
 
 #include "opencv2/usac/params.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-//! The options of a flag, with the arguments that calib3d's functions have beside it. A number that
-//! is no flag raises an exception; `name` is that of the argument.
+//! The options of a flag, combined with the other arguments of calib3d's functions. A number that
+//! is not a flag raises a cv::Exception; `name` is the name of the argument.
 Params paramsOf(UsacV20Method method, double threshold, double confidence, int maxIterations,
                 const char* name = "method");
 
-/** Whether a number is a flag of this module (true) or may be one of OpenCV's (false), which are 0
-.. 38 in OpenCV 4.6 and have room up to 63. Any other number is a mistake that calib3d would not
-always see, and raises an exception: F and E take what they do not know for LMedS. `name` is that of
-the argument. */
+/** True if a number is a flag of this module, false if it may be one of OpenCV's, which are 0 .. 38
+in OpenCV 4.6, with room up to 63. Any other number raises a cv::Exception, because calib3d does not
+always detect it: for F and E it treats unknown numbers as LMedS. `name` is the name of the
+argument. */
 bool isOurs(int method, const char* name = "method");
 
 }  // namespace usacv20

@@ -10,11 +10,11 @@ namespace cv {
 
 using usacv20::Params;
 
-//! The arguments of calib3d's function; the arrays have their names everywhere.
+//! Argument names of calib3d's function; the arrays have the same names in all functions.
 static const usacv20::ArgumentName NAMES[] = {{"threshold", "reprojectionError"},
                                               {"maxIterations", "iterationsCount"}};
 
-//! Three numbers of the caller's, in a row, a column or one element.
+//! Reads three numbers from a row, a column or a single element with three channels.
 static Vec3d readVector(InputArray array, const char* name)
 {
     const Mat given = array.getMat();

@@ -10,13 +10,13 @@ namespace usacv20 {
 
 namespace {
 
-//! What the problem of a pose calls the arguments of these functions.
+//! Names that the problem of absolute poses uses for the arguments of these functions.
 const ArgumentName POSE_NAMES[] = {{"objectPoints", "points1"},
                                    {"imagePoints", "points2"},
                                    {"cameraMatrix", "cameraMatrix1"},
                                    {"distCoeffs", "distCoeffs1"}};
 
-//! Before the points are read, which may have been given in its place.
+//! Called before the points are read, in case points were passed as the model.
 void checkModel(InputArray model)
 {
     if (model.channels() != 1 || model.total() > MAX_MODEL_SIZE)

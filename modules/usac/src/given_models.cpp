@@ -11,18 +11,18 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: doc/constants.md. Measured on 1200 fits of H, F, E and poses to 8 to
-// 2000 points.
+// Measured on 1200 fits of H, F, E and poses to 8 to 2000 points; doc/constants.md has the effect
+// of halving and doubling each value.
 
-//! Samples whose models are compared by their errors, and best ones of them from which least
-//! squares start. Half: 6 and 7 fits end in a minimum that is higher by 0.1 % or more; double: 3 in
-//! a higher one, 2 and 2 in a lower one.
+//! Number of samples whose models are compared by their errors, and number of the best of these
+//! models from which least-squares fits start. Halving either: 6 or 7 of the 1200 fits end in a
+//! minimum that is higher by 0.1 % or more.
 constexpr int SAMPLES = 64, STARTS = 4;
-//! Points that the starts are compared and fitted with, and steps of a fit, which is at its end
-//! before. Half, double: the same minima.
+//! Number of points with which the initial models are compared and fitted, and maximum number of
+//! steps of a fit, which converges earlier. Halving or doubling either does not change the minima.
 constexpr int PART = 500, STEPS = 100;
 
-//! A list of numbers, one for each point, as CV_64F; empty: none is given.
+//! Converts a list of numbers, one for each point, to CV_64F; empty if none is given.
 Mat readNumbers(InputArray given, int size, const char* name)
 {
     const Mat list = given.getMat();
@@ -140,14 +140,14 @@ double GivenModels::lossOf(PointSubset& part, const Model& model) const
     double sum = 0;
     for (int k = 0; k < part.size(); ++k)
         sum += weights ? weights[k] * errors[k] : errors[k];
-    return sum <= DBL_MAX ? sum : DBL_MAX;  // also for NaN
+    return sum <= DBL_MAX ? sum : DBL_MAX;  // DBL_MAX also for NaN
 }
 
 bool GivenModels::leastSquares(int size, Model& model) const
 {
     const int m = context.components.minimalSolver->sampleSize();
     return solver.fit(points, indices, size, weights, model, STEPS) ||
-           size == m;  // a sample determines it
+           size == m;  // the minimal sample already determines the model
 }
 
 bool GivenModels::begin(Model& model) const

@@ -11,14 +11,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief What needs no search: least squares over given points, errors under a given model. For
-Usac::fit, refine and errors. */
+/** @brief Implements Usac::fit, refine and errors, which need no search: least squares over given
+points, errors under a given model. */
 class GivenModels
 {
 public:
-    /** @param context points, components (which have been told of a run) and options
+    /** @param context points, components (already started) and options
     @param data the points
-    @param imageResidual that of Problem::createImageResidual, and its least squares; empty: none */
+    @param imageResidual result of Problem::createImageResidual; empty: none */
     GivenModels(const Context& context, ProblemData& data, const Ptr<Residual>& imageResidual,
                 const Ptr<NonMinimalSolver>& imageFit);
 
@@ -26,31 +26,31 @@ public:
     Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report);
     Mat errors(InputArray model) const;
 
-    //! A model of the caller's in the coordinates of the mask. @param forSearch output, the same
-    //! for the search; may be null
+    //! Converts a model of the caller to the coordinates of the mask.
+    //! @param forSearch output, the same model in the coordinates of the search; may be null
     Model read(InputArray given, Model* forSearch) const;
-    //! State::best as Usac::run returns it, if State::report has #STOP_NO_SEARCH.
+    //! Returns State::best in the form of Usac::run if `stop` in State::report is #STOP_NO_SEARCH.
     Mat give(State& state, OutputArray mask, Report* report);
 
 private:
-    //! Reads which points take part, and their weights.
+    //! Reads which points are used, and their weights.
     void choose(InputArray weights, InputArray chosen);
-    //! The best of the models of samples, after least squares over a part of the points.
+    //! Initial model: the best model of minimal samples, fitted to a subset of the points.
     bool begin(Model& model) const;
-    //! The sum of (weighted) squared errors over the first points that take part.
+    //! The sum of (weighted) squared errors over the points of `part`.
     double lossOf(PointSubset& part, const Model& model) const;
     bool leastSquares(int size, Model& model) const;
 
     const Context& context;
     ProblemData& data;
-    const Ptr<Residual> residual;  //!< that of the mask
-    const bool asSeen;             //!< it is one of the points as they were seen
-    const Correspondences points;  //!< those of the residual
+    const Ptr<Residual> residual;  //!< the one that the mask uses
+    const bool asSeen;  //!< `residual` is an image residual, for the original image points
+    const Correspondences points;  //!< in the coordinates of `residual`
     const NonMinimalSolver& solver;
     const Problem& problem;
     const int64 start;
-    int* indices;     //!< of the points that take part
-    double* weights;  //!< theirs; null: all 1
+    int* indices;     //!< of the points that are used
+    double* weights;  //!< of these points; null: all 1
     int count;
 };
 

@@ -52,7 +52,7 @@ struct FieldChecker
     {}
 };
 
-//! Refuses options that contradict each other.
+//! Raises a cv::Exception for options that contradict each other.
 void checkCombination(bool impossible, const char* message)
 {
     if (impossible)
@@ -105,8 +105,8 @@ void checkCombinations(const Params& p)
                      "not have yet");
 }
 
-//! Scores must have one value for each correspondence; as probabilities, finite ones that are not
-//! negative nor all 0.
+//! Raises a cv::Exception unless there is one score for each correspondence; for
+//! #SAMPLER_IMPORTANCE they must also be finite and not negative.
 void checkScores(const Params& p, int count)
 {
     if (count >= 0 && !p.scores.empty() && (int)p.scores.size() != count)
@@ -122,7 +122,8 @@ void checkScores(const Params& p, int count)
                        p.scores[i]));
 }
 
-//! Whether they are those of a model of the problem Problem::fromOutput says.
+//! Checks number and finiteness of the entries; Problem::fromOutput checks whether they are a model
+//! of the problem.
 void checkInitialModel(const std::vector<double>& model)
 {
     if ((int)model.size() > MAX_MODEL_SIZE)

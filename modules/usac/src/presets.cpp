@@ -173,7 +173,7 @@ Params Params::magsacPlusPlus()
 
 Params Params::fromMethod(UsacV20Method method)
 {
-    switch (methodFromInt((int)method))  // a cast makes a flag of any number
+    switch (methodFromInt((int)method))  // a cast can turn any number into a flag
     {
     case USACV20: break;
     case USACV20_FAST: return fast();
@@ -189,7 +189,7 @@ Params Params::fromMethod(int method) { return fromMethod(methodFromInt(method))
 
 namespace {
 
-//! LMedS in the place of the quality, and what it rules out.
+//! Selects LMedS and turns off the options that it excludes.
 void useLmeds(Params& params)
 {
     const Params lmeds = Params::lmeds();

@@ -9,7 +9,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Where nearly all points of an array lie.
+//! The box that contains nearly all points of an array.
 class Box
 {
 public:
@@ -33,8 +33,8 @@ public:
         return dimensions == 2 ? std::sqrt(volume()) : std::pow(volume(), 1. / dimensions);
     }
 
-    //! Bound of the length of a line or the area of a plane within the box, which has so many
-    //! dimensions less than it.
+    //! Upper bound on the length of a line or the area of a plane inside the box; `codimension` is
+    //! the difference of their dimensions.
     double largestSection(int codimension) const
     {
         double squares = 0;
@@ -86,8 +86,8 @@ double Problem::randomInlierRatio(const Correspondences& points) const
 {
     const Box last(points, points.coordinates[1] ? 1 : 0);
     const double t = points.threshold;
-    // Sampson's distance is that to the line in image 2 divided by sqrt(2), if the errors in both
-    // are equal
+    // the Sampson distance is the distance to the line in image 2 divided by sqrt(2) if the errors
+    // in both images are equal
     const double around = errorDimension() == 3 ? 4 * CV_PI / 3 * t * t * t
                           : errorDimension() == 2
                               ? CV_PI * t * t

@@ -15,11 +15,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Mean deviations from the center: points further out are not counted to the frame,
-//! Correspondences::lower and upper. Half, double: errors within 2 %, the noise of the search.
+//! In mean absolute deviations from the center: points further out do not enlarge the box
+//! Correspondences::lower, upper. Halving or doubling it changes errors by 2 % at most, the noise
+//! of the search.
 constexpr double FRAME = 5;
-//! Of the search, whose squares and their inverses must be neither 0 nor infinite as float. That of
-//! the mask is the caller's.
+//! Bounds of the threshold of the search: its square and the inverse of that must be neither 0 nor
+//! infinite as float. The mask uses the caller's threshold unchanged.
 constexpr double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
 
 bool finite(double value)
@@ -40,12 +41,13 @@ bool allFinite(const double* values, int count)
     }
     for (int i = whole; i < count; ++i)
         zeros[0] += values[i] * 0;
-    return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // else NaN
+    return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // NaN or infinity times 0 is NaN
 }
 
-//! Sides of the box of the points: so far from its center is everything, along its longest side.
-//! Half would tell a threshold of 160 px in an image of 640 to be wide; double, not 1.5 px beside
-//! normalized points of 90 degrees.
+//! Threshold for Report::wideThreshold, in sides of the box of the points: along its longest side,
+//! all points are within this distance of its center. With half the value, 160 px would be wide in
+//! an image of 640; with double, 1.5 px with normalized points of a field of view of 90 degrees
+//! would not be.
 constexpr double WIDE = 0.5;
 
 }  // namespace
@@ -58,7 +60,7 @@ ProblemData::ProblemData()
 void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2,
                        const Params& params, Arena& arena, bool image)
 {
-    view = Correspondences();  // none, if there is a mistake
+    view = Correspondences();  // no points if an exception is thrown below
     view.problem = &problem;
     for (int array = 0; array < 2; ++array)
         view.coordinates[array] = problem.coordinates(array);
@@ -133,7 +135,7 @@ void ProblemData::keepImage(Arena& arena)
     view.problem->toImageCoordinates(columns, count);
 }
 
-//! Rows, order and frame of points().
+//! With the same rows, order and normalization as points().
 void ProblemData::shuffleImage(Arena& arena)
 {
     const Frame& frame = view.frame[1];
@@ -219,7 +221,7 @@ void ProblemData::shuffle(const Params& params, Arena& arena)
     view.scores = scores;
 }
 
-//! Moves the points to the center and to unit scale, as far as the problem allows.
+//! Centers the points and scales them to unit size, as far as Problem::normalization allows.
 void ProblemData::scale(const Params& params, Arena& arena)
 {
     const int normalization = view.problem->normalization(params.residual),
@@ -274,7 +276,7 @@ void ProblemData::scaleColumn(int k, double shift, double factor)
     view.exact[k] = values;
 }
 
-//! Exact data may ask for 0, which is below the rounding of the errors.
+//! Noise-free data may lead to a threshold of 0, below the rounding errors, hence the lower bound.
 void ProblemData::setThreshold(double threshold)
 {
     if (threshold == view.threshold)

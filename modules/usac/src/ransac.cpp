@@ -14,26 +14,26 @@ namespace usacv20 {
 
 namespace {
 
-// What half and double of these numbers do: doc/constants.md.
-//! Samples of the largest batch: work for several threads. Half, double: next to nothing.
+// doc/constants.md has the effect of halving and doubling each of these numbers.
+//! Samples in the largest batch: work for several threads. Halving or doubling it changes little.
 constexpr int LARGEST_BATCH = 256;
-/** The first batch has so many samples; half of that if they are expensive, as five points of E:
-models beside the best of them are optimized late. Half: time +3 to +5 %; double: failures of F and
-E +0.3 to +0.5 points. */
+/** Samples in the first batch, half as many if they are expensive, like five points for E: all
+models of this batch except the best are optimized late. Half: time +3 to +5 %; double: failures of
+F and E +0.3 to +0.5 percentage points. */
 constexpr int FIRST_BATCH = 8;
-//! Tests of a point, SampleCost::time: between those of F, 700, and of E, 4000. Double: failures of
-//! E +0.3 points.
+//! A sample is expensive above this SampleCost::time, in point tests: between those of F, 700, and
+//! of E, 4000. Double: failures of E +0.3 percentage points.
 constexpr int EXPENSIVE = 2000;
-//! Tests of a point. Batches of less work, a tenth of a millisecond, are not worth the threads. The
-//! result is the same.
+//! In point tests. Batches with less work, a tenth of a millisecond, are not distributed over
+//! threads. The result does not depend on it.
 constexpr double PARALLEL_WORK = 44800;
 
-//! A model of a uniform sample may be a runner-up if what it gains over no model at all is at least
-//! so much of what the best one gained. Half: time +2 to +8 %, errors the same; 0.8: time -2 to -4
-//! %, failures of H and E +0.2 points.
+//! A model may become a runner-up if its gain (reduction of the cost relative to no model at all)
+//! is at least this fraction of the gain of the best model. Half: time +2 to +8 %; 0.8: failures of
+//! H and E +0.2 percentage points.
 constexpr double WORTHWHILE = 0.6;
-//! It is worth the time if the best model does not explain more than this part of its inliers.
-//! Half, double: the same; 0: time of F +4 %, H +2 %, failures the same.
+//! A runner-up is optimized if the best model does not explain more than this fraction of its
+//! inliers. Halving or doubling it changes no failures; 0: time of F +4 %, of H +2 %.
 constexpr double DIFFERENT = 0.1;
 
 Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
@@ -63,7 +63,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       localTicks(0), checkSamples(checkSamples_)
 {}
 
-// Numbers are the lines of Algorithm 1; lines 4 to 14 are in hypothesize(), 15 to 27 in improve().
+// Numbers in comments are lines of Algorithm 1: 4 to 14 in hypothesize(), 15 to 27 in improve().
 bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();
@@ -131,8 +131,8 @@ bool Ransac::run(int pause)
     return ended;
 }
 
-//! State::sampleQuality stays: that of a fitted model is one that no sample reaches, though it may
-//! be another motion's.
+//! State::sampleQuality is not set: the score of an optimized model is one that no model of a
+//! sample reaches, and this model may be one of another motion.
 void Ransac::begin(const Model& initial)
 {
     Model model = initial;
@@ -151,7 +151,7 @@ void Ransac::thresholdChanged()
     state.sampleQuality = Quality();
     Quality quality = context.rate(state.best);
     const bool valid = recover(0, state.best, quality);
-    state.bestQuality = valid ? quality : Quality();  // the search goes on as if it had found none
+    state.bestQuality = valid ? quality : Quality();  // else search on without a model
     if (!valid)
         state.yield = 1;
     if (valid && parts.localOptimizer)
@@ -163,7 +163,7 @@ void Ransac::thresholdChanged()
     setBest(state.best, state.bestQuality, sampled ? &sample : 0);
 }
 
-//! Batches grow, so that easy problems waste little and hard ones keep the threads busy.
+//! Batches grow, so that easy problems waste few samples and hard ones keep the threads busy.
 void Ransac::drawBatch()
 {
     const int left = context.params.maxIterations - state.iteration;
@@ -201,7 +201,7 @@ void Ransac::reserve(int wanted, int rows)
         errorRows = context.arena.take<float>((size_t)rows * context.points.size);
 }
 
-//! Called by several threads at once: writes to its own hypotheses only.
+//! Called by several threads at the same time: writes only to its own `h` and `row`.
 void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
 {
     const int* sample = samples[index].val;
@@ -237,14 +237,14 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
         }
         const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start,
                                    row);  // 10, 12
-        if (tested == 0)                  // else only models that have passed would count
+        if (tested == 0)  // otherwise only models that have passed preTest() would be counted
         {
             h.firstInliers += rating.firstInliers;
             h.firstTested += rating.firstTested;
         }
         if (rating.complete)  // 13
         {
-            h.models[h.count] = model;  // those kept move to the front
+            h.models[h.count] = model;  // models that are kept move to the front
             h.qualities[h.count++] = rating.quality;
         }
         else if (rating.refused)
@@ -270,10 +270,10 @@ bool Ransac::validModel(const int* sample, const Model& model) const
     return valid;
 }
 
-/* A model that is better than the models of all samples before. Here the paper compares with the
-optimized best model; but a good model from a noisy sample is often worse than a bad one after its
-optimization, and would never be optimized. `before` is what models were compared with before this
-one: if a check lowers its quality, it does not stand in the way of others.
+/* Processes a model that is better than the models of all previous samples. The paper compares
+with the optimized best model instead; but a good model of a noisy sample is often worse than an
+optimized bad one, and would never be optimized. `before` is the quality that models had to beat
+before this one: if a check rejects this model or lowers its quality, it does not exclude others.
 */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
@@ -290,7 +290,7 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
         optimize(model, quality);                // 19 - 24
     if (!quality.betterThan(state.bestQuality))  // 18
     {
-        state.yield = yield;  // that of the best model
+        state.yield = yield;  // back to that of the best model
         return;
     }
     setBest(model, quality, &candidate.sample);
@@ -340,8 +340,8 @@ void Ransac::improveRunnersUp()
             improve(taken[i].candidate, state.sampleQuality);
 }
 
-//! A model whose inliers are those of the best one leads to the same optimum, if the problem is not
-//! ambiguous.
+//! A model with the same inliers as the best one leads to the same optimum, unless the problem is
+//! ambiguous (Problem::ambiguous).
 bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
 {
     const int unexplained = runnerUp.inliers.without(runnersUp.best());
@@ -351,8 +351,7 @@ bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
            unexplained > DIFFERENT * runnerUp.inliers.count();
 }
 
-//! Lines 19 to 24; a second time if the optimized model was degenerate and a better one took its
-//! place.
+//! Lines 19 to 24; repeated if the optimized model was degenerate and was replaced by a better one.
 void Ransac::optimize(Model& model, Quality& quality)
 {
     const int64 start = getTickCount();
@@ -400,8 +399,8 @@ void Ransac::account(const Hypotheses& h)
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
     report.droppedModels += h.dropped;
-    // Which of the two came first: the best model may be another one now than when a thread rated
-    // these.
+    // The best model may have changed since a thread scored these: decide again whether the
+    // verifier or the cost came first.
     for (int k = 0; k < h.stopped; ++k)
         ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
 }

@@ -11,93 +11,97 @@
 namespace cv {
 namespace usacv20 {
 
-//! The models of a sample that were of use when they were computed (lines 4 to 14): the best so
-//! far, or a runner-up.
+//! The models of one sample that were good enough when they were computed to become the best model
+//! or a runner-up (lines 4 to 14 of Algorithm 1).
 struct Hypotheses
 {
     int count;
     Model models[MAX_MODELS];
     Quality qualities[MAX_MODELS];
-    bool rejectedSample;  //!< by a check
-    bool repeated;        //!< rejected, but may be a good one in which a match is twice
-    int computed, rejected, refused, dropped;  //!< models, for the report
-    int firstInliers, firstTested;             //!< of their first blocks, for the verifier
-    int stopped;               //!< models that the verifier dropped while they were rated
-    double costs[MAX_MODELS];  //!< theirs before their last block
+    bool rejectedSample;  //!< by a degeneracy check
+    bool repeated;        //!< rejected, but may consist of inliers, one of them twice
+    int computed, rejected, refused, dropped;  //!< numbers of models, for the report
+    int firstInliers, firstTested;  //!< in their first blocks of points, for the verifier
+    int stopped;                    //!< models that the verifier rejected during scoring
+    double costs[MAX_MODELS];       //!< costs of these before their last block
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
 
-Samples are drawn in batches. Their models are computed and rated one after the other, or by several
-threads, and in either case looked at in the order of the samples. What decides (samples,
-verification, the best model at the time of the look) is the same in both cases, so the number of
-threads does not change a bit of the result. Of the first batch, only the best model is optimized:
-the first models are soon beaten @cite lebeda2012fixing. When the search is about to end, the
-runners-up (Params::runnersUp) are optimized, too, and those of samples among the points that the
-best model leaves; if one of them becomes the best model, the criteria are asked again. */
+Samples are drawn in batches. Their models are computed and scored sequentially or by several
+threads, and in either case evaluated in the order of the samples. Everything that affects the
+result (samples, verification, the best model at the time of evaluation) is the same in both cases,
+so the result is bit-identical for any number of threads. Of the first batch, only the best model is
+optimized, because the first models are soon beaten @cite lebeda2012fixing. When the search is about
+to end, the runners-up (Params::runnersUp) are optimized, too, as are models of samples of the
+points that the best model does not explain; if one of them becomes the best model, the termination
+criteria are evaluated again. */
 class Ransac
 {
 public:
-    //! `checkSamples`: the sampler may make mistakes.
+    //! `checkSamples`: check the samples, because the sampler is not a built-in one.
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
-    //! Before run(): rates a model and optimizes it, as one of a sample.
+    //! Called before run(): scores and optimizes a model, like one of a sample.
     void begin(const Model& initial);
     /** Fills State::best; its quality stays infinite if no model was found. Searches until a
-    criterion ends the search, or so many samples have been drawn. @return false in the second case;
-    the search goes on when it is called again. */
+    criterion ends the search, or until `pause` samples have been drawn. @return false in the latter
+    case; another call continues the search. */
     bool run(int pause = INT_MAX);
-    //! The threshold has changed: rates and optimizes the best model anew, and forgets what others
-    //! were worth. If a check refuses it now, there is no best model until run() finds one.
+    //! Called when the threshold has changed: scores and optimizes the best model anew, and forgets
+    //! the scores of other models. If a check rejects the model now, there is no best model until
+    //! run() finds one.
     void thresholdChanged();
-    //! The sample that led to State::best; null: it came from none.
+    //! The sample that led to State::best; null if it did not come from a sample.
     const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
 
 private:
     bool terminate();
-    //! Has the run to end at once? @param work since the question before, see Watch
+    //! True if the run must end now. @param work done since the last call, see Watch
     bool stop(double work) const { return context.watch && context.watch->stop(work); }
     bool stopped() const { return context.watch && context.watch->stopped(); }
     void drawBatch();
-    //! @param index of the sample in the batch @param row memory for errors, see rate()
+    //! @param index index of the sample in the batch
+    //! @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
     void hypothesizeBatch();
     void hypothesizePart(int first, int count);
-    //! Memory for the hypotheses of so many samples, and so many rows of errors.
+    //! Allocates memory for the hypotheses of `wanted` samples and for `rows` rows of errors.
     void reserve(int wanted, int rows);
-    //! Cost from which on the model of a sample is of no use.
+    //! A model of a sample with this cost or more becomes neither the best model nor a runner-up.
     double uselessCost() const;
     void improve(const Candidate& candidate, const Quality& before);
-    //! `sample`: where the model comes from; null: from none
+    //! `sample`: the sample of the model; null: none
     void setBest(const Model& model, const Quality& quality, const Sample* sample);
     void addRunnerUp(const Candidate& candidate);
-    //! The search is about to end. @return false if it ends nevertheless
+    //! Called when the search is about to end: looks for other models. @return false: it ends
     bool lookBeside();
     void improveRunnersUp();
     bool worthOptimizing(const RunnerUp& runnerUp) const;
-    /** Points within so many Context::inlierThreshold of the best model are explained by it: where
-    the noise is as wide as the threshold, right matches are left beyond it, which are no rival's.
-    1: a third more samples in all such scenes, instructions of H +4 %. */
+    /** Points within this many Context::inlierThreshold of the best model count as explained by it:
+    with wide noise, some of its correct matches lie beyond the threshold. 1: samples +33 %, see
+    doc/constants.md. */
     static constexpr double EXPLAINED = 1.5;
-    //! Samples of the points that the best model leaves; see ransac_unexplained.cpp. @return false
-    //! if there was none
+    //! Draws samples of the points that the best model does not explain; see
+    //! ransac_unexplained.cpp. @return false if none was drawn
     bool searchUnexplained();
     int unexplainedPoints(int* indices) const;
-    //! Many only if there is a sign of a rival. @param drawn samples before this search
+    //! Draws few samples, and more only if there is evidence of a rival (a second model that
+    //! explains other points). @param drawn samples before this search
     void sampleForRivals(const int* indices, int count, double wanted, int drawn);
     void sampleUnexplained(const int* indices, int count, int most);
-    //! So many inliers for itself has a rival of the best model, of those of InlierBits.
+    //! Inliers, among the points of InlierBits, that a rival has at least and the best model lacks.
     double rivalInliers() const;
-    //! @return false if it is none
+    //! @return false if the model is not a rival
     bool addRival(const Sample& sample, const Model& model);
-    //! What the checks of degeneracy say.
+    //! Results of the degeneracy checks.
     bool validSample(const int* sample) const;
     bool validModel(const int* sample, const Model& model) const;
     void optimize(Model& model, Quality& quality);
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
-    //! Lets the criteria look at what has been found. @return true if the number of samples may
+    //! Calls Termination::adapt of all criteria. @return true if the required number of samples may
     //! have changed
     bool adaptTerminations();
     int samplesThatCount() const;
@@ -106,27 +110,27 @@ private:
     const Context& context;
     const Components& parts;
     State& state;
-    const int m;                //!< points of a sample
+    const int m;                //!< sample size
     Degeneracy* const* checks;  //!< Components::degeneracies
-    const int checkCount;       //!< of these
+    const int checkCount;       //!< number of `checks`
     Sample* samples;            //!< of the batch
     uchar* counts;              //!< State::counts of each
-    Hypotheses* batch;          //!< theirs, or those of the present sample
-    float* errorRows;  //!< one for each thread that rates models; null: the score wants none
+    Hypotheses* batch;          //!< their models, or those of the current sample
+    float* errorRows;  //!< one for each thread that scores models; null: not needed by the score
     int size;          //!< of the batch
-    int hypotheses;    //!< that there is room for
+    int hypotheses;    //!< room in `batch`
     RunnersUp runnersUp;
     Sample sampleOfBest;
     bool sampled;
-    Model explored;          //!< the best model when what it leaves was searched
-    int unexplainedSamples;  //!< of the points that a best model has left, so far
+    Model explored;          //!< the best model whose unexplained points were searched last
+    int unexplainedSamples;  //!< number of samples of unexplained points so far
     int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
-    const double sampleWork;  //!< of a sample and its models, at most, in tests of a point
-    int firstOfBatch;         //!< number of its first sample
+    const double sampleWork;  //!< time for a sample and its models, at most, in point tests
+    int firstOfBatch;         //!< index of its first sample
     const int exhaustive;
-    //! Samples that count, and samples in all, after which the run can stop, and the criterion that
-    //! says so.
+    //! Number of samples that count (State::counts), and of all samples, after which the run can
+    //! stop, each with the StopReason of the criterion that requires it.
     int required, requiredReason, requiredOfAll, reasonOfAll;
     double localTicks;
     const bool checkSamples;

@@ -5,21 +5,21 @@
 #include "precomp.hpp"
 #include "ransac.hpp"
 
-// The models of a batch of samples, by several threads.
+// Computes the models of a batch of samples with several threads.
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
 
-//! Tests of a point: so many for each thread between two looks at the clock, if a run may be
-//! stopped: two milliseconds. The result is the same.
+//! Work of each thread between two checks of the clock if the run may be stopped, in point tests:
+//! two milliseconds. The result does not depend on it.
 constexpr double TOGETHER = 1e6;
 
 }  // namespace
 
-//! A part of the batch for each thread, as each has memory of its own. A run that may have to stop
-//! looks up now and then.
+//! Divides the batch among the threads, each of which has its own memory. If the run may have to
+//! stop, the batch is processed in parts, with a check of the clock after each.
 void Ransac::hypothesizeBatch()
 {
     const bool watched = context.watch && context.watch->isActive();

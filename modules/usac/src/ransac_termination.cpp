@@ -5,14 +5,15 @@
 #include "precomp.hpp"
 #include "ransac.hpp"
 
-// When the search ends: line 2 of Algorithm 1.
+// Decides when the search ends: line 2 of Algorithm 1.
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
 
-//! So many samples without a single model, which take some seconds: the points are degenerate.
+//! After this many samples without a single model, which take some seconds, the points are taken
+//! for degenerate.
 constexpr int HOPELESS = 1000000;
 
 }  // namespace
@@ -36,12 +37,13 @@ bool Ransac::terminate()
     return true;
 }
 
-/* No model can have more inliers than one that has more than half of the points beside its own
-sample, unless it shares most of them: whatever points the samples prefer, they do not miss it. */
+/* If a model has more than half of the points as inliers beside its sample, no other model has
+more, unless the two share most of them; then all samples count, whatever points the sampler
+prefers. */
 int Ransac::samplesThatCount() const
 {
     const bool planar = state.report.degenerate ||
-                        state.yield < 1;  // then it may share nearly all with a wrong one
+                        state.yield < 1;  // then a wrong model may share nearly all
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - state.repeatedSamples : state.countedSamples;
 }
@@ -66,7 +68,7 @@ bool Ransac::adaptTerminations()
     if (state.wanted != wanted && state.iteration > 0)
     {
         improveRunnersUp();
-        runnersUp.clear();  // samples of other points need not give as good ones
+        runnersUp.clear();  // samples of other points may yield worse runners-up
     }
     if (changed)
         updateTermination();

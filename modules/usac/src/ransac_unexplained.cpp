@@ -8,44 +8,47 @@
 #include "core/streams.hpp"
 #include "ransac.hpp"
 
-/* Samples of the points that the best model leaves, when the search is about to end.
+/* Draws samples of the points that the best model does not explain, when the search is about to
+end.
 
-Wrong matches may agree with each other: repeated windows have a common shift, a moving object has a
-motion of its own. Their model has as many inliers, beside chance, as the criteria of termination
-promise to have found, or more. That of the right matches has only been found if one of their
-samples was good enough, and of the samples of right matches many are not: with noise a half of
-those of H, and most of F and E, give models that the sequential test drops. But where two models
-have most of their inliers for themselves, the points that one of them leaves are mostly those of
-the other, and samples of these are right far more often: with 45 % right matches and 35 % of
-another model, (45 / 65)^7 = 8 % of those of seven points, where (45 / 100)^7 = 0.4 % of all are.
+Wrong matches may be consistent with each other: matches of repeated windows have a common shift, a
+moving object has its own motion. Their model may have at least as many inliers as the criteria of
+termination promise to have found. The model of the correct matches has only been found if one of
+their samples was good enough, and many all-inlier samples are not: with noise, half of those of H
+and most of those of F and E yield models that SPRT rejects. But if two models share few of their
+inliers, the points that one does not explain are mostly inliers of the other, and samples of these
+points are far more often all-inlier: with 45 % inliers of one model and 35 % of another, (45 /
+65)^7 = 8 % of the samples of seven points, instead of (45 / 100)^7 = 0.4 % among all points.
 
-A few such samples are drawn in any case. If one of them, or a runner-up, has a part RIVAL of the
-inliers of the best model for itself, there may be a rival, and as many are drawn as find a model
-that has as many inliers as the best one, and most of them for itself, with the promised confidence;
-at most a third as many as the search has drawn. Where an order that the data confirm has ended the
-search (ConfirmedOrderTermination), it may be that of a wrong group; then as many are drawn as that
-criterion wants. They count as iterations, but not for the criteria. */
+A few such samples are always drawn. If the model of one of them, or a runner-up, has inliers that
+the best model does not have, at least RIVAL times the number of inliers of the best model, there
+may be a rival, that is a second model of about the same support. Then enough samples are drawn to
+find, with the promised confidence, a model with as many inliers as the best one that shares few of
+them; at most a third of the number drawn so far. If an order that the data confirm has ended the
+search (ConfirmedOrderTermination), this order may be that of a group of wrong matches; then that
+criterion sets the number of samples. These samples count as iterations, but not for the criteria.
+*/
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
 
-// What half and double of these do: doc/constants.md. Search failures are those of H and F beside a
-// motion that is nearly as large (doc/structured.md).
+// doc/constants.md has the effect of halving and doubling each of these. Failures are those of H
+// and F in scenes with a second motion of nearly the same size (doc/structured.md).
 
-//! Without a sign of a rival one in so many samples is drawn, but LEAST_SAMPLES. 32: instructions
-//! of H and E +1 %; 8 samples at least, with all of MOST_PART 1: USACV20_FAST misses half as many.
+//! Without evidence of a rival: at most 1 / FIRST_PART of the samples drawn so far, but at least
+//! LEAST_SAMPLES. 32: instructions of H and E +1 %.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
-//! With one, at most one in so many. 1: instructions of H +6 %; 2: H +1 %, failures of USACV20_FAST
-//! 20 -> 15 %.
+//! With evidence of a rival: at most 1 / MOST_PART of the samples drawn so far. 1: instructions of
+//! H +6 %; 2: H +1 %, failures of USACV20_FAST fall from 20 to 15 %.
 constexpr int MOST_PART = 3;
-//! A rival has this part of the inliers of the best model for itself. On random wrong matches it is
-//! 0.06, of matches of a cluster 0.15 at most. 0.15: instructions of H -1 %, failures of
-//! USACV20_FAST 20 -> 31 %; 0.2: 36 %.
+//! A rival has at least this many inliers that the best model does not have, as a fraction of the
+//! inliers of the best model. Random wrong matches reach 0.06, matches of a cluster 0.15. With
+//! 0.15, failures of USACV20_FAST rise from 20 to 31 %.
 constexpr double RIVAL = 0.1;
-//! The least part of the inliers of a rival that it does not share with the best model, as samples
-//! are counted.
+//! Smallest fraction of the inliers of a rival that it does not share with the best model; assumed
+//! when the number of samples is computed.
 constexpr double FOR_ITSELF = 2. / 3;
 
 }  // namespace
@@ -62,7 +65,7 @@ int Ransac::unexplainedPoints(int* indices) const
     for (int i = 0; i < p.size; ++i)
     {
         indices[count] = i;
-        count += !(errors[i] <= limit);  // true for NaN
+        count += !(errors[i] <= limit);  // NaN counts as unexplained
     }
     return count;
 }

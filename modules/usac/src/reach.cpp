@@ -12,19 +12,20 @@ namespace usacv20 {
 
 namespace {
 
-/** The reach in standard deviations of the noise, as that of Params::magsacPlusPlus is with a
-threshold of 2 sigma. It grows to that if it is less than two thirds of it, and shrinks to it where
-it is too wide by a half, which costs more time than accuracy. Half: errors +5 to +9 %; double: nine
-tenths of H and a fifth of F and E fail, as the wider threshold shows more noise and grows again. */
+/** Suitable reach in standard deviations of the noise, the same as in Params::magsacPlusPlus with a
+threshold of 2 sigma. The reach grows to this value if it is less than two thirds of it, and shrinks
+to it if it is wider by one half, which costs time rather than accuracy. Half: errors +5 to +9 %;
+double: nine tenths of H and a fifth of F fail, because the wider threshold shows more noise and
+grows again. */
 constexpr double REACH = 5;
 
-/** Points of another motion, or of a second plane, may look like noise that is wide. But with such
-noise the errors fill the threshold. So the reach does not grow where so many of the inliers of the
-wide noise are in a core within the threshold whose own noise is small. Half: the same; double: 8 %
-of F and 5 % of E beside a second motion fail. */
+/** Points of another motion, or of a second plane, may look like wide noise. But real noise of that
+width fills the threshold with errors. The reach therefore does not grow if at least this fraction
+of the inliers of the wide noise is in a core within the threshold whose own noise is small. Halving
+it changes nothing; double: 8 % of F and 5 % of E with a second motion fail. */
 constexpr double CORE = 1. / 3;
 
-//! Standard deviation of the noise that the model shows, 0 if none is significant.
+//! Standard deviation of the noise in the errors of the model; 0 if none is significant.
 double noiseOf(const Context& context, const Model& model)
 {
     const Correspondences& p = context.points;
@@ -45,8 +46,7 @@ double noiseOf(const Context& context, const Model& model)
                                               1);
     if (core.sigma > 0 && core.sigma <= widest && core.inliers >= CORE * all.inliers)
         return core.sigma;
-    float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS *
-                                           size);  // only now do other matches matter
+    float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);  // needed only here
     const int count = wrongErrors(residual, model, p, size, wrong, context.arena);
     return Scale::estimate(errors, size, wrong, count, p.threshold, chance, degrees, m).sigma;
 }

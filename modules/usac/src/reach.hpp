@@ -10,11 +10,12 @@
 namespace cv {
 namespace usacv20 {
 
-//! Growing by 1.25 or 2, shrinking by 0.85 or 0.4 change errors by 2 % at most.
+//! The reach changes if the suitable one is larger or smaller by these factors. With 1.25 or 2, and
+//! 0.85 or 0.4, errors change by 2 % at most.
 constexpr double REACH_GROWS = 1.5, REACH_SHRINKS = 0.7;
 
-//! Params::reach that suits the errors of the best model, between `least` and Params::widestReach;
-//! the present one if there is no model.
+//! Value of Params::reach that suits the errors of the best model, between `least` and
+//! Params::widestReach; the current value if there is no model.
 double suitableReach(const Context& context, const State& state, double least);
 
 }  // namespace usacv20

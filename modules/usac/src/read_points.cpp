@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-//! The same, CV_64F and continuous.
+//! The same points as CV_64F, continuous.
 Mat toDouble(const Mat& points, Arena::Scope& scope)
 {
     if (points.depth() == CV_64F && points.isContinuous())
@@ -28,10 +28,10 @@ Mat transposed(const Mat& values, Arena::Scope& scope)
     return columns;
 }
 
-/** Any list of points that OpenCV's functions take with one flag or another; one point a row, one
-coordinate a column, CV_64F. A matrix with one channel has its points along the longer side (as for
-OpenCV's USAC flags), with equal sides in the rows; a single row or column is one point. What is
-converted is in memory of the scope. */
+/** Reads any list of points that some function of OpenCV accepts; returns one point per row, one
+coordinate per column, CV_64F. In a matrix with one channel, the points are along the longer side
+(as for OpenCV's USAC flags), or in the rows if both sides are equal; a single row or column is one
+point. Converted data are in memory of the scope. */
 Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();
@@ -45,7 +45,7 @@ Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
                                            : cols;
     const bool fewCoordinates = solid ||
                                 (channels == 1 &&
-                                 (rows == 1 || cols == 1));  // OpenCV takes no more of them here
+                                 (rows == 1 || cols == 1));  // OpenCV accepts at most 3 here
     if ((points.dims > 2 && !solid) || coordinates < 2 || (fewCoordinates && coordinates > 3))
         CV_Error_(Error::StsBadArg, ("%s: N points are expected as Nx2, Nx3, 2xN or 3xN with 1 "
                                      "channel or with 2 or 3 channels, "
@@ -57,8 +57,8 @@ Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
     return values.reshape(1, (int)(points.total() * channels / coordinates));
 }
 
-/** Points of a plane. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two
-are the point, as for OpenCV's USAC flags. */
+/** Reads 2-D points. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two
+are used, as for OpenCV's USAC flags. */
 Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const Mat values = readCoordinates(points, name, scope);
@@ -75,11 +75,11 @@ Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
     for (int i = 0; i < plane.rows; ++i)
         if (values.at<double>(i, 2) == 0)
             points2.at<Vec2d>(i) = Vec2d(INFINITY,
-                                         INFINITY);  // which OpenCV takes for a finite point
+                                         INFINITY);  // which OpenCV treats as finite
     return plane;
 }
 
-//! Points of a line or of space.
+//! Reads 1-D or 3-D points.
 Mat readOtherPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope)
 {
     const bool perColumn = points.dims == 2 && points.channels() == 1 &&

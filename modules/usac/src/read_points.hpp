@@ -10,13 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The points of one of the caller's arrays, in any layout and depth that OpenCV's functions
-take.
+/** @brief Reads the points of one of the caller's arrays, in any layout and depth that OpenCV's
+functions accept.
 @param points N points
-@param coordinates of each, 1 to 3; points with 2 may also be given by 3, which are homogeneous
+@param coordinates coordinates per point, 1 to 3; 2-D points may also be given by three homogeneous
+coordinates
 @param name of the argument, for messages
 @param scope memory
-@return N x coordinates, CV_64F, continuous. It is in memory of the scope or of the caller. */
+@return N x coordinates, CV_64F, continuous, in memory of the scope or of the caller. */
 Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope);
 
 }  // namespace usacv20

@@ -10,16 +10,16 @@ namespace usacv20 {
 
 namespace {
 
-/** Part of the inliers on a plane from which on its second motion is of interest, as in
-PlanarMotion. 0.9: of planes of 0.9 of the points a half is not seen; 0.6: those of 0.7 are, the
-motions returned are the same. */
+/** Fraction of the inliers on a plane above which its second motion is reported, as in
+PlanarMotion. 0.9: half of the planes of 0.9 of the points are missed; 0.6: planes of 0.7 are
+detected as well, and the returned motions are the same. */
 constexpr double DOMINANT = 0.8;
-//! Thresholds: so far from its place under the homography is a point of the plane. Half: 134 of 358
-//! planes with noise of up to two thirds of a threshold are not seen, and 41 of 180 right motions
-//! of nothing but a plane are missed; double: 5 of 180 planes of 0.7 of the points are seen.
+//! Distance, in thresholds, from its image under the homography within which a point is on the
+//! plane. Half: 134 of 358 planes with noise of up to two thirds of a threshold are missed; double:
+//! 5 of 180 planes of 0.7 of the points are detected.
 constexpr double ON_PLANE = 2;
 
-//! The essential matrix of two views, and which way it is to be read.
+//! The essential matrix of two views and the motion derived from it.
 class TwoViews
 {
 public:
@@ -40,14 +40,15 @@ public:
         }
     }
 
-    //! A model, its mask, and what the search learned.
+    //! A model with its mask, its motion and the report of the search.
     struct Solution
     {
         Mat essential, mask;
         Report report;
         Motion motion;
-        int inliers;  //!< of the essential matrix, also those behind a camera
-        double cost;  //!< of those in front
+        int inliers;  //!< of the essential matrix, including those behind a camera
+        double cost;  //!< truncated squared errors, in squared thresholds; points that are not
+                      //!< inliers in front cost 1
     };
 
     bool search(Solution& found)
@@ -58,8 +59,7 @@ public:
         return !found.essential.empty();
     }
 
-    //! The other motion of the plane that most inliers are on. @return points on it, 0: there is
-    //! none
+    //! The second motion of a dominant plane. @return inliers on the plane, 0: there is none
     int otherOfPlane(const Solution& found, Solution& other)
     {
         Matx33d H;
@@ -76,12 +76,12 @@ public:
             return onPlane;
         read(other);
         if (difference(other.essential, E) <
-            difference(each[0], each[1]) / 2)  // refined, it has come to the first one
+            difference(each[0], each[1]) / 2)  // the refinement converged to the first motion
             other.essential.release();
         return onPlane;
     }
 
-    //! Takes the points behind a camera from the mask. @return how many these are
+    //! Removes points behind a camera from the mask. @return their number
     int hideBehind(Solution& solution) const
     {
         int behind = 0;
@@ -96,7 +96,8 @@ public:
     }
 
 private:
-    //! Of the four motions of the essential matrix the one with most inliers in front.
+    //! Selects, of the four motions of the essential matrix, the one with the most inliers in front
+    //! of both cameras.
     void read(Solution& solution)
     {
         const Mat errors = usac->errors(solution.essential);
@@ -130,7 +131,7 @@ private:
         return count;
     }
 
-    //! The homography of the plane of most inliers, and one of its points. @return inliers on it
+    //! Homography of the plane with the most inliers, and one of its points. @return inliers on it
     int plane(const Solution& found, Matx33d& H, Vec3d& point) const
     {
         const double pixels = found.report.threshold / threshold;
@@ -160,7 +161,7 @@ private:
         return countNonZero(mask);
     }
 
-    //! Of their essential matrices, which have no sign.
+    //! Distance of two essential matrices up to sign.
     static double difference(const Matx33d& a, const Matx33d& b)
     {
         return std::min(norm(a - b), norm(a + b));
@@ -168,8 +169,8 @@ private:
 
     const Params params;
     const Ptr<Usac> usac;
-    const double threshold;     //!< on the image planes
-    std::vector<Vec3d> x1, x2;  //!< on the image planes, without distortion; NaN: not seen
+    const double threshold;     //!< inlier threshold, on the normalized image planes
+    std::vector<Vec3d> x1, x2;  //!< points on the same, undistorted; NaN: not finite
 };
 
 }  // namespace
@@ -192,7 +193,7 @@ bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cam
         if (!other.essential.empty() && other.cost < best.cost)
         {
             std::swap(best, other);
-            std::swap(best.report, other.report);  // that of the search
+            std::swap(best.report, other.report);  // keep the report of the search
             best.report.cost = other.report.cost;
         }
         pose.behind = views.hideBehind(best);

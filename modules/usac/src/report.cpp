@@ -9,11 +9,11 @@ namespace usacv20 {
 
 namespace {
 
-//! Report::chance above which a model is no better than one of random matches: the limit of
+//! Report::chance above which a model is called no better than chance: the limit for
 //! Params::significance 0.
 constexpr double SIGNIFICANT = 0.01;
-//! Of so many inliers less than one is independent: most are at a few places. Half, double: not
-//! measured.
+//! describe() says that few inliers are independent (most are at a few places) if there are more
+//! than this many inliers for each independent one. Half, double: not measured.
 constexpr int FEW = 4;
 
 }  // namespace

@@ -10,10 +10,10 @@ namespace usacv20 {
 
 namespace {
 
-/** Bytes. Of a point: the points themselves 88, order and graph 62, what sampler and checks know of
-it 28, and what is needed for a while, most by polishing and significance, 150. Of a run: batches,
-runners-up, tables; the search for planes. Of a thread: its part of the hypotheses of a batch, at
-most. Too little costs another block and nothing else; what is not written to costs nothing. */
+/** Bytes per point: 88 for the points themselves, 62 for order and graph, 28 for sampler and
+checks, and 150 for temporary data, mostly of polishing and significance. Bytes per run: batches,
+runners-up and tables; the search for planes. Bytes for threads: the hypotheses of a batch, at most.
+Too small a value only costs another block; memory that is not written to costs nothing. */
 constexpr size_t OF_POINT = 352, OF_RUN = 64 << 10, OF_PLANES = 64 << 10, OF_BATCH = 512 << 10;
 
 }  // namespace

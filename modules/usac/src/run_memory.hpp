@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Bytes of the arena that a run with so many points takes as a rule.
+//! Bytes of arena memory that a run with this many points usually needs.
 size_t runMemory(int points, const Params& params);
 
 }  // namespace usacv20

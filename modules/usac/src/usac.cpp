@@ -25,20 +25,20 @@ namespace {
 
 double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
 
-//! The noise is looked at first when one in so many of Params::maxIterations samples have been
-//! drawn. 4 and 1 change errors by 2 % at most.
+//! The noise is estimated for the first time after 1 / FIRST_LOOK of Params::maxIterations samples.
+//! With 4 or 1, errors change by 2 % at most.
 constexpr int FIRST_LOOK = 2;
 
-//! Params::significance 0: the limit, a probability, and the part of the points that must be able
-//! to reach it. Half, double: no right model is refused, none of the runs differs; what they refuse
-//! is in doc/design.md.
+//! For Params::significance 0: the limit of the probability, and the fraction of the points that
+//! must be able to reach it as inliers. With half or double these values, no correct model is
+//! rejected and no run differs; doc/design.md says which models they reject.
 constexpr double LIMIT = 0.01, DECISIVE = 0.25;
-/* Part of what a model gains over no model at all that must be left after polishing. With 0.9
-polishing is undone where the threshold is no more than the noise: the error of H is 3.1 times that
-of least squares, with 0.5 it is 1.2. On the lists half of it changes nothing, 1 raises errors by 2
-to 6 %. */
+/* Fraction of the gain of a model (reduction of the cost relative to no model at all) that must
+remain after polishing. With 0.9, polishing is undone if the threshold is no larger than the noise:
+the error of H is 3.1 times that of least squares, with 0.5 it is 1.2 times. On the benchmark lists,
+half of it changes nothing, 1 raises errors by 2 to 6 %. */
 constexpr double KEPT = 0.5;
-//! Chances, probabilities, that are smaller need not be known. Half, double: no run differs.
+//! Values of Report::chance below this need not be exact. Halving or doubling it changes no run.
 constexpr double CLEAR = 1e-6;
 
 class UsacImpl : public Usac
@@ -49,12 +49,12 @@ public:
         : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false),
           givenReach(params_.reach)
     {
-        checkProblem(*problem, params.residual);  // before its numbers are used
+        checkProblem(*problem, params.residual);  // before any of its methods is used
         seeImage(problem->createResidual(params.residual));
         keepsImage = !imageResidual.empty();
         setPoints(points1, points2);
         parts = made = createComponents(*problem, params);
-        imageParts = parts;  // so that a run finds its lists as long as they have to be
+        imageParts = parts;  // so that its lists are allocated before the first run
         fitted = rated = made.residual;
     }
 
@@ -72,9 +72,9 @@ public:
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
     {
         const int64 begun = getTickCount();
-        if (created == 0)  // the same points again
+        if (created == 0)  // another run with the same points
             readTicks = 0;
-        created = begun - readTicks;  // what the caller did in between does not count
+        created = begun - readTicks;  // without the time that the caller used in between
         Watch watch(params.maxTime, readTicks);
         prepare();
         const Context context(data.points(), parts, params, arena, watch.isActive() ? &watch : 0);
@@ -124,7 +124,7 @@ public:
     }
 
 private:
-    //! Of a run: as if there had been none before.
+    //! Resets everything that a previous run has changed.
     void prepare()
     {
         params.reach = givenReach;
@@ -168,12 +168,13 @@ private:
         ransac.begin(model);
     }
 
-    /** The search, with a reach that grows with the noise that the best model shows: when the
-    search has ended, or half of its samples have been drawn. (With a reach that is far too small
-    models are rated by few points, and no criterion ends the search. Earlier, the right model may
-    not yet be found, and a wrong one that shows more noise, between two planes, say, would be taken
-    for it.) At last it may also shrink again, as poor models show more noise than there is.
-  */
+    /** The search with a reach that grows with the noise in the errors of the best model: at the
+    end of the search, or after half of its samples. (With a reach that is far too small, models
+    have few inliers, and no criterion ends the search. Earlier, the correct model may not have been
+    found yet, and a wrong one with more noise, between two planes for example, would be taken for
+    it.) At the end the reach may also shrink again, because poor models show more noise than there
+    is.
+    */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         const double least = params.reach;
@@ -192,7 +193,7 @@ private:
              (reach = suitableReach(context, state, least)) < REACH_SHRINKS * params.reach;)
         {
             setReach(reach, ransac);
-            if (!(state.bestQuality.cost <= DBL_MAX))  // a check has refused the model
+            if (!(state.bestQuality.cost <= DBL_MAX))  // a check has rejected the model
                 ransac.run();
         }
     }
@@ -204,7 +205,8 @@ private:
         ransac.thresholdChanged();
     }
 
-    //! Could random matches have given this model? @return false if it is to be refused
+    //! Tests whether the model could have been found in random matches. @return false if it is to
+    //! be rejected
     bool significant(const Context& context, const Model& model, Report& learned)
     {
         const bool automatic = params.significance == 0;
@@ -214,18 +216,20 @@ private:
                                      params.quality == QUALITY_INLIERS && parts.localOptimizer,
                                      params.quality == QUALITY_LMEDS};
         const double grown = std::max(params.reach / givenReach,
-                                      1.);  // as far as the threshold is below the noise
+                                      1.);  // how far the threshold is below the noise
         Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown,
                           effort, arena, &context);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
         return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
     }
 
-    /** Polishing minimizes another loss than the score, and may end between two models: if the
-    score is clearly worse after it, the model stays as the search found it. Few points are polished
-    from other starts, too, and a model that wrong matches have bent is freed of them. @param search
-    context of the search @param context that of the polishing
-    @return quality of the model */
+    /** Polishes the best model. Polishing minimizes a loss other than the score, and may end
+    between two models: if the score is clearly worse afterward, the model of the search is kept.
+    With few points, polishing is repeated from other initial models, and a model that was bent to
+    fit wrong matches of high leverage is freed from them.
+    @param search context of the search
+    @param context that of the polishing
+    @return score of the model */
     Quality polish(const Context& search, const Context& context, State& state, Model& best)
     {
         const Model found = problem->closest(best);
@@ -239,7 +243,7 @@ private:
         best = problem->closest(best);
         Quality quality = context.rate(best);
         const double size = context.points.size;
-        if (!(size - quality.cost >= KEPT * (size - before.cost)))  // or NaN
+        if (!(size - quality.cost >= KEPT * (size - before.cost)))  // true for NaN
         {
             best = found;
             quality = before;
@@ -251,8 +255,8 @@ private:
         return quality;
     }
 
-    //! What polishing and mask take in the place of a residual of the search, if there is something
-    //! better.
+    //! Creates the residual for the original image points, which polishing and mask use instead of
+    //! that of the search, if the problem has one.
     void seeImage(const Ptr<Residual>& residual)
     {
         rated = residual;
@@ -261,8 +265,8 @@ private:
                                  : Ptr<NonMinimalSolver>();
     }
 
-    //! The same with the points as they were seen, if the solver is not one of the caller's, which
-    //! may not know them.
+    //! Calls polish() with the original image points, unless the caller has replaced the solver,
+    //! which may not support them.
     Quality polishAsSeen(const Context& context, State& state)
     {
         if (!imageFit || parts.nonMinimalSolver != made.nonMinimalSolver)
@@ -276,8 +280,8 @@ private:
                       state.best);
     }
 
-    //! In the order of the caller's points. Memory is asked for only where `rows` has not had as
-    //! many before.
+    //! Writes the sample as row indices of the caller's points. Allocates only if the capacity of
+    //! `rows` is too small.
     void writeSample(const Context& context, std::vector<int>& rows) const
     {
         int row[MAX_SAMPLE_SIZE];
@@ -287,15 +291,14 @@ private:
         rows.assign(row, row + size);
     }
 
-    //! The time was over while polishing, say.
+    //! Updates the stop reason, for example if the time ran out during polishing.
     static void tellStop(const Context& context, Report& learned)
     {
         if (context.watch && context.watch->stopped() && learned.stop != STOP_CANCELLED)
             learned.stop = context.watch->stopReason();
     }
 
-    //! Polishes the best model and gives it back in the caller's coordinates, with the mask that
-    //! belongs to it.
+    //! Polishes the best model and returns it in the caller's coordinates, with its mask.
     Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
     {
         const int64 start = getTickCount();
@@ -354,21 +357,21 @@ private:
     }
 
     Arena arena;      //!< memory of the runs
-    int64 created;    //!< when the points came; 0: they have been used
-    int64 readTicks;  //!< that reading them took
-    Params params;    //!< `reach` is the present one
+    int64 created;    //!< time at which the points were given, in ticks; 0: they have been used
+    int64 readTicks;  //!< duration of reading them
+    Params params;    //!< `reach` is the current one
     const Ptr<Problem> problem;
     ProblemData data;
     Components parts;
-    Components made;                 //!< for `params`, some of which the caller may have replaced
-    Ptr<Residual> fitted;            //!< that made.nonMinimalSolver fits
-    Ptr<Residual> rated;             //!< that of the last run
-    Ptr<Residual> imageResidual;     //!< Problem::createImageResidual of that; empty: there is none
-    Ptr<NonMinimalSolver> imageFit;  //!< its least squares
-    Components imageParts;           //!< while polishing
-    bool keepsImage;                 //!< the points are there as they were seen, too
-    int sample[MAX_SAMPLE_SIZE];     //!< that led to the best model of the run
-    bool sampled;                    //!< is there one?
+    Components made;                 //!< the defaults for `params`, before the caller replaced any
+    Ptr<Residual> fitted;            //!< the residual that made.nonMinimalSolver minimizes
+    Ptr<Residual> rated;             //!< the residual of the last run
+    Ptr<Residual> imageResidual;     //!< Problem::createImageResidual(rated); may be empty
+    Ptr<NonMinimalSolver> imageFit;  //!< the least-squares solver for it
+    Components imageParts;           //!< components during polishing
+    bool keepsImage;                 //!< the original image points are stored, too
+    int sample[MAX_SAMPLE_SIZE];     //!< the one that led to the best model of the run
+    bool sampled;                    //!< true if there is one
     const double givenReach;
 };
 

@@ -10,16 +10,15 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: doc/constants.md.
+// The results do not depend on these, see doc/constants.md.
 
-//! Milliseconds between two questions: a third of a frame of a display. Half, double: the result is
-//! the same.
+//! Milliseconds between two calls of the progress functions: a third of a display frame.
 constexpr double PERIOD = 5;
-//! Milliseconds that a test of a point takes. Half, double: a step that cannot be left makes a run
-//! end by half of its time later, or as much earlier.
+//! Milliseconds that a test of a point takes. If it is half or double the actual time, a run may
+//! end later or earlier, by half the duration of a step that cannot be interrupted.
 constexpr double TEST = 2e-6;
-//! Milliseconds that polishing may take after the end of a run that was stopped: a thousand points
-//! take a third of one. Half, double: a run of 10 000 points or more ends as much earlier or later.
+//! Milliseconds that polishing may take after a run was stopped: a thousand points take a third of
+//! one. Runs with 10 000 points or more end later by this time.
 constexpr double GRACE = 2;
 
 int64 ticks(double milliseconds)
@@ -96,7 +95,7 @@ void Watch::finish()
         return;
     deadline = getTickCount() + ticks(GRACE);
     done = WORK;
-    next = INT64_MAX;  // it has said no
+    next = INT64_MAX;  // it has returned false
     reason = STOP_NOT_RUN;
 }
 

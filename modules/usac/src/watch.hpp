@@ -11,48 +11,50 @@
 namespace cv {
 namespace usacv20 {
 
-/** Points: a run that has to end takes as many as there are where the time is for that, and not
-more than these where it does not matter much. 50 000 take 20 ms where Report::chance takes longest.
-Half, double: as much earlier, later. */
+/** Number of points: a run that must stop uses all points for its last steps if there is time for
+that, else at most this many where this affects only details of the report. 50 000 points take 20 ms
+for Report::chance, the slowest such step. */
 constexpr int ENOUGH = 50000;
 
-/** @brief Says when a run has to end before its criteria do: Params::maxTime is over, or a
-ProgressScope says no.
+/** @brief Stops a run before its termination criteria do: when Params::maxTime is exceeded, or when
+the function of a ProgressScope returns false.
 
-The loops of a run ask it. Without a limit and a scope that is the test of a flag. With them the
-clock is looked at whenever as much work has been done as takes a fraction of a millisecond, and the
-scopes are asked every few milliseconds. For the thread that began the run. */
+The loops of a run query it. Without a time limit and a ProgressScope a query only tests a flag.
+Otherwise, the clock is read after every fraction of a millisecond of work, and the progress
+functions are called every few milliseconds. To be used by the thread that began the run. */
 class Watch
 {
 public:
     /** @param maxTime milliseconds, 0: no limit
-    @param spent ticks that the run has taken before now */
+    @param spent ticks that the run has already taken */
     Watch(double maxTime, int64 spent);
 
-    //! What the run knows, for the report; as long as the watch is asked.
+    //! Sets the state and number of points for the reports to progress functions; must stay valid
+    //! while the watch is in use.
     void begin(const State& state, int points);
-    /** Has the run to end? Once it has, the answer stays the same.
-    @param work since the question before, in tests of a point, see SampleCost */
+    /** True if the run must end; it then stays true.
+    @param work done since the last call, in point tests, see SampleCost */
     bool stop(double work)
     {
         return active && (reason != STOP_NOT_RUN || (enough(work) && look()));
     }
-    /** The same before a step that cannot be left: has the run to end, or would this step end after
-    the limit?
-    @param work of the step */
+    /** The same before a step that cannot be interrupted: true if the run must end now, or if this
+    step would exceed the time limit.
+    @param work work of the step */
     bool stopBefore(double work)
     {
         return active && (reason != STOP_NOT_RUN || lacks(work) || stop(work));
     }
-    //! Would a step that can be left out end before the limit? The run goes on in either case.
+    //! True if a step that may be skipped would end within the time limit. The run continues in
+    //! either case.
     bool fits(double work) const;
-    //! The last answer.
+    //! The result of the last query.
     bool stopped() const { return reason != STOP_NOT_RUN; }
-    //! Can it ever say yes?
+    //! False if it never stops the run.
     bool isActive() const { return active; }
-    //! @ref StopReason of a run that it has stopped.
+    //! @ref StopReason after it has stopped the run.
     int stopReason() const { return reason; }
-    //! The search has ended: some milliseconds are left for what has to be done with its model.
+    //! To be called when the search has ended: grants some milliseconds for finishing its model.
     void finish();
 
 private:
@@ -65,14 +67,14 @@ private:
     bool lacks(double work);
     Report present(int64 now) const;
 
-    //! Tests of a point, 2 ns each: 0.4 ms of work between two looks at the clock, which take 25
-    //! ns. Half: runs end as late, within the noise; double: not measured.
+    //! In point tests, 2 ns each: 0.4 ms of work between two readings of the clock, which take 25
+    //! ns. Half: runs end equally late, within the noise; double: not measured.
     static constexpr double WORK = 2e5;
 
     const bool active;
     const ProgressScope* const scopes;  //!< null: none
     const int64 start;
-    int64 deadline, next;  //!< ticks: end of the run, and when the scopes are asked again
+    int64 deadline, next;  //!< in ticks: end of the run, and next call of the progress functions
     double done;
     int reason;
     const State* state;

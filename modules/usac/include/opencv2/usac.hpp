@@ -11,26 +11,27 @@
 The RANSAC framework of @cite ivashechkin2021usacv20 behind the functions of the module calib3d.
 Three levels of use:
 
-1. A flag of cv::UsacV20Method in the place of `cv::RANSAC`: `cv::findHomography(points1, points2,
-   cv::USACV20, 3.0, mask)`. A flag that is an `int` of the program, be it of this module or of
-   OpenCV: `cv::usacv20::findHomography(points1, points2, method, 3.0, mask)`. So do
-   cv::estimateAffine2D, cv::estimateAffinePartial2D, cv::findFundamentalMat, cv::findEssentialMat
-   and cv::solvePnPRansac.
-2. A usacv20::Params with all options, match scores among them, and a usacv20::Report:
+1. A flag of cv::UsacV20Method in place of `cv::RANSAC`: `cv::findHomography(points1, points2,
+   cv::USACV20, 3.0, mask)`. A program that keeps its flag in an `int`, whether it is one of this
+   module or of OpenCV, calls `cv::usacv20::findHomography(points1, points2, method, 3.0, mask)`.
+   The same holds for cv::estimateAffine2D, cv::estimateAffinePartial2D, cv::findFundamentalMat,
+   cv::findEssentialMat and cv::solvePnPRansac.
+2. A usacv20::Params with all options, including match scores, and a usacv20::Report:
    usacv20::estimateHomography, usacv20::estimateAffinity2D, usacv20::estimateSimilarity2D,
    usacv20::estimateFundamental, usacv20::estimateEssential, usacv20::estimateAbsolutePose,
-   usacv20::estimateRigid3D, usacv20::estimateSimilarity3D. Many of them in one call, side by side:
-   usacv20::estimateBatch, usacv20::estimateHomographies and so on. What two images are to each
-   other, by all of these: usacv20::estimateTwoViewGeometry.
-3. A component of one's own: usacv20::Usac::create builds the default set, each can be replaced
-before usacv20::Usac::run.
+   usacv20::estimateRigid3D, usacv20::estimateSimilarity3D. Many of these estimations in one call,
+   in parallel: usacv20::estimateBatch, usacv20::estimateHomographies and so on. The relation
+   between two images (calibrated, planar, pure rotation and so on), which takes several of these
+   models: usacv20::estimateTwoViewGeometry.
+3. Components of your own: usacv20::Usac::create builds the default set, and each component can be
+   replaced before usacv20::Usac::run.
 */
 
-/** @namespace cv OpenCV's namespace. Of this module it has cv::UsacV20Method and overloads of
-OpenCV's functions that take its flags. */
+/** @namespace cv OpenCV's namespace. This module adds cv::UsacV20Method and overloads of OpenCV's
+functions that take its flags. */
 
 /** @namespace cv::usacv20
-All else of this module, see @ref usacv20. */
+Everything else in this module, see @ref usacv20. */
 
 #include "opencv2/usac/params.hpp"
 #include "opencv2/usac/report.hpp"

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_ARENA_HPP
 #define OPENCV_USACV20_ARENA_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
+#ifndef OPENCV_BINDING_PARSER  // C++ only, no bindings
 
 #include <new>
 #include <type_traits>
@@ -17,52 +17,53 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief The memory of the runs of a Usac: one block as a rule (of more than 31 MB, several),
-which the next run uses again.
+/** @brief The memory of the runs of a Usac: usually one block (several above 31 MB), which the next
+run reuses.
 
-What is taken stays until the run ends; what a Scope has taken, until the scope ends. The first
-grows from the low end of the block, the second from the high end, so that neither is in the way of
-the other: a component may make what it keeps while a scope of its caller is open. Where a block is
-full another one is added; the next reset() makes one of all. Nothing is initialized, constructed or
-destroyed. For one thread at a time. */
+Memory from take() stays valid until the run ends, memory from a Scope until that scope ends. The
+former grows from the low end of the block, the latter from the high end, so that neither blocks the
+other: a component may allocate what it keeps while a scope of its caller is open. When a block is
+full, another one is added; the next reset() merges them into one. Nothing is initialized,
+constructed or destroyed. To be used by one thread at a time. */
 class CV_EXPORTS Arena
 {
     struct Block;
 
 public:
-    //! @param bytes of the first block; 0: it is made when the first memory is taken
+    //! @param bytes size of the first block; 0: the first take() allocates it
     explicit Arena(size_t bytes = 0);
     ~Arena();
 
-    //! Room for `count` objects until the run ends, 64-byte aligned, uninitialized. Not null, also
-    //! if `count` is 0.
+    //! Memory for `count` objects until the run ends, 64-byte aligned, uninitialized. Not null,
+    //! even if `count` is 0.
     template <class T>
     T* take(size_t count)
     {
         return static_cast<T*>(low(bytesOf<T>(count)));
     }
-    //! What has been taken up to now is not freed by clear().
+    //! Protects everything taken so far from clear().
     void keep();
-    //! A new run: frees what has been taken since keep(), or all. No Scope may be open.
+    //! Starts a new run: frees what was taken since keep(), or everything if keep() was not called.
+    //! No Scope may be open.
     void clear();
-    //! Frees everything; then there is one block of `bytes` at least, and as large as all before if
-    //! these were more. Of more than 31 MB, those that there are stay, and others are added as they
-    //! are needed.
+    //! Frees everything and replaces all blocks by one, of at least `bytes` and at least the size
+    //! of all former blocks. If that is more than 31 MB, the existing blocks stay instead, and
+    //! others are added as needed.
     void reset(size_t bytes);
 
     //! Number of blocks.
     int blocks() const;
-    //! Bytes of all blocks.
+    //! Bytes in all blocks.
     size_t capacity() const;
 
-    //! What it takes is free again when it ends. Scopes end in the reverse order of their making.
+    //! Memory that is freed when the scope ends. Scopes end in reverse order of their construction.
     class CV_EXPORTS Scope
     {
     public:
-        //! Begins: memory is taken from this arena.
+        //! Opens a scope that takes its memory from this arena.
         explicit Scope(Arena& arena);
         ~Scope();
-        //! As Arena::take, until the scope ends.
+        //! Like Arena::take, but only until the scope ends.
         template <class T>
         T* take(size_t count)
         {
@@ -71,7 +72,7 @@ public:
 
     private:
         Arena& arena;
-        Block* const block;  //!< whose high end was in use, and to where
+        Block* const block;  //!< `top` at construction, and its `high`
         char* const end;
 
         Scope(const Scope&);
@@ -101,19 +102,17 @@ private:
     Arena& operator=(const Arena&);
 };
 
-//! A list that grows in an arena: it is valid as long as what has been taken there. A copy has the
-//! same elements.
+//! A growing list in an arena, valid as long as the memory there. Copies share the elements.
 template <class T>
 class ArenaList
 {
 public:
     ArenaList() : items(0), count(0), room(0) {}
 
-    //! Adds a copy of an element, which may be one of the list; a list that is full moves to a
-    //! larger place of the arena.
+    //! Appends a copy of an element. A full list moves to a larger piece of the arena.
     void push(Arena& arena, const T& item)
     {
-        const T copy = item;  // which may be one of the list
+        const T copy = item;  // `item` may be an element of this list
         if (count == room)
         {
             room = room > 0 ? 2 * room : (int)FIRST;
@@ -126,15 +125,15 @@ public:
     }
 
     int size() const { return count; }         //!< number of elements
-    bool empty() const { return count == 0; }  //!< no elements?
-    //! Shortens the list.
+    bool empty() const { return count == 0; }  //!< true if there are no elements
+    //! Shortens the list to `size_` elements; never lengthens it.
     void resize(int size_) { count = std::min(count, size_); }
     T& operator[](int i) { return items[i]; }              //!< element 0 <= i < size(), unchecked
     const T& operator[](int i) const { return items[i]; }  //!< the same
     T& back() { return items[count - 1]; }                 //!< the last element; there must be one
     const T& back() const { return items[count - 1]; }     //!< the same
     const T* begin() const { return items; }               //!< the first element
-    const T* end() const { return items + count; }         //!< behind the last element
+    const T* end() const { return items + count; }         //!< past the last element
 
 private:
     enum { FIRST = 32 };

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_BATCH_HPP
 #define OPENCV_USACV20_BATCH_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // other languages have functions of their own for it
+#ifndef OPENCV_BINDING_PARSER  // other languages have their own functions for this
 
 #include <vector>
 #include "opencv2/usac/params.hpp"
@@ -17,60 +17,60 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief One estimation of many: what #estimateHomography and its kin take. */
+/** @brief One estimation of a batch: the arguments of #estimateHomography and its kin. */
 struct CV_EXPORTS Task
 {
     Task() : problem(HOMOGRAPHY) {}
-    //! Of a problem without cameras; those are set afterwards.
+    //! For a problem without cameras; camera matrices and distortions are set afterwards.
     Task(ProblemType problem_, const Mat& points1_, const Mat& points2_,
          const Params& params_ = Params())
         : problem(problem_), points1(points1_), points2(points2_), params(params_)
     {}
 
     ProblemType problem;  //!< what is estimated
-    Mat points1;          //!< of image 1; #ABSOLUTE_POSE: object points
+    Mat points1;          //!< points of image 1; #ABSOLUTE_POSE: object points
     Mat points2;          //!< their counterparts; #ABSOLUTE_POSE: image points
-    Params params;        //!< `scores` are those of these points
+    Params params;        //!< options; `scores` belong to these points
     Mat cameraMatrix1;    //!< #ESSENTIAL, #ABSOLUTE_POSE
-    Mat cameraMatrix2;    //!< #ESSENTIAL; empty: as the first
-    Mat distCoeffs1;      //!< of camera 1; empty: none
-    Mat distCoeffs2;      //!< of camera 2; empty: none
+    Mat cameraMatrix2;    //!< #ESSENTIAL; empty: the same as `cameraMatrix1`
+    Mat distCoeffs1;      //!< distortion of camera 1; empty: none
+    Mat distCoeffs2;      //!< distortion of camera 2; empty: none
 };
 
-//! @brief What has become of a Task.
+//! @brief The result of a Task.
 struct CV_EXPORTS Estimate
 {
-    Mat model;      //!< as #estimateHomography and its kin return it; empty if there is none
-    Mat mask;       //!< N x 1, CV_8U
-    Report report;  //!< what the run learned
-    String error;   //!< message of the cv::Exception that the call has raised, else empty
+    Mat model;  //!< in the form that #estimateHomography and its kin return; empty if there is none
+    Mat mask;   //!< N x 1, CV_8U
+    Report report;  //!< statistics of the run
+    String error;   //!< message of the cv::Exception that the estimation raised, else empty
 };
 
-/** @brief Many estimations, side by side.
+/** @brief Runs many estimations in parallel.
 
-@param tasks what to estimate, of any problems and sizes, mixed
-@param threads how many at once, at most cv::getNumThreads(); 0: as many as that
+@param tasks what to estimate; problems and sizes may be mixed
+@param threads how many tasks run at once, at most cv::getNumThreads(); 0: cv::getNumThreads()
 @return an Estimate for each task, in the order of the tasks.
 
-Each result is to the bit that of the same call alone, whatever `threads` is. The threads are those
-of cv::parallel_for_ and take the next task when they have done one, so that tasks of different
-sizes keep all busy. Where several tasks run at once each has one thread, whatever Params::threads
-says. A mistake in a task ends that task alone: its `error` says which; the others go on. Raises
-cv::Exception if `threads` is below 0. */
+Each result is bit-identical to that of the same estimation alone, whatever `threads` is. The
+threads are those of cv::parallel_for_; each takes the next task when it has finished one, so that
+tasks of different sizes keep all threads busy. When several tasks run at once, each has one thread,
+whatever Params::threads says. An error in a task ends only that task and is described in its
+`error`. Raises cv::Exception if `threads` is negative. */
 CV_EXPORTS std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads = 0);
 
-//! Options of many tasks: one Params for all of them, or one for each.
+//! Options of a batch: one Params for all tasks, or one for each.
 class CV_EXPORTS ParamsOfTasks
 {
 public:
-    //! One for all.
+    //! The same for all tasks.
     ParamsOfTasks(const Params& params) : list(1, params) {}
-    //! One for each.
+    //! One for each task.
     ParamsOfTasks(const std::vector<Params>& params) : list(params) {}
 
-    //! 1 or as many as there are tasks.
+    //! 1, or the number of tasks.
     size_t size() const { return list.size(); }
-    //! Those of a task.
+    //! The options of a task.
     const Params& operator[](size_t task) const { return list[list.size() == 1 ? 0 : task]; }
 
 private:
@@ -78,54 +78,55 @@ private:
 };
 
 /** @name Batches of one problem
-Each is #estimateBatch of tasks of one problem.
-@param points1, points2 lists of the same length, one entry a task:
-`std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry as the points of
+Each calls #estimateBatch with tasks of one problem.
+@param points1, points2 lists of the same length, one entry per task:
+`std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry like the points of
 #estimateHomography and its kin
-@param params one for all, or a `std::vector<Params>` with one for each task: match scores differ
-from pair to pair
-@param threads as of #estimateBatch
-@return one Estimate for each pair, in this order. A mistake in an argument of one task is in its
-Estimate::error. Raises cv::Exception for lists of different lengths.
+@param params one for all, or a `std::vector<Params>` with one for each task, for example because
+match scores differ from pair to pair
+@param threads as in #estimateBatch
+@return one Estimate for each pair, in the same order. An error in the arguments of one task is
+reported in its Estimate::error. Raises cv::Exception for lists of different lengths.
 @{ */
-//! As #estimateHomography.
+//! Batch version of #estimateHomography.
 CV_EXPORTS std::vector<Estimate> estimateHomographies(InputArrayOfArrays points1,
                                                       InputArrayOfArrays points2,
                                                       const ParamsOfTasks& params = Params(),
                                                       int threads = 0);
-//! As #estimateAffinity2D.
+//! Batch version of #estimateAffinity2D.
 CV_EXPORTS std::vector<Estimate> estimateAffinities2D(InputArrayOfArrays points1,
                                                       InputArrayOfArrays points2,
                                                       const ParamsOfTasks& params = Params(),
                                                       int threads = 0);
-//! As #estimateSimilarity2D.
+//! Batch version of #estimateSimilarity2D.
 CV_EXPORTS std::vector<Estimate> estimateSimilarities2D(InputArrayOfArrays points1,
                                                         InputArrayOfArrays points2,
                                                         const ParamsOfTasks& params = Params(),
                                                         int threads = 0);
-//! As #estimateFundamental.
+//! Batch version of #estimateFundamental.
 CV_EXPORTS std::vector<Estimate> estimateFundamentals(InputArrayOfArrays points1,
                                                       InputArrayOfArrays points2,
                                                       const ParamsOfTasks& params = Params(),
                                                       int threads = 0);
-//! As #estimateRigid3D.
+//! Batch version of #estimateRigid3D.
 CV_EXPORTS std::vector<Estimate> estimateRigids3D(InputArrayOfArrays points1,
                                                   InputArrayOfArrays points2,
                                                   const ParamsOfTasks& params = Params(),
                                                   int threads = 0);
-//! As #estimateSimilarity3D.
+//! Batch version of #estimateSimilarity3D.
 CV_EXPORTS std::vector<Estimate> estimateSimilarities3D(InputArrayOfArrays points1,
                                                         InputArrayOfArrays points2,
                                                         const ParamsOfTasks& params = Params(),
                                                         int threads = 0);
-/** As #estimateEssential. Cameras and distortions are lists, too: with one entry a task, or a
-single one for all. `cameraMatrices2` empty: as the first; distortions empty: none. */
+/** Batch version of #estimateEssential. Cameras and distortions are lists, too, with one entry per
+task or a single one for all. Empty `cameraMatrices2`: the same as `cameraMatrices1`; empty
+distortions: none. */
 CV_EXPORTS std::vector<Estimate> estimateEssentials(
     InputArrayOfArrays points1, InputArrayOfArrays points2, InputArrayOfArrays cameraMatrices1,
     InputArrayOfArrays cameraMatrices2 = noArray(), InputArrayOfArrays distCoeffs1 = noArray(),
     InputArrayOfArrays distCoeffs2 = noArray(), const ParamsOfTasks& params = Params(),
     int threads = 0);
-//! As #estimateAbsolutePose; cameras and distortions as of #estimateEssentials.
+//! Batch version of #estimateAbsolutePose; cameras and distortions as in #estimateEssentials.
 CV_EXPORTS std::vector<Estimate> estimateAbsolutePoses(InputArrayOfArrays objectPoints,
                                                        InputArrayOfArrays imagePoints,
                                                        InputArrayOfArrays cameraMatrices,

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_ESTIMATOR_HPP
 #define OPENCV_USACV20_ESTIMATOR_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
+#ifndef OPENCV_BINDING_PARSER  // C++ only, no bindings
 
 #include "opencv2/usac/problem.hpp"
 
@@ -15,7 +15,7 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief One estimation: points, parameters and the components that will do the work.
+/** @brief One estimation: the points, the options and the components.
 
 @code
     Ptr<usacv20::Usac> usac = usacv20::Usac::create(usacv20::HOMOGRAPHY, points1, points2, params);
@@ -34,69 +34,73 @@ public:
     @param points2 their N counterparts in image 2
     @param params options
     @param cameraMatrix1 for #ESSENTIAL: 3x3 camera matrix of image 1
-    @param cameraMatrix2 the same for image 2; empty: as image 1
+    @param cameraMatrix2 the same for image 2; empty: the same camera as for image 1
     @param distCoeffs1 distortion of camera 1; empty: none
     @param distCoeffs2 distortion of camera 2; empty: none
-    Raises cv::Exception for wrong arguments. */
+
+    Raises cv::Exception for invalid arguments. */
     static Ptr<Usac> create(ProblemType problem, InputArray points1, InputArray points2,
                             const Params& params = Params(), InputArray cameraMatrix1 = noArray(),
                             InputArray cameraMatrix2 = noArray(),
                             InputArray distCoeffs1 = noArray(), InputArray distCoeffs2 = noArray());
 
-    /** @brief The same for a problem of the caller's own, which the object keeps. Points have as
-    many numbers as Problem::coordinates says; `points2` is noArray() where there is only one list.
-    Points of 1 or 3 numbers: N rows or N columns of a matrix with 1 channel, or as many channels,
-    any depth. */
+    /** @brief The same for a problem of your own, which the object keeps. The number of coordinates
+    per point is Problem::coordinates; `points2` is noArray() if there is only one array. Points
+    with 1 or 3 coordinates: N rows or N columns of a matrix with 1 channel, or a matrix with 1 or 3
+    channels, any depth. */
     static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
                             const Params& params = Params());
 
-    /** The components, to be replaced before #run. Those that nobody has replaced fit each other,
-    whatever is replaced: a residual is also what models are fitted with. A component that is
-    missing, a sampler that draws what is no sample and a score that counts no inliers end in a
-    cv::Exception that names it. */
+    /** The components, to be replaced before #run. The default components always fit each other,
+    whatever is replaced: for example, fits minimize a replaced residual. A missing component, a
+    sampler that draws invalid samples, or a score that counts no inliers raises a cv::Exception
+    that names the component. */
     virtual Components& components() = 0;
     //! The points as the components see them.
     virtual const Correspondences& points() const = 0;
-    /** @brief Other points for the next #run, of any number, in the place of those of #create.
-    @param points1, points2 as there. Params::scores, if there are any, are those of the new points:
-    of the same number The object keeps its memory, as much as the largest run so far has needed: a
-    tracker allocates once. After a cv::Exception it has no points. */
+    /** @brief Replaces the points of #create for the next #run; their number may differ.
+    @param points1, points2 as in #create. Params::scores, if any, are taken as those of the new
+    points, whose number must then be the same.
+
+    The object keeps its memory, as much as the largest run so far needed: a tracker allocates once.
+    After a cv::Exception it has no points. */
     virtual void setPoints(InputArray points1, InputArray points2) = 0;
-    /** @brief Runs the estimation. May be called again, with the same result for the same points:
-    Component::start tells all components, also those of the caller, that a run begins. From the
-    second run of a size on only what is returned is allocated by this module (OpenCV allocates for
-    kd-trees, for the cuts of graphs and for distortion).
+    /** @brief Runs the estimation. May be called repeatedly, with the same result for the same
+    points: each run begins with Component::start of all components, including replaced ones. From
+    the second run of the same size on, this module allocates only what it returns (OpenCV allocates
+    for kd-trees, graph cuts and distortion).
     @param mask output, N x 1, CV_8U
     @param report output, may be null
-    @return the model as #estimateHomography, #estimateFundamental or #estimateEssential return it,
-    or the matrix of Problem::toInput, CV_64F; empty if there is none. */
+    @return the model in the form of #estimateHomography and its kin; for other problems the matrix
+    of Problem::toOutput, CV_64F; empty if there is none. */
     virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
 
-    /** @brief Least squares of the error over all points, or some: no search, what OpenCV calls
-    method 0.
-    @param weights N numbers of at least 0, any depth, of the squared errors; empty: all 1
-    @param chosen N numbers, those of the points that take part are not 0 (a mask); empty: all
-    @param mask output, N x 1, CV_8U, of all points, as of #run
+    /** @brief Least-squares fit to all points, or to a subset, without a search; OpenCV's method 0.
+    @param weights N weights of the squared errors, at least 0, any depth; empty: all 1
+    @param chosen mask of the points to fit, N numbers, 0 for points that are left out; empty: all
+    points
+    @param mask output, N x 1, CV_8U, of all points, as in #run
     @param report output, may be null; `stop` is #STOP_NO_SEARCH, or says why there is no model
-    @return the model as #run returns it; empty if the points determine none. It starts from the
-    best models of minimal samples of the points and takes Gauss and Newton's method to its end.
-    Wrong points pull at it as far as they are off. */
+    @return the model as #run returns it; empty if the points determine none. The fit starts from
+    the best models of minimal samples and iterates the Gauss-Newton method until it converges. It
+    is not robust: outliers affect it fully. */
     virtual Mat fit(InputArray weights = noArray(), InputArray chosen = noArray(),
                     OutputArray mask = noArray(), Report* report = 0) = 0;
-    /** @brief Makes a known model better.
+    /** @brief Refines a known model.
     @param model as #run returns it, any depth
-    @param chosen a mask of the inliers, N numbers: least squares over these, from the model; empty:
-    the last step of #run, Params::polishing, from the model, with the inliers that it finds
-    @param mask, report as of #fit
-    @return the model; empty where the points determine none. */
+    @param chosen a mask of the inliers, N numbers: least-squares fit to these, starting from the
+    model; empty: the last step of #run (Params::polishing), starting from the model, with the
+    inliers that it finds
+    @param mask, report as in #fit
+    @return the model; empty if the points determine none. */
     virtual Mat refine(InputArray model, InputArray chosen = noArray(),
                        OutputArray mask = noArray(), Report* report = 0) = 0;
-    /** @brief The error of each point under a model, as the mask sees it: it is 1 exactly where
-    this is at most Report::threshold.
+    /** @brief The error of each point under a model. The mask is 1 exactly where this is at most
+    Report::threshold.
     @param model as #run returns it, any depth
-    @return N x 1, CV_64F, in the unit of Params::threshold, not squared. Not finite or NaN where
-    there is none: points that are not finite, what is behind a camera or what its lens does not
-    show. */
+    @return N x 1, CV_64F, in the unit of Params::threshold, not squared. Infinite or NaN where it
+    is not defined: for points that are not finite, behind a camera, or outside the field of view of
+    its lens. */
     virtual Mat errors(InputArray model) = 0;
 };
 

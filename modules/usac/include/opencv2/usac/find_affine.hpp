@@ -14,43 +14,44 @@ namespace cv {
 //! @addtogroup usacv20
 //! @{
 
-/** @name Maps of the plane by calib3d's functions with a flag of this module The signatures of
-cv::estimateAffine2D and cv::estimateAffinePartial2D, with the same meaning, order and defaults of
-the arguments, for a #UsacV20Method; cv::estimateAffinePartial2D with options in one argument is
-there for this module only. An `int` that may hold a flag is for usacv20::estimateAffine2D and
-usacv20::estimateAffinePartial2D. Results are those of usacv20::estimateAffinity2D and
-usacv20::estimateSimilarity2D.
+/** @name Maps of the plane by calib3d's functions with a flag of this module
+The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D, with the same meaning, order
+and defaults of the arguments, for a #UsacV20Method; cv::estimateAffinePartial2D with all options in
+one argument exists for this module only. An `int` that may hold a flag of this module needs
+usacv20::estimateAffine2D and usacv20::estimateAffinePartial2D. The results are those of
+usacv20::estimateAffinity2D and usacv20::estimateSimilarity2D.
 
-`refineIters` is the largest number of steps of the last polish (usacv20::Params::polishingSteps); a
-preset that has fewer keeps to its own number. 0 leaves the polish out (usacv20::POLISHING_NONE):
-the model is what the search has found, which local optimization has fitted to its inliers already,
-unlike the sample's own model that OpenCV's flags return with 0. A negative number (of which
-`size_t` makes a huge one) is refused, as one of `maxIters` is.
+`refineIters` is the maximum number of steps of the final polishing
+(usacv20::Params::polishingSteps); a preset with fewer steps keeps its own number. 0 turns polishing
+off (usacv20::POLISHING_NONE): the model is then the result of the search, which local optimization
+has already fitted to its inliers, whereas OpenCV's flags return the model of the minimal sample
+with 0. A negative number (which becomes a huge `size_t`) raises cv::Exception, as it does for
+`maxIters`.
 @{ */
-//! An affine map; arguments and result as of usacv20::estimateAffine2D.
+//! An affine map; arguments and result as in usacv20::estimateAffine2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers,
                                 UsacV20Method method, double ransacReprojThreshold = 3,
                                 size_t maxIters = 2000, double confidence = 0.99,
                                 size_t refineIters = 10);
-//! With all options, as usacv20::estimateAffinity2D.
+//! With all options, like usacv20::estimateAffinity2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers,
                                 const usacv20::Params& params);
-//! The same, in the order of Python.
+//! The same, with the argument order of Python.
 inline Mat estimateAffine2D(InputArray pts1, InputArray pts2, const usacv20::Params& params,
                             OutputArray inliers = noArray())
 {
     return estimateAffine2D(pts1, pts2, inliers, params);
 }
 
-//! A similarity; arguments and result as of usacv20::estimateAffinePartial2D.
+//! A similarity; arguments and result as in usacv20::estimateAffinePartial2D.
 CV_EXPORTS Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers,
                                        UsacV20Method method, double ransacReprojThreshold = 3,
                                        size_t maxIters = 2000, double confidence = 0.99,
                                        size_t refineIters = 10);
-//! With all options, as usacv20::estimateSimilarity2D.
+//! With all options, like usacv20::estimateSimilarity2D.
 CV_EXPORTS Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers,
                                        const usacv20::Params& params);
-//! The same, in the order of Python.
+//! The same, with the argument order of Python.
 inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, const usacv20::Params& params,
                                    OutputArray inliers = noArray())
 {
@@ -60,12 +61,11 @@ inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, const usacv
 
 namespace usacv20 {
 
-/** @name Maps of the plane with any flag, known only at run time The signatures of
-cv::estimateAffine2D and cv::estimateAffinePartial2D that have an `int method`, but
-UsacV20Method::USACV20 for a `method` that is left out. What is said of usacv20::findHomography
-holds for them: one of OpenCV's own flags hands the call on to calib3d as it is, a number that is no
-flag raises a cv::Exception that names `method`, and below both using-directives the call has to
-name the namespace.
+/** @name Maps of the plane with any flag, known only at run time
+The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D that have an `int method`,
+except that an omitted `method` is UsacV20Method::USACV20. As for usacv20::findHomography, a call
+with one of OpenCV's own flags is passed on to calib3d unchanged, a number that is no flag raises a
+cv::Exception that names `method`, and after both using-directives the call must name the namespace.
 @{ */
 /** @brief cv::estimateAffine2D with a flag of this module or of OpenCV.
 @param from N points of image 1
@@ -73,9 +73,9 @@ name the namespace.
 @param inliers output, Nx1, CV_8U, 1 for inliers
 @param method value of one of #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold, distance in image 2 in pixels
-@param maxIters upper bound of the number of samples
-@param confidence probability that the result is the best model
-@param refineIters upper bound of the steps of the last polish; 0: none
+@param maxIters maximum number of samples
+@param confidence confidence of the search, see usacv20::Params::confidence
+@param refineIters maximum number of steps of the final polishing; 0: none
 @return 2x3, CV_64F, the affine map [A t]; empty if there is none
 */
 CV_EXPORTS_W Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers = noArray(),
@@ -89,11 +89,11 @@ CV_EXPORTS_W Mat estimateAffine2D(InputArray from, InputArray to, OutputArray in
 @param inliers output, Nx1, CV_8U, 1 for inliers
 @param method value of one of #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold, distance in image 2 in pixels
-@param maxIters upper bound of the number of samples
-@param confidence probability that the result is the best model
-@param refineIters upper bound of the steps of the last polish; 0: none
-@return 2x3, CV_64F, rows a -b x and b a y: rotation, uniform scale and translation; empty if there
-is none
+@param maxIters maximum number of samples
+@param confidence confidence of the search, see usacv20::Params::confidence
+@param refineIters maximum number of steps of the final polishing; 0: none
+@return 2x3, CV_64F, rows (a, -b, x) and (b, a, y): rotation, uniform scale and translation; empty
+if there is none
 */
 CV_EXPORTS_W Mat estimateAffinePartial2D(InputArray from, InputArray to,
                                          OutputArray inliers = noArray(), int method = (int)USACV20,
@@ -101,8 +101,9 @@ CV_EXPORTS_W Mat estimateAffinePartial2D(InputArray from, InputArray to,
                                          double confidence = 0.99, size_t refineIters = 10);
 //! @}
 
-/** @name The same with a flag that is known when the program is compiled As the templates of
-find.hpp: they keep a call without a namespace below both using-directives from being ambiguous.
+/** @name The same with a flag that is known at compile time
+Like the templates of find.hpp: they keep a call without a namespace unambiguous after both
+using-directives.
 @{ */
 //! cv::estimateAffine2D with the same arguments.
 template <typename... Others>

@@ -14,29 +14,30 @@ namespace cv {
 //! @addtogroup usacv20
 //! @{
 
-/** @name The pose of a camera by cv::solvePnPRansac with a flag of this module The signatures of
-cv::solvePnPRansac with the same meaning and order of the arguments, for a #UsacV20Method or for
-options. An `int` that may hold a flag is for usacv20::solvePnPRansac. Results are those of
-usacv20::estimateAbsolutePose: the reprojection error is one of the image as it was taken,
-distortion included, and points behind the camera are no inliers.
+/** @name The pose of a camera by cv::solvePnPRansac with a flag of this module
+The signatures of cv::solvePnPRansac with the same meaning and order of the arguments, for a
+#UsacV20Method or for options. An `int` that may hold a flag of this module needs
+usacv20::solvePnPRansac. The results are those of usacv20::estimateAbsolutePose: the reprojection
+error is measured in the original image, distortion included, and points behind the camera are not
+inliers.
 @{ */
 /** @brief The pose of a calibrated camera.
-@param objectPoints N points of space
+@param objectPoints N 3-D points
 @param imagePoints their images in pixels
 @param cameraMatrix 3x3 camera matrix
 @param distCoeffs 4, 5, 8, 12 or 14 coefficients of the distortion; empty: none
 @param rvec output, 3x1, CV_64F, the rotation as a vector (cv::Rodrigues); with `useExtrinsicGuess`
 also input, 3 numbers
 @param tvec output, 3x1, CV_64F, the translation; with `useExtrinsicGuess` also input
-@param useExtrinsicGuess `rvec` and `tvec` hold a pose that is rated and optimized before the first
-sample
-@param iterationsCount upper bound of the number of samples
+@param useExtrinsicGuess `rvec` and `tvec` hold an initial pose, which is scored and optimized
+before the first sample
+@param iterationsCount maximum number of samples
 @param reprojectionError inlier threshold in pixels
-@param confidence probability that the result is the best model
+@param confidence confidence of the search, see usacv20::Params::confidence
 @param inliers output, Mx1, CV_32S, the indices of the inliers in ascending order; empty if there is
 no pose
 @param flags one of #UsacV20Method
-@return false if there is no pose; `rvec` and `tvec` are then as before. */
+@return false if there is no pose; `rvec` and `tvec` are then unchanged. */
 CV_EXPORTS bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints,
                                InputArray cameraMatrix, InputArray distCoeffs, OutputArray rvec,
                                OutputArray tvec, bool useExtrinsicGuess, int iterationsCount,
@@ -53,20 +54,20 @@ namespace usacv20 {
 
 /** @brief cv::solvePnPRansac with a flag of this module or of OpenCV, known only at run time.
 
-What is said of usacv20::findHomography holds: one of OpenCV's own flags hands the call on to
-calib3d as it is, a number that is no flag raises a cv::Exception that names `flags`, and below both
-using-directives the call has to name the namespace. The defaults are those of calib3d, but for the
+As for usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d
+unchanged, a number that is no flag raises a cv::Exception that names `flags`, and after both
+using-directives the call must name the namespace. The defaults are those of calib3d, except for the
 flag.
-@param objectPoints N points of space
+@param objectPoints N 3-D points
 @param imagePoints their images in pixels
 @param cameraMatrix 3x3 camera matrix
 @param distCoeffs coefficients of the distortion; empty: none
 @param rvec output, 3x1, CV_64F, the rotation as a vector; with `useExtrinsicGuess` also input
 @param tvec output, 3x1, CV_64F, the translation; with `useExtrinsicGuess` also input
-@param useExtrinsicGuess `rvec` and `tvec` hold a pose to begin with
-@param iterationsCount upper bound of the number of samples
+@param useExtrinsicGuess `rvec` and `tvec` hold an initial pose
+@param iterationsCount maximum number of samples
 @param reprojectionError inlier threshold in pixels
-@param confidence probability that the result is the best model
+@param confidence confidence of the search, see usacv20::Params::confidence
 @param inliers output, Mx1, CV_32S, the indices of the inliers
 @param flags value of one of #UsacV20Method, or a flag of OpenCV
 @return false if there is no pose */
@@ -77,8 +78,7 @@ CV_EXPORTS_W bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints
                                  double confidence = 0.99, OutputArray inliers = noArray(),
                                  int flags = (int)USACV20);
 
-//! The same with a flag that is known when the program is compiled; a template for the reason of
-//! those of find.hpp.
+//! The same with a flag that is known at compile time; a template like those of find.hpp.
 template <typename... Others>
 bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                     InputArray distCoeffs, OutputArray rvec, OutputArray tvec,

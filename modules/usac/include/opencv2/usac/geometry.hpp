@@ -5,8 +5,8 @@
 #ifndef OPENCV_USACV20_GEOMETRY_HPP
 #define OPENCV_USACV20_GEOMETRY_HPP
 
-// The module of OpenCV that has findHomography and its kin, solvePnPRansac among them: `calib3d` of
-// OpenCV 4, `geometry` of OpenCV 5. All files of this module include it by this header.
+// Includes the OpenCV module that has findHomography and its kin, including solvePnPRansac:
+// `calib3d` of OpenCV 4, `geometry` of OpenCV 5. All files of this module use this header.
 
 #include "opencv2/core/version.hpp"
 

@@ -13,21 +13,22 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief Where the same camera would see points if its lens had no distortion.
+/** @brief Removes lens distortion: returns where the same camera without distortion would see the
+points.
 
-The inverse of cv::projectPoints to double precision, by Newton's method to the end;
-cv::undistortPoints takes five steps of another one by default, and is up to a tenth of a pixel off
-in the corners of an ordinary lens. Estimation removes the distortion of E and of absolute poses in
-the same way.
+Inverts the distortion model of cv::projectPoints to double precision, by Newton's method until
+convergence; cv::undistortPoints takes five fixed-point iterations by default, and is up to a tenth
+of a pixel off in the corners of an ordinary lens. Estimation removes the distortion in the same way
+for E and absolute poses.
 
-@param points N points of the image as it was taken, pixels; any layout and depth that
+@param points N points of the original (distorted) image in pixels; any layout and depth that
 usacv20::estimateHomography takes
 @param cameraMatrix 3x3, any depth
 @param distCoeffs 4, 5, 8, 12 or 14 coefficients as for cv::undistortPoints; empty: none
-@return Nx2, CV_64F, pixels; NaN where the lens shows nothing: beyond the radius at which the radial
-terms fold the plane back upon itself, and for points that are not finite.
+@return Nx2, CV_64F, pixels; NaN outside the field of view of the lens, that is beyond the radius
+from which on the radial distortion is not monotonic, and for points that are not finite.
 
-Raises cv::Exception for points of a wrong shape and for what is no camera.
+Raises cv::Exception for points of the wrong shape and for an invalid camera.
 */
 CV_EXPORTS_W Mat removeDistortion(InputArray points, InputArray cameraMatrix,
                                   InputArray distCoeffs);

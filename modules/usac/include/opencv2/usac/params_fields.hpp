@@ -18,28 +18,27 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-//! What the value of a field of Params is.
+//! Kinds of values of the fields of Params.
 enum FieldKind {
     FIELD_OPTION,       //!< one enumerator
     FIELD_FLAGS,        //!< a set of bits
-    FIELD_NUMBER,       //!< a number of a closed interval
+    FIELD_NUMBER,       //!< a number in a closed interval
     FIELD_PIXELS,       //!< a positive and finite number of pixels
-    FIELD_PROBABILITY,  //!< a number between 0 and 1, neither of them
-    FIELD_SCORES,       //!< a number for each correspondence
+    FIELD_PROBABILITY,  //!< a number in the open interval (0, 1)
+    FIELD_SCORES,       //!< one number for each correspondence
     FIELD_MODEL         //!< the numbers of a model
 };
 
-//! Default and range of a field of Params; a `double` holds the integers exactly.
+//! Default and range of a field of Params; `double` represents the integers exactly.
 struct FieldValues
 {
-    FieldKind kind;  //!< of the value
-    double initial;  //!< the default; FIELD_SCORES, FIELD_MODEL: not used, there are none
-    double low;   //!< smallest value; FIELD_PIXELS, FIELD_PROBABILITY: all are larger; not used as
-                  //!< `initial`
-    double high;  //!< largest value; FIELD_PROBABILITY: all are smaller; not used as `initial`
+    FieldKind kind;  //!< kind of value
+    double initial;  //!< the default; FIELD_SCORES, FIELD_MODEL: all three unused
+    double low;      //!< smallest value; FIELD_PIXELS, FIELD_PROBABILITY: excluded
+    double high;     //!< largest value; FIELD_PROBABILITY: excluded
 
-    //! Of FIELD_SCORES, FIELD_MODEL any value is right: what is depends on other fields and on the
-    //! points.
+    //! FIELD_SCORES and FIELD_MODEL accept any value here: what is valid depends on other fields
+    //! and on the points.
     bool contain(double value) const
     {
         if (kind == FIELD_SCORES || kind == FIELD_MODEL)
@@ -50,12 +49,12 @@ struct FieldValues
                (openAbove ? value < high : value <= high);  // NaN: never
     }
 
-    //! One of the enumerators from `low` to `high`.
+    //! An enumerator from `low` to `high`.
     static FieldValues option(int initial, int low, int high)
     {
         return of(FIELD_OPTION, initial, low, high);
     }
-    //! Any of the bits of `all`.
+    //! Any subset of the bits of `all`.
     static FieldValues flags(int initial, int all) { return of(FIELD_FLAGS, initial, 0, all); }
     //! A number from `low` to `high`.
     static FieldValues number(double initial, double low, double high)
@@ -66,9 +65,9 @@ struct FieldValues
     static FieldValues pixels(double initial) { return of(FIELD_PIXELS, initial, 0, DBL_MAX); }
     //! Between 0 and 1.
     static FieldValues probability(double initial) { return of(FIELD_PROBABILITY, initial, 0, 1); }
-    //! Those of the matches.
+    //! Scores of the matches.
     static FieldValues scores() { return of(FIELD_SCORES, 0, 0, 0); }
-    //! An initial one.
+    //! The initial model.
     static FieldValues model() { return of(FIELD_MODEL, 0, 0, 0); }
 
 private:
@@ -83,8 +82,8 @@ private:
 pointer to a member of type `int`, `double`, `std::vector<float>` or `std::vector<double>`,
 FieldValues.
 
-The one list of the fields: their defaults, Params::check, storage, tests, the fuzzer and the
-options of the benchmark are made of it. For programs that set fields by name, too. */
+The only list of the fields: their defaults, Params::check, storage, tests, the fuzzer and the
+options of the benchmark are derived from it. Programs can use it to set fields by name. */
 template <class Visitor>
 void visitFields(Visitor& visit)
 {

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_PROBLEM_HPP
 #define OPENCV_USACV20_PROBLEM_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
+#ifndef OPENCV_BINDING_PARSER  // C++ only, no bindings
 
 #include "opencv2/usac/components.hpp"
 
@@ -15,137 +15,143 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-//! What a sample takes, in units of the test of one point by the built-in kernels, about 2
-//! nanoseconds.
+//! Cost of a sample. The unit of time is a test of one point by the built-in kernels, about 2 ns.
 struct SampleCost
 {
-    //! Both numbers.
+    //! Sets both numbers.
     SampleCost(double time_, double models_) : time(time_), models(models_) {}
 
-    double time;    //!< to solve a sample and to check its models
-    double models;  //!< that are left to be rated, on average
+    double time;    //!< time to solve a sample and to check its models, in point tests
+    double models;  //!< average number of models per sample that remain to be scored
 };
 
-/** @brief One kind of model: all that is particular to it.
+/** @brief One kind of model: everything that is specific to it.
 
-The search, the samplers, the scores, the criteria know nothing else of what is estimated. A program
-can bring a problem of its own, see Usac::create and samples/custom_problem.cpp. All methods are
-`const`; those that are called during the search (closest()) come from one thread at a time. */
+The search, the samplers, the scores and the termination criteria know nothing else about what is
+estimated. A program can define its own problem, see Usac::create and samples/custom_problem.cpp.
+All methods are `const`; the method that is called during the search (closest()) is called by one
+thread at a time. */
 class CV_EXPORTS Problem
 {
 public:
     virtual ~Problem();
 
-    //! For messages, one word. Usac::create raises cv::Exception that has it if the numbers below
-    //! do not fit each other.
+    //! One word for messages. Usac::create raises a cv::Exception with this name if the numbers
+    //! below are inconsistent.
     virtual String name() const = 0;
-    //! Degrees of freedom of a model; at most errorDimension() times the size of a sample.
+    //! Degrees of freedom of a model; at most errorDimension() times the sample size.
     virtual int dimension() const = 0;
-    /** Degrees of freedom of the error of an inlier, that is the codimension of the manifold on
-    which exact data lie in the space of a datum: 2 where a point is mapped to a point of a plane
-    (H), 3 where to one of space, 1 where it is mapped to a line (F, E). 1 to 3. So it is for
-    symmetric errors, too: their terms are functions of each other, so the second term changes the
-    scale of the error only. */
+    /** Degrees of freedom of the error of an inlier, that is the codimension of the manifold of
+    exact data in the space of a datum: 2 if a point is mapped to a point of a plane (H), 3 if to a
+    3-D point, 1 if to a line (F, E). 1 to 3. Symmetric errors have the same number: their terms are
+    functions of each other, so the second term only changes the scale of the error. */
     virtual int errorDimension() const = 0;
-    //! Numbers of a point in the caller's array 0 or 1: 1 to 3, or 0 if there is no array 1.
+    //! Coordinates per point in the caller's array 0 or 1: 1 to 3, or 0 if there is no array 1.
     //! Default: 2, two images.
     virtual int coordinates(int array) const;
-    //! What messages call array 0 or 1. Default: points1, points2.
+    //! Name of array 0 or 1 in messages. Default: points1, points2.
     virtual String arrayName(int array) const;
-    //! True, the default: both arrays have the unit of the threshold, so that points of either that
-    //! are nearer to each other are taken for the same. False: in array 0 only equal points are,
-    //! and #NEIGHBORHOOD_KNN and #NEIGHBORHOOD_RADIUS look for neighbors in array 1 alone.
+    //! True (default): both arrays have the unit of the threshold, so that points closer to each
+    //! other than it, in either array, are taken for the same. False: in array 0 only equal points
+    //! are, and #NEIGHBORHOOD_KNN and #NEIGHBORHOOD_RADIUS use array 1 only.
     virtual bool commonUnit() const;
-    //! For the sequential test, and for the size of the batches.
+    //! Cost of a sample, for SPRT and for the size of the batches.
     virtual SampleCost sampleCost() const = 0;
-    //! True if two good models can have the same inliers, as the two motions of a plane that E has:
-    //! then each is optimized. Default: false.
+    //! True if two good models can have the same inliers, like the two motions that are compatible
+    //! with a plane (E): then each is optimized. Default: false.
     virtual bool ambiguous() const;
-    /** @brief True if nearly all inliers of a model leave some of its parameters free, as those of
-    F or E on a plane, or seen by a camera that has only turned: then their errors tell little of
-    these parameters.
-    @param context the points in the coordinates of the model, the threshold
-    @param model as components see it
+    /** @brief True if nearly all inliers leave some parameters of the model undetermined, like
+    those of F or E if they lie on a plane or the camera only rotates: then their errors say little
+    about these parameters.
+    @param context the data of the run: points in the coordinates of the model, and the threshold
+    @param model in the coordinates of Correspondences
+
     Default: false. */
     virtual bool leavesFree(const Context& context, const Model& model) const;
 
-    /** @brief Moves the caller's points to the coordinates of the model, in place; E: from pixels
-    to the normalized image plane.
-    @param columns `count` numbers each
+    /** @brief Transforms the caller's points to the coordinates of the model, in place; E: from
+    pixels to the normalized image plane.
+    @param columns columns of `count` numbers each
     @param count number of points
-    @return pixels in a unit of the new coordinates. Default: 1, nothing is moved. */
+    @return number of pixels per unit of the new coordinates. Default: 1, nothing is transformed. */
     virtual double toModelCoordinates(double* const* columns, int count) const;
-    //! The same for createImageResidual(): the points of the last array stay where they were seen.
-    //! Default: nothing is moved.
+    //! The same for createImageResidual(): the points of the last array keep their original image
+    //! coordinates. Default: nothing is transformed.
     virtual void toImageCoordinates(double* const* columns, int count) const;
     /** @brief How the points may be normalized for the search.
     @param residual @ref ResidualType
+
     Default: #SCALE_NONE. */
     virtual int normalization(int residual) const;
-    /** @brief A model of the search in the coordinates of toModelCoordinates(), in the normal form
-    that is documented.
+    /** @brief Converts a model of the search to the coordinates of toModelCoordinates() and to the
+    documented normal form.
     @param model as components see it
     @param points their Correspondences::frame
     @param result output
     @return false if it is not finite. */
     virtual bool toInput(const Model& model, const Correspondences& points,
                          Model& result) const = 0;
-    //! What Usac::run returns for a model of toInput(). Default: its matrix, CV_64F.
+    //! Converts a model from toInput() to what Usac::run returns. Default: its matrix, CV_64F.
     virtual Mat toOutput(const Model& model) const;
-    /** @brief The inverse of toOutput() and toInput(): a model of the caller's as the search sees
-    it.
-    @param output as many numbers as toOutput() has, finite, row by row
+    /** @brief The inverse of toOutput() and toInput(): converts a model of the caller to the
+    coordinates of the search.
+    @param output as many finite numbers as toOutput() returns, row by row
     @param points their Correspondences::frame
     @param model output
-    @return false if it is none. Default: false, so that Params::initialModel is refused. */
+    @return false if it is not a valid model. Default: false, so that Params::initialModel raises
+    cv::Exception. */
     virtual bool fromOutput(const std::vector<double>& output, const Correspondences& points,
                             Model& model) const;
-    /** @brief A model of the caller's in the coordinates of toModelCoordinates(), with the numbers
-    as they are: what the mask and Usac::errors compare the points with.
-    @param output a matrix of the shape of toOutput(), CV_64F Default: an empty one, it is not
-    known; then fromOutput() and toInput() make it, the same but for rounding. */
+    /** @brief A model of the caller in the coordinates of toModelCoordinates(), with unchanged
+    entries, for the mask and Usac::errors.
+    @param output a matrix of the shape of toOutput(), CV_64F
+
+    Default: an empty model; then fromOutput() and toInput() are used instead, with the same result
+    up to rounding. */
     virtual Model ofOutput(const Mat& output) const;
-    //! The closest model that fulfills all constraints; what solvers and polishers find may miss
-    //! them by a bit. Default: the model itself.
+    //! The closest model that fulfills all constraints, which solvers and polishers may violate
+    //! slightly. Default: the model itself.
     virtual Model closest(const Model& model) const;
 
-    //! The error that @ref ResidualType names.
+    //! Creates the error for a @ref ResidualType.
     virtual Ptr<Residual> createResidual(int type) const = 0;
-    /** @brief The error where the points were seen, if the coordinates of the search are only
-    nearly as good: the polishing and the mask take this one, of the points of toImageCoordinates().
-    @param residual that of the search, in the same units and of the same models
-    @return default: empty, `residual` is as good. */
+    /** @brief The error at the original image points, if the coordinates of the search only
+    approximate it: polishing and the mask use this residual with the points of
+    toImageCoordinates().
+    @param residual the residual of the search, with the same unit and models
+    @return default: empty, `residual` is exact. */
     virtual Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const;
-    //! The models of a minimal sample.
+    //! Creates the minimal solver.
     virtual Ptr<MinimalSolver> createMinimalSolver() const = 0;
-    //! Least squares of the errors of a residual. Asked again if the caller has brought another
-    //! residual. Empty: none.
+    //! Creates a solver that fits by least squares of a residual. Called again if the caller has
+    //! replaced the residual. Empty: none.
     virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const = 0;
-    /** @brief Adds the checks that a set of @ref DegeneracyFlags names, in the order in which they
-    are asked. Default: none.
+    /** @brief Appends the checks for a set of @ref DegeneracyFlags, in the order in which they are
+    called. Default: none.
     @param flags set of @ref DegeneracyFlags
-    @param degeneracies output, to be appended to */
+    @param degeneracies output, appended to */
     virtual void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const;
 
-    /** @brief Side of the cube on which outliers are taken to be uniform, in the coordinates of
-    `points`: the vector of an error of d dimensions has the density extent^-d. Default: the
-    geometric mean of the sides of the box in which nearly all points of the last array lie, for
-    errors of dimension 1 of both. */
+    /** @brief Side of the cube in which outliers are assumed to be uniform, in the coordinates of
+    `points`: the error vector of an outlier, with d dimensions, has the density extent^-d. Default:
+    the geometric mean of the sides of the box that contains nearly all points of the last array (of
+    both arrays for errors of dimension 1). */
     virtual double outlierExtent(const Correspondences& points) const;
     /** @brief Probability that a point is an inlier of a wrong model, if wrong matches are
-    everywhere: the part of the box of the last array that is within the threshold of a point or,
-    for errors of dimension 1, of the longest line (by Sampson's distance if there are two arrays)
-    or largest plane. At most 1. */
+    uniformly distributed: the fraction of the box of the last array that is within the threshold of
+    a point or, for errors of dimension 1, of the longest line (in Sampson distance if there are two
+    arrays) or largest plane. At most 1. */
     virtual double randomInlierRatio(const Correspondences& points) const;
 };
 
-//! Values of Problem::normalization.
+//! How points are normalized for the search, see Problem::normalization.
 enum Normalization {
-    SCALE_NONE,    //!< the constraints of the model need the coordinates as they are
-    SCALE_COMMON,  //!< each array is moved to its center, both with one scale, with which the
-                   //!< errors scale
-    SCALE_EACH,    //!< each array is moved to its center and scaled by itself
-    SCALE_FIRST    //!< array 0 is moved to its center and scaled, array 1 stays as it is
+    SCALE_NONE,    //!< no normalization: the constraints of the model hold in the original
+                   //!< coordinates only
+    SCALE_COMMON,  //!< each array is centered, and both are scaled by the same factor, so that
+                   //!< errors scale with it
+    SCALE_EACH,    //!< each array is centered and scaled separately
+    SCALE_FIRST    //!< array 0 is centered and scaled, array 1 is unchanged
 };
 
 //! @}

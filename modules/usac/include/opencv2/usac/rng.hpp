@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_RNG_HPP
 #define OPENCV_USACV20_RNG_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // nothing here is for other languages
+#ifndef OPENCV_BINDING_PARSER  // C++ only, no bindings
 
 #include "opencv2/core.hpp"
 
@@ -15,23 +15,23 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief Counter-based pseudo-random generator: the k-th number of a stream depends on seed,
-stream and k alone.
+/** @brief Counter-based pseudo-random generator: the k-th number of a stream depends only on seed,
+stream and k.
 
-The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has a
-stream of its own, so the samples do not depend on threads or on what was drawn elsewhere.
+The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has
+its own stream, so samples do not depend on the number of threads or on what was drawn elsewhere.
 */
 class Rng
 {
 public:
-    //! A stream of a seed, at its beginning.
+    //! Starts at the beginning of a stream.
     explicit Rng(uint64 seed = 0, uint64 stream = 0) : key(mix(seed + mix(stream))), counter(0) {}
 
     //! 32 uniformly distributed bits.
     unsigned next() { return (unsigned)(mix(key + 0x9e3779b97f4a7c15ULL * ++counter) >> 32); }
     //! Uniform in 0 .. n-1, n > 0.
     int uniform(int n) { return (int)(((uint64)next() * (unsigned)n) >> 32); }
-    //! Writes `count` distinct numbers of 0 .. n-1 with count <= min(n, MAX_SAMPLE_SIZE).
+    //! Writes `count` distinct numbers in 0 .. n-1, where count <= min(n, MAX_SAMPLE_SIZE).
     void distinct(int n, int count, int* out)
     {
         for (int i = 0; i < count;)
