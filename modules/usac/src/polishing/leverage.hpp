@@ -64,8 +64,7 @@ private:
     //! no evidence against it?
     bool convinces(const Model& fitted, const Model& model, const Points& points) const;
     //! Minus the logarithm of Chernoff's bound (see SignificantScale) of the probability that
-    //! `lost` of the points that a model has lost or never had as inliers are inliers of another
-    //! model by chance.
+    //! `lost` of the points that are not inliers of a fit are inliers of the model by chance.
     double surpriseOf(int lost) const;
     //! Value of surpriseOf() that the best of all models through two of these points has by chance.
     double byChance() const;
