@@ -14,8 +14,7 @@
 #   arm64                  the same on 64-bit ARM, bookworm's: cross-compiled, run by qemu, without slow_tests
 #   mingw                  the library's sources compiled for Windows by mingw-w64, with the headers of this system's OpenCV; each file is a test
 #
-# clang uses libstdc++, because Debian's OpenCV does and a program can have only one C++ library. Creating the root file systems
-# needs root.
+# clang uses libstdc++, because Debian's OpenCV does and a program can have only one C++ library. Creating the root file systems needs root.
 #
 #   USAC_MATRIX_DIR     where roots and results are kept; default ${TMPDIR:-/tmp}/opencv_usac_matrix
 #   USAC_MATRIX_MIRROR  Debian mirror; default http://deb.debian.org/debian
@@ -148,8 +147,7 @@ END
         USAC_CPP_FILTER="-$slow_tests" sh "$module/misc/run_tests.sh" --cpp
 }
 
-# Code that uses POSIX only (threads, files, memory) does not compile here. Nothing is linked, because there is no OpenCV for
-# Windows.
+# Code that uses POSIX only (threads, files, memory) does not compile here. Nothing is linked, because there is no OpenCV for Windows.
 run_mingw()
 {
     install_packages g++-mingw-w64-x86-64-posix

@@ -129,8 +129,7 @@ run_lint()
     echo "$good passed, $bad failed"
 }
 
-# Code outside the module is not counted, nor are exception branches, which any call that may throw has (every allocation, for
-# example).
+# Code outside the module is not counted, nor are exception branches, which any call that may throw has (every allocation, for example).
 run_coverage()
 {
     build_with coverage opencv_test_usac g++ "--coverage -O0 -fprofile-update=atomic -fprofile-exclude-files=/usr/.*" || return 1

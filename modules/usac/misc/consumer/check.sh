@@ -152,8 +152,7 @@ standard() # of C++
 }
 
 # An object file compiled for AVX may export one symbol only, its table of kernels: the linker might use any other inline function
-# of it in place of the version for all processors. Checked in the optimized build and in the unoptimized one of the other
-# project.
+# of it in place of the version for all processors. Checked in the optimized build and in the unoptimized one of the other project.
 instruction_sets()
 {
     [ "$(uname -m)" = x86_64 ] || return 0
