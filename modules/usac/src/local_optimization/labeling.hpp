@@ -44,7 +44,7 @@ private:
     void weigh(const Context& context, const Model& model);
     //! Labels the points that the edges cannot change; the others become nodes.
     void fix(Arena& arena, const Vec2i* edges, int count, float lambda);
-    //! Labels the nodes.
+    //! Labels the nodes by a minimum cut.
     void label(Arena& arena, const Vec2i* edges, int count, float lambda);
 
     // during a cut

@@ -232,14 +232,13 @@ private:
 
     Reach reach[LAYERS];
     float* coordinates;  //!< pixels, one point per row
-    int columns;         //!< of a row
+    int columns;         //!< number of columns
     int size;            //!< points
     Ptr<KdTree> tree;
     const cvflann::SearchParams exact;
-    Surroundings* known;  //!< of each point
-    std::vector<Found>
-        found;     //!< by the last search; keeps its memory, bounded by the members of a point
-    Vec2i* links;  //!< null: not requested yet
+    Surroundings* known;       //!< of each point
+    std::vector<Found> found;  //!< result of the last search; its memory is kept
+    Vec2i* links;              //!< null: not requested yet
     int linkCount;
 };
 

@@ -51,7 +51,7 @@ private:
         STARTS = 4   //!< samples from which fits start
     };
 
-    //! Some of the points.
+    //! A subset of the points.
     struct Points
     {
         int* indices;

@@ -130,7 +130,7 @@ private:
     int positive;     //!< number of points of positive weight
     int* points;      //!< points of positive weight, one per column; null before the first sample
     int* rest;        //!< points of weight 0
-    double* weights;  //!< of `points`
+    double* weights;  //!< weights of `points`
     double* height;   //!< below it, a column belongs to its own point
     int* alias;       //!< column of the point above that height
 };

@@ -11,7 +11,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Draws a sample from all points.
+//! Draws a uniform sample from all points.
 inline void drawUniform(const Context& context, State& state, int* sample)
 {
     state.counts = true;

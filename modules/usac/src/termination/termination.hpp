@@ -36,8 +36,9 @@ double copiesOf(const State& state, int n, int m);
 `inliers` of all points. Samples that were rejected because they contain a match twice do not count;
 their number tells how many distinct matches there are. */
 double goodModelProbability(const Context& context, const State& state, double inliers);
-/** Probability that a sample leads to the best model: that all its points are inliers, with
-repetition, or without and among distinct matches (#TERMINATION_EXACT), times State::yield. */
+/** Probability that a sample leads to a model with `inliers` of all points: that all its points are
+inliers, drawn with repetition or, with #TERMINATION_EXACT, without and among the distinct matches;
+times State::yield. */
 double goodSampleProbability(const Context& context, const State& state, double inliers);
 
 /** Minimum number of inliers of a significantly better model, see PNapsacTermination. The best

@@ -35,7 +35,7 @@ bool isMeasured(const Params& params)
 double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, double ratio)
 {
     double count = std::ceil(ratio * matches);
-    if (matches > 0 && (count - 1) / matches >= ratio)  // 0.07 * 100 is more than 7
+    if (matches > 0 && (count - 1) / matches >= ratio)  // rounding: 0.07 * 100 > 7
         --count;
     count = std::max(count, (double)std::max(rules.minInliers, sampleSize));
     double part = 1;
