@@ -13,7 +13,7 @@ namespace usacv20 {
 namespace {
 
 //! Gauss-Newton steps from the model, enough for a sample of several times the minimal size. 2:
-//! time of F -7 %, errors +3 %; 6: errors within 2 %.
+//! time of F -7 %, errors +3 %.
 constexpr int FIT_STEPS = 3;
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in the paper;

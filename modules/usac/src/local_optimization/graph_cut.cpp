@@ -12,25 +12,24 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md tells what halving and doubling these changes.
+// Halved and doubled values: doc/constants.md.
 
-//! Maximum number of points of a fit to the inliers, and of a fit within a shrinking threshold:
-//! more make it slower, not better, while the inliers still change. Halving or doubling them
-//! changes errors by at most 2 %; MAX_SHRINK 128: time of E +4 %.
+//! Maximum number of points of a fit to the inliers, and of one within a shrinking threshold: more
+//! are slower, not better, while the inliers still change. Half or double: errors within 2 %.
 constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
-//! Gauss-Newton steps from a model that does not yet fit the inliers well. 1: time -2 to -4 %,
-//! errors within 1 %, but +2 % (E) under forward motion; 4: errors within 1 %, time of E +3 %.
+//! Gauss-Newton steps from a model that does not yet fit the inliers well. 1: time -2 to -4 %, but
+//! errors of E +2 % under forward motion.
 constexpr int SHRINK_STEPS = 2;
 //! Gauss-Newton steps from a model that does. 2: time +2 to +3 %, errors within 0.1 %.
 constexpr int FIT_STEPS = 1;
 //! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally. 1 or 4:
 //! errors within 1 %.
 constexpr int PART = 2;
-//! The first and widest of the shrinking thresholds, in thresholds. 2: real pairs the same, scenes
-//! of few points fail slightly more often; 6, with six fits: errors -2 to -4 %, time +9 to +12 %.
+//! The first and widest of the shrinking thresholds, in thresholds. 6, with six fits: errors -2 to
+//! -4 %, time +9 to +12 %.
 constexpr int WIDE = 3;
 //! An iteration is the last one unless it lowers the cost below this part of the previous cost.
-//! 0.985: time +2 to +5 %; 0.94: -1 %, errors within 1 %.
+//! 0.985: time +2 to +5 %, errors within 1 %.
 constexpr double WORTHWHILE = 0.97;
 //! Error at which the labels of a graph without edges change from inlier to outlier, in thresholds:
 //! K = 1 / 2 (Labeling).
@@ -76,8 +75,7 @@ public:
     }
 
 private:
-    //! Fits to the points within #WIDE, ..., 2 and 1 thresholds, each starting from the previous
-    //! fit.
+    //! Fits to the points within #WIDE, ..., 2 and 1 thresholds, each from the previous fit.
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         Model fitted = model;

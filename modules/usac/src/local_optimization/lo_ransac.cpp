@@ -11,13 +11,13 @@ namespace usacv20 {
 
 namespace {
 
-//! The first and widest of the shrinking thresholds, in thresholds. 2: errors +1 to +3 %; 6: errors
-//! of H +2, F +4, E -4 %. See doc/constants.md.
+//! The first and widest of the shrinking thresholds, in thresholds. Half or double: errors within 4
+//! %, see doc/constants.md.
 constexpr int WIDE = 3;
 //! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally.
 constexpr int PART = 2;
 //! Maximum number of points of a fit of FLO-RANSAC, in minimal sample sizes, as in
-//! @cite lebeda2012fixing. 3: failures of E +1.1, of F -1.5 points; 14: time of H +4, of F +8 %.
+//! @cite lebeda2012fixing. 3: failures of E +1.1 points; 14: time of F +8 %.
 constexpr int FLO_FIT = 7;
 
 /** @brief Local optimization of LO-RANSAC @cite chum2003locally, or its variant in "Fixing the
@@ -65,8 +65,7 @@ public:
     }
 
 private:
-    //! Least squares over the points within a shrinking threshold, each starting from the previous
-    //! fit.
+    //! Least squares over the points within a shrinking threshold, each from the previous fit.
     bool shrink(const Context& context, State& state, int m, int largest, Model fitted,
                 Model& model, Quality& quality)
     {

@@ -45,8 +45,7 @@ optimized. Each model is given out once. */
 class RunnersUp
 {
 public:
-    //! @param most maximum number of models that are kept, not negative @param arena memory of the
-    //! run
+    //! @param most maximum number of models kept, not negative @param arena memory of the run
     RunnersUp(int most, Arena& arena);
 
     //! True if no models are kept.

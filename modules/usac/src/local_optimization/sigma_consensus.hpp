@@ -26,9 +26,8 @@ points. */
 class SigmaConsensus
 {
 public:
-    /** Number of parts, as in the program of the paper's authors; 3: time -13 %, 10: +22 to +31 %,
-    errors within 1 %. Maximum number of points; 250: time -6 to -14 %, 1000: +3 to +12 %, errors
-    within 1 %. See doc/constants.md. */
+    /** Number of parts, as in the program of the paper's authors, and maximum number of points.
+    Half or double: time -14 to +31 %, errors within 1 %, see doc/constants.md. */
     enum { PARTITIONS = 5, MAX_FIT = 500 };
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}

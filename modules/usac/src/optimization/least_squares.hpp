@@ -35,8 +35,7 @@ template <class Parameterization, class Around = AroundModel<Parameterization>>
 class LeastSquaresSolver : public NonMinimalSolver
 {
 public:
-    //! `errorDimension_`: Problem::errorDimension(); `around_`: makes the parameterization around a
-    //! model
+    //! `errorDimension_`: Problem::errorDimension(); `around_`: makes a model's parameterization
     LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_,
                        const Around& around_ = Around())
         : residual(residual_), errorDimension(errorDimension_), around(around_), arena(0)
@@ -127,8 +126,7 @@ private:
         return step.allFinite();
     }
 
-    // Halving or doubling these changes errors by some thousandths and time by at most 3 %, see
-    // doc/constants.md.
+    // Half or double: errors within some thousandths, time within 3 %; see doc/constants.md.
 
     //! Number of steps without a lower cost that do not count as iterations.
     enum { RETRIES = 2 };

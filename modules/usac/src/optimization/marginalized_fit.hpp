@@ -28,8 +28,7 @@ public:
         weights = scope.take<double>(points);
         count = 0;
     }
-    //! Weighs the points within the threshold of the model. @return the loss of all points, see
-    //! MarginalizedWeights
+    //! Weighs the points within the threshold of the model. @return loss of all points
     double weigh(const Context& context, double threshold, const Model& model);
     //! Number of points with a weight.
     int size() const { return count; }

@@ -11,23 +11,20 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md tells what halving and doubling these changes.
+// Halved and doubled values: doc/constants.md.
 
-//! Initial values of the EM algorithm, the variance in squared thresholds and the inlier ratio, and
-//! its number of steps. Halving or doubling one changes errors on real pairs by at most 1 %; on
-//! structured scenes of H, half: +3 to +8 %, double: -1 to -3 %.
+//! Initial values of the EM algorithm, variance in squared thresholds and inlier ratio; its steps.
+//! Half: errors of H on structured scenes +3 to +8 %, on real pairs within 1 %.
 constexpr double FIRST_VARIANCE = 0.15, FIRST_PART = 0.7;
 constexpr int STEPS = 4;
 //! The tail begins at CORE standard deviations of the noise. It is significant if the points in it
 //! exceed those that outliers explain by DEVIATIONS standard deviations of that number and
-//! PART_OF_CORE of the points in the core. On real pairs, halving these does not change the errors,
-//! doubling changes those of H by +1 %.
+//! PART_OF_CORE of the points in the core. Half or double: errors on real pairs within 1 %.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
 
-//! Density of e^degrees at 0, where e is the error of an inlier and `degrees` are its degrees of
-//! freedom.
+//! Density of e^degrees at 0, where e is the error of an inlier with so many degrees of freedom.
 double peakOf(double variance, int degrees)
 {
     if (degrees == 2)

@@ -25,21 +25,19 @@ returned. */
 class NoiseScale
 {
 public:
-    /** Range of the errors used, in thresholds. 2: errors of H +2 % on real pairs, +17 % on
-    structured scenes; 8: -2 and -4 %. See doc/constants.md, also for the others. */
+    /** Range of the errors used, in thresholds. 2: errors of H +17 % on structured scenes; 8: -4 %.
+    See doc/constants.md, also for the others. */
     enum { REACH = 4 };
-    //! Minimum and maximum number of errors. Halving or doubling one changes time by at most 3 %,
-    //! errors by at most 1 %.
+    //! Minimum and maximum number of errors. Half or double: time within 3 %, errors within 1 %.
     enum { LEAST = 20, MOST = 200 };
-    //! Halving or doubling it does not change the errors.
+    //! Half or double: errors the same.
     enum { BINS = 48 };
 
     //! In thresholds. Without the test for evidence, smaller values increase errors of H on
     //! photographs, by 8 % at 0.1. Half or double: errors of H +1 % on real pairs.
     static double leastSigma() { return 0.27; }
 
-    //! @param squaredErrors `count` squared errors @param threshold not squared @param degrees 1 to
-    //! 3
+    //! @param squaredErrors `count` of them @param threshold not squared @param degrees 1 to 3
     static double estimate(const float* squaredErrors, int count, double threshold, int degrees);
 
 private:

@@ -22,8 +22,7 @@ public:
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
-    //! The first `count` sums of a kernel over all chunks. `swapped`: with images 1 and 2 of two
-    //! views swapped.
+    //! The first `count` sums of a kernel over all chunks. `swapped`: with images 1 and 2 swapped.
     void sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const;
 
     //! Gets a point, at most #MAX_COLUMNS numbers, and its weight; false beyond the last one.

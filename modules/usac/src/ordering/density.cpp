@@ -12,9 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of ranks, and prior count of the points that share only one cell. Halving (2 points) or
-//! doubling them changes errors of H and F by at most 1 %, of E by 4 %, which is the noise of the
-//! search.
+//! Number of ranks, and prior count of the points that share only one cell. Half (2 points) or
+//! double: errors of H and F within 1 %, of E within 4 %, the noise of the search.
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
 
 /** @brief Local density of the points in the joint space, relative to their density in the images

@@ -15,7 +15,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md tells what halving and doubling these changes.
+// Halved and doubled values: doc/constants.md.
 
 //! Part of the inliers that is fitted first: those with the lowest leverage.
 constexpr double BULK = 0.85;

@@ -40,8 +40,7 @@ public:
     @param threshold inlier threshold of the mask, in the coordinates of `polish` */
     Leverage(const Context& search, const Context& polish, double threshold);
 
-    //! Replaces a polished model by a better one, if it finds one. @param quality that of the model
-    //! in `polish`
+    //! Replaces a polished model by a better one, if any. @param quality its quality in `polish`
     void improve(Model& model, Quality& quality);
 
 private:

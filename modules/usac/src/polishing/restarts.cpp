@@ -12,9 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md tells what halving and doubling these changes. A failure is a scene, of 8400
-// with few points and a wide threshold, whose error is more than 1.1 times that of least squares;
-// the worst flag counts.
+// Halved and doubled values: doc/constants.md. A failure is a scene, of 8400 with few points and a
+// wide threshold, whose error is more than 1.1 times that of least squares; the worst flag counts.
 
 //! Number of samples of the inliers, and of samples of the inliers and each tried outlier, from
 //! which fits start. 8 and 8: 2 failures instead of 0; 4 and 4: 7.
@@ -25,10 +24,11 @@ constexpr double WIDE = 0.2;
 //! Another minimum must be below this part of the loss. 0.95: no change; 0.8: 10 failures.
 constexpr double CLEAR = 0.9;
 /** The same for models that the checks reject, as a probability that the better fit is chance: the
-part of the loss to the power of half the remaining degrees of freedom. Half, double: no change. */
+part of the loss to the power of half the remaining degrees of freedom. Half or double: no
+change. */
 constexpr double UNLIKELY = 0.1;
 //! Largest probability that random points fit as well, for a model of points of which no sample has
-//! passed the checks. Half, double: no change.
+//! passed the checks. Half or double: no change.
 constexpr double CHANCE = 1e-6;
 //! Largest loss that another point may add per degree of freedom, in units of that of the inliers:
 //! one right point in a hundred exceeds 8 if ten degrees are left. Half: OpenCV's test EKcase gets

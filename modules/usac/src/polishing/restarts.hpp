@@ -36,8 +36,7 @@ public:
     @param state that of the run */
     Restarts(const Context& search, const Context& polish, State& state);
 
-    //! Replaces a polished model by a better one, if it finds one. @param quality that of the model
-    //! in `polish`
+    //! Replaces a polished model by a better one, if any. @param quality its quality in `polish`
     void improve(Model& model, Quality& quality);
 
     /** For a few points of which the checks have rejected every sample: finds a model that fits all

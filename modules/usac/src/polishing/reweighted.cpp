@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-//! A fit that lowers the loss by less than this part of it is the last one. Halving or doubling it
-//! does not change the errors.
+//! A fit that lowers the loss by less than this part is the last one. Half or double: errors the
+//! same.
 constexpr double SETTLED = 1e-5;
 
 /** Iteratively re-weighted least squares over all points within the threshold of the score, with

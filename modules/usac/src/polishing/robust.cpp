@@ -12,24 +12,23 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md tells what halving and doubling these changes.
+// Halved and doubled values: doc/constants.md.
 
 /** Support of the biweight in standard deviations of the noise; 1.6 % (F, E) and 2.3 % (H) less
-accurate than least squares under Gaussian noise. Half: errors on real pairs +2 to +11 %, on scenes
-+24 to +61 %; double: F and E +2 %, on scenes +8 %, H -7 %. */
+accurate than least squares under Gaussian noise. Half: errors on structured scenes +24 to +61 %;
+double: +8 %, H -7 %. */
 constexpr double SUPPORT = 5.3;
 //! All steps except the last two use only the first points, until FEW of them are within REACH
-//! thresholds. Halving or doubling one changes errors by at most 1 %, time by at most 2 %.
+//! thresholds. Half or double: errors within 1 %, time within 2 %.
 constexpr int REACH = 3, FEW = 500;
-//! Points per call of the kernel, and steps of the last fit, enough to converge. Halving or
-//! doubling one does not change the errors.
+//! Points per call of the kernel, and steps of the last fit, enough to converge. Half or double:
+//! errors the same.
 constexpr int BLOCK = 256, LAST = 10;
 //! Minimum decrease of the loss, in mean losses of a point within the support, and minimum relative
-//! change of the scale for another step. Halving or doubling one changes errors by at most 0.4 %,
-//! time by at most 2 %.
+//! change of the scale for another step. Half or double: errors within 0.4 %.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
 //! Decrease of the loss, as a part of that of the points within the support, after which the noise
-//! is estimated again. Halving or doubling it changes errors by at most 0.1 %, time by at most 2 %.
+//! is estimated again. Half or double: errors within 0.1 %.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,

@@ -11,17 +11,15 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md tells what halving and doubling these changes.
+// Halved and doubled values: doc/constants.md.
 
-//! Numbers of samples, see the class. Halving or doubling BEFORE_ORDER does not change the errors,
-//! ORDERED those of H by at most 1 %; BEFORE_ORDER_CHEAP changes the instructions of affinities and
-//! similarities by -10 to +12 %.
+//! Numbers of samples, see the class. Half or double: errors within 1 %; BEFORE_ORDER_CHEAP:
+//! instructions of affinities and similarities -10 to +12 %.
 constexpr int BEFORE_ORDER = 8, ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
 //! Sample size of H; an affinity or a similarity needs fewer points.
 constexpr int SMALL = 4;
 //! One in so many of the non-uniform samples is local, with a known order and with a guessed one.
-//! LOCAL_EVERY 2 or 8: errors within 1 %; LOCAL_EVERY_GUESS 1: errors of F +5 %, E +3 %; 4: within
-//! 1 %.
+//! LOCAL_EVERY_GUESS 1: errors of F +5 %, E +3 %; other changes: within 1 %.
 constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
 //! Minimum size of the first neighborhood of a point, in sample sizes. 1 or 4: errors within 1 %.
 constexpr int FIRST_MEMBERS = 2;
@@ -107,15 +105,14 @@ private:
         return isOrdered(context, state, sample);
     }
 
-    //! How often a point was the first of a local sample, and its finest layer with enough
-    //! neighbors.
+    //! How often a point was the first of a local sample; its finest layer with enough members.
     struct Center
     {
         int chosen, layer;
     };
 
-    //! Draws the other points from the neighborhood of sample[0]; false if no layer has enough
-    //! members.
+    //! Draws the other points from the neighborhood of sample[0]; false if all layers are too
+    //! small.
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighborhood& neighborhood = context.neighborhood();

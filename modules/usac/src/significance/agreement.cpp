@@ -43,8 +43,7 @@ public:
     }
 
     //! Removes the marked points and appends a copy of array 2 to itself, so that the last points
-    //! have partners, too. If there is only one array, that is its last column. @return number of
-    //! points left
+    //! have partners, too. With a single array it is the last column. @return number of points left
     int drop(const uchar* repeated)
     {
         int kept = 0;

@@ -13,8 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-// Halving or doubling these rejects no right model of the benchmark, except one E with 2048 pairs;
-// see doc/constants.md.
+// Half or double: no right model of the benchmark is rejected, except one E with 2048 PAIRS.
 
 //! Inliers beside the sample expected among the points that are tested first; factor of the number
 //! of points if these do not decide; wrong matches in a test of all points, which give their inlier
@@ -81,8 +80,7 @@ double Significance::chance(int inliers, double clear)
 bool Significance::decisive(double inlierRatio, double limit) const
 {
     // if inliers are repeated, other matches are assumed to be so, too; but a model that maps
-    // everything to one place has few independent inliers, however many independent points there
-    // are
+    // everything to one place has few independent inliers of many independent points
     const double inliers = size - last.points + last.inliers,
                  different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);

@@ -66,8 +66,7 @@ public:
 
 private:
     Agreement look(int count, double scale, int pairs) const;
-    //! If there is no time to test so many points, limits all later tests to fewer and returns
-    //! true.
+    //! True if there is no time to test so many points: all later tests use fewer.
     bool shorten(double count);
     //! @param share part of the allowed error probability that this one of several thresholds has
     double chanceOf(const Agreement& found, double share = MAIN_SHARE) const;

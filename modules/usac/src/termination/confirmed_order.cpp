@@ -12,8 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Number of first samples of which every second one follows the order. doc/constants.md tells what
-//! halving and doubling it changes.
+//! Number of first samples of which every second one follows the order; see doc/constants.md.
 constexpr int FIRST_ORDERED = 480;
 //! Minimum evidence for the order, in standard deviations of the rank sum; a random order reaches
 //! it once in 1000 times.
@@ -28,8 +27,7 @@ constexpr double LEAST_PAIRS = 50;
 //! ... and the other motion is ruled out if the pairs in common cells fall short of it by so many
 //! standard deviations: 0.5 % for each of the two cell sizes, so that 1 % of motions are missed.
 constexpr double MISSED_DEVIATIONS = 2.58;
-//! Sides of the larger cells, in sides of the smaller ones: with few matches, small cells contain
-//! few pairs.
+//! Sides of the larger cells, in those of the smaller ones, which have few pairs of few matches.
 constexpr int COARSE = 2;
 //! Largest part of the inliers that may repeat others; repeated matches share cells in any case.
 constexpr double MOST_REPEATED = 0.1;
@@ -152,8 +150,7 @@ private:
             inliers[i] = errors[i] <= limit;  // false for NaN
     }
 
-    //! Computes how many samples that follow the order are enough for the best model, if the order
-    //! is confirmed.
+    //! How many samples that follow the order the best model needs, if the order is confirmed.
     void look(const Context& context, const State& state)
     {
         const Correspondences& p = context.points;

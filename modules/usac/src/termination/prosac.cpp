@@ -119,8 +119,7 @@ private:
         return context.params.orderedEvery > 1 && state.orderedSamples > 0;
     }
 
-    //! Number of all samples when `samples` of them follow the order, if one in `every` of those to
-    //! come does.
+    //! Number of all samples with `samples` that follow the order, if one in `every` to come does.
     static int ofAll(int samples, int every, const State& state)
     {
         if (samples == INT_MAX || every == 1)

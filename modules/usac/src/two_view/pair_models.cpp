@@ -22,8 +22,7 @@ namespace {
 
 const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 
-//! F has seven degrees of freedom, E five: by each additional one, F can fit one more match, right
-//! or wrong.
+//! F has seven degrees of freedom, E five: for each more, F can fit one more match, right or wrong.
 constexpr double FREEDOM_MORE = 2;
 /* If E was rejected although the cameras are known, an F means that the focal lengths are wrong. It
 therefore needs the significance to this power, 10^-8 by default, and is searched for in only
@@ -217,8 +216,7 @@ void PairModels::searchHomography()
 void PairModels::homographyOfInliers(const PairModel& explained)
 {
     const Points first = chosen(points1, explained.mask), second = chosen(points2, explained.mask);
-    // The error of H is measured in its second image, which has to be the one with the points
-    // closer together.
+    // The error of H is measured in its second image: the one with the points closer together.
     const bool swapped = squaredArea(second) > squaredArea(first);
     Params given = options(SAMPLES_IN_INLIERS);
     given.threshold *= planarReach();
@@ -231,8 +229,7 @@ void PairModels::homographyOfInliers(const PairModel& explained)
                 given.scores.push_back(scores[i]);
     }
     Report report;
-    // Its significance, which takes time, is not needed: there is a report only if the run may be
-    // cancelled.
+    // Its significance, which takes time, is not needed: a report only if the run may be cancelled.
     Report* const asked = BatchProgress::isWatched() ? &report : 0;
     const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second,
                                    given)

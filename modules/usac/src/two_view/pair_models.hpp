@@ -45,8 +45,7 @@ public:
     const PairModel* base() const;
     bool calibrated() const { return isCalibrated; }
     int size() const { return (int)points1.size(); }
-    //! Pairs with fewer matches are rejected at once: for any seven matches there is an F that
-    //! fits.
+    //! Pairs with fewer matches are rejected at once: some F fits any seven matches.
     int leastMatches() const { return std::max(rules.minInliers, 8); }
     //! The fundamental matrix, of norm 1, of an essential matrix.
     Matx33d fundamental(const Matx33d& essential) const;

@@ -19,8 +19,7 @@ namespace {
 //! one of four motions, and a bound of the time.
 constexpr int MOST_FOR_SIDES = 500;
 
-//! The one of the four motions of an essential matrix with the most matches in front of both
-//! cameras.
+//! The one of four motions of an essential matrix with the most matches in front of both cameras.
 Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
     std::vector<Vec3d> first, second;

@@ -10,8 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-// Halving or doubling these changes times by at most 4 % and errors by some thousandths, see
-// doc/constants.md.
+// Half or double: time within 4 %, errors within some thousandths, see doc/constants.md.
 
 //! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, SECOND_BLOCK until
 //! SECOND_BLOCKS_END, then BLOCK.
