@@ -14,7 +14,7 @@ namespace {
 //! exponential. Half or double: errors within some thousandths.
 constexpr float NEGLIGIBLE = 0.005f;
 //! Work of edges and cut per point, without a kd-tree, in point tests, the unit of Watch: 100 ns
-//! with a million points. It affects only how late a run with a time limit ends.
+//! with a million points. It affects only how late a time limit ends a run.
 constexpr double CUT_WORK = 50;
 
 }  // namespace
@@ -46,8 +46,8 @@ int Labeling::degreeOf(const Vec2i* edges, int count)
 
 /* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier
 and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. A point whose label is the same
-for any labels of its neighbors gets it before the cut. Most points are decided by a first, coarse
-test: lambda times the largest number of edges does not outweigh their own cost. */
+for any labels of its neighbors gets it before the cut; most do by a coarse test, that lambda times
+the number of edges does not outweigh their own cost. */
 void Labeling::fix(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     if (degree < 0)

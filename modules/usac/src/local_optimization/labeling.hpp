@@ -24,9 +24,9 @@ outlier. An edge (p, q) costs lambda times 1 if the labels differ, (K_p + K_q) /
 outliers, 1 - (K_p + K_q) / 2 if both are inliers. The energy is submodular, so a minimum cut gives
 its exact minimum.
 
-Most points have the same best label for any labels of their neighbors: they get it before the cut
-and are not nodes of the graph. Points far from the model (K_p below #NEGLIGIBLE) are always
-outliers. Setting up takes O(N) time; the cut is linear in practice. */
+Points whose label does not depend on their neighbors, most of them in practice, get it before the
+cut and are not nodes of the graph; points far from the model (K_p below #NEGLIGIBLE) are always
+outliers. O(N) time to set up; the cut is linear in practice. */
 class Labeling
 {
 public:

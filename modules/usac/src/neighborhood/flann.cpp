@@ -20,7 +20,7 @@ constexpr int LAYERS = 4, WIDEST = 512;
 constexpr int LINKS = 8;
 
 //! Work in point tests, the unit of Watch: to build the tree, per point; to sort the edges, per
-//! edge; of one search. They affect only how late a run with a time limit ends.
+//! edge; of one search. They affect only how late a time limit ends a run.
 constexpr double BUILD_WORK = 300, SORT_WORK = 60, FIND_WORK = 2000;
 
 typedef cvflann::L2<float> SquaredDistance;
@@ -79,13 +79,13 @@ pixels, by an exact kd-tree of cv::flann. If the two arrays have no common unit
 Each of the #LAYERS layers is twice as wide as the previous one: for k nearest neighbors, the layers
 have k, 2 k, 4 k and 8 k of them; for a radius r, the points within r, 2 r, 4 r and 8 r. P-NAPSAC
 needs growing layers because it asks for more and more members. The parameters define the finest
-layer; the graph cut uses that one, NAPSAC the coarsest. At most #WIDEST neighbors of a point are
-kept, the nearest ones, or k if k is larger; memory is thus O(N) for any radius. Edges link each
-point to its nearest neighbors in the finest layer, at most #LINKS of them: with more, the spatial
-coherence would outweigh the error of a point.
+layer; the graph cut uses that one, NAPSAC the coarsest. The nearest #WIDEST neighbors are kept, or
+k if k is larger; memory is thus O(N) for any radius. Edges link each point to its nearest neighbors
+in the finest layer, at most #LINKS of them: with more, the spatial coherence would outweigh the
+error of a point.
 
 The tree is built at first use in O(N log N). The neighbors of a point are searched at its first
-query, in O(log N) each, because samplers use only a few of many points. */
+query, in O(log N), because samplers use only some points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:

@@ -13,13 +13,11 @@ namespace {
 //! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e
 //! + 1)) from e = LOWEST on.
 constexpr int LOWEST = -4, BINS = 128;
-//! Median error of the points within the radius r that is found, in standard deviations of the
-//! noise, for one to three degrees of freedom. Derived, see the class. To halve them is to double
-//! REACH in reach.cpp.
+//! Median error within the radius r that is found, in standard deviations of the noise, for one to
+//! three degrees of freedom. Derived, see the class. Halving them doubles REACH of reach.cpp.
 constexpr double MEDIANS[] = {0.64, 1.15, 1.52};
 
-//! Bin of a squared error, by its exponent and the first bit of its mantissa; #BINS or more if it
-//! is too large or NaN.
+//! Bin by exponent and first bit of the mantissa; #BINS or more if too large or NaN.
 int binOf(float square)
 {
     unsigned bits;

@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 //! Work per point of a fit to convergence, in point tests, the unit of Watch: 100 ns with a million
-//! points. It affects only how late a run with a time limit ends.
+//! points. It affects only how late a time limit ends a run.
 constexpr double FIT_WORK = 50;
 
 //! See LeastSquaresPolisher.

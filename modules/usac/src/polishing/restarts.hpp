@@ -14,19 +14,18 @@ namespace usacv20 {
 few or the threshold is wide.
 
 The sum of squared errors has local minima. A search that has rated thousands of models has found
-the best of them, but a search that ends with its first sample may not have: for example with ten
-points whose errors are all below the threshold for any model. Orientation checks make it worse if
-they do not apply, as for an H whose horizon lies between the points: they reject all samples except
-those on one side of it, and these may all lead to one wrong minimum.
+the best one, but a search that ends with its first sample may not: for example, if ten points have
+errors below the threshold for any model. Orientation checks that do not apply make it worse: for an
+H whose horizon lies between the points, they reject all samples except those on one side of it,
+which may all lead to one wrong minimum.
 
 Least squares over the inliers (at most #MOST) starts from the models of random samples of them,
-without rejecting any. A clearly lower minimum is polished and replaces the model if it does not
-cost more. If the checks would have rejected it, it has to be much lower, because there are more
-such models.
+without rejecting any. A clearly lower minimum is polished and replaces the model if it costs no
+more. One that the checks reject has to be much lower, because there are more such models.
 
-A few inliers that are close to each other determine the model poorly far from them. The outliers
-with the smallest errors are therefore tried, too: a fit to the inliers and one of these replaces
-the model if all are inliers of it, with hardly larger errors. */
+A few inliers close to each other determine the model poorly far from them. The outliers with the
+smallest errors are therefore tried: a fit to the inliers and one of these replaces the model if all
+become its inliers, with hardly larger errors. */
 class Restarts
 {
 public:
@@ -39,8 +38,8 @@ public:
     //! Replaces a polished model by a better one, if any. @param quality its quality in `polish`
     void improve(Model& model, Quality& quality);
 
-    /** For a few points of which the checks have rejected every sample: finds a model that fits all
-    of them better than it would fit random points. @return false if there is none */
+    /** For a few points whose samples the checks have all rejected: finds a model that fits all
+    points better than random ones. @return false if there is none */
     bool begin(Model& model, Quality& quality);
 
 private:
@@ -59,7 +58,7 @@ private:
     bool look(const Model& model);
     //! Fits to the inliers, from samples of them and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! Fits to the inliers and an outlier, from samples that contain it, if there are few outliers.
+    //! Fits to the inliers and one of few outliers, from samples that contain it.
     void restartOutside(Model& model, Quality& quality);
     //! Fits to the inliers and an outlier, from the model.
     void extendInliers(Model& model, Quality& quality);

@@ -11,8 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-//! A fit that lowers the loss by less than this part is the last one. Half or double: errors the
-//! same.
+//! A fit that lowers the loss by less than this part is the last. Half or double: same errors.
 constexpr double SETTLED = 1e-5;
 
 /** Iteratively re-weighted least squares over all points within the threshold of the score, with

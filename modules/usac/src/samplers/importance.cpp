@@ -10,21 +10,21 @@ namespace usacv20 {
 
 namespace {
 
-//! Attempts to draw a point that is not yet in the sample, before a pass over all weights.
+//! Attempts to draw a point that is new to the sample, before a pass over all weights.
 constexpr int TRIES = 64;
 
 /** @brief Draws points with probabilities proportional to their weights w_i (Params::scores).
 
-A point is drawn with probability w_i / sum(w); a point that is already in the sample is drawn
-again. The k-th point thus has the probability w_i / (sum(w) - sum of the weights drawn before).
-Points of weight 0 are not drawn unless fewer than m points have a positive weight: then each sample
-contains all of these, and the rest is uniform among the points of weight 0.
+A point is drawn with probability w_i / sum(w), and again if it is already in the sample. The k-th
+point thus has the probability w_i / (sum(w) - sum of the weights drawn before). Points of weight 0
+are not drawn unless fewer than m points have a positive weight: then each sample contains all of
+these, and the rest is uniform among the points of weight 0.
 
-Walker's alias method @cite walker1977efficient in the form of Vose @cite vose1991linear: there are
-n columns of equal probability, and each belongs to one point up to a height and to another point
-above it. The table is built once in O(N); a draw takes O(1), with the resolution of 32 random bits.
-If the points drawn before have nearly all of the weight, almost every draw repeats one of them:
-after #TRIES repetitions the next point is found by a pass over the other weights, O(N). */
+Walker's alias method @cite walker1977efficient in the form of Vose @cite vose1991linear: each of n
+columns of equal probability belongs to one point up to a height and to another above it. Built once
+in O(N); O(1) per draw, with the resolution of 32 random bits. If the points drawn before have
+nearly all of the weight, almost every draw repeats one: after #TRIES repetitions, an O(N) pass over
+the other weights finds the next point. */
 class ImportanceSampler : public Sampler
 {
 public:

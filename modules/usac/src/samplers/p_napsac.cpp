@@ -37,11 +37,11 @@ non-uniform samples (Params::orderedEvery), or one in #LOCAL_EVERY_GUESS if the 
 from the density of the points. With more local samples, small groups of consistent outliers
 (repeated patterns) won on more real pairs than small groups of inliers were found sooner.
 
-If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more, so
-that neither order nor neighborhood has to be computed. For a sample size of #SMALL (H), the first
-#ORDERED samples all follow the order instead: they come from the few densest points, where four
-inliers are soon drawn. For smaller samples, the first #BEFORE_ORDER_CHEAP are uniform, as they take
-less time than computing the order. */
+If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more,
+and thus neither order nor neighborhood. With #SMALL points per sample (H), the first #ORDERED
+samples all follow the order instead: four inliers are soon drawn from the few densest points. With
+fewer points per sample, the first #BEFORE_ORDER_CHEAP are uniform, as they take less time than the
+order. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -111,8 +111,7 @@ private:
         int chosen, layer;
     };
 
-    //! Draws the other points from the neighborhood of sample[0]; false if all layers are too
-    //! small.
+    //! Draws the other points from the neighborhood of sample[0]; false if no layer suffices.
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighborhood& neighborhood = context.neighborhood();

@@ -18,9 +18,9 @@ inline void drawUniform(const Context& context, State& state, int* sample)
     state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
 }
 
-/** @brief True if the sampler has to draw this sample in its own way, see Params::orderedEvery; the
-sample then does not count for the termination criteria unless all samples are of this kind. If
-false, the sample has been drawn uniformly from all points. */
+/** @brief True if the sampler has to draw this sample in its own way (Params::orderedEvery); it
+then counts for the termination criteria only if all samples are such. If false, a uniform sample
+has been drawn. */
 inline bool isOrdered(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -52,17 +52,17 @@ inline bool isOrderedByKnowledge(const Context& context, State& state, int* samp
 
 //! All samples equally likely, see UniformSampler.
 Ptr<Sampler> createUniformSampler();
-//! Samples of the best points first, see ProsacSampler.
+//! The best points first, see ProsacSampler.
 Ptr<Sampler> createProsacSampler();
-//! Samples of the best points and their neighbors first, see PNapsacSampler.
+//! The best points and their neighbors first, see PNapsacSampler.
 Ptr<Sampler> createPNapsacSampler();
-//! Samples of a random point and its neighbors, see NapsacSampler.
+//! A random point and its neighbors, see NapsacSampler.
 Ptr<Sampler> createNapsacSampler();
 //! Points drawn in proportion to their scores, see ImportanceSampler.
 Ptr<Sampler> createImportanceSampler();
 
-//! Fills places 1 .. m-1 of a sample with distinct points of `members` other than sample[0]. There
-//! are `count` >= m members, and sample[0] is one of them.
+//! Fills places 1 .. m-1 of a sample with distinct points of `count` >= m `members`, of which
+//! sample[0] is one.
 inline void drawOthers(Rng& rng, const int* members, int count, int m, int* sample)
 {
     for (int k = 1; k < m;)

@@ -24,8 +24,8 @@ the best model's, ... */
 constexpr double OTHER_COHERENCE = 0.75;
 //! ... which needs at least so many pairs of inliers in one cell to be estimated ...
 constexpr double LEAST_PAIRS = 50;
-//! ... and the other motion is ruled out if the pairs in common cells fall short of it by so many
-//! standard deviations: 0.5 % for each of the two cell sizes, so that 1 % of motions are missed.
+//! ... and it is ruled out if the pairs in common cells are too few by so many standard deviations:
+//! 0.5 % of motions are missed for each of two cell sizes.
 constexpr double MISSED_DEVIATIONS = 2.58;
 //! Sides of the larger cells, in those of the smaller ones, which have few pairs of few matches.
 constexpr int COARSE = 2;
@@ -81,11 +81,11 @@ Params::orderedEvery.
 2. The order is confirmed if the inliers of a new best model come early in it (orderEvidence()).
 Then all samples follow the order until PROSAC's criterion is fulfilled, see prosacSamples().
 3. The inliers may still be a wrong group with the best scores, for example another motion. The
-search therefore ends only after samples of the best model's outliers have not led to a model with
-significantly more inliers (State::unexplainedSamples, significantInliers()); among these points,
-such a model has a higher inlier ratio than among all points. It may share with the best one the
-inliers that are spread over the whole order (otherInliers()). No such samples are needed if its
-neighboring matches would show among the outliers and do not (otherMotionWouldShow()).
+search therefore ends only after samples of the best model's outliers, where another model has a
+higher inlier ratio than among all points, have led to none with significantly more inliers
+(State::unexplainedSamples, significantInliers()). It may share with the best one the inliers that
+are spread over the whole order (otherInliers()). No such samples are needed if its neighboring
+matches would show among the outliers and do not (otherMotionWouldShow()).
 
 If uniform samples are enough earlier, or not all all-inlier samples lead to the best model
 (State::yield; a plane has two motions), the other criteria decide. At most O(N) per batch of
@@ -231,10 +231,9 @@ private:
         return shows;
     }
 
-    /** Number of inliers that another model must have among the `left` outliers of the best one to
-    have significantly more inliers. If the best model is that of a wrong group early in the order,
-    the two share the inliers that are spread over the whole order; the last part of the order tells
-    how many these are. */
+    /** Number of inliers that another model needs among the `left` outliers of the best one to have
+    significantly more. If the best model is that of a wrong group early in the order, the two share
+    the inliers spread over the whole order, which are counted in its last part. */
     double otherInliers(const Context& context, const State& state, int left) const
     {
         const double shared = (late + std::sqrt((double)late)) * left * LATE_PART /

@@ -15,7 +15,7 @@ namespace usacv20 {
 //! doubling it changes no benchmark run); factor for rounding errors of a T_n that is an integer.
 constexpr double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;
 //! Lengths n between two checks whether the run has to end; work per length in point tests, the
-//! unit of Watch: up to 0.4 us. They affect only how late a run with a time limit ends.
+//! unit of Watch: up to 0.4 us. They affect only how late a time limit ends a run.
 constexpr int PART = 1024;
 constexpr double LENGTH_WORK = 200;
 
@@ -57,10 +57,9 @@ If both hold for a length n*, see prosacSamples, the search ends when T'_n* samp
 Three things differ from the paper:
 
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
-is chosen. Here the set keeps growing, because other criteria may need that. Only the first T'_n*
-samples count, which were drawn from the n* best points (except for local and uniform ones of
-P-NAPSAC), and the n* that is reached first is chosen. The number of samples is limited for all
-lengths except n* = N.
+is chosen. Here the set keeps growing, for other criteria. Only the first T'_n* samples count, which
+come from the n* best points (except local and uniform ones of P-NAPSAC), and the n* reached first
+is chosen. Only n* = N has samples without limit.
 - In the paper, each sample counts. But the first samples must contain the newest of a few points:
 for any order of the inliers, they are worth T_n* uniform samples, and more only by good luck. When
 each sample counted, two or three samples of the very best points ended real runs with whatever

@@ -10,11 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-/* Local optimization can also correct the model of a sample with an outlier, the more easily the
-more inliers there are. For E, a sample therefore counts as (inliers / EASY)^2 samples that have to
-be all-inlier, at least 1 and at most EASIEST. Measured with USACV20 on 200 scenes each, from what
-at most a quarter of the samples finds: 1.2 (18 inliers), 1.5 (20), 2.1 (24), more than 12 (40 and
-50). For F, H and other presets it was not measured; their samples count as 1. */
+/* Local optimization also corrects models of samples with an outlier, the more often the more
+inliers there are. For E, a sample therefore counts as (inliers / EASY)^2 samples that have to be
+all-inlier, at least 1 and at most EASIEST. Measured with USACV20 on 200 scenes each, from what at
+most a quarter of the samples finds: 1.2 (18 inliers), 1.5 (20), 2.1 (24), more than 12 (40 and 50).
+For F, H and other presets it was not measured; their samples count as 1. */
 constexpr double EASY = 15, EASIEST = 4;
 //! Number of inlier ratios that represent those between `inlierRatio` and the lowest one of a
 //! collection. 4: up to 25 % fewer samples; 16: within 11 %, 64: within 16 %.
@@ -56,8 +56,7 @@ double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, 
            std::log1p(-right);
 }
 
-//! Distribution of the probabilities that a sample does not find the model of a pair, over the
-//! pairs of a collection.
+//! How likely samples miss the models of the pairs of a collection.
 class Collection
 {
 public:

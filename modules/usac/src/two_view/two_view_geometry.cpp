@@ -15,8 +15,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of matches that are tested for being in front of the cameras: enough to choose
-//! one of four motions, and a bound of the time.
+//! Maximum number of matches tested for being in front of the cameras, to choose a motion.
 constexpr int MOST_FOR_SIDES = 500;
 
 //! The one of four motions of an essential matrix with the most matches in front of both cameras.
