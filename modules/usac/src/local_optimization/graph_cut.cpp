@@ -15,15 +15,17 @@ namespace {
 // Halved and doubled values: doc/constants.md.
 
 //! Maximum number of points of a fit to the inliers, and of one within a shrinking threshold: more
-//! are slower, not better, while the inliers still change. Half or double: errors within 2 %.
+//! are slower, not better, while the inliers still change. Halving or doubling changes errors by at
+//! most 2 %.
 constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
 //! Gauss-Newton steps from a model that does not yet fit the inliers well. 1: time -2 to -4 %, but
 //! errors of E +2 % under forward motion.
 constexpr int SHRINK_STEPS = 2;
-//! Gauss-Newton steps from a model that does. 2: time +2 to +3 %, errors within 0.1 %.
+//! Gauss-Newton steps from a model that already fits the inliers. 2: time +2 to +3 %, errors the
+//! same.
 constexpr int FIT_STEPS = 1;
-//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally. 1 or 4:
-//! errors within 1 %.
+//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally. 1 or 4
+//! change errors by at most 1 %.
 constexpr int PART = 2;
 //! The first and widest of the shrinking thresholds, in thresholds. 6, with six fits: errors -2 to
 //! -4 %, time +9 to +12 %.

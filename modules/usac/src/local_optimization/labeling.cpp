@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! K of a point at an error of 3.25 thresholds; smaller K are taken as 0, which saves the
-//! exponential. Half or double: errors within some thousandths.
+//! K (see Labeling) of a point at an error of 3.25 thresholds; smaller K are taken as 0, which
+//! saves the exponential. Halving or doubling changes errors by some thousandths.
 constexpr float NEGLIGIBLE = 0.005f;
 //! Work of edges and cut per point, without a kd-tree, in point tests, the unit of Watch: 100 ns
 //! with a million points. It affects only how late a time limit ends a run.

@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-//! The first and widest of the shrinking thresholds, in thresholds. Half or double: errors within 4
-//! %, see doc/constants.md.
+//! The first and widest of the shrinking thresholds, in thresholds. Halving or doubling changes
+//! errors by at most 4 %, see doc/constants.md.
 constexpr int WIDE = 3;
 //! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally.
 constexpr int PART = 2;

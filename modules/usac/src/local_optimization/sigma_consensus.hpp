@@ -27,7 +27,8 @@ class SigmaConsensus
 {
 public:
     /** Number of parts, as in the program of the paper's authors, and maximum number of points.
-    Half or double: time -14 to +31 %, errors within 1 %, see doc/constants.md. */
+    Halving or doubling changes time by -14 to +31 % and errors by at most 1 %, see
+    doc/constants.md. */
     enum { PARTITIONS = 5, MAX_FIT = 500 };
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}

@@ -12,7 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of points of a fit. Half or double: errors within 2 %, time within 4 %.
+//! Maximum number of points of a fit. Halving or doubling changes errors by at most 2 % and time by
+//! at most 4 %.
 constexpr int MAX_FIT = 500;
 //! Ends after so many fits in a row that are not better. 1 or 4: errors the same.
 constexpr int FAILURES = 2;

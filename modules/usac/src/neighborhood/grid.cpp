@@ -13,8 +13,8 @@ namespace {
 //! Bits of a code: with four axes, four per axis, for 16, 8, 4 and 2 cells as in the program of the
 //! authors of @cite barath2019progressive; and maximum number of bits per axis with fewer axes.
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
-//! Maximum number of edges from a point to later points in its cell of the second layer. 1: errors
-//! within 1 %; 6: time +2 to +5 %; cells of the finest or the third layer: errors within 2 %.
+//! Maximum number of edges from a point to later points in its cell of the second layer. 6: time +2
+//! to +5 %; 1, or cells of the finest or the third layer, change errors by at most 2 %.
 constexpr int LINKS = 3;
 
 /** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite

@@ -126,7 +126,8 @@ private:
         return step.allFinite();
     }
 
-    // Half or double: errors within some thousandths, time within 3 %; see doc/constants.md.
+    // Halving or doubling changes errors by some thousandths and time by at most 3 %
+    // (doc/constants.md).
 
     //! Number of steps without a lower cost that do not count as iterations.
     enum { RETRIES = 2 };

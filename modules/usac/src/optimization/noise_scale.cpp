@@ -13,13 +13,14 @@ namespace {
 
 // Halved and doubled values: doc/constants.md.
 
-//! Initial values of the EM algorithm, variance in squared thresholds and inlier ratio; its steps.
-//! Half: errors of H on structured scenes +3 to +8 %, on real pairs within 1 %.
+//! Initial values of the EM algorithm, variance in squared thresholds and inlier ratio, and its
+//! number of steps. Half: errors of H on structured scenes +3 to +8 %, on real pairs +-1 %.
 constexpr double FIRST_VARIANCE = 0.15, FIRST_PART = 0.7;
 constexpr int STEPS = 4;
 //! The tail begins at CORE standard deviations of the noise. It is significant if the points in it
 //! exceed those that outliers explain by DEVIATIONS standard deviations of that number and
-//! PART_OF_CORE of the points in the core. Half or double: errors on real pairs within 1 %.
+//! PART_OF_CORE of the points in the core. Halving or doubling changes errors on real pairs by at
+//! most 1 %.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }

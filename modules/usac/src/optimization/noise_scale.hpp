@@ -28,13 +28,14 @@ public:
     /** Range of the errors used, in thresholds. 2: errors of H +17 % on structured scenes; 8: -4 %.
     See doc/constants.md, also for the others. */
     enum { REACH = 4 };
-    //! Minimum and maximum number of errors. Half or double: time within 3 %, errors within 1 %.
+    //! Minimum and maximum number of errors. Halving or doubling changes time by at most 3 % and
+    //! errors by at most 1 %.
     enum { LEAST = 20, MOST = 200 };
-    //! Half or double: errors the same.
+    //! Halving or doubling does not change the errors.
     enum { BINS = 48 };
 
     //! In thresholds. Without the test for evidence, smaller values increase errors of H on
-    //! photographs, by 8 % at 0.1. Half or double: errors of H +1 % on real pairs.
+    //! photographs, by 8 % at 0.1. Halving or doubling changes errors of H on real pairs by +1 %.
     static double leastSigma() { return 0.27; }
 
     //! @param squaredErrors `count` of them @param threshold not squared @param degrees 1 to 3

@@ -230,7 +230,7 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
            result.count > parts.minimalSolver->sampleSize();
 }
 
-//! Computed in all entries of the model; its fewer parameters affect all points alike.
+//! Computed in all entries of the model; that it has fewer parameters affects all points alike.
 template <int ENTRIES>
 bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points,
                            double* result) const

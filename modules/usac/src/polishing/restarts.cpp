@@ -24,11 +24,11 @@ constexpr double WIDE = 0.2;
 //! Another minimum must be below this part of the loss. 0.95: no change; 0.8: 10 failures.
 constexpr double CLEAR = 0.9;
 /** The same for models that the checks reject, as a probability that the better fit is chance: the
-part of the loss to the power of half the remaining degrees of freedom. Half or double: no
-change. */
+part of the loss to the power of half the remaining degrees of freedom. Halving or doubling changes
+nothing. */
 constexpr double UNLIKELY = 0.1;
 //! Largest probability that random points fit as well, for a model of points of which no sample has
-//! passed the checks. Half or double: no change.
+//! passed the checks. Halving or doubling changes nothing.
 constexpr double CHANCE = 1e-6;
 //! Largest loss that another point may add per degree of freedom, in units of that of the inliers:
 //! one right point in a hundred exceeds 8 if ten degrees are left. Half: OpenCV's test EKcase gets

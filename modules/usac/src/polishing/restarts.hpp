@@ -38,8 +38,8 @@ public:
     //! Replaces a polished model by a better one, if any. @param quality its quality in `polish`
     void improve(Model& model, Quality& quality);
 
-    /** For a few points whose samples the checks have all rejected: finds a model that fits all
-    points better than random ones. @return false if there is none */
+    /** For a few points whose samples the checks have all rejected: finds a model that fits all of
+    them better than a model of random points would. @return false if there is none */
     bool begin(Model& model, Quality& quality);
 
 private:

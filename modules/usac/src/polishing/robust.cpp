@@ -19,16 +19,16 @@ accurate than least squares under Gaussian noise. Half: errors on structured sce
 double: +8 %, H -7 %. */
 constexpr double SUPPORT = 5.3;
 //! All steps except the last two use only the first points, until FEW of them are within REACH
-//! thresholds. Half or double: errors within 1 %, time within 2 %.
+//! thresholds. Halving or doubling changes errors by at most 1 % and time by at most 2 %.
 constexpr int REACH = 3, FEW = 500;
-//! Points per call of the kernel, and steps of the last fit, enough to converge. Half or double:
-//! errors the same.
+//! Points per call of the kernel, and steps of the last fit, enough to converge. Halving or
+//! doubling does not change the errors.
 constexpr int BLOCK = 256, LAST = 10;
 //! Minimum decrease of the loss, in mean losses of a point within the support, and minimum relative
-//! change of the scale for another step. Half or double: errors within 0.4 %.
+//! change of the scale for another step. Halving or doubling changes errors by at most 0.4 %.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
 //! Decrease of the loss, as a part of that of the points within the support, after which the noise
-//! is estimated again. Half or double: errors within 0.1 %.
+//! is estimated again. Halving or doubling changes errors by at most 0.1 %.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,

@@ -13,15 +13,16 @@ namespace {
 
 // Halved and doubled values: doc/constants.md.
 
-//! Numbers of samples, see the class. Half or double: errors within 1 %; BEFORE_ORDER_CHEAP:
-//! instructions of affinities and similarities -10 to +12 %.
+//! Numbers of samples, see the class. Halving or doubling changes errors by at most 1 %,
+//! BEFORE_ORDER_CHEAP the instructions of affinities and similarities by -10 to +12 %.
 constexpr int BEFORE_ORDER = 8, ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
 //! Sample size of H; an affinity or a similarity needs fewer points.
 constexpr int SMALL = 4;
 //! One in so many of the non-uniform samples is local, with a known order and with a guessed one.
-//! LOCAL_EVERY_GUESS 1: errors of F +5 %, E +3 %; other changes: within 1 %.
+//! LOCAL_EVERY_GUESS 1: errors of F +5 %, E +3 %.
 constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
-//! Minimum size of the first neighborhood of a point, in sample sizes. 1 or 4: errors within 1 %.
+//! Minimum size of the first neighborhood of a point, in sample sizes. 1 or 4 change errors by at
+//! most 1 %.
 constexpr int FIRST_MEMBERS = 2;
 
 //! True if the order of the points is neither given nor made from scores, but from their density.

@@ -13,7 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-// Half or double: no right model of the benchmark is rejected, except one E with 2048 PAIRS.
+// Halving or doubling these rejects no right model of the benchmark, except one E with 2048 PAIRS.
 
 //! Inliers beside the sample expected among the points that are tested first; factor of the number
 //! of points if these do not decide; wrong matches in a test of all points, which give their inlier

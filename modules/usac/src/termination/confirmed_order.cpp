@@ -219,8 +219,8 @@ private:
         enough = state.iteration;
     }
 
-    //! True if another motion with so many inliers would show among the outliers of the best model,
-    //! and does not.
+    //! True if another motion with so many inliers would show among the best model's outliers, but
+    //! does not.
     bool seesNoOther(const Context& context, const uchar* inliers, double other, int left) const
     {
         bool shows = false;

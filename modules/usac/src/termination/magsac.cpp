@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 //! Parts of the range of noise scales, as in the program of the paper's authors. 3: time -5 to -14
-//! %; 10: +16 to +46 %, errors within 2 %.
+//! %; 10: +16 to +46 %; errors change by at most 2 %.
 constexpr int PARTITIONS = 5;
 
 /** MAGSAC @cite barath2019magsac: the number of samples that the standard criterion asks for,

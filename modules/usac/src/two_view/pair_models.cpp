@@ -22,7 +22,7 @@ namespace {
 
 const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 
-//! F has seven degrees of freedom, E five: for each more, F can fit one more match, right or wrong.
+//! F has seven degrees of freedom, E five: with each more, F can fit another match, right or wrong.
 constexpr double FREEDOM_MORE = 2;
 /* If E was rejected although the cameras are known, an F means that the focal lengths are wrong. It
 therefore needs the significance to this power, 10^-8 by default, and is searched for in only

@@ -56,7 +56,7 @@ double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, 
            std::log1p(-right);
 }
 
-//! How likely samples miss the models of the pairs of a collection.
+//! Probabilities that samples miss the models of the pairs of a collection.
 class Collection
 {
 public:

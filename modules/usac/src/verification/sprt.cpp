@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-// Half or double: time within 4 %, errors within some thousandths, see doc/constants.md.
+// Halving or doubling changes time by at most 4 % and errors by some thousandths
+// (doc/constants.md).
 
 //! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, SECOND_BLOCK until
 //! SECOND_BLOCKS_END, then BLOCK.
