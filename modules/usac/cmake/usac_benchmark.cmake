@@ -2,26 +2,26 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The programs of samples/benchmark, the same inside OpenCV and stand-alone. The caller defines usac_add_program(name sources) and
+# The programs of samples/benchmark, for builds inside OpenCV and stand-alone. The caller defines usac_add_program(name sources) and
 # usac_add_sample_library(name sources).
 
 set(_benchmark "${USAC_PROJECT_DIR}/samples/benchmark")
 
-# All of the benchmark but its main(), for programs that register methods of their own, see doc/benchmark.md.
+# The benchmark without its main(), for programs that register methods of their own, see doc/benchmark.md.
 file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp" "${_benchmark}/problems/*.cpp"
   "${_benchmark}/problems/*.hpp")
 list(REMOVE_ITEM _sources "${_benchmark}/main.cpp")
 usac_add_sample_library(usac_benchmark_lib ${_sources})
 target_include_directories(usac_benchmark_lib PUBLIC "${_benchmark}")
 
-# Synthetic scenes, those of the tests.
+# The synthetic scenes of the tests.
 usac_add_sample_library(usac_benchmark_scenes "${_benchmark}/scale/scene_pair.cpp" "${_benchmark}/scale/scene_pair.hpp"
   "${USAC_MODULE_DIR}/test/scenes.cpp" "${USAC_MODULE_DIR}/test/scene_scores.cpp"
   "${USAC_MODULE_DIR}/test/scene_geometry.cpp")
 target_include_directories(usac_benchmark_scenes PUBLIC "${_benchmark}/scale" "${USAC_MODULE_DIR}/test")
 target_link_libraries(usac_benchmark_scenes PUBLIC usac_benchmark_lib)
 
-# A program of the benchmark: its name, its sources, and its libraries behind LIBRARIES.
+# Adds a program of the benchmark: name, sources, and libraries after LIBRARIES.
 function(usac_add_benchmark name)
   cmake_parse_arguments(PARSE_ARGV 1 _program "" "" LIBRARIES)
   usac_add_program(${name} ${_program_UNPARSED_ARGUMENTS})
@@ -35,7 +35,7 @@ foreach(_name synthetic scale structured tracking)
   usac_add_benchmark(usac_${_name} ${_sources} LIBRARIES usac_benchmark_scenes)
 endforeach()
 
-# Methods of one's own: the example, and those of the tests.
+# Custom methods: the example, and those of the tests.
 usac_add_benchmark(usac_custom_benchmark "${_benchmark}/custom/main.cpp" LIBRARIES usac_benchmark_lib)
 target_include_directories(usac_custom_benchmark PRIVATE "${USAC_PROJECT_DIR}/samples")
 usac_add_benchmark(usac_test_methods "${_benchmark}/custom/test_methods.cpp" LIBRARIES usac_benchmark_lib)

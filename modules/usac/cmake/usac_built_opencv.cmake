@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# For the projects of misc/ that link with a build of OpenCV in its build tree: its headers, from OPENCV_SOURCE and OPENCV_BUILD,
-# and the list of its libraries, opencv_ts first, as USAC_BUILT_OPENCV.
+# For projects of misc/ that link with OpenCV in its build tree: adds its headers, from OPENCV_SOURCE and OPENCV_BUILD, and sets
+# USAC_BUILT_OPENCV to the list of its libraries, opencv_ts first.
 
 include_directories(SYSTEM "${OPENCV_BUILD}")
 set(USAC_BUILT_OPENCV "${OPENCV_BUILD}/lib/libopencv_ts.a")

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# cmake --build build --target usac_docs: public headers, tutorials and documents as pages, build/doc/html/index.html; a warning is an
-# error. There is no such target without doxygen, or without bibtex (texlive-binaries) and perl, which it calls for citations.
+# cmake --build build --target usac_docs: makes pages of public headers, tutorials and documents, build/doc/html/index.html;
+# warnings are errors. The target exists only with doxygen, and with bibtex (texlive-binaries) and perl, which doxygen calls for citations.
 
 find_package(Doxygen QUIET)
 find_program(USAC_BIBTEX bibtex)
@@ -22,8 +22,8 @@ foreach(file ${files} "${PROJECT_SOURCE_DIR}/doc/CITATION.cff" "${PROJECT_SOURCE
 endforeach()
 configure_file(modules/usac/cmake/Doxyfile.in "${PROJECT_BINARY_DIR}/Doxyfile" @ONLY)
 
-# The pages begin anew: doxygen leaves those of symbols that are gone. Doxygen calls bibtex where its own style lies; bibtex looks
-# there without the settings of a TeX installation, too, if told.
+# Old pages are removed first, because doxygen does not remove those of deleted symbols. Doxygen calls bibtex in the folder of its
+# own style; without the settings of a TeX installation, bibtex must be told to search there.
 add_custom_target(usac_docs
   COMMAND "${CMAKE_COMMAND}" -E remove_directory "${PROJECT_BINARY_DIR}/doc/html"
   COMMAND "${CMAKE_COMMAND}" -E make_directory "${PROJECT_BINARY_DIR}/doc"

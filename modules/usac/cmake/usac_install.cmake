@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Installation of the stand-alone build: headers, library, the CMake package and the pkg-config file, the programs of the benchmark that
-# the documents call, and the license for each Debian package. All paths are relative to the prefix. The CMake package can also be used
+# Installation of the stand-alone build: headers, library, CMake package, pkg-config file, the programs of the benchmark that the
+# documents use, and the license for each Debian package. All paths are relative to the prefix. The CMake package can also be used
 # from the build tree.
 
 include(CMakePackageConfigHelpers)
@@ -27,7 +27,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/usac_pkgconfig.cmake")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/opencv_usac.pc.in" "${PROJECT_BINARY_DIR}/opencv_usac.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/opencv_usac.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
 
-# They find the library of the same prefix, wherever that is; in /usr the system does.
+# The programs find the library in the same prefix, even if that is moved; in /usr the system finds it.
 if(BUILD_SAMPLES)
   set(programs usac_benchmark usac_synthetic usac_scale usac_structured usac_tracking)
   if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The installed OpenCV, 4.5.4 to 5: USAC_OPENCV_GEOMETRY is the module that has findHomography and its kin, USAC_OPENCV_FEATURES the
-# one with detectors. CMAKE_CXX_STANDARD becomes what its headers need, if the caller has not set it.
+# Finds the installed OpenCV, 4.5.4 to 5. USAC_OPENCV_GEOMETRY is the module with findHomography and similar functions,
+# USAC_OPENCV_FEATURES the one with detectors. CMAKE_CXX_STANDARD is set to what its headers need unless the caller has set it.
 
 set(USAC_OPENCV_MINIMUM 4.5.4)
 

@@ -2,13 +2,13 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# How the module is compiled, the same inside OpenCV and stand-alone.
+# Compiler options of the module, for builds inside OpenCV and stand-alone.
 
 option(USAC_WERROR "Warnings of the module's own targets are errors" OFF)
 set(USAC_SOURCE_FLAGS "" CACHE STRING "Compiler options of the module's own source files, after those of the build type")
 
-# Headers parsed once a target, not once a file; the bits are the same. Not by default where each file has its own, cached result:
-# ccache needs CCACHE_SLOPPINESS=pch_defines,time_macros for them.
+# Precompiled headers are parsed once per target, not per file; results have the same bits. Off by default with a compiler launcher
+# such as ccache, which needs CCACHE_SLOPPINESS=pch_defines,time_macros for them.
 set(_precompile ON)
 if(CMAKE_VERSION VERSION_LESS 3.16 OR CMAKE_CXX_COMPILER_LAUNCHER)
   set(_precompile OFF)
@@ -21,7 +21,7 @@ include(CheckCXXSourceCompiles)
 get_filename_component(USAC_MODULE_DIR "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 get_filename_component(USAC_PROJECT_DIR "${USAC_MODULE_DIR}/../.." ABSOLUTE)
 
-# Exceptions name modules/usac/src/..., those of the programs samples/..., not the folder of the build.
+# File names in exceptions begin with modules/usac/src/ or, for programs, samples/, without the folder of the project.
 check_cxx_compiler_flag(-fmacro-prefix-map=a=b USAC_COMPILER_MAPS_PATHS)
 set(USAC_PATH_FLAGS "")
 if(USAC_COMPILER_MAPS_PATHS)
@@ -45,9 +45,9 @@ if(MSVC)
   set(USAC_AVX2_FLAGS /arch:AVX2)
   set(USAC_AVX512_FLAGS /arch:AVX512)
 else()
-  # No contraction, no reordering: the same bits with every instruction set. The pragma "omp simd" without OpenMP. Square
-  # roots that need not set errno, and choices between numbers that need not keep the flags of floating point exceptions as
-  # they would be, are vector code.
+  # Without contraction and reordering, results have the same bits with every instruction set. -fopenmp-simd enables the pragma "omp
+  # simd" without OpenMP. -fno-math-errno allows vectorized square roots, -fno-trapping-math vectorized choices between two numbers;
+  # neither changes a result.
   set(USAC_ARITHMETIC_FLAGS -fno-fast-math -fno-math-errno -fno-trapping-math -ffp-contract=off -fopenmp-simd)
   set(USAC_AVX2_FLAGS -mavx2)
   set(USAC_AVX512_FLAGS -mavx512f -mavx512bw -mavx512dq -mavx512vl)
@@ -60,7 +60,7 @@ if(NOT CV_DISABLE_OPTIMIZATION)
   usac_check_instruction_set(USAC_COMPILES_AVX512 __AVX512F__ "(void)_mm512_setzero_ps()" "${_flags}")
 endif()
 
-# Which instruction sets the module's *_avx2.cpp and *_avx512.cpp are compiled for.
+# The instruction sets for which the module's *_avx2.cpp and *_avx512.cpp are compiled.
 set(USAC_DEFINITIONS "")
 foreach(_set AVX2 AVX512)
   if(USAC_COMPILES_${_set})
@@ -68,7 +68,7 @@ foreach(_set AVX2 AVX512)
   endif()
 endforeach()
 
-# Options of the module's source files; properties of files, because in opencv_world they have no target of their own.
+# Options of the module's source files. They are properties of files, because files in opencv_world have no target of their own.
 function(usac_source_options)
   foreach(source ${ARGN})
     set(options ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS} ${USAC_PATH_FLAGS})
@@ -85,8 +85,8 @@ function(usac_source_options)
   endforeach()
 endfunction()
 
-# Precompiles headers of a target. All its files but those of an instruction set, which parse their own, are compiled with the same
-# options; these must be the target's, too, as the compiler refuses headers of others.
+# Precompiles headers of a target. All its files are compiled with the same options, except those of an instruction set, which do
+# not use precompiled headers. The target must have these options, too, because the compiler rejects precompiled headers with other options.
 function(usac_precompile target)
   if(NOT USAC_PRECOMPILED_HEADERS)
     return()
@@ -108,7 +108,7 @@ function(usac_precompile_library target)
   usac_precompile(${target} "${USAC_MODULE_DIR}/src/precomp.hpp" <Eigen/Cholesky> <Eigen/Geometry> <Eigen/SVD>)
 endfunction()
 
-# Warnings of a target of the module as errors.
+# Makes warnings in a target of the module errors.
 function(usac_target_options target)
   if(USAC_WERROR)
     if(MSVC)

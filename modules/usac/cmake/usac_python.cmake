@@ -2,16 +2,16 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The target of the extension module usacv20._native, after find_package(pybind11): of its own sources and what is
-# given, which are the objects of the library where it is not linked with it.
+# Adds the target of the extension module usacv20._native, after find_package(pybind11), from its own sources and the arguments: the
+# object files of the library if it is not linked with that.
 function(usac_add_python_module)
   file(GLOB native "${USAC_MODULE_DIR}/misc/python/native/*.cpp")
-  pybind11_add_module(_native MODULE NO_EXTRAS ${native} ${ARGN})  # no optimization across files
+  pybind11_add_module(_native MODULE NO_EXTRAS ${native} ${ARGN})  # no link-time optimization
   usac_target_options(_native)
   set_target_properties(_native PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_include_directories(_native PRIVATE "${USAC_MODULE_DIR}/include")
   target_link_libraries(_native PRIVATE opencv_core opencv_${USAC_OPENCV_GEOMETRY} opencv_imgproc opencv_flann)
-  if(NOT MSVC)  # these hand over arrays, which takes no optimization
+  if(NOT MSVC)  # its sources only pass arrays on, which needs no optimization
     target_compile_options(_native PRIVATE ${USAC_PATH_FLAGS} -O1 -Wall -Wextra -Wshadow -Wundef -Wnon-virtual-dtor)
   endif()
   usac_precompile(_native "${USAC_MODULE_DIR}/misc/python/native/native.hpp")

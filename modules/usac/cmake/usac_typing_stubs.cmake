@@ -2,9 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Inside OpenCV, after all modules (a hook of OpenCV's). OpenCV 4.9 and later write a stub, cv2/usacv20/__init__.pyi, of what their
-# generator finds in the headers. A type checker would read it in the place of the Python layer, which has more, other types of
-# arguments, and types of its own: the stub is removed where it is written, from where it is installed, and beside the layer.
+# Inside OpenCV, run after all modules by a hook of OpenCV. OpenCV 4.9 and later write a stub, cv2/usacv20/__init__.pyi, from what
+# their generator finds in the headers. A type checker would read it instead of the Python layer, which has more functions, other
+# types of arguments, and types of its own. The stub is therefore removed where it is written, from the installation, and beside the layer.
 
 if(TARGET copy_opencv_typing_stubs AND TARGET gen_opencv_python_source AND TARGET opencv_python3)
   set(stub cv2/usacv20/__init__.pyi)

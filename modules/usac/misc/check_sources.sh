@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 #
-# Rules of the sources that a compiler does not know. Shows what is wrong; the last line is "<N> passed, <M> failed", one a rule.
+# Checks rules of the sources that a compiler does not check. Prints violations; the last line is "<N> passed, <M> failed",
+# counted in rules.
 # Usage: check_sources.sh [PROJECT]
 
 set -u
@@ -11,7 +12,7 @@ cd "${1:-$(dirname "$0")/../../..}" || exit 1
 src=modules/usac/src
 mistakes=$(mktemp)
 passed=0 failed=0
-# All lines that the pipe before has left in the file are mistakes of the kind $1.
+# Each line that the commands before have written to the file is a violation of kind $1.
 report()
 {
     if [ -s "$mistakes" ]; then
@@ -49,12 +50,12 @@ grep -noE '\brun: .*' .github/workflows/*.yml | sed -E 's/run: (sh )?//' | while
     [ -f "${command%% *}" ] || echo "$workflow:$line: ${command%% *}"
 done >> "$mistakes"
 report "links and scripts of workflows that are not there"
-# contracts: any input; fuzz: the fuzzer and its kept inputs; runs: what only whole estimations show
+# contracts: any input; fuzz: the fuzzer and its stored inputs; runs: behavior that only whole estimations show
 (cd modules/usac/test && find . -mindepth 1 -type d | sed 's|^\./||') | grep -vE '^(contracts|fuzz|runs)$' | while read -r dir; do
     [ -d "$src/$dir" ] || echo "modules/usac/test/$dir"
 done > "$mistakes"
 report "folders of the tests that $src does not have"
-# A folder includes from those above it only; the folders of one line know nothing of each other.
+# A folder may include only from folders of the lines above it, not from those of its own line.
 layers='core
 scoring
 optimization

@@ -2,12 +2,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# What run_tests.sh, sanitize.sh and matrix.sh share: packages, OpenCV's source and build, and the count of tests.
+# Shared by run_tests.sh, sanitize.sh and matrix.sh: installing packages, OpenCV's source and build, and counting tests.
 
 project=$(cd "$(dirname "$0")/../../.." && pwd)
 module=$project/modules/usac
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac}
-# The newest 4.x whose source Debian has is trixie's 4.10; a system that is newer or no Debian has its own.
+# For Debian 11 and 12 the source is that of trixie, 4.10, the newest OpenCV 4 of Debian; other systems use their own source package.
 case $(. /etc/os-release && echo "${ID:-}-${VERSION_ID:-}") in debian-11 | debian-12) default_suite=trixie ;; *) default_suite= ;; esac
 suite=${OPENCV_SUITE:-$default_suite}
 source=${OPENCV_SOURCE_DIR:-$work/opencv${suite:+-$suite}}
@@ -18,7 +18,7 @@ packages="g++ cmake ninja-build ccache pkg-config xz-utils python3-dev python3-n
     binutils dpkg-dev file doxygen texlive-binaries"
 mkdir -p "$work"
 export CMAKE_GENERATOR=Ninja CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-export CCACHE_SLOPPINESS=pch_defines,time_macros  # what precompiled headers need
+export CCACHE_SLOPPINESS=pch_defines,time_macros  # needed for precompiled headers
 
 passed=0 failed=1  # nothing has been tested yet
 trap 'echo "$passed passed, $failed failed"' EXIT
@@ -39,8 +39,8 @@ install_packages() # more packages
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 }
 
-# The repository that offers libopencv-dev offers its source, too, and that of other suites (OPENCV_SUITE; Debian's trixie has OpenCV 4.10).
-# Lists and settings of the system stay as they are.
+# Fetches OpenCV's source package from the repository that provides libopencv-dev, possibly from another suite (OPENCV_SUITE;
+# Debian's trixie has OpenCV 4.10). The package lists and settings of the system are not changed.
 fetch_opencv()
 {
     apt=$work/apt
@@ -57,7 +57,7 @@ fetch_opencv()
     options="-o Dir::Etc::SourceList=$apt/sources.list -o Dir::Etc::SourceParts=/dev/null -o APT::Sandbox::User=root
         -o Dir::State::Lists=$apt/lists -o Dir::Cache=$apt"
     apt-get $options update
-    # The archive of OpenCV itself; that of the contrib modules is not needed.
+    # Only the archive of OpenCV itself; that of the contrib modules is not needed.
     set -- $(apt-get $options source --print-uris opencv | grep '/opencv_[^/]*\.orig\.tar\.')
     uri=$(echo "$1" | tr -d "'")
     /usr/lib/apt/apt-helper $options download-file "$uri" "$work/$2" "$4"
@@ -68,8 +68,8 @@ fetch_opencv()
     rm "$work/$2"
 }
 
-# Debian keeps cblas.h where OpenCV 4.6 does not look, so the LAPACK to use is named. The module is compiled as in any release;
-# OpenCV and the tests, whose speed is not tested, with little optimization and for one instruction set, which takes half the time.
+# OpenCV 4.6 does not find Debian's cblas.h by itself, so the LAPACK to use is named. The module is compiled as in a release;
+# OpenCV and the tests, whose speed is not tested, with little optimization and for one instruction set, in half the time.
 configure()
 {
     cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DUSAC_SOURCE_FLAGS=-O3 \
@@ -82,15 +82,15 @@ configure()
         -DWITH_OPENEXR=OFF -DWITH_JASPER=OFF -DWITH_OPENJPEG=OFF -DWITH_WEBP=OFF -DWITH_TIFF=OFF
 }
 
-# Seconds that the processors have worked on the step that has just ended.
+# Processor time, in seconds, of the step that has just ended.
 processor_seconds()
 {
     cat "$work/$name.before" "$work/$name.after" | tr 'ms' '  ' |
         awk '{ t[NR] = 60 * ($1 + $3) + $2 + $4 } END { printf "%d", t[4] - t[2] }'
 }
 
-# Runs a command, shows its output and adds up what the patterns (with one number each) find there. A command that fails
-# without a failed test, or ends well without any test, is one failure.
+# Runs a command, shows its output and adds the numbers of passed and failed tests that the patterns find in it. A command that
+# fails without a failed test, or succeeds without any test, counts as one failure.
 run() # name, pattern of passed, pattern of failed, command
 {
     name=$1 p=$2 f=$3
@@ -109,7 +109,7 @@ run() # name, pattern of passed, pattern of failed, command
     echo "== $name: $p passed, $f failed, $(($(date +%s) - from)) s, $(processor_seconds) s of processor time"
 }
 
-# A program of GoogleTest, its tests shared by as many processes as there are processors.
+# Runs a GoogleTest program in as many processes as there are processors, which share its tests.
 in_shards() # program
 {
     shards=$(nproc) shard=0 processes=
@@ -127,7 +127,7 @@ in_shards() # program
     return $rc
 }
 
-# For python3 -c: all unit tests of the folder in the files of a pattern.
+# For python3 -c: runs all unit tests in the files of the current folder that match a pattern.
 run_unittests='
 import sys, unittest
 tests = unittest.defaultTestLoader.discover(".", sys.argv[1])
@@ -136,8 +136,8 @@ bad = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses
 print("%d passed, %d failed" % (max(result.testsRun - len(result.skipped) - bad, 0), bad))
 sys.exit(bad)'
 
-# The code of these is reached by other tests, too; what they are for, a frequency over many seeds, or time and memory over many
-# calls, no tool can see better. Each takes 20 seconds to 5 minutes with -O0.
+# Not run under the tools: other tests reach the same code, and these measure a frequency over many seeds, or time and memory of
+# many calls, about which a tool tells nothing more. Each takes 20 seconds to 5 minutes with -O0.
 slow_tests='Usac_Scale.*:UsacScale.work_is_linear*:Usac_Confidence.*:Usac_Degensac.dominantPlanes:Usac_Degensac.generalScenes*'
 slow_tests=$slow_tests:Usac_Hostile.most_points_of_one_image_on_a_line:Usac_StopLate.*
 

@@ -8,16 +8,16 @@
 # usage: matrix.sh [row...]          default: all, one after the other
 #
 #   bookworm trixie sid    run_tests.sh --installed, whole, in Debian 12 (OpenCV 4.6, g++ 12), 13 (4.10, g++ 14) and the newest with OpenCV 5 of
-#                          experimental: each in a root of its own, made by debootstrap and kept; the system itself where it is the one
+#                          experimental: each in a root file system made by debootstrap and kept, or in the system itself if it is that one
 #   clang cxx17 cxx20 static debug    run_tests.sh --cpp on this system, compiled by clang++, as another C++, as a static library with
-#                          the samples, as Debug with -Og (less the long statistics). C++11 is the rows above but sid
-#   arm64                  the same on 64-bit ARM, bookworm's: cross-compiled, run by qemu, less the long statistics
-#   mingw                  the library's sources compiled for Windows by mingw-w64, with the headers of this system's OpenCV; a file is a test
+#                          the samples, as Debug with -Og (without slow_tests). The rows above use C++11, except sid
+#   arm64                  the same on 64-bit ARM, bookworm's: cross-compiled, run by qemu, without slow_tests
+#   mingw                  the library's sources compiled for Windows by mingw-w64, with the headers of this system's OpenCV; each file is a test
 #
-# clang is with libstdc++: the OpenCV of Debian is, and a program has one of the two only. Needs root for the roots.
+# clang uses libstdc++, because Debian's OpenCV does and a program can have only one C++ library. Creating the root file systems needs root.
 #
 #   USAC_MATRIX_DIR     where roots and results are kept; default ${TMPDIR:-/tmp}/opencv_usac_matrix
-#   USAC_MATRIX_MIRROR  of Debian; default http://deb.debian.org/debian
+#   USAC_MATRIX_MIRROR  Debian mirror; default http://deb.debian.org/debian
 
 set -eu
 . "$(dirname "$0")/common.sh"
@@ -34,7 +34,7 @@ unmount()
     mounted=
 }
 
-# At the same place within the root as outside.
+# Mounts a folder at the same path inside a root file system.
 mount_into() # root, folder
 {
     mkdir -p "$1$2"
@@ -43,7 +43,7 @@ mount_into() # root, folder
     mounted="$1$2 $mounted"
 }
 
-# A root with the packages of this script's own steps; those of the tests are installed by run_tests.sh.
+# Makes a root file system with the packages that this script needs; run_tests.sh installs those of the tests.
 make_root() # suite
 {
     root=$roots/$1
@@ -94,8 +94,8 @@ run_cpp() # version of the compiler, options for CMake
     USAC_BUILD_DIR="$roots/system" USAC_CPP_OPTIONS="$*" sh "$module/misc/run_tests.sh" --cpp
 }
 
-# What the tests link with, of Debian's packages for arm64, unpacked; no program of it is run to make it. Of the modules of OpenCV that
-# the tests do without there are the libraries, as the CMake package asks for them, but not what these need.
+# Unpacks Debian's arm64 packages that the tests are linked with, without running any program of them. OpenCV modules that the
+# tests do not use are included, because the CMake package requires their libraries, but not the dependencies of these.
 make_arm64()
 {
     root=$roots/arm64
@@ -147,13 +147,13 @@ END
         USAC_CPP_FILTER="-$slow_tests" sh "$module/misc/run_tests.sh" --cpp
 }
 
-# What is POSIX only does not compile: threads, files, memory. There is no OpenCV of Windows to link with.
+# Code that uses POSIX only (threads, files, memory) does not compile here. Nothing is linked, because there is no OpenCV for Windows.
 run_mingw()
 {
     install_packages g++-mingw-w64-x86-64-posix
     compiler=x86_64-w64-mingw32-g++-posix good=0 bad=0
     echo "$(versions env | sed "s/, .*//"), g++ $($compiler -dumpversion), Windows" > "$roots/$row.versions"
-    mkdir -p "$roots/mingw"  # /usr/include itself has the headers of this system's C library
+    mkdir -p "$roots/mingw"  # /usr/include would also give the headers of this system's C library
     ln -sfn /usr/include/opencv4/opencv2 "$roots/mingw/opencv2"
     for file in $(cd "$module" && find src -name '*.cpp' | sort); do
         case $file in *_avx2.cpp) set="-mavx2" ;; *_avx512.cpp) set="-mavx512f -mavx512bw -mavx512dq -mavx512vl" ;; *) set= ;; esac
@@ -192,7 +192,7 @@ for row in "$@"; do
     rm -f "$roots/$row.versions"
     echo 1 > "$roots/$row.rc"
     from=$(date +%s)
-    # `set -e` holds within: a step that fails ends the row, not the script
+    # `set -e` applies inside the subshell: a failed step ends the row, not the script
     set +e
     (set -e; trap unmount EXIT; trap 'exit 1' INT TERM; run_row "$row"; echo 0 > "$roots/$row.rc") 2>&1 | tee "$roots/$row.log"
     set -e

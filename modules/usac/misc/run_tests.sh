@@ -3,23 +3,25 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Runs all tests of the module, each version of OpenCV in one way: inside the newest OpenCV 4 whose source Debian has, C++, a short
-# pass of the performance tests, Python (cv2 of this build), a program against it, and OpenCV's own tests with this module's flags in
-# the place of OpenCV's; against the OpenCV of the system, C++ with AddressSanitizer and UndefinedBehaviorSanitizer, the Python package
-# with and without the system's cv2, programs against the installed library, the benchmark's. Does all its own set-up on Debian (as
-# root or with sudo). Each part ends with its time; the last line is "<N> passed, <M> failed".
+# Runs all tests of the module. Inside the newest OpenCV 4 with a Debian source package: the C++ tests, a short pass of the
+# performance tests, the Python tests (cv2 of this build), a program against it, and OpenCV's own tests with this module's flags
+# instead of OpenCV's. Against the OpenCV of the system: the C++ tests with AddressSanitizer and UndefinedBehaviorSanitizer, the
+# Python package with and without the system's cv2, programs against the installed library, and the tests of the benchmark. Does
+# its own setup on Debian (as root or with sudo). Each part prints its time; the last line is "<N> passed, <M> failed".
 #
 # usage: run_tests.sh [opencv | --installed | --cpp]
 #
-#   opencv       only OpenCV's own tests with this module's flags; the list of what may differ is for OpenCV 4.6 and 4.10
+#   opencv       only OpenCV's own tests with this module's flags; the list of allowed differences is for OpenCV 4.6 and 4.10
 #   --installed  without OpenCV's source: library, C++ tests, Python package and consumer against the OpenCV of the system
 #                (libopencv-dev), all but the performance tests and OpenCV's own, and without a second build of the library inside
 #                another project (with it: USAC_CONSUMER_QUICK= in the environment)
-#   --cpp        of these library and C++ tests only, compiled and run as the variables USAC_CPP_* have it
+#   --cpp        of these only library and C++ tests, compiled and run according to the variables USAC_CPP_*
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
-#   OPENCV_SUITE       of Debian, whose source package that is; default: trixie (4.10), on a newer system its own
-#   USAC_CPP_OPTIONS   for CMake; USAC_CPP_RUNNER  a command before the program of the tests, an emulator; USAC_CPP_FILTER  GoogleTest's
+#   OPENCV_SUITE       Debian suite of that source package; default: trixie (4.10), on a newer system its own
+#   USAC_CPP_OPTIONS   options for CMake
+#   USAC_CPP_RUNNER    command that runs the test program, such as an emulator
+#   USAC_CPP_FILTER    GoogleTest filter
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
 
 set -eu
@@ -40,8 +42,8 @@ python_tests()
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
 }
 
-# The package as a user gets it: a source distribution, from it a wheel, which is installed in a virtual environment. All
-# without the network; CMake's build folder is kept for the next run.
+# Builds the package as a user gets it: a source distribution, from this a wheel, which is installed into a virtual environment.
+# Uses no network; CMake's build folder is kept for the next run.
 build_python_package()
 {
     folder=$work/python-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
@@ -55,10 +57,10 @@ build_python_package()
     /usr/bin/python3 -m venv --system-site-packages "$folder/venv" &&
     python=$folder/venv/bin/python3 &&
     "$folder/venv/bin/pip" install --no-index "$folder"/dist/usacv20-*.whl &&
-    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # nothing is left beside the sources
+    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # no files left beside the sources
 }
 
-# The same tests, beside the system's cv2 and as if there were none.
+# Runs the Python tests on the package, with the system's cv2 or as if there were none.
 package_tests() # with | none
 {
     cd "$module/misc/python/test" &&
@@ -66,7 +68,7 @@ package_tests() # with | none
         "$python" -c "$run_unittests" "test_usac*.py"
 }
 
-# Both at the same time, as each has one busy process; what the second has shown is in python_package_alone.part.
+# Runs both variants in parallel, because each uses one processor; the output of the second is in python_package_alone.part.
 python_package_tests()
 {
     package_tests none > "$work/python_package_alone.part" 2>&1 &
@@ -76,7 +78,7 @@ python_package_tests()
     return $rc
 }
 
-# The readers of the data sets and the plots of the benchmark; without matplotlib and scipy some tests are skipped.
+# Tests the benchmark's readers of data sets and its plots; without matplotlib and scipy some tests are skipped.
 benchmark_tests()
 {
     cd "$project/samples/benchmark" &&
@@ -84,7 +86,7 @@ benchmark_tests()
         /usr/bin/python3 -c "$run_unittests" "test_*.py"
 }
 
-# Compiled from OpenCV's source as they are there; what may differ is in misc/opencv_tests/differences.txt.
+# Compiles OpenCV's own tests from its unchanged source; allowed differences are listed in misc/opencv_tests/differences.txt.
 opencv_tests()
 {
     tests=$work/opencv_tests-$(printf %s "$project $source" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
@@ -94,20 +96,20 @@ opencv_tests()
     in_build "$tests/usac_opencv_tests"
 }
 
-# Against the OpenCV of the system.
+# Runs the C++ tests under sanitizers, against the OpenCV of the system.
 sanitized_tests()
 {
     USAC_BUILD_DIR="$work" sh "$module/misc/sanitize.sh" asan
 }
 
-# The build of the consumer checks with the C++ tests: the library is compiled once.
+# Runs the C++ tests in the build of the consumer checks, so that the library is compiled once.
 installed_tests()
 {
     cmake --build "$built" --target opencv_test_usac &&
     cd "$built" && in_shards bin/opencv_test_usac
 }
 
-# The package of that build, which is linked with its library.
+# Tests the Python package of that build, which is linked with its library.
 installed_python()
 {
     site=$work/site python=/usr/bin/python3
@@ -115,7 +117,7 @@ installed_python()
     cp -r "$module/misc/python/package/usacv20" "$site" && cp "$built"/_native.* "$site/usacv20" && python_package_tests
 }
 
-# In a build for each set of options, with the samples where these ask for them.
+# Runs the C++ tests in a build per set of options, which may also enable the samples.
 cpp_tests()
 {
     folder=$work/cpp-$(printf %s "$project ${USAC_CPP_OPTIONS:-}" | cksum | cut -d ' ' -f 1)

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Runs the module's tests under sanitizers and other tools. Does all its own set-up on Debian (as root or with sudo); the last
-# line is "<N> passed, <M> failed", and the exit code is not 0 after any finding.
+# Runs the module's tests under sanitizers and other tools. Does its own setup on Debian (as root or with sudo); the last line is
+# "<N> passed, <M> failed", and the exit code is nonzero if a tool reports anything.
 #
 # usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [python] [lint] [coverage]       default: all
 #
@@ -15,11 +15,11 @@
 #   fuzz        libFuzzer on points and parameters, with the contracts as its oracle; default: 60 seconds
 #   python      the tests of the Python package, whose extension module has AddressSanitizer and UndefinedBehaviorSanitizer
 #   lint        clang-tidy (modules/usac/.clang-tidy) and cppcheck of include/ and src/
-#   coverage    lines and branches of src/ that the tests reach; the lines that none does
+#   coverage    lines and branches of src/ that the tests reach; the lines that none reaches
 #
-# "The tests" are all but slow_tests and those with the tag verylong.
+# "The tests" are all except slow_tests and those with the tag verylong.
 #
-# The library is built for each tool against the OpenCV of the system (libopencv-dev), which is as it is, with GoogleTest's.
+# For each tool, the library is built against the unmodified OpenCV (libopencv-dev) and GoogleTest of the system.
 #
 #   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
 
@@ -27,13 +27,13 @@ set -eu
 . "$(dirname "$0")/common.sh"
 tools=$work/sanitized-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
 jobs=${JOBS:-$(nproc)}
-export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$tools"  # the tests, compiled in the same way for each tool, are compiled once
-# A test with one thread has no race to find.
+export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$tools"  # tests with the same flags for several tools are compiled once
+# Only tests with several threads can have data races.
 tsan_tests='*hread*:*arallel*:UsacContracts*:Usac_Fuzz.*'
-# Every contract of the input; a test is 20 to 50 times slower than without valgrind.
+# All tests of the input checks; under valgrind a test is 20 to 50 times slower.
 valgrind_tests='Usac_Input*:UsacInput*:UsacPoints*:Usac_Arguments*:Usac_Solvers.allF*:Usac_Fuzz.kept*:-*hundred_thousand*'
 
-# Configures the build of a tool and builds a target. The assertions of OpenCV's and Eigen's headers count (no NDEBUG).
+# Configures the build of a tool and builds a target. Assertions of OpenCV's and Eigen's headers are enabled (no NDEBUG).
 build_with() # tool, target, compiler, flags of the library, more options for CMake
 {
     tool=$1 target=$2 compiler=$3 flags="-O1 -g1 $4"
@@ -44,7 +44,7 @@ build_with() # tool, target, compiler, flags of the library, more options for CM
     cmake --build "$tools/$tool" -j "$jobs" --target "$target"
 }
 
-# The tests in the build of a tool, where they may leave files.
+# Runs the tests in the build folder of a tool, where they may write files.
 tests_of() # tool, command before the program or nothing, arguments of the tests
 {
     folder=$tools/$1
@@ -80,8 +80,8 @@ run_valgrind()
         --errors-for-leak-kinds=definite bin/opencv_test_usac --gtest_filter="$valgrind_tests"
 }
 
-# Once over the kept inputs, then new ones. The inputs that reach new code stay in `corpus` for the next time; one that breaks
-# something is left in `findings`. The timeout is one of the clock, which goes on while the machine holds the process up.
+# Runs the stored inputs once, then new ones. Inputs that reach new code are kept in `corpus` for the next run, an input that
+# fails in `findings`. The timeout is generous, because it is wall-clock time and the process may have to wait for a processor.
 run_fuzz() # seconds
 {
     mkdir -p "$tools/corpus" "$tools/findings"
@@ -95,7 +95,8 @@ run_fuzz() # seconds
     fi
 }
 
-# Without leaks: the interpreter itself leaves much behind. The tests measure the memory of many calls, but not here.
+# Without leak detection, because the interpreter itself leaks. Tests that measure the memory of many calls detect leaks, but not
+# under this tool.
 run_python()
 {
     site=$tools/python/site
@@ -113,7 +114,7 @@ run_python()
         /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
 }
 
-# Every source file counts for each of the two.
+# Each source file is counted once for clang-tidy and once for cppcheck.
 run_lint()
 {
     build_with lint help clang++ "-Wunused-member-function" -DUSAC_PRECOMPILED_HEADERS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON > /dev/null
@@ -128,7 +129,7 @@ run_lint()
     echo "$good passed, $bad failed"
 }
 
-# Nothing is counted outside the module, and no branch of an exception that any call may throw: there is one behind each allocation.
+# Code outside the module is not counted, nor are exception branches, which any call that may throw has (every allocation, for example).
 run_coverage()
 {
     build_with coverage opencv_test_usac g++ "--coverage -O0 -fprofile-update=atomic -fprofile-exclude-files=/usr/.*" || return 1
@@ -140,7 +141,7 @@ run_coverage()
         --txt - --html-details html/index.html --print-summary CMakeFiles/opencv_usac.dir && return $rc
 }
 
-needs()  # what the modes of the command line need beyond run_tests.sh
+needs()  # packages that the modes need in addition to those of run_tests.sh
 {
     case " $* " in *" fuzz "*) echo clang libclang-rt-dev ;; esac
     case " $* " in *" lint "*) echo clang clang-tidy cppcheck ;; esac

@@ -3,11 +3,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Builds the library and its samples against the installed OpenCV, installs them into a temporary prefix, moves that, and
-# builds and runs the consumer project by the CMake package and by pkg-config, and looks whether programs that would lose a flag
-# are refused by the compiler. With a build of OpenCV that has the module inside, the same project is built and run against
-# that, too: its build tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the pages of
-# the documentation; the Debian packages and what is in them; and README's line for the Python package where another python3 comes first. The last line is "<N> passed, <M> failed".
+# Builds the library and its samples against the installed OpenCV, installs them into a temporary prefix, moves that, and builds
+# and runs the consumer project by the CMake package and by pkg-config, and checks that the compiler rejects programs that would
+# lose a flag. With a build of OpenCV that has the module inside, the same project is built and run against that, too: its build
+# tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the pages of the
+# documentation; the Debian packages and their contents; and README's command for the Python package with another python3 first on
+# the PATH. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
 #
 #   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build
@@ -18,8 +19,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../../../.." && pwd)
 work=${1:-${TMPDIR:-/tmp}/opencv_usac_consumer}
 opencv=${2:-}
-installed=opencv$(pkg-config --exists opencv5 && echo 5 || echo 4)  # as pkg-config and the folder of headers name the system's
-[ "$installed" = opencv4 ] && oldest=c++11 || oldest=c++17  # that OpenCV's headers take
+installed=opencv$(pkg-config --exists opencv5 && echo 5 || echo 4)  # name of the system's OpenCV for pkg-config and of its header folder
+[ "$installed" = opencv4 ] && oldest=c++11 || oldest=c++17  # oldest standard that OpenCV's headers support
 version=$(sed -n 's/^set(USAC_VERSION \(.*\))$/\1/p' "$project/modules/usac/cmake/usac_version.cmake")
 passed=0
 failed=0
@@ -38,7 +39,7 @@ check() # name, command
     fi
 }
 
-# Configured anew each time; what is compiled already stays.
+# Configured anew each time; compiled files are kept.
 install_library()
 {
     rm -f "$work/build/CMakeCache.txt" "$work"/build/*.deb
@@ -56,8 +57,8 @@ relocatable()
     [ -d "$work/prefix" ] && ! grep -rIF -e "$project" -e "$work" "$work/prefix"
 }
 
-# The one project for all ways; the package must be the one that is asked for, and the OpenCV, where that is known, its own. The
-# libraries of an OpenCV that was moved need a path to find each other.
+# Builds the same project for all ways of using the module. CMake must find the requested package and, if it is given, the
+# requested OpenCV. The libraries of an OpenCV that was moved need LD_LIBRARY_PATH to find each other.
 consumer() # name, option of CMake, directory of the package, directory of OpenCV's package or nothing, LD_LIBRARY_PATH or nothing
 {
     cmake -S "$here" -B "$work/$1" "$2" > "$work/$1.cmake.log" 2>&1 || { cat "$work/$1.cmake.log"; return 1; }
@@ -83,7 +84,7 @@ by_pkg_config()
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/by_pkg_config"
 }
 
-# The samples of components of one's own, against the installed library.
+# Samples with custom components, against the installed library.
 custom_components()
 {
     flags=$(PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" pkg-config --cflags --libs opencv_usac $installed) &&
@@ -93,8 +94,8 @@ custom_components()
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_quality" "$project/test_data/graf.txt"
 }
 
-# Without a warning, and with all that was to be on them: citations resolved, pictures of the tutorials, no paths of the build, no link
-# that leads nowhere.
+# The pages must be built without warnings, with resolved citations and the pictures of the tutorials, without paths of the build
+# and broken links.
 documentation()
 {
     cmake --build "$work/build" --target usac_docs &&
@@ -110,7 +111,7 @@ documentation()
     /usr/bin/python3 "$here/links.py" "$pages"
 }
 
-# Each case of flags/cases.cpp.
+# Compiles each case of flags/cases.cpp.
 flag_cases()
 {
     cmake -S "$here/flags" -B "$work/flags" "-DCMAKE_PREFIX_PATH=$work/prefix"
@@ -121,14 +122,15 @@ flag_case() # name
     grep -q "flag case $1: as it should be" "$work/flag_cases.log" || { grep "flag case $1:" "$work/flag_cases.log"; false; }
 }
 
-# What was installed is gone, folders of its own, too.
+# All installed files are removed, and their own folders.
 uninstalled()
 {
     [ -d "$work/uninstalled" ] && ! find "$work/uninstalled" -type f -o -name '*usac*' | grep .
 }
 
-# The newcomer's two ways, each configured anew. The build type is none, so nothing is optimized: the warnings are those of C++20 (GCC
-# has those of 23, too). The second finds the library of the first, which has the same options: the compiler is not called again.
+# The library inside another CMake project, by add_subdirectory and by FetchContent, each configured anew. There is no build type,
+# so nothing is optimized; this tests for warnings of C++20 (GCC's include those of C++23). The second project reuses the library
+# of the first, which has the same options, so nothing is compiled again.
 parent() # name, option of CMake
 {
     rm -rf "$work/parent/CMakeCache.txt" "$work/parent/prefix" "$work/parent/parent"
@@ -140,7 +142,7 @@ parent() # name, option of CMake
     [ "$(find "$work/parent/prefix" -type f)" = "$work/parent/prefix/bin/parent" ]
 }
 
-# The headers alone, and the sample of a component of one's own.
+# The headers alone, and the sample of a custom component.
 standard() # of C++
 {
     for source in "$here/main.cpp" "$project/samples/custom_sampler.cpp"; do
@@ -149,8 +151,8 @@ standard() # of C++
     done
 }
 
-# What is compiled for AVX has one symbol a file that others can be linked with, its table of kernels: any other inline function of it
-# might be taken in the place of the same one compiled for all processors. Optimized, and, in the other project, not.
+# An object file compiled for AVX may export one symbol only, its table of kernels: the linker might use any other inline function
+# of it in place of the version for all processors. Checked in the optimized build and in the unoptimized one of the other project.
 instruction_sets()
 {
     [ "$(uname -m)" = x86_64 ] || return 0
@@ -162,7 +164,7 @@ instruction_sets()
     done
 }
 
-# One after the other: each has its copyright, nothing of the build is named in it, what is compiled is stripped.
+# Unpacks the packages; each must contain its copyright file.
 debian_packages()
 {
     (cd "$work/build" && cpack -G DEB) &&
@@ -174,7 +176,7 @@ debian_packages()
     done
 }
 
-# The lists that cpack leaves are not of what was installed from here.
+# `uninstall` must not use the lists that cpack writes: nothing was installed from this build.
 debian_uninstall()
 {
     rm -f "$work/build/install_manifest.txt"
@@ -223,7 +225,7 @@ debian_benchmark()
     LD_LIBRARY_PATH="$work/debian/usr/lib" "$work/debian/usr/bin/usac_benchmark" --help
 }
 
-# README's line; the library is built already, and what has been compiled for a run before stays.
+# Runs README's command; the library is already built, and compiled files of a previous run are kept.
 readme_python()
 {
     rm -f "$work/readme_build/CMakeCache.txt"
@@ -240,7 +242,7 @@ for directory in staging prefix opencv_staging opencv by_prefix by_build in_tree
 do
     rm -rf "${work:?}/$directory"
 done
-mkdir "$work/other_python"  # pyenv's or conda's: nothing that is needed is installed for it
+mkdir "$work/other_python"  # stands for pyenv's or conda's python3, which lacks the required packages
 printf '#!/bin/sh\necho "another python3 was called" >&2\nexit 1\n' > "$work/other_python/python3"
 cp "$work/other_python/python3" "$work/other_python/python"
 chmod +x "$work/other_python/python3" "$work/other_python/python"

@@ -12,17 +12,17 @@ namespace usacv20 {
 
 namespace {
 
-//! A sample of several times the minimal size is near its least squares after so many steps from
-//! the model. 2: time of F -7 %, errors +3 %; 6: errors within 2 %.
+//! Gauss-Newton steps from the model, enough for a sample of several times the minimal size. 2:
+//! time of F -7 %, errors +3 %.
 constexpr int FIT_STEPS = 3;
 
-/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as the paper has it; see
-GraphCutOptimizer for a faster one.
+/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in the paper;
+GraphCutOptimizer is a faster variant.
 
-Each alternation cuts the graph for the inliers of the model (Labeling) and fits models to random
-samples of them, of Params::localSampleMultiple times the minimal size, or to all if there are not
-as many. The first alternation without a better model is the last. Their number and that of their
-samples are bounded by Params::localIterations and Params::localSamples. */
+Each iteration finds the inliers of the model by a graph cut (Labeling) and fits models to random
+samples of them, of Params::localSampleMultiple times the minimal size, or to all if there are
+fewer. The first iteration without a better model is the last. Params::localIterations bounds the
+number of iterations, Params::localSamples that of samples per iteration. */
 class GcRansacOptimizer : public LocalOptimizer
 {
 public:

@@ -12,37 +12,41 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: doc/constants.md.
+// Halved and doubled values: doc/constants.md.
 
-//! Points: more than this make a fit slower, not better, while the inliers are still changing.
-//! Half, double: errors within 2 %; 128 to shrink: time of E +4 %.
+//! Maximum number of points of a fit to the inliers, and of one within a shrinking threshold: more
+//! are slower, not better, while the inliers still change. Halving or doubling changes errors by at
+//! most 2 %.
 constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
-//! Steps of Gauss and Newton's method from a model that is not yet near the inliers. One: time -2
-//! to -4 %, errors within 1 %, but +2 % (E) under a forward motion; four: within 1 %, E +3 % time.
+//! Gauss-Newton steps from a model that does not yet fit the inliers well. 1: time -2 to -4 %, but
+//! errors of E +2 % under forward motion.
 constexpr int SHRINK_STEPS = 2;
-//! The same from one that is. Two: time +2 to +3 %, errors the same to a thousandth.
+//! Gauss-Newton steps from a model that already fits the inliers. 2: time +2 to +3 %, errors the
+//! same.
 constexpr int FIT_STEPS = 1;
-//! An inner sample takes at most 1 / #PART of the inliers, as in @cite chum2003locally. 1,
-//! 4: errors within 1 %.
+//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally. 1 or 4
+//! change errors by at most 1 %.
 constexpr int PART = 2;
-//! The first threshold of the shrinking ones, in thresholds. 2: lists the same, scenes of few
-//! points fail a bit more often; 6 with six fits: errors -2 to -4 %, time +6 to +12 %.
+//! The first and widest of the shrinking thresholds, in thresholds. 6, with six fits: errors -2 to
+//! -4 %, time +9 to +12 %.
 constexpr int WIDE = 3;
-//! An alternation that lowers the cost by less than this is the last one. 0.985: time +2 to +5 %;
-//! 0.94: -1 %, errors within 1 %.
+//! An iteration is the last one unless it lowers the cost below this part of the previous cost.
+//! 0.985: time +2 to +5 %, errors within 1 %.
 constexpr double WORTHWHILE = 0.97;
-//! Where a labeling without neighbors changes from inliers to outliers, in thresholds: K = 1 / 2.
+//! Error at which the labels of a graph without edges change from inlier to outlier, in thresholds:
+//! K = 1 / 2 (Labeling).
 const double LABELED = std::sqrt(2 * CV_LOG2);
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.
 
-Alternates between the spatially coherent inliers of the model (Labeling) and an inner RANSAC over
-them: models fitted to random samples of Params::localSampleMultiple times the minimal size, and to
-all of them up to a bound. Before, as in LO-RANSAC @cite chum2003locally, the model is fitted to the
-points within a multiple of the threshold that shrinks to 1: from a minimal sample the threshold
-alone leads to the nearest local optimum, whose inliers confirm it. If that does not make the model
-clearly better than the best one so far, it ends there. A fit that is better replaces the model; the
-first alternation without a clear gain is the last, and their number is bounded. */
+Alternates between finding the spatially coherent inliers of the model (Labeling) and an inner
+RANSAC over them: models are fitted to random samples of Params::localSampleMultiple times the
+minimal size, and to all of them up to a bound. Before that, as in LO-RANSAC @cite chum2003locally,
+the model is fitted to the points within a multiple of the threshold that shrinks to 1: for a model
+of a minimal sample, the final threshold alone would lead to the nearest local optimum, as the few
+inliers within it confirm the model. Optimization ends there unless the model is now clearly better
+than the so-far-the-best one. A better fit always replaces the model; the first iteration without a
+clear gain is the last, and Params::localIterations bounds their number. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
@@ -73,7 +77,7 @@ public:
     }
 
 private:
-    //! Fits to the points within #WIDE, ..., 2 and 1 thresholds, each from the last fit.
+    //! Fits to the points within #WIDE, ..., 2 and 1 thresholds, each from the previous fit.
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         Model fitted = model;

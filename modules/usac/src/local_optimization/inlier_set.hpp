@@ -10,41 +10,41 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief What the local optimizers share: a set of points, random parts of it, and fits that are
- kept if they are * better. */
+/** @brief A set of points that the local optimizers share, with random subsets of it and fits to
+them. */
 class InlierSet
 {
 public:
     InlierSet() : members(0), count(0), errors(0) {}
 
-    //! Memory for so many points, before anything else.
+    //! Takes memory for so many points; has to be called first.
     void allocate(Arena::Scope& scope, int points)
     {
         members = scope.take<int>(points);
         errors = scope.take<float>(points);
         count = 0;
     }
-    //! Takes the points with errors up to a multiple of the threshold.
+    //! Makes the points with errors up to a multiple of the threshold its members.
     void within(const Context& context, const Model& model, double multiple);
-    //! Brings `most` random members to the front, all if there are not as many. @return their
-    //! number
+    //! Moves `most` random members, or all if there are fewer, to the front. @return their number
     int select(Rng& rng, int most);
-    //! Least squares over the `first` members from `model`; false if they determine none.
+    //! Least squares over the first `first` members, starting from `model`; false if they do not
+    //! determine a model.
     bool fit(const Context& context, int first, Model& model, int iterations = 10) const;
-    //! The same; the fit replaces the model if its quality is better.
+    //! The same, but the fit replaces the model only if its quality is better.
     bool improve(const Context& context, int first, Model& model, Quality& quality,
                  int iterations = 10) const;
 
     int size() const { return count; }
 
     int* members;
-    int count;  //!< of the members
+    int count;  //!< number of members
 
 private:
     float* errors;
 };
 
-//! Puts `candidate` in the place of a model that is worse.
+//! Replaces the model by `candidate` if that is better. @return true if it is
 bool keepBetter(const Context& context, const Model& candidate, Model& model, Quality& quality);
 
 }  // namespace usacv20

@@ -10,11 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-//! K of a point at 3.25 thresholds; below it the exponential is spared. Half, double: the same to
-//! some thousandths.
+//! K (see Labeling) of a point at an error of 3.25 thresholds; smaller K are taken as 0, which
+//! saves the exponential. Halving or doubling changes errors by some thousandths.
 constexpr float NEGLIGIBLE = 0.005f;
-//! Tests of a point, as Watch counts them, that edges and cut take for each, without a kd-tree: 100
-//! ns of a million. Half, double: as those of Watch.
+//! Work of edges and cut per point, without a kd-tree, in point tests, the unit of Watch: 100 ns
+//! with a million points. It affects only how late a time limit ends a run.
 constexpr double CUT_WORK = 50;
 
 }  // namespace
@@ -34,7 +34,7 @@ void Labeling::weigh(const Context& context, const Model& model)
     }
 }
 
-//! Most edges of a point.
+//! Largest number of edges of a point.
 int Labeling::degreeOf(const Vec2i* edges, int count)
 {
     std::fill(node, node + size, 0);
@@ -45,15 +45,15 @@ int Labeling::degreeOf(const Vec2i* edges, int count)
 }
 
 /* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier
-and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. Whom the edges cannot turn gets
-its label before any cut: most points at first sight, as lambda times the number of edges is not
-enough. */
+and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. A point whose label is the same
+for any labels of its neighbors gets it before the cut; most do by a coarse test, that lambda times
+the number of edges does not outweigh their own cost. */
 void Labeling::fix(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     if (degree < 0)
         degree = degreeOf(edges, count);
     const float turn = lambda * degree;
-    // the same as unary with the edges, whatever the labels of the neighbors
+    // bounds of `unary` with the edges, for any labels of the neighbors
     Arena::Scope scope(arena);
     float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
     for (int i = 0; i < size; ++i)
@@ -95,7 +95,7 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     const Vec2i* edges = 0;
     int count = context.stopBefore(size * CUT_WORK) ? 0
                                                     : context.neighborhood().edges(context, edges);
-    if (context.stop(0))  // while it looked for them
+    if (context.stop(0))  // while the edges were searched
         count = 0;
     fix(context.arena, edges, count, lambda);
     label(context.arena, edges, count, lambda);
@@ -137,7 +137,7 @@ void Labeling::label(Arena& arena, const Vec2i* edges, int count, float lambda)
         graph = detail::GCGraph<float>();  // empties it; a copied vector keeps its memory
         graph.create((unsigned)nodes, 2 * (unsigned)arcCount);
     }
-    for (int v = 0; linked && v < nodes; ++v)  // the source side are the inliers
+    for (int v = 0; linked && v < nodes; ++v)  // inliers are on the source side
     {
         graph.addVtx();
         graph.addTermWeights(v, std::max(-unary[open[v]], 0.f), std::max(unary[open[v]], 0.f));

@@ -16,23 +16,23 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Spatially coherent inliers of a model: the labeling of least energy
+/** @brief Spatially coherent inliers of a model: the inlier/outlier labeling of minimum energy
 @cite barath2018graph.
 
-With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as inlier and K_p as outlier.
-An edge (p, q) costs lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are outliers, 1 -
-(K_p + K_q) / 2 if both are inliers. The sum over edges is submodular, so a minimal cut is the exact
-minimum.
+With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as an inlier and K_p as an
+outlier. An edge (p, q) costs lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are
+outliers, 1 - (K_p + K_q) / 2 if both are inliers. The energy is submodular, so a minimum cut gives
+its exact minimum.
 
-Points that no labeling of their neighbors can turn, most of them in practice, get their label
-before and are no nodes of the graph; those far from the model (K_p below #NEGLIGIBLE) are always
+Points whose label does not depend on their neighbors, most of them in practice, get it before the
+cut and are not nodes of the graph; points far from the model (K_p below #NEGLIGIBLE) are always
 outliers. O(N) time to set up; the cut is linear in practice. */
 class Labeling
 {
 public:
     Labeling() : K(0), unary(0), node(0), open(0), size(0), openCount(0), degree(-1) {}
 
-    //! A new run, with other edges.
+    //! Called when a run begins: the edges are new.
     void start() { degree = -1; }
     //! Writes the inliers to `inliers`, which has room for all points. @return their number
     int cut(const Context& context, const Model& model, int* inliers);
@@ -42,20 +42,20 @@ private:
 
     int degreeOf(const Vec2i* edges, int count);
     void weigh(const Context& context, const Model& model);
-    //! Labels the points that the edges cannot turn; the others become nodes.
+    //! Labels the points that the edges cannot change; the others become nodes.
     void fix(Arena& arena, const Vec2i* edges, int count, float lambda);
-    //! Labels the nodes.
+    //! Labels the nodes by a minimum cut.
     void label(Arena& arena, const Vec2i* edges, int count, float lambda);
 
     // during a cut
     float* K;
-    float* unary;                  //!< cost of being an inlier minus that of being an outlier
-    int* node;                     //!< of each point in the graph, or its label
+    float* unary;                  //!< cost as an inlier minus cost as an outlier
+    int* node;                     //!< node of each point in the graph, or its label
     int* open;                     //!< point of each node
     int size, openCount;           //!< points, nodes
     detail::GCGraph<float> graph;  //!< keeps its memory
 
-    int degree;  //!< most edges of a point; -1: not yet known
+    int degree;  //!< largest number of edges of a point; -1: not yet known
 };
 
 }  // namespace usacv20

@@ -11,17 +11,17 @@ namespace usacv20 {
 
 namespace {
 
-//! The first threshold of the shrinking ones, in thresholds. 2: errors +1 to +3 %; 6: H +2, F +4, E
-//! -4 %. See doc/constants.md.
+//! The first and widest of the shrinking thresholds, in thresholds. Halving or doubling changes
+//! errors by at most 4 %, see doc/constants.md.
 constexpr int WIDE = 3;
-//! An inner sample takes at most 1 / #PART of the inliers, as in @cite chum2003locally.
+//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally.
 constexpr int PART = 2;
-//! Most points of a fit of FLO-RANSAC, in minimal samples, as in @cite lebeda2012fixing. 3:
-//! failures of E +1.1, of F -1.5 points; 14: time of H +4, of F +8 %.
+//! Maximum number of points of a fit of FLO-RANSAC, in minimal sample sizes, as in
+//! @cite lebeda2012fixing. 3: failures of E +1.1 points; 14: time of F +8 %.
 constexpr int FLO_FIT = 7;
 
-/** @brief Local optimization of LO-RANSAC @cite chum2003locally, also in the form that "Fixing the
-locally optimized RANSAC" @cite lebeda2012fixing gave it (FLO-RANSAC).
+/** @brief Local optimization of LO-RANSAC @cite chum2003locally, or its variant in "Fixing the
+locally optimized RANSAC" @cite lebeda2012fixing (FLO-RANSAC).
 
 The model is fitted to its inliers within a wide threshold. Then an inner RANSAC draws
 Params::localSamples samples of Params::localSampleMultiple times the minimal size, at most half of
@@ -29,13 +29,12 @@ them all, from the inliers of that fit; each is fitted and then refined by least
 points within a threshold that shrinks from #WIDE times to the threshold itself in
 Params::localIterations steps. The best of all these fits replaces the model if it is better.
 
-LO-RANSAC fits to all the points that are selected. FLO-RANSAC fits to at most #FLO_FIT times as
-many as a minimal sample has, random ones: the fits cost the same for any number of points, and vary
-more. */
+LO-RANSAC fits to all selected points. FLO-RANSAC fits to a random subset of at most #FLO_FIT times
+the minimal sample size: a fit takes the same time for any number of points, and fits vary more. */
 class LoRansacOptimizer : public LocalOptimizer
 {
 public:
-    //! @param fitMultiple most points of one fit, as a multiple of a minimal sample
+    //! @param fitMultiple maximum number of points of a fit, in minimal sample sizes
     explicit LoRansacOptimizer(int fitMultiple_) : fitMultiple(fitMultiple_) {}
 
     bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
@@ -66,7 +65,7 @@ public:
     }
 
 private:
-    //! Least squares over the points within a shrinking threshold, each from the last fit.
+    //! Least squares over the points within a shrinking threshold, each from the previous fit.
     bool shrink(const Context& context, State& state, int m, int largest, Model fitted,
                 Model& model, Quality& quality)
     {

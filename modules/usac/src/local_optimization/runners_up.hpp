@@ -12,7 +12,7 @@ namespace usacv20 {
 
 typedef Vec<int, MAX_SAMPLE_SIZE> Sample;
 
-//! A model and the sample that it comes from.
+//! A model and the sample that it was computed from.
 struct Candidate
 {
     Candidate() {}
@@ -25,57 +25,57 @@ struct Candidate
     Quality quality;
 };
 
-//! A candidate that may become the best model when it is optimized.
+//! A model that is worse than the so-far-the-best one, but may beat it after local optimization.
 struct RunnerUp
 {
     Candidate candidate;
     InlierBits inliers;
-    int unexplained;  //!< of these, those that are not inliers of the best model
+    int unexplained;  //!< number of its inliers that are not inliers of the best model
 };
 
-/** @brief Models of samples that never were the best of all.
+/** @brief The most promising models that were never the so-far-the-best one.
 
-With noise, the better sample often gives the worse model, and only local optimization tells
-@cite lebeda2012fixing. Those that beat all samples before are optimized at once; some of the
-others, when the search is about to end: those with the most inliers that the best model does not
-explain. By their cost they would be variants of one wrong model where there is one: the F of points
-with a common shift, or of a plane that moves by itself, is a family, of which the optimized member
-is the best model and all others cost less than what samples of right matches give before they are
-optimized. Each is given once. */
+With noise, a better sample often gives a worse model, and only local optimization shows which is
+better @cite lebeda2012fixing. Models that beat all previous samples are optimized at once. Of the
+others, those with the most inliers that are not inliers of the best model are optimized when the
+search is about to end. Choosing them by cost could give only variants of one wrong model: points
+with a common shift, or on an independently moving plane, have a family of F. Its optimized member
+is the best model, and all others cost less than models of all-inlier samples before these are
+optimized. Each model is given out once. */
 class RunnersUp
 {
 public:
-    //! @param most models that are kept, not negative @param arena memory
+    //! @param most maximum number of models kept, not negative @param arena memory of the run
     RunnersUp(int most, Arena& arena);
 
-    //! True if it keeps nothing.
+    //! True if no models are kept.
     bool none() const { return most == 0; }
-    //! False if a model with so many unexplained inliers would not be kept.
+    //! False if a model with so many inliers that the best one lacks would not be kept.
     bool wants(int unexplained) const
     {
         return count < most || unexplained >= kept[most - 1].unexplained;
     }
-    //! Keeps the model if it is one of those to be kept.
+    //! Keeps the model if it is among the most promising ones.
     void add(const Candidate& candidate, const InlierBits& inliers);
-    //! The best model has these inliers now.
+    //! Sets the inliers of the best model.
     void setBest(const InlierBits& inliers);
     const InlierBits& best() const { return known; }
-    //! The most unexplained inliers of those kept.
+    //! The largest RunnerUp::unexplained of the models kept.
     int mostUnexplained() const { return count > 0 ? kept[0].unexplained : 0; }
-    //! Gives those kept since the last call, most unexplained inliers first, for equal numbers the
-    //! lowest cost; valid until the next call. @return their number
+    //! Gives the models kept since the last call, by descending RunnerUp::unexplained, then by
+    //! ascending cost; valid until the next call. @return their number
     int take(const RunnerUp*& taken);
-    //! Forgets all, also those that it has given.
+    //! Forgets all models, also those given by take().
     void clear();
 
 private:
     void insert(const RunnerUp& item);
 
     const int most;
-    InlierBits known;  //!< of the best model
-    RunnerUp* kept;   //!< in the order of take(), with room for one more; memory once there was one
-    RunnerUp* given;  //!< by the last take()
-    int count;        //!< of those kept
+    InlierBits known;  //!< inliers of the best model
+    RunnerUp* kept;    //!< in the order of take(), with one spare place; null before the first
+    RunnerUp* given;   //!< models given by the last take()
+    int count;         //!< number of models kept
     Arena& arena;
 };
 

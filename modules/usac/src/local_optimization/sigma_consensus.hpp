@@ -10,25 +10,25 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief sigma-consensus @cite barath2019magsac: one fit that is marginalized over the scale of
-the noise.
+/** @brief sigma-consensus @cite barath2019magsac: a fit that is marginalized over the noise scale.
 
-The scales 0 .. sigma_max are cut into #PARTITIONS equal parts. For the scales of one part the model
-is the least squares fit to the points that are within thresholdInSigmas times its largest sigma of
-the given model; if they are too few, it is the given model. A point's weight is its likelihood
-under the model of each scale, marginalized over the scale as in MarginalizedWeights: within a part
-the integral is that class's formula, taken between the ends of the part. The result is the fit with
+The range 0 .. sigma_max of scales is divided into #PARTITIONS equal parts. The model of a part is
+the least-squares fit to the points whose error from the given model is at most thresholdInSigmas
+times the largest sigma of the part, or the model of the previous part if these are too few or the
+same points (for the first part, the given model). A point's weight is its likelihood under the
+model of each scale, marginalized over the scale as in MarginalizedWeights: within a part the
+integral is that class's formula, taken between the ends of the part. The result is the fit with
 these weights.
 
-The points are those within the threshold of the given model, or #MAX_FIT random ones of them. So
-the cost of the fits, one for each part and the last, is bounded; besides there is one pass over all
+The points are those within the threshold of the given model, or #MAX_FIT random ones of them. This
+bounds the time of the fits, one per part and a final one; there is also one pass over all
 points. */
 class SigmaConsensus
 {
 public:
-    /** Parts: as many as the program of the paper's authors takes. 3: time -13 %; 10: +22 to +31 %,
-    errors within 1 %, see doc/constants.md. Points: 250: time -6 to -14 %, 1000: +3 to +12 %,
-    errors within 1 %. */
+    /** Number of parts, as in the program of the paper's authors, and maximum number of points.
+    Halving or doubling changes time by -14 to +31 % and errors by at most 1 %, see
+    doc/constants.md. */
     enum { PARTITIONS = 5, MAX_FIT = 500 };
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}
@@ -36,7 +36,7 @@ public:
     //! Replaces the model by the marginalized fit; false if the points do not determine one.
     bool fit(const Context& context, Rng& rng, Model& model);
 
-    //! Of the last fit: points of positive weight, nearest first, and their weights.
+    //! Points of positive weight in the last fit, nearest first, and their weights.
     int size() const { return count; }
     const int* points() const { return indices; }
     const double* pointWeights() const { return weights; }
@@ -55,11 +55,11 @@ private:
 
     //! @param all memory for all points
     void select(const Context& context, Rng& rng, const Model& model, Near* all);
-    //! Adds the likelihoods under the model for the scales of a part.
+    //! Adds the likelihoods of the points under the model of a part.
     void marginalize(const Context& context, PointSubset& subset, const Model& model, int part);
 
     const int partitions;
-    int count;  //!< of those selected, then of those of positive weight
+    int count;  //!< number of selected points, then of those with positive weight
     Near near[MAX_FIT];
     int indices[MAX_FIT];
     double weights[MAX_FIT];

@@ -12,18 +12,19 @@ namespace usacv20 {
 
 namespace {
 
-//! Most points of a fit. Half, double: errors within 2 %, time within 4 %.
+//! Maximum number of points of a fit. Halving or doubling changes errors by at most 2 % and time by
+//! at most 4 %.
 constexpr int MAX_FIT = 500;
-//! So many fits in a row that are no better are the last. 1, 4: errors the same.
+//! Ends after so many fits in a row that are not better. 1 or 4: errors the same.
 constexpr int FAILURES = 2;
 
-/** @brief The local optimization of MAGSAC++ @cite barath2020magsac: re-weighted least squares with
-the weights of MarginalizedWeights.
+/** @brief The local optimization of MAGSAC++ @cite barath2020magsac: iteratively re-weighted least
+squares with the weights of MarginalizedWeights.
 
-Params::localIterations re-weightings at most. Each takes all points within the threshold of the
-last fit, or #MAX_FIT random ones if there are more: enough while the weights still change. The best
-of the fits is kept if it is better than the model; the second fit in a row that is no better is the
-last. */
+There are at most Params::localIterations iterations. Each uses all points within the threshold of
+the last fit, or #MAX_FIT random ones of them, which are enough while the weights still change. The
+best fit is kept if it is better than the model; the #FAILURES-th fit in a row that is not better is
+the last. */
 class SigmaConsensusPlusPlus : public LocalOptimizer
 {
 public:

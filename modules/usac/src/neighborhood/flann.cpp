@@ -11,15 +11,16 @@ namespace usacv20 {
 
 namespace {
 
-//! Layers, each twice as wide as the one before; most neighbors that are kept unless the caller
-//! asks for more. Half, double: H of some pairs changes with the layers, nothing else; see
-//! doc/constants.md.
+//! Number of layers, each twice as wide as the previous one, and maximum number of neighbors kept
+//! per point unless the caller asks for more. Halving or doubling LAYERS changes only some pairs of
+//! H, WIDEST nothing; see doc/constants.md.
 constexpr int LAYERS = 4, WIDEST = 512;
-//! Most edges of a point to others. 4: time -18 to -23 %, errors of F +3 %; 16: time +8 to +10 %.
+//! Maximum number of edges from a point to its neighbors. 4: time -18 to -23 %, errors of F +3 %;
+//! 16: time +8 to +10 %.
 constexpr int LINKS = 8;
 
-//! Tests of a point, as Watch counts them: of the tree and of the order of the edges for each point
-//! and edge, of a search. Half, double: as those of Watch.
+//! Work in point tests, the unit of Watch: to build the tree, per point; to sort the edges, per
+//! edge; of one search. They affect only how late a time limit ends a run.
 constexpr double BUILD_WORK = 300, SORT_WORK = 60, FIND_WORK = 2000;
 
 typedef cvflann::L2<float> SquaredDistance;
@@ -28,8 +29,8 @@ typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, without r
 //! Squared distance and index of a point.
 typedef std::pair<float, int> Found;
 
-//! The nearest points within a radius, at most `capacity` of them, in a heap. FLANN's sets have no
-//! such bound, or no radius.
+//! The nearest points within a radius, at most `capacity` of them, in a heap. FLANN's own result
+//! sets limit either the radius or the number, not both.
 class NearestWithin : public cvflann::ResultSet<float>
 {
 public:
@@ -64,27 +65,27 @@ private:
     std::vector<Found>& found;
 };
 
-//! What a layer contains of the surroundings of a point.
+//! Which neighbors of a point a layer contains.
 struct Reach
 {
-    int neighbors;         //!< at most, nearest first
+    int neighbors;         //!< maximum number; the nearest ones are kept
     double squaredRadius;  //!< pixels
 };
 
 /** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in
-pixels, by an exact kd-tree of cv::flann. Where the arrays have no common unit (Problem::commonUnit;
-a pose) in that of the last one.
+pixels, by an exact kd-tree of cv::flann. If the two arrays have no common unit
+(Problem::commonUnit; an absolute pose), only the coordinates of the second one are used.
 
-Each of the #LAYERS layers reaches twice as far as the one before: the layers of k nearest neighbors
-have k, 2 k, 4 k and 8 k of them, those of a radius r have the points within r, 2 r, 4 r and 8 r.
-P-NAPSAC needs layers that grow, as it asks for ever more members; the finest one is what the
-parameters say. The graph cut uses that one, NAPSAC the coarsest. More than #WIDEST neighbors are
-kept only if k itself is larger; of more points within a radius, the nearest ones. So memory is O(N)
-whatever the radius. Edges link each point to its nearest neighbors in the finest layer, at most
-#LINKS of them: with more, the spatial coherence would outweigh the error of a point.
+Each of the #LAYERS layers is twice as wide as the previous one: for k nearest neighbors, the layers
+have k, 2 k, 4 k and 8 k of them; for a radius r, the points within r, 2 r, 4 r and 8 r. P-NAPSAC
+needs growing layers because it asks for more and more members. The parameters define the finest
+layer; the graph cut uses that one, NAPSAC the coarsest. The nearest #WIDEST neighbors are kept, or
+k if k is larger; memory is thus O(N) for any radius. Edges link each point to its nearest neighbors
+in the finest layer, at most #LINKS of them: with more, the spatial coherence would outweigh the
+error of a point.
 
-The tree is built at first use in O(N log N); neighbors are looked for when a point is asked about
-for the first time, in O(log N) each, as samplers see but few of many points. */
+The tree is built at first use in O(N log N). The neighbors of a point are searched at its first
+query, in O(log N), because samplers use only some points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:
@@ -132,12 +133,12 @@ public:
     }
 
 private:
-    //! What is known about a point.
+    //! Neighbors of a point that have been searched so far.
     struct Surroundings
     {
         int* members;        //!< the point itself, then its neighbors, nearest first
-        int layers;          //!< how many have been asked for
-        int counts[LAYERS];  //!< members of each of them
+        int layers;          //!< number of layers searched, from the finest
+        int counts[LAYERS];  //!< number of members in each of these layers
     };
 
     static bool isLess(const Vec2i& a, const Vec2i& b)
@@ -145,7 +146,7 @@ private:
         return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
     }
 
-    //! The point without its neighbors: the run has to end.
+    //! Gives only the point itself, when the run has to end.
     static int alone(const Context& context, int point, const int*& members)
     {
         int* const one = context.arena.take<int>(1);
@@ -154,7 +155,7 @@ private:
         return 1;
     }
 
-    //! Of the first points, if the run has to end meanwhile.
+    //! Makes the edges, only those of the first points if the run has to end meanwhile.
     void link(const Context& context)
     {
         const Reach nearest = {std::min<int>(reach[0].neighbors, LINKS), reach[0].squaredRadius};
@@ -182,10 +183,10 @@ private:
             return true;
         if (context.stopBefore(size * BUILD_WORK))
             return false;
-        // internal units of a pixel; E: of a pixel of a camera with the mean focal length
+        // size of a pixel in internal units; for E, of a camera with the mean focal length
         const double unit2 = p.threshold / (context.params.threshold * context.params.reach),
                      unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
-        const double LARGEST = 1e18;  // its square is a float
+        const double LARGEST = 1e18;  // its square fits into a float
         const int first = p.problem->commonUnit() || p.coordinates[1] == 0 ? 0 : p.coordinates[0];
         columns = p.columns() - first;
         coordinates = context.arena.take<float>((size_t)columns * size);
@@ -213,7 +214,7 @@ private:
                              found);
         tree->findNeighbors(result, coordinates + (size_t)columns * point, exact);
         std::sort(found.begin(), found.end());
-        size_t self = 0;  // which many equal points may have kept out
+        size_t self = 0;  // position of the point itself; many equal points may have displaced it
         while (self + 1 < found.size() && found[self].second != point)
             ++self;
         found[self] = Found(0.f, point);
@@ -230,15 +231,14 @@ private:
     }
 
     Reach reach[LAYERS];
-    float* coordinates;  //!< pixels, one point a row
-    int columns;         //!< of a row
+    float* coordinates;  //!< pixels, one point per row
+    int columns;         //!< number of columns
     int size;            //!< points
     Ptr<KdTree> tree;
     const cvflann::SearchParams exact;
-    Surroundings* known;  //!< of each point
-    std::vector<Found>
-        found;     //!< by the last search; keeps its memory, bounded by the members of a point
-    Vec2i* links;  //!< null: nobody has asked for them
+    Surroundings* known;       //!< of each point
+    std::vector<Found> found;  //!< result of the last search; its memory is kept
+    Vec2i* links;              //!< null: not requested yet
     int linkCount;
 };
 

@@ -10,11 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-//! Bits of a code; those of a cell's number along an axis of four: 16, 8, 4 and 2 cells, as the
-//! program of the authors of @cite barath2019progressive has them; most bits of less axes.
+//! Bits of a code: with four axes, four per axis, for 16, 8, 4 and 2 cells as in the program of the
+//! authors of @cite barath2019progressive; and maximum number of bits per axis with fewer axes.
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
-//! Edges of a point to later ones in its cell of the second layer. One edge: errors within 1 %;
-//! six: time +2 to +5 %; cells of the finest layer and those of the third: errors within 2 %.
+//! Maximum number of edges from a point to later points in its cell of the second layer. 6: time +2
+//! to +5 %; 1, or cells of the finest or the third layer, change errors by at most 2 %.
 constexpr int LINKS = 3;
 
 /** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite
@@ -22,10 +22,10 @@ barath2019progressive.
 
 The finest layer divides each of four axes into 16 cells, the next ones into 8, 4 and 2. With the
 bits of the four cell numbers interleaved (Morton's code, 16 bits), the points of a cell of any
-layer are neighbors in the sorted list of codes: one sorted list serves all layers. Less axes have
-more layers, as the code has 16 bits. Points outside the range where nearly all points lie fall into
-the outermost cells. O(N) memory and time (radix sort), O(log N) a query; edges link each point to
-the next #LINKS in its cell. */
+layer are contiguous in the sorted list of codes: one sorted list serves all layers. With fewer axes
+there are more layers, as each axis gets more of the 16 bits. Points outside the range of nearly all
+points fall into the outermost cells. O(N) memory and time (radix sort), O(log N) per query; edges
+link each point to the next #LINKS points in its cell of the second layer. */
 class GridNeighborhood : public Neighborhood
 {
 public:
@@ -47,7 +47,7 @@ public:
         build(context);
         const int shift = axes * layer, cell = codes[point] >> shift;
         int first = rank[point],
-            last = first + 1;  // in the cell; bounds double their distance until they are outside
+            last = first + 1;  // range in the cell; the steps double until they leave it
         for (int step = 1; first > 0 && sortedCodes[first - 1] >> shift == cell; step *= 2)
             first = std::max(first - step, 0);
         first = (int)(std::lower_bound(sortedCodes + first, sortedCodes + rank[point],
@@ -117,7 +117,7 @@ private:
         sort(context.arena);
     }
 
-    //! Radix sort by two digits of eight bits; points of equal code stay in their order.
+    //! Radix sort by two digits of eight bits; points of equal code keep their order.
     void sort(Arena& arena)
     {
         sorted = arena.take<int>(size);
@@ -145,13 +145,13 @@ private:
         }
     }
 
-    const int axes, bits;  //!< numbers of columns, and of bits of a cell's number on each
-    int size;              //!< of the arrays
+    const int axes, bits;  //!< number of columns, and of bits per column
+    int size;              //!< number of points
     ushort* codes;         //!< of each point; null: nothing is built
-    int* sorted;           //!< points by code
-    int* rank;             //!< of each point in `sorted`
+    int* sorted;           //!< points, sorted by code
+    int* rank;             //!< position of each point in `sorted`
     ushort* sortedCodes;   //!< their codes
-    Vec2i* links;          //!< null: nobody has asked for them
+    Vec2i* links;          //!< null: not requested yet
     int linkCount;
 };
 

@@ -14,7 +14,7 @@ namespace usacv20 {
 Ptr<Neighborhood> createGridNeighborhood(int columns);
 //! Nearest neighbors, see FlannNeighborhood. @param neighbors their number in the finest layer
 Ptr<Neighborhood> createKnnNeighborhood(int neighbors);
-//! Points within a radius, see FlannNeighborhood. @param radius pixels, of the finest layer
+//! Points within a radius, see FlannNeighborhood. @param radius that of the finest layer, in pixels
 Ptr<Neighborhood> createRadiusNeighborhood(double radius);
 
 }  // namespace usacv20

@@ -11,15 +11,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** The rotation that is the closest to a matrix M in the Frobenius norm, and has the largest trace
-of R^T M, by the singular value decomposition. All of it is NaN where M is not finite. */
+/** The rotation R that is closest to a matrix M in the Frobenius norm and has the largest trace of
+R^T M, by the singular value decomposition. All members are NaN if M is not finite. */
 struct ClosestRotation
 {
     explicit ClosestRotation(const Eigen::Matrix3d& M)
     {
         const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // which leaves the factors as they happen to be where M is not
-                                     // finite
+#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // leaves U and V undefined if M is not finite
         const bool solved = svd.info() == Eigen::Success;
 #else
         const bool solved = M.allFinite();
@@ -42,8 +41,8 @@ struct ClosestRotation
     }
 
     Eigen::Matrix3d rotation;
-    double scale;                    //!< by which it is the closest: a third of that trace
-    Eigen::Vector3d singularValues;  //!< of M, the largest first
+    double scale;                    //!< scale times R is closest to M: a third of that trace
+    Eigen::Vector3d singularValues;  //!< of M, largest first
 };
 
 }  // namespace usacv20

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Inner product of vectors with the same bits by every Eigen: dot() adds in another order since
-//! Eigen 5, from 8 numbers on.
+//! Inner product of vectors with the same bits for every version of Eigen: since Eigen 5, dot()
+//! adds 8 or more numbers in another order.
 template <class First, class Second>
 double innerProduct(const Eigen::MatrixBase<First>& a, const Eigen::MatrixBase<Second>& b)
 {

@@ -12,31 +12,30 @@
 namespace cv {
 namespace usacv20 {
 
-//! Makes a parameterization of a model that needs to know nothing else.
+//! Makes a parameterization that depends only on the model.
 template <class Parameterization>
 struct AroundModel
 {
     Parameterization operator()(const Model& model) const { return Parameterization(model); }
 };
 
-/** @brief Least squares of the geometric error by Gauss and Newton's method, damped as by Levenberg
-and Marquardt @cite more1978levenberg after a step that does not lower the cost.
+/** @brief Least squares of the geometric error by the Gauss-Newton method, with Levenberg-Marquardt
+damping @cite more1978levenberg after a step that does not lower the cost.
 
 Minimizes the sum of (weighted) squared errors of a Residual over the models of one kind, from the
 given one, in a minimal parameterization of that kind (DIMENSION parameters of NUMBERS entries,
-project(), plus(), model(), hasFullRank()). Starting from a model, not from nothing, it needs no
-linear estimate and is not confused by planar scenes, on which the eight-point method fails. About
-40 (H) or 100 (F, E) operations a point and iteration, twice that for the symmetric errors.
+project(), plus(), model(), hasFullRank()). As it starts from a model, it needs no linear estimate
+and works on planar scenes, where the eight-point method fails. About 40 (H) or 100 (F, E)
+operations per point and iteration, twice as many for the symmetric errors.
 
-The first step is not damped: a polisher asks for one step at a time, and any damping that is worth
-its name would stop the movement in a weakly determined direction (along the epipole under a forward
-motion) each time anew. */
+The first step is not damped: a polisher asks for one step at a time, and any effective damping
+would each time suppress the change of weakly determined parameters (the epipole under forward
+motion). */
 template <class Parameterization, class Around = AroundModel<Parameterization>>
 class LeastSquaresSolver : public NonMinimalSolver
 {
 public:
-    //! `errorDimension_`: Problem::errorDimension(); `around_`: makes the parameterization around a
-    //! model
+    //! `errorDimension_`: Problem::errorDimension(); `around_`: makes a model's parameterization
     LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_,
                        const Around& around_ = Around())
         : residual(residual_), errorDimension(errorDimension_), around(around_), arena(0)
@@ -89,8 +88,8 @@ private:
     typedef typename Parameterization::Matrix Matrix;
     typedef NormalEquationsOf<Parameterization::NUMBERS> Equations;
 
-    //! Takes the step if it lowers the cost; with the new normal equations, or with the cost alone
-    //! if it is the last one.
+    //! Takes the step if it lowers the cost. Computes the new normal equations, or the cost alone
+    //! if the step is the last one.
     bool tryStep(const PointChunks& chunks, const Step& step, bool last, Parameterization& here,
                  Equations& sums) const
     {
@@ -108,8 +107,8 @@ private:
         return true;
     }
 
-    /** Step of the damped normal equations on the tangent space, and by how much it lowers the cost
-    where the residuals are linear. False if they are singular or not finite. */
+    /** Solves the damped normal equations on the tangent space. `gain` is the decrease of the cost
+    if the residuals are linear. False if the equations are singular or not finite. */
     static bool solve(const Parameterization& here, const Equations& sums, double damping,
                       Step& step, double& gain)
     {
@@ -127,22 +126,22 @@ private:
         return step.allFinite();
     }
 
-    // Half and double of these, doc/constants.md: errors the same to some thousandths, time within
-    // 3 %.
+    // Halving or doubling changes errors by some thousandths and time by at most 3 %
+    // (doc/constants.md).
 
-    //! So many steps that did not lower the cost are not counted.
+    //! Number of steps without a lower cost that do not count as iterations.
     enum { RETRIES = 2 };
-    //! What is added to the diagonal of the normal equations: a part of it after a step that
-    //! failed, and of their mean always.
+    //! Added to the diagonal of the normal equations: FIRST_DAMPING times each entry after a step
+    //! that did not lower the cost, and always SINGULAR times the mean entry.
     static const double FIRST_DAMPING, SINGULAR;
-    //! Expected decrease, a part of the cost, of a step that is the last one, and of one that is
-    //! not worth its while.
+    //! Expected decrease of the cost, relative to it: below SETTLED a step is the last one, up to
+    //! ARRIVED it is not taken.
     static const double SETTLED, ARRIVED;
 
     const Ptr<Residual> residual;
     const int errorDimension;
     const Around around;
-    Arena* arena;  //!< of the run; null: none has begun
+    Arena* arena;  //!< memory of the run; null before the first one
 };
 
 template <class Parameterization, class Around>

@@ -10,17 +10,17 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief One step of re-weighted least squares with the weights of MAGSAC++
-@cite barath2020magsac, in two parts.
+/** @brief One iteration of re-weighted least squares with the weights of MAGSAC++
+@cite barath2020magsac: weigh(), then fit().
 
-As the weights fall with the error, a fit to all weighted points never raises the loss that they
-belong to. */
+Because the weights decrease with the error, a fit to all weighted points never increases the loss
+of which they are the derivative. */
 class MarginalizedFit
 {
 public:
     MarginalizedFit() : errors(0), indices(0), weights(0), count(0) {}
 
-    //! Memory for so many points, before anything else.
+    //! Takes memory for so many points; has to be called first.
     void allocate(Arena::Scope& scope, int points)
     {
         errors = scope.take<float>(points);
@@ -28,22 +28,21 @@ public:
         weights = scope.take<double>(points);
         count = 0;
     }
-    //! Weighs the points within the threshold of the model. @return the loss of all points, see
-    //! MarginalizedWeights
+    //! Weighs the points within the threshold of the model. @return loss of all points
     double weigh(const Context& context, double threshold, const Model& model);
-    //! Points with a weight.
+    //! Number of points with a weight.
     int size() const { return count; }
-    //! Keeps `most` of the weighted points, a random choice.
+    //! Keeps a random subset of `most` weighted points, or all if there are fewer.
     void reduce(int most, Rng& rng);
-    //! Fits to the weighted points, starting from `model`. False if they are too few or determine
-    //! none.
+    //! Fits to the weighted points, starting from `model`. False if they are too few or do not
+    //! determine a model.
     bool fit(const Context& context, Model& model) const;
 
 private:
     float* errors;
     int* indices;
     double* weights;
-    int count;  //!< of points with a weight
+    int count;  //!< number of points with a weight
 };
 
 }  // namespace usacv20

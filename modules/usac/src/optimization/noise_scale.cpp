@@ -11,21 +11,21 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: doc/constants.md.
+// Halved and doubled values: doc/constants.md.
 
-//! Where expectation and maximization begin, the variance in squared thresholds, and how many steps
-//! they take. On the lists errors stay within 1 %. Structured scenes, H: half of each +3 to +8 %,
-//! double -1 to -3 %.
+//! Initial values of the EM algorithm, variance in squared thresholds and inlier ratio, and its
+//! number of steps. Half: errors of H on structured scenes +3 to +8 %, on real pairs +-1 %.
 constexpr double FIRST_VARIANCE = 0.15, FIRST_PART = 0.7;
 constexpr int STEPS = 4;
-//! The tail begins so many standard deviations out. It is one if it has so many standard deviations
-//! of their number more points than outliers explain, and so much of the core. Half: the same;
-//! double: errors of H +1 % on the lists.
+//! The tail begins at CORE standard deviations of the noise. It is significant if the points in it
+//! exceed those that outliers explain by DEVIATIONS standard deviations of that number and
+//! PART_OF_CORE of the points in the core. Halving or doubling changes errors on real pairs by at
+//! most 1 %.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
 
-//! Density of the error of an inlier to the power of the degrees of freedom, at 0.
+//! Density of e^degrees at 0, where e is the error of an inlier with so many degrees of freedom.
 double peakOf(double variance, int degrees)
 {
     if (degrees == 2)
@@ -39,7 +39,7 @@ double peakOf(double variance, int degrees)
 double NoiseScale::estimate(const float* squaredErrors, int count, double threshold, int degrees)
 {
     int members[BINS] = {0}, size = 0;
-    double near[BINS] = {0};  // sums of squared errors in units of the threshold, then their means
+    double near[BINS] = {0};  // sums of squared errors in squared thresholds, then means
     const double scale = 1 / (threshold * threshold), limit = REACH * REACH;
     for (int i = 0; i < count && size < MOST; ++i)
     {
@@ -55,8 +55,7 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
         return 1 / thresholdInSigmas(degrees);
     for (int i = 0; i < BINS; ++i)
         near[i] /= std::max(members[i], 1);
-    const double outlier = 1. / power(REACH, degrees);  // densities of the error to the power of
-                                                        // the degrees of freedom
+    const double outlier = 1. / power(REACH, degrees);  // density of e^degrees, see peakOf()
     double variance = FIRST_VARIANCE, part = FIRST_PART;
     for (int step = 0; step < STEPS; ++step)
     {

@@ -8,43 +8,43 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Standard deviation of the noise of the inliers in units of the threshold, by expectation
-and maximization.
+/** @brief Standard deviation sigma of the noise of the inliers in units of the threshold, by the EM
+algorithm.
 
-The errors within #REACH thresholds are a mixture of those of inliers (half normal for one degree of
-freedom, Rayleigh's distribution for two, Maxwell's for three) and of outliers (uniform in the same
-sense) @cite torr2000mlesac. At most #MOST errors are looked at, the first ones, in #BINS bins of
-equal width, each by the mean square of its errors. With fewer than #LEAST of them the noise that
-the threshold stands for is returned, 1 / thresholdInSigmas(degrees).
+The errors within #REACH thresholds are modeled as a mixture of inliers (half-normal distribution
+for one degree of freedom, Rayleigh's for two, Maxwell's for three) and outliers (uniform on a line,
+in the plane, in space) @cite torr2000mlesac. Only the first #MOST errors are used, in #BINS bins of
+equal width, each represented by the mean square of its errors. With fewer than #LEAST errors, the
+result is the noise for which the threshold was chosen, 1 / thresholdInSigmas(degrees).
 
-Noise that is less than #leastSigma needs evidence: that next to no error lies between four of its
-standard deviations and the threshold, but those that outliers explain, whose density shows beyond
-the threshold. Else the noise has long tails, or the model does not fit all of the points alike (a
-surface that is not quite a plane): then a fit to the closest points would be one to a part of the
-scene, and #leastSigma is returned. */
+A sigma below #leastSigma needs evidence: between 4 sigma and the threshold there must be almost no
+errors except those that outliers explain, whose density is measured beyond the threshold. Otherwise
+the noise has long tails, or the model does not fit all points equally well (a surface that is not
+quite a plane): a fit to the closest points would fit only a part of the scene, and #leastSigma is
+returned. */
 class NoiseScale
 {
 public:
-    /** Thresholds. 2: errors of H +2 % on the lists, +17 % on structured scenes; 8: -2 and -4 %.
-    See doc/constants.md, for the others, too. */
+    /** Range of the errors used, in thresholds. 2: errors of H +17 % on structured scenes; 8: -4 %.
+    See doc/constants.md, also for the others. */
     enum { REACH = 4 };
-    //! Errors. Half, double: time within 3 %, errors within 1 %.
+    //! Minimum and maximum number of errors. Halving or doubling changes time by at most 3 % and
+    //! errors by at most 1 %.
     enum { LEAST = 20, MOST = 200 };
-    //! Half, double: errors the same.
+    //! Halving or doubling does not change the errors.
     enum { BINS = 48 };
 
-    //! Unit: threshold. Measured: errors of H on photographs grow below it, by 8 % at 0.1, without
-    //! the test for evidence. Half, double: errors of H +1 % on the lists.
+    //! In thresholds. Without the test for evidence, smaller values increase errors of H on
+    //! photographs, by 8 % at 0.1. Halving or doubling changes errors of H on real pairs by +1 %.
     static double leastSigma() { return 0.27; }
 
-    //! @param squaredErrors `count` squared errors @param threshold not squared @param degrees 1 to
-    //! 3
+    //! @param squaredErrors `count` of them @param threshold not squared @param degrees 1 to 3
     static double estimate(const float* squaredErrors, int count, double threshold, int degrees);
 
 private:
     enum { INSIDE = (int)BINS / (int)REACH };  //!< bins within the threshold
 
-    //! Is there more between four standard deviations and the threshold than outliers explain?
+    //! Are there more errors between 4 sigma and the threshold than outliers explain?
     static bool hasTail(const int* members, double sigma, int degrees);
 };
 

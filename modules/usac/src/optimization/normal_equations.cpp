@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Of the error of a projection by a matrix of 3 rows of N: products of the point with itself (the
-upper triangle) times 1, u, v, u^2 + v^2; the gradient; the cost. */
+/** Normal equations of the error of a projection by a 3 x N matrix, from its sums: products of the
+point with itself (upper triangle) times 1, u, v, u^2 + v^2; the gradient; the cost. */
 template <int N>
 void fromProjectionSums(const double* sums, NormalEquationsOf<3 * N>& equations)
 {
@@ -33,8 +33,8 @@ void fromProjectionSums(const double* sums, NormalEquationsOf<3 * N>& equations)
     equations.cost = sums[4 * PRODUCTS + 3 * N];
 }
 
-//! Of Sampson's or the symmetric distance. The residual is the tenth column of J: the last row of
-//! the triangle holds the gradient and the cost.
+//! Normal equations of the Sampson or the symmetric epipolar distance, from its sums. The residual
+//! is taken as the tenth column of J, so the last row of the triangle has gradient and cost.
 void fromEpipolarSums(const double* sums, NormalEquations& equations)
 {
     for (int row = 0, n = 0; row < 9; ++row)
@@ -46,8 +46,9 @@ void fromEpipolarSums(const double* sums, NormalEquations& equations)
     equations.cost = sums[54];
 }
 
-/** Adds the sums of the transfer error in image 1. They come as derivatives by G = H^-1; with dG =
--G dH G the derivatives by H, entries row by row, are those by G times -G (x) G^T. */
+/** Adds the sums of the transfer error in image 1. Their derivatives are with respect to G = H^-1.
+As dG = -G dH G, the derivatives with respect to H, entries in row-major order, are those times the
+Kronecker product -G (x) G^T. */
 void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
 {
     Eigen::Matrix<double, 9, 9, Eigen::RowMajor> L;
@@ -59,7 +60,7 @@ void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquation
     equations.cost += inverse.cost;
 }
 
-//! Of a residual without kernels, point by point.
+//! Normal equations of a residual without kernels, point by point.
 template <int SIZE>
 void addPoints(const Residual& residual, const PointChunks& points, const Model& model,
                NormalEquationsOf<SIZE>& equations)

@@ -11,9 +11,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** Gauss-Newton sums of an error in the entries of the model, `SIZE` of them: JtJ, Jtr and the cost
-r^T r. A parameterization projects them onto its tangent space afterwards, so that the work of a
-point is the same for all. */
+/** Normal equations of the Gauss-Newton method in the `SIZE` entries of the model: JtJ, Jtr and the
+cost r^T r. A parameterization then projects them onto its tangent space, so that the work per point
+is the same for all parameterizations. */
 template <int SIZE>
 struct NormalEquationsOf
 {
@@ -21,15 +21,14 @@ struct NormalEquationsOf
     Eigen::Matrix<double, SIZE, 1> Jtr;
     double cost;
 
-    //! Sums over the points, by a kernel or, for residuals of a program's own, by
-    //! Residual::linearize().
+    //! Sums over the points, by a kernel or, for custom residuals, by Residual::linearize().
     void accumulate(const Residual& residual, const PointChunks& points, const Model& model);
 
-    //! The cost alone, for a fraction of the time.
+    //! The cost alone, in a fraction of the time.
     static double costOf(const Residual& residual, const PointChunks& points, const Model& model);
 };
 
-//! Of a 3x3 matrix, and of the 3x4 matrix of a camera or of a motion of space.
+//! For a 3x3 matrix, and for the 3x4 matrix of a camera or of a 3-D motion.
 typedef NormalEquationsOf<9> NormalEquations;
 typedef NormalEquationsOf<12> SpaceEquations;
 

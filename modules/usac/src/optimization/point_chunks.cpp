@@ -22,7 +22,7 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
         gather(points, indices, weights, columns);
 }
 
-//! `width` is the number of columns, as a constant where that is known.
+//! `width` is the number of columns, as a compile-time constant if that is known.
 template <class Width>
 void PointChunks::gather(const Correspondences& points, const int* indices, const double* weights,
                          Width width)
@@ -38,7 +38,7 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
                 chunk[column][k] = points.exact[column][i];
             chunk[width][k] = weights ? weights[first + k] : 1;
         }
-        for (int row = 0; row <= width; ++row)  // the last point again, without weight
+        for (int row = 0; row <= width; ++row)  // padded with the last point, weight 0
             std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK,
                       row < width ? chunk[row][here - 1] : 0.);
     }
@@ -61,7 +61,7 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool sw
     static const double zeros[EPIPOLAR_SUMS][SUMS_LANES] = {{0}};
     double lanes[EPIPOLAR_SUMS][SUMS_LANES];
     std::memcpy(lanes, zeros,
-                count * sizeof(lanes[0]));  // a fill of this size is a slow instruction
+                count * sizeof(lanes[0]));  // a fill would become a slow instruction
     for (int c = 0; c < chunks; ++c)
     {
         const Row* chunk = rows + c * (columns + 1);

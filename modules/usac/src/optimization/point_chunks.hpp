@@ -12,22 +12,20 @@
 namespace cv {
 namespace usacv20 {
 
-/** Some of the points and their weights, gathered once for all steps of a fit, in the chunks that a
-SumsKernel takes.
- */
+/** The points of a fit and their weights, gathered once for all its steps, in the chunks that a
+SumsKernel takes. */
 class PointChunks
 {
 public:
-    //! At least one point; `weights` may be null for ones. More than a few points take memory from
-    //! the arena, or from the heap if it is null.
+    //! `count` is at least 1; null `weights` are all 1. More than a few points take memory from the
+    //! arena, or from the heap if `arena` is null.
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
-    //! The first `count` sums of a kernel over all chunks. `swapped`: images 1 and 2 of two views
-    //! change roles.
+    //! The first `count` sums of a kernel over all chunks. `swapped`: with images 1 and 2 swapped.
     void sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const;
 
-    //! A point, #MAX_COLUMNS numbers at most, and its weight; false beyond the last one.
+    //! Gets a point, at most #MAX_COLUMNS numbers, and its weight; false beyond the last one.
     bool get(int index, double* datum, double& weight) const;
 
 private:
@@ -39,7 +37,7 @@ private:
                 Width width);
 
     const int size, chunks, columns;
-    Arena own;  //!< empty where there is another one
+    Arena own;  //!< used if no arena was given
     Arena::Scope scope;
     Row* rows;  //!< columns and weights of each chunk
     Row few[LOCAL_ROWS];

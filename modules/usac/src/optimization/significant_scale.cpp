@@ -13,12 +13,11 @@ namespace {
 //! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e
 //! + 1)) from e = LOWEST on.
 constexpr int LOWEST = -4, BINS = 128;
-//! Derived, see the class; they multiply as REACH in usac.cpp does. Median of the points within the
-//! r that is found, in standard deviations of the noise; of one to three degrees of freedom.
+//! Median error within the radius r that is found, in standard deviations of the noise, for one to
+//! three degrees of freedom. Derived, see the class. Halving them doubles REACH of reach.cpp.
 constexpr double MEDIANS[] = {0.64, 1.15, 1.52};
 
-//! Exponent and first bit of the mantissa. Larger ones than there are bins for, and NaN, are in
-//! none.
+//! Bin by exponent and first bit of the mantissa; #BINS or more if too large or NaN.
 int binOf(float square)
 {
     unsigned bits;
@@ -28,7 +27,7 @@ int binOf(float square)
 
 double endOf(int bin) { return std::ldexp(bin % 2 ? 2. : 1.5, LOWEST + bin / 2); }
 
-//! n D(k/n, p) where k/n > p.
+//! n D(k/n, p) if k/n > p, else 0; D is the Kullback-Leibler divergence.
 double surprise(double k, double n, double p)
 {
     const double q = k / n;
@@ -37,25 +36,26 @@ double surprise(double k, double n, double p)
     return n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
 }
 
-//! r^degrees.
+//! Counts the squared errors, times `scale`, in each bin.
 void countInBins(const float* squaredErrors, int count, float scale, int* members)
 {
     for (int i = 0; i < count; ++i)
     {
         const float square = squaredErrors[i] * scale;
-        const int bin = square >= 0 ? binOf(square) : BINS;  // NaN is far
+        const int bin = square >= 0 ? binOf(square) : BINS;  // NaN is in no bin
         if (bin < BINS)
             ++members[bin];
     }
 }
 
+//! r^degrees.
 double volumeOf(double square, int degrees)
 {
     return degrees == 2 ? square : degrees == 1 ? std::sqrt(square) : square * std::sqrt(square);
 }
 
-//! The median error of the points up to a bin, with errors evenly spread (over the area, over the
-//! volume) in their bin.
+//! The median error of the points up to a bin. Within a bin, errors are taken as uniform over its
+//! length, area or volume.
 double medianOf(const int* members, int last, int within, int degrees)
 {
     const double half = 0.5 * within;

@@ -14,7 +14,7 @@ namespace usacv20 {
 
 typedef Eigen::Matrix<double, 3, 3, Eigen::RowMajor> RowMajor3;
 
-//! The rotation about a vector by its length.
+//! The rotation about a vector by its length in radians.
 inline Eigen::Matrix3d rotationOf(const Eigen::Vector3d& w)
 {
     const double angle = w.norm();
@@ -23,8 +23,8 @@ inline Eigen::Matrix3d rotationOf(const Eigen::Vector3d& w)
     return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
 }
 
-//! What a matrix changes by when it is turned about an axis, by the angle: the cross product with
-//! each column.
+//! Derivative of a matrix with respect to the angle by which it is rotated about an axis: the cross
+//! product of the axis with each column.
 inline Eigen::Matrix3d turnedAbout(const Eigen::Vector3d& axis, const Eigen::Matrix3d& matrix)
 {
     Eigen::Matrix3d turned;
@@ -33,8 +33,8 @@ inline Eigen::Matrix3d turnedAbout(const Eigen::Vector3d& axis, const Eigen::Mat
     return turned;
 }
 
-//! Normal equations in the parameters from those in the entries of the model: A = B^T JtJ B, b =
-//! B^T Jtr.
+//! Projects normal equations in the entries of the model to those in the parameters: A = B^T JtJ B,
+//! b = B^T Jtr.
 template <int DIMENSION, int SIZE>
 void projectOnTangents(const NormalEquationsOf<SIZE>& sums,
                        const Eigen::Matrix<double, SIZE, DIMENSION>& basis,

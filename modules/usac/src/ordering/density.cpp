@@ -12,19 +12,19 @@ namespace usacv20 {
 
 namespace {
 
-//! Ranks of the points, and points that every place is taken to have beside those that are there.
-//! Half (2 others), double: errors of H and F within 1 %, of E within 4 %, the noise of the search.
+//! Number of ranks, and prior count of the points that share only one cell. Half (2 points) or
+//! double: errors of H and F within 1 %, of E within 4 %, the noise of the search.
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
 
 /** @brief Local density of the points in the joint space, relative to their density in the images
 (paper, section "Other features").
 
-Right matches come in groups: of the points that share a point's cell in image 1 or image 2, most
-also share its cell in the other image. Points are ordered by this fraction, s / (s + n +
-#ORDERING_OTHERS) with s points in both cells and on average n more in one of them. The absolute
-density alone would put the one most crowded place of the images first, right or wrong. Counts and a
-bucket sort; points of equal rank keep their pseudo-random order, repeated matches are last. O(N).
-*/
+Inliers come in groups: most of the points that share an inlier's cell in image 1 or image 2 also
+share its cell in the other image. Points are ordered by this fraction, s / (s + n +
+#ORDERING_OTHERS), where s other points share both cells and n more share one of them, averaged over
+the images. The absolute density alone would put the most crowded place of the images first, whether
+its matches are right or wrong. Counting and a bucket sort, O(N); points of equal rank keep their
+pseudo-random order, repeated matches come last. */
 class DensityOrdering : public Ordering
 {
 public:

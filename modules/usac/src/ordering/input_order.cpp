@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-/** The caller's order, best first. Where there are scores, ScoreOrdering takes its place. */
+/** The caller's order, best first. If there are scores, ScoreOrdering is used instead. */
 class InputOrderOrdering : public Ordering
 {
 public:

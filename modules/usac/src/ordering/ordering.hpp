@@ -14,7 +14,7 @@ namespace usacv20 {
 Ptr<Ordering> createDensityOrdering();
 //! Best Params::scores first.
 Ptr<Ordering> createScoreOrdering();
-//! As the caller sorted them.
+//! In the caller's order, see InputOrderOrdering.
 Ptr<Ordering> createInputOrderOrdering();
 
 }  // namespace usacv20

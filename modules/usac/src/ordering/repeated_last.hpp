@@ -10,9 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** Moves matches that are the same as an earlier one of the order to its end: they say nothing new,
-and a growing set of nothing but one match repeated has no sample. The others keep their order.
-O(N), a hash table. */
+/** Moves matches that equal an earlier one to the end of the order: they add no information, and a
+growing set that contains only copies of one match gives no valid sample. The others keep their
+order. O(N), by a hash table. */
 void repeatedLast(const Context& context, int* order);
 
 }  // namespace usacv20

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Least squares over all inliers, again while the new inliers make the model better (Algorithm 1,
-last line). Only a model of lower cost is taken, so the sets cannot alternate for ever. */
+/** Least squares over all inliers, repeated while the new inliers make the model better (Algorithm
+1, last line). Only a better model is accepted, so that the inlier sets cannot cycle. */
 class LeastSquaresPolisher : public Polisher
 {
 public:

@@ -15,30 +15,30 @@ namespace usacv20 {
 
 namespace {
 
-// What half and double of these do is in doc/constants.md.
+// Halved and doubled values: doc/constants.md.
 
-//! Part of the inliers that is fitted first, those with the lowest leverage.
+//! Part of the inliers that is fitted first: those with the lowest leverage.
 constexpr double BULK = 0.85;
-//! Leverage, at most 1, of a point that a parameter may hang on.
+//! Leverage (at most 1) from which on a point may determine a parameter alone.
 constexpr double HIGH = 0.4;
-//! Points that come back: their error is at most so many standard deviations of what is predicted,
-//! and, in the first of two rounds, their leverage is at most that.
+//! A point is taken back if its error is at most DEVIATIONS standard deviations of its prediction
+//! and, in the first of two rounds, its leverage is at most PREDICTED.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
-/** By how much the sum of squared errors has to be less, in variances of the noise: that of the
-first fit, else nothing is to be expected, and that of the result. By chance two parameters gain 6
-in one of 20 cases; then the result is as good as the model. */
+/** Minimum decrease of the sum of squared errors, in noise variances: HOPE by the first fit (else
+the attempt ends), GAIN by the result. By chance, two parameters gain 6 in one of 20 cases; the
+result is then as good as the model. */
 constexpr double HOPE = 3, GAIN = 6;
-/** The same where nearly all inliers leave parameters free, as the epipole on a plane. Another
-epipole then turns the direction in which all errors are measured, and the difference of two sums of
-n squares has a deviation of at most 2 sqrt(n) variances; and the inliers off the plane are all that
-tells the epipole, so the inliers lost have to be the less improbable by chance. With GAIN alone 4 %
-of F with 95 % of the right matches on a plane lose those off it. An ambiguous model, E, is left
-alone there: fits confuse its two solutions, and led to neither in 10 of 200 scenes of nothing but a
-plane. */
+/** The same if nearly all inliers leave parameters free, as points on a plane leave the epipole.
+Another epipole then changes the direction in which all errors are measured, and the difference of
+two sums of n squares has a standard deviation of at most 2 sqrt(n) noise variances: the gain must
+be TURNED sqrt(n) or more. Only inliers off the plane determine the epipole, so the lost inliers
+must count for at most gain / FREE_AGAINST (surpriseOf()). With GAIN alone, 4 % of F with 95 % of
+the right matches on a plane lose those off it. An ambiguous model, E, is not changed there: fits
+mix up its two solutions, and led to neither in 10 of 200 scenes of only a plane. */
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
-//! The noise is no less, in thresholds: there float errors end.
+//! Lower bound of the noise, in thresholds: the accuracy of errors in float.
 constexpr double LEAST_NOISE = 1e-3;
-//! Steps of a fit; they need not be to its end, as the result is polished.
+//! Steps of a fit; it need not converge, because the result is polished.
 constexpr int STEPS = 5;
 
 }  // namespace
@@ -98,7 +98,7 @@ bool Leverage::convinces(const Model& fitted, const Model& model, const Points& 
     if (!(gain >= GAIN))
         return false;
     const double against = surpriseOf(all - inliersOf(fitted));
-    if (against > gain / 2 ||  // what the likelihood gains
+    if (against > gain / 2 ||  // gain of log-likelihood
         against > byChance())
         return false;
     const Problem& problem = *context.points.problem;
@@ -155,7 +155,7 @@ bool Leverage::findBulk(const Model& model)
     std::nth_element(order, order + bulk.count, order + count, [&own](int a, int b) {
         return own[a] < own[b] || (own[a] == own[b] && a < b);
     });
-    std::sort(order, order + bulk.count);  // whatever order the library leaves
+    std::sort(order, order + bulk.count);  // nth_element leaves any order
     for (int k = 0; k < bulk.count; ++k)
         bulk.indices[k] = inliers.indices[order[k]];
     return true;
@@ -230,7 +230,7 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
            result.count > parts.minimalSolver->sampleSize();
 }
 
-//! In all entries of the model. It has fewer parameters, but that is the same for all points.
+//! Computed in all entries of the model; that it has fewer parameters affects all points alike.
 template <int ENTRIES>
 bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points,
                            double* result) const
@@ -241,8 +241,8 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     NormalEquationsOf<ENTRIES> sums;
     sums.accumulate(*parts.residual,
                     PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
-    // Errors do not depend on the scale of the model. A residual of a program may be undefined:
-    // then the trace is NaN.
+    // Errors do not depend on the scale of the model, so the scale is fixed. A custom residual may
+    // be undefined: then the trace is NaN.
     const Row scale = Eigen::Map<const Row>(model.val);
     Square A = sums.JtJ;
     A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());

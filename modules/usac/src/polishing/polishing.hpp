@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Tests of a point, as Watch counts them, that a fit to its end takes for each: 100 ns of a
-//! million. Half, double: as those of Watch.
+//! Work per point of a fit to convergence, in point tests, the unit of Watch: 100 ns with a million
+//! points. It affects only how late a time limit ends a run.
 constexpr double FIT_WORK = 50;
 
 //! See LeastSquaresPolisher.

@@ -12,27 +12,27 @@ namespace usacv20 {
 
 namespace {
 
-// What half and double of these do is in doc/constants.md. Failures: of 8400 scenes of few points
-// and a wide threshold, those whose error is more than 1.1 times that of least squares, worst of
-// the flags.
+// Halved and doubled values: doc/constants.md. A failure is a scene, of 8400 with few points and a
+// wide threshold, whose error is more than 1.1 times that of least squares; the worst flag counts.
 
-//! Samples of the inliers, and of the inliers and each of the points outside, that it starts from.
-//! Half of both: 2 failures for 0; double: not measured.
+//! Number of samples of the inliers, and of samples of the inliers and each tried outlier, from
+//! which fits start. 8 and 8: 2 failures instead of 0; 4 and 4: 7.
 constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
-//! Probability that a point is an inlier of a wrong model from which on the threshold is wide.
-//! Half: the same; double: 7 of 200 H of 25 to 300 points fail for 3, without it 45.
+//! The threshold is wide if a point is an inlier of a wrong model with at least this probability.
+//! Of 200 H with 25 to 300 points 3 fail, with half of it 3, with double 7, without it 45.
 constexpr double WIDE = 0.2;
-//! A part of the loss that another minimum must be below. 0.95: the same; 0.8: 10 failures.
+//! Another minimum must be below this part of the loss. 0.95: no change; 0.8: 10 failures.
 constexpr double CLEAR = 0.9;
-/** The same of models that the checks refuse, to the power of half the degrees of freedom that are
-left: as far as the better fit may be chance. Half, double: the same. */
+/** The same for models that the checks reject, as a probability that the better fit is chance: the
+part of the loss to the power of half the remaining degrees of freedom. Halving or doubling changes
+nothing. */
 constexpr double UNLIKELY = 0.1;
-//! Probability that random points fit a model of which no sample has passed the checks. Half,
-//! double: the same.
+//! Largest probability that random points fit as well, for a model of points of which no sample has
+//! passed the checks. Halving or doubling changes nothing.
 constexpr double CHANCE = 1e-6;
-//! What a degree of freedom of another point adds to the loss, in that of the inliers: 8 is
-//! exceeded by one right point in a hundred where ten degrees are left. Half: the ten inliers of
-//! OpenCV's EKcase are 9; double: the same.
+//! Largest loss that another point may add per degree of freedom, in units of that of the inliers:
+//! one right point in a hundred exceeds 8 if ten degrees are left. Half: OpenCV's test EKcase gets
+//! 9 of its 10 inliers; double: no change.
 constexpr double GROWN = 8;
 
 }  // namespace
@@ -157,7 +157,7 @@ bool Restarts::restart(int index, int size, Model& model, Quality& quality)
         sample[k] = members[places[k]];
     Model models[MAX_MODELS];
     const int found = parts.minimalSolver->solve(search.points, sample, models);
-    int best[2] = {-1, -1};  // of those that the checks refuse, and of the others
+    int best[2] = {-1, -1};  // among models that the checks reject, and among the others
     double least[2] = {DBL_MAX, DBL_MAX};
     for (int k = 0; k < found; ++k)
     {

@@ -10,86 +10,86 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Fits to the inliers of a polished model from other starts, where they are few or the
-threshold is wide.
+/** @brief Fits to the inliers of a polished model from other starting points, if the inliers are
+few or the threshold is wide.
 
-The sum of squared errors has local minima. A search that has rated thousands of models has met the
-best of them, but not one that ends with its first sample: ten points whose errors are all below the
-threshold, whatever the model is. The checks of orientation make it worse where they do not hold, as
-for an H whose horizon lies between the points: they refuse all samples but those on one side of it,
-and these may all lead to one wrong minimum.
+The sum of squared errors has local minima. A search that has rated thousands of models has found
+the best one, but a search that ends with its first sample may not: for example, if ten points have
+errors below the threshold for any model. Orientation checks that do not apply make it worse: for an
+H whose horizon lies between the points, they reject all samples except those on one side of it,
+which may all lead to one wrong minimum.
 
-Least squares over the inliers (at most #MOST) starts from the models of random samples of them, of
-which none is refused. A minimum that is clearly lower is polished and takes the place of the model,
-if it costs no more; one that the checks would not have let pass has to be lower by far, as there
-are more such models.
+Least squares over the inliers (at most #MOST) starts from the models of random samples of them,
+without rejecting any. A clearly lower minimum is polished and replaces the model if it costs no
+more. One that the checks reject has to be much lower, because there are more such models.
 
-Few inliers that are near each other determine the model badly far from them. So the next points
-outside are tried, too: the fit to the inliers and one of them replaces the model if all are inliers
-of it, with errors that are hardly larger.
-*/
+A few inliers close to each other determine the model poorly far from them. The outliers with the
+smallest errors are therefore tried: a fit to the inliers and one of these replaces the model if all
+become its inliers, with hardly larger errors. */
 class Restarts
 {
 public:
-    /** @param search of the search: its points, solver and checks
-    @param polish what models are polished with and rated by; its points are those of `search`,
-    maybe as they were seen
-    @param state of the run */
+    /** @param search context of the search: its points, solver and checks
+    @param polish context in which models are polished and rated; its points are those of `search`,
+    possibly before undistortion
+    @param state that of the run */
     Restarts(const Context& search, const Context& polish, State& state);
 
-    //! Replaces a polished model by a better one. @param quality of the model in `polish`
+    //! Replaces a polished model by a better one, if any. @param quality its quality in `polish`
     void improve(Model& model, Quality& quality);
 
-    /** The checks have refused each sample of a few points: finds a model that fits all of them
-    better than random ones would, if there is one. @return false: there is none */
+    /** For a few points whose samples the checks have all rejected: finds a model that fits all of
+    them better than a model of random points would. @return false if there is none */
     bool begin(Model& model, Quality& quality);
 
 private:
     enum {
-        //! Inliers: most that take part; with more there are no restarts, unless the threshold is
-        //! wide. Half: failures 2 -> 6 of 8400 scenes; double: the same.
+        //! Maximum number of inliers that are used; with more, there are no restarts unless the
+        //! threshold is wide. Half: 6 instead of 2 failures in 8400 scenes; double: no change.
         MOST = 30,
-        //! Points outside that are tried, and steps of a fit. Half, double: the same.
+        //! Number of outliers that are tried, and steps of a fit. Halving or doubling one changes
+        //! at most one scene.
         NEXT = 4,
         STEPS = 20
     };
 
-    //! Finds the inliers, and the points outside that come next. @return false if there is nothing
-    //! to do
+    //! Finds the inliers, and the outliers with the smallest errors. @return false if there is
+    //! nothing to do
     bool look(const Model& model);
-    //! From samples of the inliers, and from the model itself.
+    //! Fits to the inliers, from samples of them and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! From samples with one of few points outside.
+    //! Fits to the inliers and one of few outliers, from samples that contain it.
     void restartOutside(Model& model, Quality& quality);
-    //! With one of the points outside, from the model.
+    //! Fits to the inliers and an outlier, from the model.
     void extendInliers(Model& model, Quality& quality);
-    //! Least squares over the first members from the models of a sample of them, which has the last
-    //! one if that is no inlier. @return true if it is better
+    //! Least squares over the first `size` members, from the models of a sample of them, which
+    //! contains the last one if that is an outlier. @return true if the model was replaced
     bool restart(int index, int size, Model& model, Quality& quality);
-    //! What the checks say of a sample and its model.
+    //! Do the checks accept a sample and its model?
     bool isValid(const int* sample, const Model& model) const;
-    //! Least squares over the inliers and one of the points outside.
+    //! Least squares over the inliers and one outlier, from the model.
     bool extend(int outside, Model& model, Quality& quality);
-    //! Numbers that the errors of so many points have more than the model.
+    //! Degrees of freedom that are left after a fit to `size` points.
     int freedom(int size) const;
-    //! Squared errors of the first members in squared thresholds, at most 1 each.
+    //! Sum of the squared errors of the first `size` members in squared thresholds, at most 1 each.
     double lossOf(const Model& model, int size) const;
     bool fit(int size, Model& model) const;
-    //! Takes a fit if its loss, after polishing, is below a limit, and if it costs no more.
+    //! Replaces the model by a fit if its loss, also after polishing, is below a limit, and if its
+    //! cost is not higher.
     bool accept(const Model& fitted, int size, double limit, Model& model, Quality& quality);
-    //! Quality after the checks; false if they drop the model.
+    //! Updates model and quality by the checks; false if they reject the model.
     bool check(Model& model, Quality& quality);
 
     const Context& search;
     const Context& context;
     const Components& parts;
     State& state;
-    const int m;            //!< points of a sample
+    const int m;            //!< sample size
     int members[MOST + 1];  //!< inliers, and room for another point
-    int next[NEXT];         //!< points outside, nearest first
-    int count, all;         //!< members, and inliers
-    int outside;            //!< of those in `next`
-    double loss;            //!< of the model
+    int next[NEXT];         //!< outliers with the smallest errors, in this order
+    int count, all;         //!< numbers of members and of inliers
+    int outside;            //!< number of outliers in `next`
+    double loss;            //!< loss of the model
 };
 
 }  // namespace usacv20

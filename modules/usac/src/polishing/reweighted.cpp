@@ -11,14 +11,13 @@ namespace usacv20 {
 
 namespace {
 
-//! A fit that lowers the loss by less than this part of it is the last. Half, double: errors the
-//! same.
+//! A fit that lowers the loss by less than this part is the last. Halving or doubling does not
+//! change the errors.
 constexpr double SETTLED = 1e-5;
 
-/** Re-weighted least squares over all points with the weights of MAGSAC++ @cite barath2020magsac,
-within the threshold of the score. A fit is taken while it lowers the loss of these weights, which
-the theory promises of each: that loss is what it minimizes, so not the cost of the run's own
-quality but this decides. */
+/** Iteratively re-weighted least squares over all points within the threshold of the score, with
+the weights of MAGSAC++ @cite barath2020magsac. Fits are accepted while they lower the loss of these
+weights, which is what they minimize; the cost by the score of the run does not matter. */
 class ReweightedPolisher : public Polisher
 {
 public:

@@ -12,34 +12,34 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these on lists and on structured scenes: doc/constants.md.
+// Halved and doubled values: doc/constants.md.
 
-/** Standard deviations: 1.6 % (F, E) and 2.3 % (H) less accurate than least squares under normal
-noise. Half: errors on the lists +2 to +11 %, on the scenes +24 to +61 %; double: +2 % (F, E), on
-the scenes +8 %, H -7 %. */
+/** Support of the biweight in standard deviations of the noise; 1.6 % (F, E) and 2.3 % (H) less
+accurate than least squares under Gaussian noise. Half: errors on structured scenes +24 to +61 %;
+double: +8 %, H -7 %. */
 constexpr double SUPPORT = 5.3;
-//! Thresholds, points: the steps but for the last two look at the first points until so many are so
-//! near. Half: time and errors within 1 %; double: time within 3 %.
+//! All steps except the last two use only the first points, until FEW of them are within REACH
+//! thresholds. Halving or doubling changes errors by at most 1 % and time by at most 2 %.
 constexpr int REACH = 3, FEW = 500;
-//! Points that are looked at together, and steps of the last fit, to its end. Half, double: the
-//! same.
+//! Points per call of the kernel, and steps of the last fit, enough to converge. Halving or
+//! doubling does not change the errors.
 constexpr int BLOCK = 256, LAST = 10;
-//! Least decrease of the loss, in mean points near, and relative change of the scale that are worth
-//! another step. Half, double: errors within 0.4 %, time within 2 %.
+//! Minimum decrease of the loss, in mean losses of a point within the support, and minimum relative
+//! change of the scale for another step. Halving or doubling changes errors by at most 0.4 %.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
-//! Decrease of the loss, a part of that of the points near, after which the noise is estimated
-//! again. Half, double: errors within 0.1 %, time within 2 %.
+//! Decrease of the loss, as a part of that of the points within the support, after which the noise
+//! is estimated again. Halving or doubling changes errors by at most 0.1 %.
 constexpr double MARKED = 0.1;
 
-/** Gauss and Newton's method on the geometric error under Tukey's biweight @cite beaton1974fitting,
-by weights w = (1 - (error / support)^2)^2 that are renewed. The support is #SUPPORT standard
-deviations of the noise (NoiseScale), at which the biweight is nearly as accurate as least squares
-under normal noise. What is further away has no say: a wrong match far from the others in the images
-(near the epipole, say) would pull at F with even a hundredth of its weight.
+/** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,
+by re-weighting with w = (1 - (error / support)^2)^2 in each step. The support is #SUPPORT standard
+deviations of the noise (NoiseScale), with which the biweight is nearly as accurate as least squares
+under Gaussian noise. Points beyond the support have no influence: a wrong match far from the others
+in the images (for example near the epipole) would distort F even with a hundredth of its weight.
 
-It ends when it has arrived: when the last step has lowered the loss by less than a tenth of that of
-a mean point near, whatever the threshold is; or after Params::polishingSteps, of which the last is
-a fit to the end. */
+It ends when the last step has lowered the loss by less than a tenth of the mean loss of a point
+within the support, which does not depend on the threshold; or after Params::polishingSteps, of
+which the last is a fit to convergence. */
 class RobustPolisher : public Polisher
 {
 public:
@@ -80,8 +80,8 @@ public:
     }
 
 private:
-    //! Errors of the first points until `wanted` are within #REACH thresholds, or a block more.
-    //! @return how many it took
+    //! Computes errors of the first points, in blocks, until `wanted` are within #REACH thresholds.
+    //! @return number of these points
     int look(const Context& context, const Model& model, int wanted)
     {
         const Correspondences& p = context.points;
@@ -99,8 +99,8 @@ private:
         return looked;
     }
 
-    /** Finds the points within the support of those looked at, and their weights. @return the loss
-    of those looked at, of which each takes at most 1 */
+    /** Finds the points within the support among the first `looked` ones, and their weights.
+    @return the loss of the first `looked` points, at most 1 each */
     double weigh(const Correspondences& p, double sigma, int looked)
     {
         const double support = SUPPORT * sigma * p.threshold, scale = 1 / (support * support);
@@ -108,7 +108,7 @@ private:
         const float* const e = errors;
         int* const members = near;
         int size = 0;
-        for (int i = 0; i < looked; ++i)  // no branches, which could not be foretold
+        for (int i = 0; i < looked; ++i)  // no branches, as these would often be mispredicted
         {
             members[size] = i;
             size += e[i] < limit;  // false for NaN
@@ -125,12 +125,12 @@ private:
         return lossNear + looked - count;
     }
 
-    // while it polishes
+    // during polish()
     float* errors;
-    int* near;        //!< the points within the support come first
-    double* weights;  //!< theirs
-    int count;        //!< of both
-    double lossNear;  //!< of the points near
+    int* near;        //!< points within the support, the first `count`
+    double* weights;  //!< weights of these points
+    int count;        //!< number of these points
+    double lossNear;  //!< loss of these points
 };
 
 }  // namespace

@@ -10,21 +10,21 @@ namespace usacv20 {
 
 namespace {
 
-//! Draws of a point that is new to the sample, before a pass over all weights.
+//! Attempts to draw a point that is new to the sample, before a pass over all weights.
 constexpr int TRIES = 64;
 
-/** @brief Points as often as their weights w_i, Params::scores, say.
+/** @brief Draws points with probabilities proportional to their weights w_i (Params::scores).
 
-A point is drawn with probability w_i / sum(w), a repeated one is drawn again; so the k-th point has
-the probability w_i / (sum(w) - sum of the points drawn before). Points of weight 0 are not drawn,
-unless fewer than m others exist: then all of these are in each sample, and the rest is uniform
-among the points of weight 0.
+A point is drawn with probability w_i / sum(w), and again if it is already in the sample. The k-th
+point thus has the probability w_i / (sum(w) - sum of the weights drawn before). Points of weight 0
+are not drawn unless fewer than m points have a positive weight: then each sample contains all of
+these, and the rest is uniform among the points of weight 0.
 
-Walker's alias method @cite walker1977efficient in the form of Vose @cite vose1991linear: of n
-columns of equal probability each belongs to one point up to a height and to another one above it.
-Built once in O(N); O(1) a draw, with the resolution of 32 random bits. Where the points drawn
-before have nearly all of the weight, repetitions do not end: after #TRIES of them the next point is
-found by a pass over the other weights, O(N). */
+Walker's alias method @cite walker1977efficient in the form of Vose @cite vose1991linear: each of n
+columns of equal probability belongs to one point up to a height and to another above it. Built once
+in O(N); O(1) per draw, with the resolution of 32 random bits. If the points drawn before have
+nearly all of the weight, almost every draw repeats one: after #TRIES repetitions, an O(N) pass over
+the other weights finds the next point. */
 class ImportanceSampler : public Sampler
 {
 public:
@@ -83,7 +83,7 @@ private:
             alias[c] = c;
             (height[c] < 1 ? low[lows++] : high[highs++]) = c;
         }
-        while (lows > 0 && highs > 0)  // the gap above a low column is filled from a high one
+        while (lows > 0 && highs > 0)  // a high column fills the gap above a low one
         {
             const int c = low[--lows], giver = high[highs - 1];
             alias[c] = giver;
@@ -96,7 +96,7 @@ private:
         }
     }
 
-    //! A point that is not among the first `count` of the sample.
+    //! Draws a point that is not among the first `count` points of the sample.
     int draw(Rng& rng, const int* sample, int count) const
     {
         for (int i = 0; i < TRIES; ++i)
@@ -109,7 +109,7 @@ private:
         return drawOther(rng, sample, count);
     }
 
-    //! The same by the cumulative weights of the other points.
+    //! The same, by the cumulative weights of the points that are not in the sample.
     int drawOther(Rng& rng, const int* sample, int count) const
     {
         double sum = 0;
@@ -127,12 +127,12 @@ private:
         return last;
     }
 
-    int positive;     //!< number of
-    int* points;      //!< those of positive weight, one a column; null before the first sample
-    int* rest;        //!< of weight 0
-    double* weights;  //!< of `points`
-    double* height;   //!< up to where a column belongs to its own point
-    int* alias;       //!< the column of the other point
+    int positive;     //!< number of points of positive weight
+    int* points;      //!< points of positive weight, one per column; null before the first sample
+    int* rest;        //!< points of weight 0
+    double* weights;  //!< weights of `points`
+    double* height;   //!< below it, a column belongs to its own point
+    int* alias;       //!< column of the point above that height
 };
 
 }  // namespace

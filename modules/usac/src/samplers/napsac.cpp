@@ -10,20 +10,20 @@ namespace usacv20 {
 
 namespace {
 
-//! First points that are tried. Half, double: no run of the lists differs.
+//! Maximum number of first points. Halving or doubling it changes no benchmark run.
 constexpr int TRIES = 100;
 
-/** @brief NAPSAC: any point and its neighbors @cite nasuto2002napsac.
+/** @brief NAPSAC: a random point and some of its neighbors @cite nasuto2002napsac.
 
 The first point is uniform, the others are uniform among its neighbors in the coarsest layer of the
-graph. Finer layers find more samples of inliers only, but a model of points that are close to each
-other is inaccurate and, where they lie on a plane, wrong: on an office scene they gave twice as
-many wrong fundamental and essential matrices.
+graph. Finer layers give more all-inlier samples, but a model of points close to each other is
+inaccurate, and wrong if they lie on a plane: on an office scene, finer layers doubled the number of
+wrong fundamental and essential matrices.
 
-A point with fewer neighbors than a sample needs is most likely a wrong match. The paper gives the
-sample up; here another first point is drawn, which is the same without a lost iteration. Where
-#TRIES of them have too few neighbors, hardly any point has enough, and the sample is drawn from all
-points. */
+A point with fewer neighbors than a sample needs is most likely an outlier. The paper discards the
+sample; here another first point is drawn, which has the same effect without a lost iteration. If
+#TRIES first points have too few neighbors, hardly any point has enough, and the sample is drawn
+from all points. */
 class NapsacSampler : public Sampler
 {
 public:

@@ -11,38 +11,38 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these: doc/constants.md.
+// Halved and doubled values: doc/constants.md.
 
-//! Samples; see the class. BEFORE_ORDER 4, 16: errors the same; ORDERED 8, 32: errors of H within 1
-//! %; BEFORE_ORDER_CHEAP 16: instructions of affinities and similarities -3 to +12 %, 64: -10 to +7
-//! %.
+//! Numbers of samples, see the class. Halving or doubling changes errors by at most 1 %,
+//! BEFORE_ORDER_CHEAP the instructions of affinities and similarities by -10 to +12 %.
 constexpr int BEFORE_ORDER = 8, ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
-//! Points of the sample of H, and more than those of an affinity or a similarity.
+//! Sample size of H; an affinity or a similarity needs fewer points.
 constexpr int SMALL = 4;
-//! Of so many samples that are not uniform, one is local. LOCAL_EVERY 2, 8, with scores: errors
-//! within 1 %; LOCAL_EVERY_GUESS 1: errors of F +5 %, E +3 %, failures of F +0.7 points; 4: errors
-//! within 1 %.
+//! One in so many of the non-uniform samples is local, with a known order and with a guessed one.
+//! LOCAL_EVERY_GUESS 1: errors of F +5 %, E +3 %.
 constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
-//! The first neighborhood of a point has so many times as many members as a sample. 1, 4: errors
-//! within 1 %.
+//! Minimum size of the first neighborhood of a point, in sample sizes. 1 or 4 change errors by at
+//! most 1 %.
 constexpr int FIRST_MEMBERS = 2;
 
-//! True if the order of the points is nobody's knowledge.
+//! True if the order of the points is neither given nor made from scores, but from their density.
 bool isGuess(const Context& context) { return !orderIsKnown(context); }
 
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
-The first, location-defining, point comes from PROSAC's growing set of the best points; the others
-from its neighborhood: the finest layer of the graph with #FIRST_MEMBERS m members at first, and
-with twice as many each time the point is chosen again, until that is everything and the sample is
-PROSAC's. One in four of the samples that are not uniform (Params::orderedEvery) is local, every
-second one if the order of the points is a guess (the density). With more, small groups of wrong
-matches that agree with each other (repeated patterns) won more often on real pairs than small
-groups of right ones were found sooner. If the order is a guess, the first #BEFORE_ORDER samples are
-uniform: easy problems need no more, and so neither order nor neighborhood. Of samples of #SMALL
-points (H), the first #ORDERED all keep to the order instead: they come from the few densest points,
-and four right ones among these are soon met. Of smaller ones the first #BEFORE_ORDER_CHEAP are
-uniform: they take less than the order does. */
+The first, location-defining point of a sample comes from PROSAC's growing set of the best points,
+the others from its neighborhood: the finest layer of the graph in which it has at least
+#FIRST_MEMBERS m members. That number doubles each time the point is chosen again; once no layer has
+enough members, the sample is drawn as in PROSAC. Such a local sample is one in #LOCAL_EVERY of the
+non-uniform samples (Params::orderedEvery), or one in #LOCAL_EVERY_GUESS if the order is a guess
+from the density of the points. With more local samples, small groups of consistent outliers
+(repeated patterns) won on more real pairs than small groups of inliers were found sooner.
+
+If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more,
+and thus neither order nor neighborhood. With #SMALL points per sample (H), the first #ORDERED
+samples all follow the order instead: four inliers are soon drawn from the few densest points. With
+fewer points per sample, the first #BEFORE_ORDER_CHEAP are uniform, as they take less time than the
+order. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -86,7 +86,7 @@ private:
         return isGuess(context) ? LOCAL_EVERY_GUESS : LOCAL_EVERY;
     }
 
-    //! As isOrdered(), but for the first samples.
+    //! isOrdered() with exceptions for the first samples, see the class.
     static bool isOrderedGuess(const Context& context, State& state, int* sample)
     {
         const int m = context.components.minimalSolver->sampleSize(),
@@ -106,14 +106,13 @@ private:
         return isOrdered(context, state, sample);
     }
 
-    //! How often a point was the center of a local sample, and the finest layer with enough
-    //! neighbors.
+    //! How often a point was the first of a local sample; its finest layer with enough members.
     struct Center
     {
         int chosen, layer;
     };
 
-    //! Draws the other points from the neighborhood of sample[0]; false if that is everything.
+    //! Draws the other points from the neighborhood of sample[0]; false if no layer suffices.
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighborhood& neighborhood = context.neighborhood();
@@ -124,8 +123,7 @@ private:
         }
         Center& center = centers[sample[0]];
         const int wanted = FIRST_MEMBERS * m << std::min(center.chosen++, 16);  // 16: no overflow
-        for (; center.layer < neighborhood.layers();
-             ++center.layer)  // finer ones will never do again
+        for (; center.layer < neighborhood.layers(); ++center.layer)  // finer layers stay too small
         {
             const int* members;
             const int count = neighborhood.members(context, center.layer, sample[0], members);
@@ -144,7 +142,7 @@ private:
     }
 
     GrowingSet growth;
-    Center* centers;  //!< for each point; null before the first local sample
+    Center* centers;  //!< one per point; null before the first local sample
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Samples of the n best points with slowly growing n, each new point in all samples until the next
-one arrives; uniform once n is everything @cite chum2005matching. */
+/** PROSAC @cite chum2005matching: samples of the n best points, with slowly growing n. Each sample
+contains the newest of them, the n-th; once n is the number of all points, samples are uniform. */
 class ProsacSampler : public Sampler
 {
 public:

@@ -11,16 +11,16 @@
 namespace cv {
 namespace usacv20 {
 
-//! Draws a sample from all points.
+//! Draws a uniform sample from all points.
 inline void drawUniform(const Context& context, State& state, int* sample)
 {
     state.counts = true;
     state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
 }
 
-/** @brief True if the sampler shall draw the sample as it prefers, see Params::orderedEvery; it
-does then not count for the criteria, unless all samples are of this kind. Else it has been drawn
-from all points. */
+/** @brief True if the sampler has to draw this sample in its own way (Params::orderedEvery); it
+then counts for the termination criteria only if all samples are such. If false, a uniform sample
+has been drawn. */
 inline bool isOrdered(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -33,8 +33,7 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! As isOrdered() where the order is somebody's knowledge (orderIsKnown()): what State::wanted
-//! says.
+//! The same for a known order (orderIsKnown()); how often it is true depends on State::wanted.
 inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -55,15 +54,15 @@ inline bool isOrderedByKnowledge(const Context& context, State& state, int* samp
 Ptr<Sampler> createUniformSampler();
 //! The best points first, see ProsacSampler.
 Ptr<Sampler> createProsacSampler();
-//! Neighbors of the best points first, see PNapsacSampler.
+//! The best points and their neighbors first, see PNapsacSampler.
 Ptr<Sampler> createPNapsacSampler();
-//! Neighbors of any point, see NapsacSampler.
+//! A random point and its neighbors, see NapsacSampler.
 Ptr<Sampler> createNapsacSampler();
-//! Points as often as their scores say, see ImportanceSampler.
+//! Points drawn in proportion to their scores, see ImportanceSampler.
 Ptr<Sampler> createImportanceSampler();
 
-//! Fills places 1 .. m-1 of a sample with distinct points other than sample[0]. `members` are
-//! `count` >= m, sample[0] among them.
+//! Fills places 1 .. m-1 of a sample with distinct points of `count` >= m `members`, of which
+//! sample[0] is one.
 inline void drawOthers(Rng& rng, const int* members, int count, int m, int* sample)
 {
     for (int k = 1; k < m;)

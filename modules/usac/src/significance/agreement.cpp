@@ -11,11 +11,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Wrong matches of each point, at least. 2, 8: no run of the lists differs.
+//! Minimum number of wrong matches per point. 2 or 8 change no benchmark run.
 constexpr int PARTNERS = 4;
 
-/** Some of the points, with the numbers that a residual wants: double for one of the caller's own,
-which may know nothing of Correspondences but those of the estimation, float for the others. */
+/** Points whose coordinates can be paired wrongly: those of array 1 with those of other matches in
+array 2. T is double for a custom residual, which may know no other Correspondences than those of
+the estimation, and float otherwise. */
 template <typename T>
 class Pairing
 {
@@ -31,7 +32,7 @@ public:
             std::copy(from[k], from[k] + count, row(k));
     }
 
-    //! Marks the points that agree. @return their number
+    //! Marks the inliers. @return their number
     int inliers(uchar* mask)
     {
         computeErrors(0);
@@ -41,8 +42,8 @@ public:
         return sum;
     }
 
-    //! Leaves out what is marked, and writes array 2 a second time behind the first: the last
-    //! points have partners, too. Of a single array it is the last column.
+    //! Removes the marked points and appends a copy of array 2 to itself, so that the last points
+    //! have partners, too. With a single array it is the last column. @return number of points left
     int drop(const uchar* repeated)
     {
         int kept = 0;
@@ -59,8 +60,8 @@ public:
         return size;
     }
 
-    //! How many points of array 1 agree with those that stand `partner` places further in array 2,
-    //! after drop().
+    //! Number of wrong matches within the threshold, if each point of array 1 is paired with the
+    //! point `partner` places further in array 2. After drop().
     int agreeing(int partner)
     {
         computeErrors(partner);
@@ -78,7 +79,7 @@ private:
     const Residual& residual;
     const Model& model;
     const Correspondences& points;
-    const int columns, firstMoved;  //!< the columns from this one on are those of the partner
+    const int columns, firstMoved;  //!< columns from `firstMoved` on are taken from the partner
     const T limit;
     int size;
     const int stride;

@@ -10,38 +10,38 @@
 namespace cv {
 namespace usacv20 {
 
-//! How many matches agree with a model, and how many wrong ones.
+//! How many matches are within the threshold of a model, and how many wrong matches.
 struct Agreement
 {
-    int points;   //!< that are independent of each other
+    int points;   //!< matches that are independent of each other
     int inliers;  //!< of them within the threshold
     int pairs;  //!< wrong matches: the point of one match in image 1 with that of another in image
                 //!< 2
     int agreeing;  //!< of them within the threshold
 };
 
-/** @brief Compares the errors of the first `count` matches with those of the same points wrongly
-paired.
+/** @brief Compares the errors of the first `count` matches with those of wrong matches of the same
+points.
 
-If the matches are random, any other pairing of their points is as good as the given one: so the
-wrong matches tell how often a random one agrees with this very model, wherever the points are and
-whatever the model is like (one that maps everything to one place, or an epipole amid the points,
-too), and right matches have no part in it.
+If the matches are random, any other pairing of their points is as likely as the given one. The
+wrong matches thus tell how often a random match agrees with this very model, for any positions of
+the points and any model (even if it maps everything to one place, or has an epipole amid the
+points), and right matches do not affect the result.
 
 Inliers in one place of an image, see #markRepeated, count once: the others are left out. Each point
-is paired with 4 others, or with as many more as make `pairs` wrong matches, if there are so many.
+is paired with 4 others, or with more to get `pairs` wrong matches, as far as there are others.
 O(count + pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model,
                          const Correspondences& points, int count, double threshold, int pairs,
                          Arena& arena);
 
-/** Squared errors of matches that are wrong: the point of each of the first `count` matches in
-array 1 with that of another one of these in array 2.
-@param errors output, #WRONG_PARTNERS numbers for each match at most
-@return how many */
+/** Squared errors of wrong matches: the point of each of the first `count` matches in array 1,
+paired with that of another of these matches in array 2.
+@param errors output, at most #WRONG_PARTNERS numbers per match
+@return number of errors */
 int wrongErrors(const Residual& residual, const Model& model, const Correspondences& points,
                 int count, float* errors, Arena& arena);
-//! Wrong matches of each point.
+//! Number of wrong matches per point.
 enum { WRONG_PARTNERS = 4 };
 
 }  // namespace usacv20

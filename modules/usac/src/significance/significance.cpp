@@ -13,17 +13,17 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these, doc/constants.md: no right model of the lists is refused; with 2048
-// pairs one of E less.
+// Halving or doubling these rejects no right model of the benchmark, except one E with 2048 PAIRS.
 
-//! Inliers beside a sample that are looked at first, so many times more if they do not settle it;
-//! wrong matches of all points, for a probability with a standard deviation of 1 %.
+//! Inliers beside the sample expected among the points that are tested first; factor of the number
+//! of points if these do not decide; wrong matches in a test of all points, which give their inlier
+//! probability with a standard deviation of 1 %.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
-//! Wider thresholds that are looked at, in units of the given one.
+//! Wider thresholds that are tried, in units of the given one.
 constexpr double WIDE[] = {4, 16};
-//! Tests of a point, as Watch counts them, that a look takes for each: 90 ns of a million.
+//! Work of look() per point in point tests, the unit of Watch: 90 ns with a million points.
 constexpr double LOOK_WORK = 45;
-//! Looks at all points, decisive() included.
+//! Passes over all points, including that of decisive().
 constexpr int LOOKS = 4;
 
 //! T, see Significance.
@@ -79,9 +79,8 @@ double Significance::chance(int inliers, double clear)
 
 bool Significance::decisive(double inlierRatio, double limit) const
 {
-    // where inliers are there several times the other matches are, too; but a model that takes
-    // everything to one place has few independent inliers, however many independent points there
-    // are
+    // if inliers are repeated, other matches are assumed to be so, too; but a model that maps
+    // everything to one place has few independent inliers of many independent points
     const double inliers = size - last.points + last.inliers,
                  different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);

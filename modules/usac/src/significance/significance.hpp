@@ -10,68 +10,68 @@
 namespace cv {
 namespace usacv20 {
 
-//! The search that has found a model.
+//! Effort of the search that has found a model.
 struct SearchEffort
 {
     int sampleSize;
-    double samples;      //!< drawn
-    double models;       //!< of them that were compared with the points
-    bool countsInliers;  //!< the local optimization maximizes their number
+    double samples;      //!< number of samples drawn
+    double models;       //!< number of their models that were compared with the points
+    bool countsInliers;  //!< the local optimization maximizes the number of inliers
     bool ownThreshold;   //!< the threshold was chosen from the errors, #QUALITY_LMEDS
 };
 
-/** @brief Is the best model of a search better than the best one that the same search finds in
+/** @brief Is the best model of a search better than the best one that the same search would find in
 random matches?
 
-The sample's own m points agree in any case. Each other one agrees with a model of random matches
-with the same, unknown probability as a wrong match; of these some are counted, see Agreement. That
-gives the probability p of as many inliers for one such model, a beta-binomial tail. The best of T
-models has them with a probability of at most 1 - (1 - p)^T.
+The m points of the sample are inliers in any case. Each other point is an inlier of a model of
+random matches with the same, unknown probability as a wrong match; some wrong matches are tested to
+estimate it, see Agreement. The probability p of at least as many inliers for one such model is thus
+a beta-binomial tail. For the best of T models it is at most 1 - (1 - p)^T.
 
-What T is: the models that were compared with the points; not more than of all C(n, m) samples.
-Local optimization and polishing move a model to where it has more inliers than any sample gives. An
-optimum is held by one more point than a sample has (as the narrowest strip around points of a plane
-is held by three of them, and a line by two), and there are C(n, m + 1) / C(n, m) = (n - m) / (m +
-1) times as many sets of m + 1 points as samples: so many times more models has a search whose local
-optimization maximizes the number of inliers, and the root of that any other. With T = models min(1,
-C(n, m) / samples) times this factor the chance was measured on random points (doc/design.md);
-LO-RANSAC needs 30 and 40 at 1000 points (F, E) of 124 and 166, USACV20 10 of 11 and 13. The bound
-that counts all samples, drawn or not, is that of @cite moisan2004probabilistic.
+T is the number of models that were compared with the points, at most that of all C(n, m) samples,
+times a factor for local optimization and polishing, which move a model to where it has more inliers
+than the model of any sample. Such an optimum is determined by one point more than a sample has (the
+narrowest strip around points of a plane by three, a line by two), and there are C(n, m + 1) / C(n,
+m) = (n - m) / (m + 1) times as many sets of m + 1 points as samples. That is the factor if the
+local optimization maximizes the number of inliers, else its square root: T = models min(1, C(n, m)
+/ samples) factor. The probability was checked on random points (doc/design.md): with n = 1000,
+LO-RANSAC needs a factor of 30 (F) and 40 (E) and has 124 and 166; USACV20 needs 10 and has 11
+and 13. The bound of @cite moisan2004probabilistic counts all samples, drawn or not.
 
-A threshold far below the noise leaves few inliers of a right model; so 4 and 16 times the threshold
-are looked at, too, with a tenth of the allowed error each. With a threshold of its own choice a
-model has n - m more chances @cite moisan2004probabilistic.
+With a threshold far below the noise a right model has few inliers; 4 and 16 times the threshold are
+therefore tried, too, each with a tenth of the allowed error probability. If the threshold was
+chosen from the errors, T is n - m times as large @cite moisan2004probabilistic.
 
-O(n); where a few points settle it, O(1): they are a random sample of all, so what holds for them is
-a bound. */
+O(n), or O(1) if a few points are enough to decide: they are a random sample of all, so their result
+is a bound. */
 class Significance
 {
 public:
     /** @param threshold in the coordinates of `points`
     @param arena memory
-    @param context of the run, which may have to end meanwhile: then only some of the points are
-    looked at; null: it has not */
+    @param context that of the run; if it has to end meanwhile, only some of the points are tested.
+    Null: it never has to */
     Significance(const Residual& residual, const Model& model, const Correspondences& points,
                  double threshold, const SearchEffort& effort, Arena& arena,
                  const Context* context = 0);
 
     /** Probability that the search finds such a model in random matches.
-    @param inliers about as many inliers has the model
+    @param inliers approximate number of inliers of the model
     @param clear smaller values need not be exact: the first bound that is smaller is the result. */
     double chance(int inliers, double clear);
 
-    /** After chance(): are the points so many that a model with `inlierRatio` of them would have a
-     chance of at most * `limit`? Points that repeat another one count once. */
+    /** After chance(): are there so many points that a model with `inlierRatio` of them as inliers
+    would have a chance of at most `limit`? Points that repeat another one count once. */
     bool decisive(double inlierRatio, double limit) const;
 
 private:
     Agreement look(int count, double scale, int pairs) const;
-    //! Is there no time to look at so many points? Then all that follows looks at less.
+    //! True if there is no time to test so many points: all later tests use fewer.
     bool shorten(double count);
-    //! @param share of the allowed error that a look at one of several thresholds has
+    //! @param share part of the allowed error probability that this one of several thresholds has
     double chanceOf(const Agreement& found, double share = MAIN_SHARE) const;
 
-    //! Of the threshold itself, and of each of the wider ones.
+    //! Parts of the allowed error probability: of the threshold itself, and of each wider one.
     static const double MAIN_SHARE, WIDE_SHARE;
 
     const Residual& residual;
@@ -82,8 +82,8 @@ private:
     const double trials;
     Arena& arena;
     const Context* const context;
-    int size;        //!< so many points are looked at
-    Agreement last;  //!< with the threshold itself
+    int size;        //!< number of points that are tested
+    Agreement last;  //!< result with the threshold itself
 };
 
 }  // namespace usacv20

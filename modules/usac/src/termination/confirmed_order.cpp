@@ -12,24 +12,24 @@
 namespace cv {
 namespace usacv20 {
 
-//! Samples, the first ones, of which every second one follows the order. Half, double:
-//! doc/constants.md.
+//! Number of first samples of which every second one follows the order; see doc/constants.md.
 constexpr int FIRST_ORDERED = 480;
-//! Standard deviations of the rank sum: an order that tells nothing looks that good once in 1000
-//! times.
+//! Minimum evidence for the order, in standard deviations of the rank sum; a random order reaches
+//! it once in 1000 times.
 constexpr double CONFIRMED = 3.1;
-//! One of so many parts of the order, the last one, tells how many inliers come anywhere in it.
+//! The last of so many equal parts of the order tells how many inliers are spread over all of it.
 constexpr int LATE_PART = 4;
-/** Another motion keeps its neighbors together at least so many times as often as the best model's,
-... */
+/** The coherence (CellPairs::coherence) of another motion is assumed to be at least this part of
+the best model's, ... */
 constexpr double OTHER_COHERENCE = 0.75;
-//! ... which is known from so many pairs of inliers at least ...
+//! ... which needs at least so many pairs of inliers in one cell to be estimated ...
 constexpr double LEAST_PAIRS = 50;
-//! ... and shows, but for so many standard deviations, in cells of both sizes: 1 % is missed.
+//! ... and it is ruled out if the pairs in common cells are too few by so many standard deviations:
+//! 0.5 % of motions are missed for each of two cell sizes.
 constexpr double MISSED_DEVIATIONS = 2.58;
-//! Cells of the second look have so many times the sides: few matches are seldom in one cell.
+//! Sides of the larger cells, in those of the smaller ones, which have few pairs of few matches.
 constexpr int COARSE = 2;
-//! Of the inliers, not more than this part may repeat others, as these stay together in any case.
+//! Largest part of the inliers that may repeat others; repeated matches share cells in any case.
 constexpr double MOST_REPEATED = 0.1;
 
 bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left)
@@ -37,11 +37,11 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
     if (std::sqrt(own.in[0] * own.in[1]) < LEAST_PAIRS || other > left)
         return other > left;
     const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
-    const double chance = rest.expected * (1 - part * part);  // of all pairs but its own
-    // at least, as other points than those that are spread evenly share a cell more often
+    const double chance = rest.expected * (1 - part * part);  // without its own pairs
+    // a lower bound, as points that are not spread evenly share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
-                        own.cells;  // with a point, so that the number of pairs varies more
+                        own.cells;  // partners of a point, which add to the variance
     const double deviation = std::sqrt(chance + together * (1 + 2 * each));
     return rest.both < chance + together - MISSED_DEVIATIONS * deviation;
 }
@@ -49,7 +49,7 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m)
 {
     double ranks = 0,
-           others = 0;  // of the inliers among the points that count: how many of these come later
+           others = 0;  // outliers that come later
     int own = 0, skipped = 0;
     for (int i = size - 1; i >= 0; --i)
         others += !inliers[i];
@@ -73,23 +73,23 @@ double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int 
 
 namespace {
 
-/** @brief PROSAC's criterion where scores may lie: it ends the search only if the data confirm the
-order, and if no other model can hide among the points that the best one does not explain.
+/** @brief PROSAC's criterion for scores that may be misleading: it ends the search only if the data
+confirm the order, and if no other model can be hidden among the outliers of the best one.
 
-1. Of the first samples every second one follows the order (#FIRST_ORDERED), of the later ones one
-in Params::orderedEvery.
-2. Each new best model tells whether the order is good: its inliers come early in it
-(orderEvidence()). If they do, all samples follow the order until PROSAC's criterion, see
-prosacSamples(), is fulfilled.
-3. That may be a wrong group with the best scores, another motion say. So the search ends for good
-when samples of the points that the best model does not explain, where another one has a larger part
-of the points than among all, have not met a model with significantly more inliers
-(significantInliers(), State::unexplainedSamples). It may share with the best one what comes
-anywhere in the order (otherInliers()). No such samples are asked for if the model would be seen
-there, as its neighbors stay neighbors (otherMotionWouldShow()).
+1. Every second one of the first #FIRST_ORDERED samples follows the order, of the later ones one in
+Params::orderedEvery.
+2. The order is confirmed if the inliers of a new best model come early in it (orderEvidence()).
+Then all samples follow the order until PROSAC's criterion is fulfilled, see prosacSamples().
+3. The inliers may still be a wrong group with the best scores, for example another motion. The
+search therefore ends only after samples of the best model's outliers, where another model has a
+higher inlier ratio than among all points, have led to none with significantly more inliers
+(State::unexplainedSamples, significantInliers()). It may share with the best one the inliers that
+are spread over the whole order (otherInliers()). No such samples are needed if its neighboring
+matches would show among the outliers and do not (otherMotionWouldShow()).
 
-Where uniform samples are sooner enough, or the best model is of a plane that has two motions
-(State::yield), the other criteria decide. O(N) a batch of samples at most. */
+If uniform samples are enough earlier, or not all all-inlier samples lead to the best model
+(State::yield; a plane has two motions), the other criteria decide. At most O(N) per batch of
+samples. */
 class ConfirmedOrderTermination : public Termination
 {
 public:
@@ -150,8 +150,7 @@ private:
             inliers[i] = errors[i] <= limit;  // false for NaN
     }
 
-    //! How many samples that follow the order are enough for the best model, if the order is
-    //! confirmed.
+    //! How many samples that follow the order the best model needs, if the order is confirmed.
     void look(const Context& context, const State& state)
     {
         const Correspondences& p = context.points;
@@ -188,7 +187,7 @@ private:
             (context.params.termination & TERMINATION_EXACT) != 0, length, &context);
     }
 
-    //! Uniform samples that lack for the standard criterion.
+    //! Number of uniform samples that the standard criterion still needs.
     static double uniformLeft(const Context& context, const State& state)
     {
         const int needed = samplesNeeded(
@@ -197,7 +196,8 @@ private:
         return (double)needed - state.countedSamples;
     }
 
-    //! Samples that follow the order are enough, if it is not one of another motion.
+    //! Enough samples have followed the order: ends the search, after samples of the outliers
+    //! unless no other motion can be among these.
     void end(const Context& context, State& state)
     {
         const int size = context.points.size, m = context.components.minimalSolver->sampleSize();
@@ -211,7 +211,7 @@ private:
                                 : otherModelSamples(context, state, other, left, m);
         if (samples > uniformLeft(context, state))
         {
-            orderedNeeded = INT_MAX;  // those of all points are enough sooner
+            orderedNeeded = INT_MAX;  // uniform samples are enough earlier
             state.wanted = SAMPLES_MIXED;
             return;
         }
@@ -219,8 +219,8 @@ private:
         enough = state.iteration;
     }
 
-    //! True if another motion with so many inliers would show among the points that the best one
-    //! leaves.
+    //! True if another motion with so many inliers would show among the best model's outliers, but
+    //! does not.
     bool seesNoOther(const Context& context, const uchar* inliers, double other, int left) const
     {
         bool shows = false;
@@ -231,9 +231,9 @@ private:
         return shows;
     }
 
-    /** Inliers that another model must have among the `left` points to have significantly more. If
-    the best model owes its place in the order to a wrong group, the other one shares with it what
-    comes anywhere in the order; how many these are the last ones tell. */
+    /** Number of inliers that another model needs among the `left` outliers of the best one to have
+    significantly more. If the best model is that of a wrong group early in the order, the two share
+    the inliers spread over the whole order, which are counted in its last part. */
     double otherInliers(const Context& context, const State& state, int left) const
     {
         const double shared = (late + std::sqrt((double)late)) * left * LATE_PART /
@@ -242,7 +242,7 @@ private:
                std::min(shared, (double)state.bestQuality.inliers);
     }
 
-    //! Samples of the `left` points after which a model with so many inliers would be found.
+    //! Number of samples of the `left` outliers that find a model with `other` inliers among them.
     static int otherModelSamples(const Context& context, const State& state, double other, int left,
                                  int m)
     {
@@ -258,10 +258,11 @@ private:
     }
 
     double randomRatio, cost;
-    int orderedNeeded;  //!< samples that follow the order; INT_MAX: they do not end the search
-    int enough;         //!< samples after which it may end; INT_MAX: not known
-    int late;           //!< inliers of the best model among the last points of the order
-    bool manyRepeated;  //!< of the inliers
+    int orderedNeeded;  //!< samples that have to follow the order; INT_MAX: they do not end the
+                        //!< search
+    int enough;         //!< samples after which the search may end; INT_MAX: not known
+    int late;           //!< inliers of the best model in the last part of the order
+    bool manyRepeated;  //!< more than #MOST_REPEATED of the inliers repeat others
 };
 
 }  // namespace

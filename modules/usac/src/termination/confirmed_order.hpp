@@ -11,24 +11,26 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Do the inliers of a model come early in an order? Their rank sum against that of the
-other points (Mann, Whitney), in standard deviations of what it is in an order that tells nothing.
+/** @brief Do the inliers of a model come early in an order? Mann-Whitney rank-sum statistic of
+inliers against outliers, as its deviation from the mean over random orders, in standard deviations;
+positive if the inliers come early.
 
-The first m inliers do not count, as the model may have been made of them, nor do repeated ones.
+The first m inliers do not count, because the model may have been computed from them; nor do
+repeated ones.
 @param inliers which of the `size` points are inliers, best point first
-@param repeated which of them repeat an earlier one
+@param repeated which of the inliers repeat an earlier one
 @param size number of points
 @param m size of a sample */
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m);
 
-/** @brief Would another motion be seen by its neighbors that stay neighbors? Where two motions are
-as smooth as each other, its matches are in the same cell of both arrays as often as those of the
-best model.
+/** @brief Would another motion be visible because neighbors remain neighbors? If its motion is as
+smooth as the best model's, its matches share cells of both arrays as often as those of the best
+model.
 @param own pairs of inliers of the best model
-@param rest pairs of the points that it does not explain
-@param other number of matches of the other motion among these
-@param left number of these
-@return true if there are fewer pairs in common cells than the other motion would have */
+@param rest pairs of the outliers of the best model
+@param other number of matches of the other motion among these outliers
+@param left number of these outliers
+@return true if there are fewer pairs in common cells than there would be with the other motion */
 bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left);
 
 }  // namespace usacv20

@@ -10,17 +10,17 @@ namespace usacv20 {
 
 namespace {
 
-//! Parts of the range of the noise, as many as the program of the paper's authors takes. 3: time -5
-//! to -14 %; 10: +16 to +46 %, errors within 2 %.
+//! Parts of the range of noise scales, as in the program of the paper's authors. 3: time -5 to -14
+//! %; 10: +16 to +46 %; errors change by at most 2 %.
 constexpr int PARTITIONS = 5;
 
-/** MAGSAC @cite barath2019magsac: the samples that the standard criterion asks for, averaged over
-the scale of the noise, uniform in 0 .. sigma_max. For the scales i sigma_max / #PARTITIONS the
-inliers of the best model are the points within i / #PARTITIONS of the threshold.
+/** MAGSAC @cite barath2019magsac: the number of samples that the standard criterion asks for,
+averaged over the noise scale, which is uniform in 0 .. sigma_max. For the scale i sigma_max /
+#PARTITIONS, the inliers of the best model are the points within i / #PARTITIONS of the threshold.
 
-The finest scale has the fewest inliers and asks for the most samples, so the criterion is stricter
-than the standard one. It suits a threshold that is several times that of the noise; where it is
-about that of the noise, the finest scale leaves too few inliers for an end before
+The smallest scale has the fewest inliers and asks for the most samples, so the criterion is
+stricter than the standard one. It suits a threshold several times as large as the noise requires;
+with a tight threshold, the smallest scale has too few inliers for the search to end before
 Params::maxIterations. One pass over the points. */
 class MagsacTermination : public Termination
 {
@@ -52,7 +52,8 @@ public:
     int reason() const CV_OVERRIDE { return STOP_MAGSAC; }
 
 private:
-    //! How many points lie between the (i-1)-th and the i-th part of the threshold.
+    //! Counts in `inliers[i]` the points with errors between i / #PARTITIONS and (i + 1) /
+    //! #PARTITIONS of the threshold.
     static void count(const Context& context, const Model& model, int* inliers)
     {
         const Correspondences& p = context.points;

@@ -8,13 +8,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Probability that a wrong model of m of n points has this many inliers: P(Binomial(n - m,
-randomRatio) >= inliers - m) @cite chum2005matching.
+/** @brief Probability that a wrong model, computed from m of n points, has at least this many
+inliers: P(Binomial(n - m, randomRatio) >= inliers - m) @cite chum2005matching.
 
-The points of the sample are inliers in any case; each other one is, by chance, with probability
-`randomRatio`. Exact sum: the first term in the form of @cite loader2000fast, which cancels nothing,
-the others by their ratios, from the side of the distribution where they decrease. 0 where the
-probability is smaller than a double can be. At most O(n) time, mostly O(sqrt(n)). */
+The points of the sample are inliers in any case; each other point is an inlier by chance with
+probability `randomRatio`. Exact sum: the first term in the form of @cite loader2000fast, which
+avoids cancellation, the others by their ratios, on the side of the distribution where they
+decrease. 0 if the probability is below the range of double. At most O(n) time, mostly
+O(sqrt(n)). */
 double chanceOf(int inliers, int n, int m, double randomRatio);
 
 }  // namespace usacv20

@@ -10,10 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-/** Inliers. Search failures of F with r = 0.5 over 15 to 1000 points, generic / each point five
-times: 3.9 / 6.0 % with 0 (and r = 0.4), 1.7 / 2.8 with 30, 0.7 / 1.9 with 40 (and r = 0.4). On the
-lists half and double change next to nothing; USACV20_FAST: 60 takes 8 to 19 % more samples on
-scenes of 30 to 300 points, 15 6 to 12 % less. */
+/** Number of distinct inliers beside the sample at which r is half of Params::relaxation. Search
+failures for F with Params::relaxation 0.5 and 15 to 1000 points, all distinct / each five times:
+1.7 / 2.8 % with 30, 3.9 / 6.0 % with 0 (and relaxation 0.4), 0.7 / 1.9 % with 40 (and relaxation
+0.4). Halving or doubling it changes almost nothing on real pairs; with USACV20_FAST on scenes of 30
+to 300 points, 60 takes 8 to 19 % more samples, 15 takes 6 to 12 % fewer. */
 constexpr int HALF = 30;
 
 }  // namespace
@@ -31,11 +32,11 @@ double significantInliers(const Context& context, const State& state)
 namespace {
 
 /** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one
-@cite barath2019progressive, that is with a part r more of them. There r is a constant. Here those
-of the sample do not count: any model has them, so that of a few points a wrong one has not many
-less than the right one. For the same reason r is Params::relaxation k / (k + #HALF) for k different
-inliers beside the sample; and 0 where samples of inliers only may lead to a wrong model
-(State::yield), which then has nearly as many as the right one. */
+@cite barath2019progressive, that is, with (1 + r) times as many. In the paper r is a constant. Here
+the inliers of the sample do not count, because any model has them: with few points, a wrong model
+has only slightly fewer inliers than the right one. For the same reason r is Params::relaxation k /
+(k + #HALF) for k distinct inliers beside the sample. It is 0 if all-inlier samples may lead to a
+wrong model (State::yield), because that has nearly as many inliers as the right one. */
 class PNapsacTermination : public Termination
 {
 public:

@@ -11,11 +11,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! What the probability of a support by chance must be below, as in @cite chum2005matching (half,
-//! double: no run of the lists differs); T_n may be an integer.
+//! Upper bound of the probability of a support by chance, as in @cite chum2005matching (halving or
+//! doubling it changes no benchmark run); factor for rounding errors of a T_n that is an integer.
 constexpr double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;
-//! Lengths between two questions whether the run has to end; tests of a point, as Watch counts
-//! them, that a length takes: up to 0.4 us. Half, double: the run ends as late, within the noise.
+//! Lengths n between two checks whether the run has to end; work per length in point tests, the
+//! unit of Watch: up to 0.4 us. They affect only how late a time limit ends a run.
 constexpr int PART = 1024;
 constexpr double LENGTH_WORK = 200;
 
@@ -53,27 +53,27 @@ namespace {
 
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
 
-A length n* at which both hold, see prosacSamples, ends the search when T'_n* samples have been
-drawn. Three things differ from the paper:
+If both hold for a length n*, see prosacSamples, the search ends when T'_n* samples have been drawn.
+Three things differ from the paper:
 
-- There the set stops growing at n*, and the n* with the fewest samples needed for maximality is
-chosen. Here the set grows on, as other criteria may need it; so the samples up to the T'_n*-th
-count, which were drawn from the n* best points (with P-NAPSAC but for the local and the uniform
-ones), and the n* that is reached first is chosen. Of all lengths only n* = N has samples without
-end.
-- There each sample counts. But the first ones must contain the newest of a few points: they are
-worth T_n* uniform samples, however the inliers are ordered, and more only by good luck. With all of
-them, two or three samples of the very best points ended real runs with whatever model they gave.
-- There the 5 % are those of one wrong model. But the best of thousands of wrong models has a
-support of that kind more often than not; in small scenes a tenth of the runs ended with one. Here
-they are those of all T'_n* samples.
+- In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
+is chosen. Here the set keeps growing, for other criteria. Only the first T'_n* samples count, which
+come from the n* best points (except local and uniform ones of P-NAPSAC), and the n* reached first
+is chosen. Only n* = N has samples without limit.
+- In the paper, each sample counts. But the first samples must contain the newest of a few points:
+for any order of the inliers, they are worth T_n* uniform samples, and more only by good luck. When
+each sample counted, two or three samples of the very best points ended real runs with whatever
+model they gave.
+- In the paper, 5 % is the probability of such a support for one wrong model. But the best of
+thousands of wrong models has it more often than not; in small scenes a tenth of the runs ended with
+one. Here 5 % is the probability for all T'_n* samples together.
 
 Inliers that lie within a threshold of a better one in either image do not count for non-randomness,
-as the best points are often one match found several times. The criterion wants an order that has
-nothing to do with where the points are, as scores have it: in the densest place of the images
-(#ORDERING_DENSITY) many wrong models fit all points.
+because the best points are often one match found several times. The criterion needs an order that
+is independent of the positions of the points, such as that of scores: many wrong models fit all
+points in the densest place of the images, which come first with #ORDERING_DENSITY.
 
-O(N) an update, O(N log N) once the rest is fulfilled. */
+O(N) per update, O(N log N) if both conditions hold before repeated inliers are left out. */
 class ProsacTermination : public Termination
 {
 public:
@@ -112,13 +112,13 @@ public:
     int reason() const CV_OVERRIDE { return STOP_PROSAC; }
 
 private:
-    //! True if the set grows with the samples that follow the order, not with all.
+    //! True if the set grows only with samples that follow the order, not with all samples.
     static bool countsOrdered(const Context& context, const State& state)
     {
         return context.params.orderedEvery > 1 && state.orderedSamples > 0;
     }
 
-    //! Of `samples` that follow the order, those that lack are one in `every`, or more.
+    //! Number of all samples with `samples` that follow the order, if one in `every` to come does.
     static int ofAll(int samples, int every, const State& state)
     {
         if (samples == INT_MAX || every == 1)

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** SPRT: as the standard criterion, but a good model may have been dropped by the test. Under the
-l-th test this happens with a probability of at most A_l^-h, with h the root of epsilon (delta_l /
+/** SPRT: like the standard criterion, but the test may have rejected a good model. Under the l-th
+test this happens with a probability of at most A_l^-h, with h the root of epsilon (delta_l /
 epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1 for the inlier ratio epsilon of
 the best model @cite chum2008optimal. */
 class SprtTermination : public Termination
@@ -43,7 +43,7 @@ public:
 
 private:
     /** The positive root h, by Newton's method from above: the left side is convex, so that it
-    never steps over the root. 0 if the test would more often than not drop a model with this
+    never steps over the root. 0 if the test is more likely than not to reject a model with this
     epsilon. */
     static double exponent(const SequentialTest& test, double epsilon)
     {

@@ -10,8 +10,9 @@ namespace usacv20 {
 
 namespace {
 
-/** Standard: the samples after which at least one of inliers only has been drawn with the wanted
-confidence, if the best model so far has all inliers @cite fischler1981random. */
+/** Standard criterion: the number of samples among which, with the given confidence, there is at
+least one all-inlier sample, if the so-far-the-best model has all inliers
+@cite fischler1981random. */
 class StandardTermination : public Termination
 {
 public:

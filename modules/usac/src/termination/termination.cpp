@@ -8,11 +8,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! Each sample has been drawn but for this probability; it matters to a handful of points only.
-//! Half, double: no run of the lists differs.
+//! Probability that a sample has not been drawn when all are assumed to have been; matters only
+//! with a handful of points. Halving or doubling changes no benchmark run.
 constexpr double MISSED = 1e-6;
-//! Samples that are drawn in any case before the run ends for that, as they cost nothing. Half,
-//! double: no run differs.
+//! Minimum number of samples before the run ends for that reason; they take almost no time. Halving
+//! or doubling changes no benchmark run.
 constexpr int LEAST_EXHAUSTIVE = 100;
 
 double keptProbability(const Context& context, double inliers)

@@ -24,28 +24,29 @@ Ptr<Termination> createProsacTermination();
 //! See ConfirmedOrderTermination.
 Ptr<Termination> createConfirmedOrderTermination();
 
-/** Probability that the model of a good sample is not dropped before it is rated, if it has
-`inliers` of all points: what the verifier says, see Verifier::keptProbability(). So T(d,d) needs
-epsilon^-d times as many samples @cite matas2004randomized. (SPRT has a criterion of its own.) */
+/** Probability that the verifier does not reject the model of a good sample, if it has `inliers` of
+all points, see Verifier::keptProbability(). T(d,d) thus needs epsilon^-d times as many samples
+@cite matas2004randomized. (SPRT has a criterion of its own.) */
 double keptProbability(const Context& context, double inliers);
-/** Matches for each different one, if each is there equally often: of the m (m - 1) / 2 pairs of a
-sample each is of the same match with a probability of (copies - 1) / (n - 1), and a sample is not
-refused if none is. */
+/** Estimated number of copies of each distinct match, if it is the same for all: each of the m (m -
+1) / 2 pairs of a sample consists of copies of one match with a probability of (copies - 1) / (n -
+1), and samples with such a pair are rejected. */
 double copiesOf(const State& state, int n, int m);
-/** Probability that a sample that counts gives a good model that is kept, if that has `inliers` of
-all points. Samples that were refused as a match was in them twice do not count; how many they are
-tells how many different matches there are. */
+/** Probability that a sample that counts gives a good model that is not rejected, if that has
+`inliers` of all points. Samples that were rejected because they contain a match twice do not count;
+their number tells how many distinct matches there are. */
 double goodModelProbability(const Context& context, const State& state, double inliers);
-/** As goodSampleProbability() with or without repetition as Params::termination says, among the
- different ones of the * matches. */
+/** Probability that a sample leads to a model with `inliers` of all points: that all its points are
+inliers, drawn with repetition or, with #TERMINATION_EXACT, without and among the distinct matches;
+times State::yield. */
 double goodSampleProbability(const Context& context, const State& state, double inliers);
 
-/** Inliers of a model that has significantly more than the best one, which has more than a sample,
-see PNapsacTermination. */
+/** Minimum number of inliers of a significantly better model, see PNapsacTermination. The best
+model must have more inliers than the points of a sample. */
 double significantInliers(const Context& context, const State& state);
 
-/** Samples after which there is nothing left to be drawn. The criteria may ask for more, or never
-be fulfilled, where no model has more inliers than its own sample. */
+/** Number of samples after which practically all different samples have been drawn. The criteria
+may ask for more, or never be fulfilled, if no model has more inliers than its own sample. */
 int exhaustiveSamples(const Context& context);
 
 /** @brief PROSAC's criterion for a model, see ProsacTermination. @return the smallest T'_n, see
@@ -53,13 +54,13 @@ Growth, of a length n* such that
 
 - maximality: T_n* samples of the n* best points all miss its I_n* inliers with a probability of at
 most exp(`logFailure`);
-- non-randomness: that one of T'_n* wrong models has as many independent inliers among the n* points
-is less likely than 5 %.
+- non-randomness: the probability that one of T'_n* wrong models has as many independent inliers
+among the n* points is less than 5 %.
 
-As all points are drawn from once the set has grown to them, the samples that T_N lacks are added to
-T'_N.
+Once the set contains all points, sampling goes on, so for n* = N the samples that are missing from
+T_N are added to T'_N.
 @param inliers which of the `size` points are inliers, best point first
-@param repeated which of the inliers repeat an earlier one and are no evidence; null: none
+@param repeated which of the inliers repeat an earlier one, so that they are no evidence; null: none
 @param size number of points
 @param m size of a sample
 @param kept probability that a sample comes from the growing set and a good model is kept
@@ -67,8 +68,8 @@ T'_N.
 @param logFailure logarithm of 1 - confidence
 @param exact points are drawn without repetition, see goodSampleProbability
 @param length output: n*, 0 if there is none; the result is then INT_MAX
-@param context of the run, which may have to end meanwhile: the result is then INT_MAX, too; null:
-it has not */
+@param context that of the run; the result is INT_MAX if the run has to end meanwhile. Null: it
+never has to */
 int prosacSamples(const uchar* inliers, const uchar* repeated, int size, int m, double kept,
                   double randomRatio, double logFailure, bool exact, int& length,
                   const Context* context = 0);

@@ -11,7 +11,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! What is told of a model, and points of a minimal sample.
+//! Name of a model for messages, and its minimal sample size.
 struct ModelKind
 {
     const char* name;
@@ -22,22 +22,22 @@ namespace {
 
 const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 
-//! F has seven degrees of freedom, E five: each more can be spent on a match, right or wrong.
+//! F has seven degrees of freedom, E five: with each more, F can fit another match, right or wrong.
 constexpr double FREEDOM_MORE = 2;
-/* F where E was refused, though the focal lengths are known, tells that these are wrong: what is
-asked of it is the significance to this power, 10^-8 by default, and it is searched for in
-LEAST_SAMPLES only. */
+/* If E was rejected although the cameras are known, an F means that the focal lengths are wrong. It
+therefore needs the significance to this power, 10^-8 by default, and is searched for in only
+LEAST_SAMPLES samples. */
 constexpr double ALONE = 2;
-//! Standard deviations of a count: one in a thousand is larger by chance.
+//! Standard deviations of a count; by chance, one in a thousand deviates more.
 constexpr double DEVIATIONS = 3;
-//! F that starts from E draws as good as no samples of its own: its local optimization does the
-//! work.
+//! Samples of a search for F that starts from E, or the reverse: hardly any, because local
+//! optimization does the work.
 constexpr int SAMPLES_FROM_E = 10;
-//! An H with most of the points is found within 17 samples with a chance of 1 - 10^-4 (0.8^4 of the
-//! samples are right).
+//! Samples of the search for H among inliers. An H of 80 % of these is found within 17 samples with
+//! probability 1 - 10^-4 (0.8^4 of the samples are all-inlier).
 constexpr int SAMPLES_IN_INLIERS = 100;
-//! The largest chance of a model, a probability, where Params::significance is 0. A hundredth of
-//! what is asked of a single estimation, as most pairs of a collection have no overlap.
+//! Largest Report::chance of a model, a probability, if Params::significance is 0: a hundredth of
+//! that of a single estimation, because most pairs of a collection have no overlap.
 constexpr double SIGNIFICANCE = 1e-4;
 
 Points pointsOf(const Mat& given, const char* name, const Mat& camera, const Mat& distCoeffs)
@@ -67,7 +67,7 @@ std::vector<double> numbersOf(const Matx33d& matrix)
     return std::vector<double>(matrix.val, matrix.val + 9);
 }
 
-//! There is no model.
+//! Why a search has found no model.
 String whyNot(const Report& report)
 {
     switch (report.stop)
@@ -216,11 +216,11 @@ void PairModels::searchHomography()
 void PairModels::homographyOfInliers(const PairModel& explained)
 {
     const Points first = chosen(points1, explained.mask), second = chosen(points2, explained.mask);
-    // H's error is measured in its second image: there the points are to be the nearer together.
+    // The error of H is measured in its second image: the one with the points closer together.
     const bool swapped = squaredArea(second) > squaredArea(first);
     Params given = options(SAMPLES_IN_INLIERS);
     given.threshold *= planarReach();
-    given.significance = 1;  // its part of the inliers is what counts
+    given.significance = 1;  // only its part of the inliers matters
     if (!scores.empty())
     {
         given.scores.clear();
@@ -229,8 +229,7 @@ void PairModels::homographyOfInliers(const PairModel& explained)
                 given.scores.push_back(scores[i]);
     }
     Report report;
-    // Its chance, which takes time, is of no use: a report is asked for only where the run may be
-    // cancelled.
+    // Its significance, which takes time, is not needed: a report only if the run may be cancelled.
     Report* const asked = BatchProgress::isWatched() ? &report : 0;
     const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second,
                                    given)
@@ -275,7 +274,7 @@ void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask,
     model.report = report;
 }
 
-//! Reason and chance are of the best model that was refused.
+//! Keeps reason and report of the rejected model with the lowest chance.
 void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report)
 {
     if (why.empty() || report.chance < refused.chance)
@@ -288,7 +287,7 @@ void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, c
     if (report.iterations < params.maxIterations ||
         params.maxIterations >= rules.samples(params, kind.sampleSize, size()))
         return;
-    // Rounded down, so that it never looks like the one that was asked for.
+    // Rounded down, so that it never looks like the confidence that was asked for.
     const double reached = std::floor(1e4 * rules.reached(params, kind.sampleSize, size())) / 1e4;
     limited += format("%s%g for %s", limited.empty() ? "" : ", ", reached, kind.name);
 }
@@ -310,7 +309,7 @@ const PairModel* PairModels::base() const
     if (surplus <= 0)
         return &E;
     const std::vector<double> errors = sampsonDistances(fundamental(E.matrix), points1, points2);
-    // The band beside that of the inliers is twice as wide.
+    // The band from one to three thresholds is twice as wide as that of the inliers.
     const int beside = withinDistances(errors, 3 * params.threshold) -
                        withinDistances(errors, params.threshold);
     return surplus <= DEVIATIONS * std::sqrt(beside / 2.) ? &E : &F;

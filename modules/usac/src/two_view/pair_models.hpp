@@ -14,56 +14,58 @@ namespace usacv20 {
 
 struct ModelKind;
 
-//! Samples of a search for a pair, at least. Those that a right sample takes are not always enough:
-//! its points may be near to each other. That many cost less than 2 ms.
+//! Minimum number of samples of a search. Enough samples for one all-inlier sample are not always
+//! enough, because its points may be close to each other. So many take less than 2 ms.
 enum { LEAST_SAMPLES = 500 };
 
-//! A model of a pair and what it explains.
+//! A model of a pair and its inliers.
 struct PairModel
 {
     PairModel() : inliers(0) {}
-    //! Is there one?
+    //! Is there a model?
     explicit operator bool() const { return inliers > 0; }
 
     Matx33d matrix;
-    Mat mask;     //!< of all matches
-    int inliers;  //!< of these; 0: there is no model
+    Mat mask;     //!< inliers among all matches
+    int inliers;  //!< their number; 0: there is no model
     Report report;
 };
 
-//! The matches of a pair without distortion, and the searches for E, F and H among them.
+//! The undistorted matches of a pair, and the searches for E, F and H among them.
 class PairModels
 {
 public:
     //! Reads the arguments; raises cv::Exception for wrong ones.
     PairModels(const TwoViewPair& pair, const Params& params, const TwoViewRules& rules);
 
-    //! All that is said at #estimateTwoViewGeometry, for pairs of at least leastMatches().
+    //! Searches for E, F and H as described at #estimateTwoViewGeometry. The pair must have
+    //! leastMatches() or more.
     void search();
-    //! E, F or H, whichever tells the inliers; null: none of them was found.
+    //! The model that determines the inliers of the pair: E, F or H; null: none was found.
     const PairModel* base() const;
     bool calibrated() const { return isCalibrated; }
     int size() const { return (int)points1.size(); }
-    //! Pairs with less are refused at once: any seven matches have an F that fits.
+    //! Pairs with fewer matches are rejected at once: some F fits any seven matches.
     int leastMatches() const { return std::max(rules.minInliers, 8); }
-    //! F of an E.
+    //! The fundamental matrix, of norm 1, of an essential matrix.
     Matx33d fundamental(const Matx33d& essential) const;
-    //! On the image planes, z = 1, of the matches of a mask.
+    //! Viewing directions, with z = 1, of the matches of a mask.
     void directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const;
     //! Why there is no model.
     String reason() const;
-    //! The rotation of the camera that explains the inliers of `explained`. @return false if there
-    //! is none
+    //! Finds the rotation of a camera without translation that explains the inliers of `explained`.
+    //! @return false if there is none
     bool turn(const PairModel& explained, Matx33d& R) const;
-    //! Do the inliers of H make a pair with these inliers planar or panoramic?
+    //! Does H have so many of these inliers that the pair is planar or panoramic?
     bool mostlyOnPlane(const PairModel& inliers) const
     {
         return H.inliers > rules.planarRatio * inliers.inliers;
     }
 
-    //! Within how many thresholds of the pair the errors of H in one image are, and the distances
-    //! to H in both: the quantiles 0.95 of two degrees of freedom over that of one
-    //! @cite hartley2003multiple (table 4.2), and two images.
+    //! Thresholds of H in those of the pair: of its error in one image (planarReach), and of its
+    //! Sampson distance in both (planarDistance). Squared, the latter is the ratio of the 0.95
+    //! quantiles of chi-square with two degrees of freedom and with one @cite hartley2003multiple
+    //! (table 4.2), the former twice that.
     static double planarReach() { return std::sqrt(2 * 5.991 / 3.841); }
     static double planarDistance() { return std::sqrt(5.991 / 3.841); }
 
@@ -72,25 +74,24 @@ public:
     Matx33d camera1, camera2;
     const Params params;
     const TwoViewRules& rules;
-    int iterations;  //!< of all models but H of inliers
-    Report refused;  //!< of the best model that was refused
+    int iterations;  //!< samples of all searches but that of H among inliers
+    Report refused;  //!< report of the best model that was rejected
     bool cancelled;
 
 private:
     void checkTaken(const Mat& given, const char* name) const;
     void searchEssential();
     void searchFundamental();
-    //! Where F would tell that the focal lengths are wrong, the search of E may have missed what F
-    //! has found: E starts from it.
+    //! If F would mean that the focal lengths are wrong, the search for E may have missed the model
+    //! that F has found: searches for E again, starting from F.
     void improveEssential();
     void searchHomography();
-    //! Of the matches that E or F explains. @param result the outcome of the search on entry, of
-    //! the caller's images on return
+    //! Searches for H among the inliers of E or F.
     void homographyOfInliers(const PairModel& explained);
     Ptr<Usac> essential(const Params& options) const;
     Params options(int iterations) const;
     int samples(int sampleSize) const;
-    //! What a search among all matches has found.
+    //! Takes over the result of a search among all matches.
     void take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report,
               PairModel& model);
     void account(const Report& report);
@@ -99,9 +100,8 @@ private:
 
     bool isCalibrated;
     std::vector<float> scores;
-    String why;  //!< the best model was refused
-    String
-        limited;  //!< models whose search the limit of the samples has ended before its confidence
+    String why;      //!< why the best model was rejected
+    String limited;  //!< models whose search Params::maxIterations has ended below its confidence
 };
 
 }  // namespace usacv20

@@ -13,7 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Points, at most, that tell an area.
+//! Maximum number of points from which an area is computed.
 constexpr int TELL_AREA = 200;
 
 Eigen::Matrix3d toEigen(const Matx33d& A)
@@ -28,8 +28,8 @@ Matx33d toMatx(const Eigen::Matrix3d& A)
     return result;
 }
 
-//! Jacobian of the map at a point: squared distance of a match to the nearest one that is mapped
-//! exactly.
+//! Squared Sampson distance of a match: to first order, by the Jacobian of the map at the point,
+//! the squared distance to the nearest match that is mapped exactly.
 double squaredDistance(const Matx33d& H, const Point2d& from, double w, const Point2d& to)
 {
     const double u = (H(0, 0) * from.x + H(0, 1) * from.y + H(0, 2)) / w;

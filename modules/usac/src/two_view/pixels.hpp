@@ -13,27 +13,27 @@ namespace usacv20 {
 
 typedef std::vector<Point2d> Points;
 
-//! In pixels: the error of each match under x2^T F x1 = 0 to first order @cite hartley2003multiple
-//! (11.4.3).
+//! Sampson distance in pixels: the error of each match under x2^T F x1 = 0 to first order
+//! @cite hartley2003multiple (11.4.3).
 std::vector<double> sampsonDistances(const Matx33d& F, const Points& points1,
                                      const Points& points2);
 
-/** In pixels: Sampson distance of each match, to first order that to the nearest one that H maps
-exactly, in both images. Infinite where H takes the point to the other side of the camera than most
-of the points. */
+/** Sampson distance in pixels: to first order, the distance of each match, in both images, to the
+nearest match that H maps exactly. Infinite if H maps the point to the other side of the camera than
+most points. */
 std::vector<double> mapDistances(const Matx33d& H, const Points& points1, const Points& points2);
 
-//! The square of the area that the points cover, up to a factor; some of them tell it.
+//! The square of the area that the points cover, up to a factor, computed from some of them.
 double squaredArea(const Points& points);
 
-//! The essential matrix nearest to a fundamental matrix of two cameras, singular values 1, 1, 0.
+//! The essential matrix, with singular values 1, 1, 0, that is nearest to camera2^T F camera1.
 Matx33d essentialOf(const Matx33d& F, const Matx33d& camera1, const Matx33d& camera2);
 
-//! The rotation nearest to a matrix of determinant above 0.
+//! The rotation nearest to a matrix with a positive determinant.
 Matx33d nearestRotation(const Matx33d& matrix);
 
-//! The rotation that takes directions nearest to directions, by least squares of unit vectors @cite
-//! umeyama1991least.
+//! The rotation that takes `directions1` closest to `directions2`, by least squares of unit vectors
+//! @cite umeyama1991least.
 Matx33d fitRotation(const std::vector<Vec3d>& directions1, const std::vector<Vec3d>& directions2);
 
 }  // namespace usacv20

@@ -10,18 +10,18 @@ namespace usacv20 {
 
 namespace {
 
-/* The local optimization makes a model of a sample with a wrong point right, too, the more easily
-the more points are right. Of E, a sample counts as (right matches / EASY)^2 that have to be right,
-at most EASIEST. Measured with USACV20, 200 scenes each, from what a quarter of the samples or less
-finds: 1.2 (18 right matches), 1.5 (20), 2.1 (24), more than 12 (40 and 50). Of F and H and the
-other presets it was not measured, they count as 1. */
+/* Local optimization also corrects models of samples with an outlier, the more often the more
+inliers there are. For E, a sample therefore counts as (inliers / EASY)^2 samples that have to be
+all-inlier, at least 1 and at most EASIEST. Measured with USACV20 on 200 scenes each, from what at
+most a quarter of the samples finds: 1.2 (18 inliers), 1.5 (20), 2.1 (24), more than 12 (40 and 50).
+For F, H and other presets it was not measured; their samples count as 1. */
 constexpr double EASY = 15, EASIEST = 4;
-//! Ratios that stand for those between the least of a collection and `inlierRatio`. 4: up to 25 %
-//! fewer samples; 16: within 11 %, 64: within 16 %.
+//! Number of inlier ratios that represent those between `inlierRatio` and the lowest one of a
+//! collection. 4: up to 25 % fewer samples; 16: within 11 %, 64: within 16 %.
 constexpr int TAIL = 8;
 constexpr int E_SAMPLE = 5;
 
-//! Is the search that of USACV20, of which EASY was measured?
+//! Is the search that of USACV20, for which EASY was measured?
 bool isMeasured(const Params& params)
 {
     const Params usual;
@@ -30,12 +30,12 @@ bool isMeasured(const Params& params)
            params.localSamples == usual.localSamples && params.polishing == usual.polishing;
 }
 
-//! The part of the samples, drawn without replacement, whose points all are right. A model has at
-//! least a sample.
+//! The part of the samples, drawn without replacement, that are all-inlier. A model has at least
+//! TwoViewRules::minInliers and a sample.
 double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, double ratio)
 {
     double count = std::ceil(ratio * matches);
-    if (matches > 0 && (count - 1) / matches >= ratio)  // 0.07 * 100 is more than 7
+    if (matches > 0 && (count - 1) / matches >= ratio)  // rounding: 0.07 * 100 > 7
         --count;
     count = std::max(count, (double)std::max(rules.minInliers, sampleSize));
     double part = 1;
@@ -44,7 +44,7 @@ double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, doub
     return part;
 }
 
-//! Logarithm of the chance that one sample does not find a pair.
+//! Logarithm of the probability that a sample does not find the model of a pair.
 double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, int matches,
                       double ratio)
 {
@@ -56,7 +56,7 @@ double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, 
            std::log1p(-right);
 }
 
-//! Pairs of a collection as the samples see them.
+//! Probabilities that samples miss the models of the pairs of a collection.
 class Collection
 {
 public:
@@ -79,7 +79,7 @@ public:
             weights[i] /= rules.ratios.size() + 1;
     }
 
-    //! The part of the pairs that so many samples do not find.
+    //! The part of the pairs whose model so many samples do not find.
     double missed(double samples) const
     {
         double sum = 0;
@@ -105,7 +105,7 @@ private:
     }
 
     std::vector<double> logarithms,
-        weights;  //!< of the chance that a sample misses one; of all pairs
+        weights;  //!< of the probability that a sample misses a model; part of the pairs
 };
 
 void checkRatio(double value, const char* name)

@@ -15,12 +15,10 @@ namespace usacv20 {
 
 namespace {
 
-//! Only the sides of the points are asked for, and these many tell them; the same bound for every
-//! pair.
+//! Maximum number of matches tested for being in front of the cameras, to choose a motion.
 constexpr int MOST_FOR_SIDES = 500;
 
-//! Of the four motions of an essential matrix the one with most of the matches in front of both
-//! cameras.
+//! The one of four motions of an essential matrix with the most matches in front of both cameras.
 Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
     std::vector<Vec3d> first, second;
@@ -46,7 +44,7 @@ Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 
 void addRotation(const Matx33d& R, Mat& rotations) { rotations.push_back(Mat(R)); }
 
-//! Those of a plane that H maps.
+//! Adds the rotations of the camera that the homography H of a plane allows.
 void addRotationsOfPlane(const PairModels& models, Mat& rotations)
 {
     const Matx33d H = models.camera2.inv() * models.H.matrix * models.camera1;
@@ -62,7 +60,7 @@ void addRotationsOfPlane(const PairModels& models, Mat& rotations)
         addRotation(nearestRotation(determinant(H) > 0 ? H : H * -1.), rotations);
 }
 
-//! Those that are possible, one of which is right if the pair is.
+//! All possible rotations of the camera; one of them is right if the pair is.
 Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const PairModel& base)
 {
     Mat result;
@@ -79,7 +77,8 @@ Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const Pa
     return result;
 }
 
-//! @param known E tells the inliers, or H of calibrated cameras
+//! Sets the configuration of a pair with most inliers on H. @param known the cameras are
+//! calibrated, and E or H determines the inliers
 void readPlane(const PairModels& models, const PairModel& base, bool known, TwoViewGeometry& found)
 {
     found.configuration = TWO_VIEW_PLANAR_OR_PANORAMIC;

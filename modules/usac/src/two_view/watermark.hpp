@@ -10,10 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A picture's frame, mark or date stays where it is in the image, whatever the camera sees.
-@param pair with the sizes of both images, else it has none
-@param mask its inliers
-@param reach pixels; motions that differ by less are one and the same */
+/** @brief Are the inliers of a pair those of a watermark: a frame, mark or date that stays at its
+place in the image for any view?
+@param pair pair with the sizes of both images; without them, it is none
+@param mask inliers of the pair
+@param reach pixels; motions that are within it of the median motion are equal */
 bool isWatermark(const TwoViewPair& pair, const Mat& mask, double reach);
 
 }  // namespace usacv20

@@ -10,19 +10,21 @@ namespace usacv20 {
 
 namespace {
 
-// Half and double of these, doc/constants.md: time within 4 %, errors the same to some thousandths.
+// Halving or doubling changes time by at most 4 % and errors by some thousandths
+// (doc/constants.md).
 
-//! Points of a block while less than so many have been tested, and after that.
+//! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, SECOND_BLOCK until
+//! SECOND_BLOCKS_END, then BLOCK.
 constexpr int FIRST_BLOCK = 32, FIRST_BLOCKS_END = 64, SECOND_BLOCK = 64, SECOND_BLOCKS_END = 256,
               BLOCK = 256;
-//! What delta is taken for before any model has been looked at, and as how many points that weighs.
+//! Prior value of delta, and its weight as a number of points.
 constexpr double PRIOR_DELTA = 0.01, PRIOR_POINTS = 100;
-//! The largest epsilon, and the largest delta as a part of epsilon: the logarithms of their ratios
-//! stay apart from 0.
+//! Upper bounds of epsilon, and of delta as a part of epsilon: they keep the logarithms of the
+//! likelihood ratios finite and away from 0.
 constexpr double MOST_EPSILON = 0.99, MOST_DELTA = 0.8;
 //! A new test is designed when delta has changed by more than this part @cite matas2005randomized.
 constexpr double CHANGED = 0.05;
-//! Steps of the fixed-point iteration for A; an error is divided by A, 10 and more, in each.
+//! Steps of the fixed-point iteration for A; each divides the error by A, which is 10 or more.
 constexpr int DESIGN_STEPS = 10;
 
 /** @brief Wald's sequential probability ratio test on blocks of points @cite matas2005randomized
@@ -30,14 +32,14 @@ constexpr int DESIGN_STEPS = 10;
 
 A point is an inlier of a good model with probability epsilon, of a bad one with delta. The
 likelihood ratio of bad to good after t points, k of them inliers, is (delta / epsilon)^k ((1 -
-delta) / (1 - epsilon))^(t - k); a model is dropped when it exceeds A. The A that minimizes the
-expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected log-ratio of a point
-under a bad model, t_M the time to compute a model in units of that to test a point, and m_S the
-number of models of a sample. Both probabilities are learned: epsilon is the inlier ratio of the
-best model of a sample, delta the mean inlier ratio of the first blocks of all models, which are
-seen whatever happens later. Before there is a best model nothing is dropped. The test changes only
-between batches of samples, so that it does not depend on threads.
-*/
+delta) / (1 - epsilon))^(t - k); a model is rejected when the ratio exceeds A. The A that minimizes
+the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected log-ratio of a
+point under a bad model, t_M the time to compute the models of a sample, in units of the time to
+test a point, and m_S the number of models per sample. Both probabilities are learned: epsilon is
+the inlier ratio of the best model so far that comes directly from a sample, delta the mean inlier
+ratio in the first blocks of all models, which are tested in any case. Before there is a best model,
+no model is rejected. The test changes only between batches of samples, so that it does not depend
+on the number of threads. */
 class SprtVerifier : public Verifier
 {
 public:
@@ -68,7 +70,7 @@ public:
     void adapt(const Context& context, State& state) CV_OVERRIDE
     {
         if (state.sampleQuality.inliers == 0)
-            return;  // nothing is known yet: no model is dropped
+            return;  // nothing is known yet: no model is rejected
         const double epsilon = std::min((double)state.sampleQuality.inliers / context.points.size,
                                         MOST_EPSILON);
         const double delta = std::min((PRIOR_POINTS * PRIOR_DELTA + inliersSeen) /

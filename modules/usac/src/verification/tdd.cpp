@@ -11,17 +11,17 @@ namespace usacv20 {
 
 namespace {
 
-//! As Params::check allows.
+//! Largest d that Params::check allows.
 constexpr int MAX_POINTS = 100;
 
-/** @brief T(d,d): a model goes on only if d random points are all inliers
+/** @brief T(d,d) test: a model is rejected unless d random points are all inliers
 @cite matas2004randomized.
 
-The points are drawn for each model anew, before the blocks. A fixed order of the points, as the
-blocks have it, would not do: in a small scene it may be that nowhere d inliers follow each other,
-and then no model at all would pass. Of good models epsilon^d go on, of wrong ones delta^d, after (1
-- delta^d) / (1 - delta) points on average. That good models are lost is made up for by more
-samples, see goodModelProbability. O(d). */
+The points are drawn anew for each model, before the blocks are tested. A fixed order of the points,
+which the blocks have, would not do: in a small scene it may contain no d consecutive inliers, and
+then no model at all would pass. A good model passes with probability epsilon^d, a wrong one with
+delta^d; the test of a wrong one takes (1 - delta^d) / (1 - delta) points on average. More samples
+compensate for the good models that are lost, see goodModelProbability. O(d). */
 class TddVerifier : public Verifier
 {
 public:

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 //! Wald's sequential probability ratio test, see SprtVerifier.
 Ptr<Verifier> createSprtVerifier(const SampleCost& cost);
-//! T(d,d) with d `points`, see TddVerifier.
+//! T(d,d) test with d = `points`, see TddVerifier.
 Ptr<Verifier> createTddVerifier(int points);
 
 }  // namespace usacv20

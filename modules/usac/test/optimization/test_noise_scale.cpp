@@ -60,7 +60,8 @@ TEST(Usac_Statistics, noiseScaleNeedsEvidence)
                     square += a * a;
                 }
                 const double within = rng.uniform(0.4, 1.),
-                             far = NoiseScale::REACH * std::pow(rng.uniform(0., 1.), 1. / degrees);
+                             far = (int)NoiseScale::REACH *
+                                   std::pow(rng.uniform(0., 1.), 1. / degrees);
                 errors.push_back((float)(i % 8 ? square : tail ? within * within : far * far));
             }
             const double sigma = NoiseScale::estimate(errors.data(), 200, 1, degrees);
