@@ -325,7 +325,8 @@ TEST(Usac_Hashes, kernels)
     EXPECT_EQ(expected ? expected : best, kernelsInUse());
 }
 
-#ifndef _WIN32  // the other processes are started by a POSIX shell
+// The other processes are started by a POSIX shell. Without AVX2 there are no other kernels.
+#if defined USACV20_HAVE_AVX2 && !defined _WIN32
 
 //! Runs a test in another process of this program, in which features of the processor are not used.
 void testWithout(const std::string& features, const std::string& test, const std::string& variable)
