@@ -106,7 +106,7 @@ python_package()
     echo "== the Python package"
     rm -rf "$work/venv"
     /usr/bin/python3 -m venv --system-site-packages "$work/venv"
-    CMAKE_ARGS="-Dopencv_usac_DIR=$build" "$work/venv/bin/pip" install --quiet --no-build-isolation --no-index "$project/modules/usac"
+    CMAKE_ARGS="-Dopencv_usac_DIR=$build ${CMAKE_ARGS:-}" "$work/venv/bin/pip" install --quiet --no-build-isolation --no-index "$project/modules/usac"
     python_sample homography
     python_sample fundamental
     python_sample essential
