@@ -7,7 +7,8 @@
 # builds and runs the consumer project by the CMake package and by pkg-config, and looks whether programs that would lose a flag
 # are refused by the compiler. With a build of OpenCV that has the module inside, the same project is built and run against
 # that, too: its build tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the pages of
-# the documentation; the Debian packages and what is in them; and README's line for the Python package where another python3 comes first. The last line is "<N> passed, <M> failed".
+# the documentation; the Debian packages and what is in them; and the commands and code of README, the module's page, the tutorials
+# and contributing. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
 #
 #   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build
@@ -223,20 +224,20 @@ debian_benchmark()
     LD_LIBRARY_PATH="$work/debian/usr/lib" "$work/debian/usr/bin/usac_benchmark" --help
 }
 
-# README's line; the library is built already, and what has been compiled for a run before stays.
-readme_python()
+# What the documents show: commands, programs, output. The library is built already, and what has been compiled for a run before stays.
+documents()
 {
-    rm -f "$work/readme_build/CMakeCache.txt"
-    line=$(sed -n '/^## Python/,/^## /s/^\([^ ]*python3 -m venv .*\)$/\1/p' "$project/README.md")
-    [ -n "$line" ] && mkdir "$work/readme" && ln -s "$project/modules" "$work/readme/modules" && cd "$work/readme" &&
-    PATH="$work/other_python:$PATH" USACV20_BUILD_DIR="$work/readme_build" CMAKE_ARGS="-Dopencv_usac_DIR=$work/build -DUSAC_PRECOMPILED_HEADERS=ON" sh -exc "$line" &&
-    env/bin/python3 -c "import usacv20; print(usacv20.__version__)" | grep -Fx "$version" &&
-    [ -n "$(find env -path '*/usacv20-*.dist-info/*' -name LICENSE)" ]
+    PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$here/documents/documents.py" "$project" "$work" "$opencv"
+}
+
+documents_test()
+{
+    PYTHONDONTWRITEBYTECODE=1 USAC_DOCUMENTS_CHECKS="$work" /usr/bin/python3 "$here/documents/test_documents.py"
 }
 
 mkdir -p "$work"
 for directory in staging prefix opencv_staging opencv by_prefix by_build in_tree_by_prefix in_tree_by_dir in_tree_by_build \
-    by_pkg_config flags uninstalled debian readme other_python
+    by_pkg_config flags uninstalled debian other_python
 do
     rm -rf "${work:?}/$directory"
 done
@@ -274,7 +275,8 @@ check debian_paths debian_paths
 check debian_stripped debian_stripped
 check debian_python debian_python
 check debian_benchmark debian_benchmark
-check readme_python readme_python
+check documents_test documents_test
+check documents documents
 check flag_cases flag_cases
 for name in $(sed -n 's/^#\(el\)*if defined(\([A-Z]*_[a-z_]*\))$/\2/p' "$here/flags/cases.cpp"); do
     check "$name" flag_case "$name"

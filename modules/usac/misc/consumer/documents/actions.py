@@ -75,6 +75,8 @@ class Place:
                                  stderr=subprocess.STDOUT, universal_newlines=True, errors="replace", timeout=DEADLINE)
         except subprocess.TimeoutExpired as error:
             raise Wrong("no end within {} s\n{!r}".format(DEADLINE, error.stdout)) from error
+        except OSError as error:
+            raise Wrong(str(error)) from error
         if run.returncode:
             raise Wrong("{}\nexit code {}".format(run.stdout, run.returncode))
         if UNUSED in run.stdout:
@@ -326,9 +328,8 @@ class CMake(NamedTuple):
                 os.remove(os.path.join(folder, name))
         for name, target in self.links.items():
             os.symlink(target.replace("{project}", place.project), os.path.join(folder, name))
-        write(os.path.join(folder, "main.cpp"), open(os.path.join(HERE, "..", "main.cpp"), encoding="utf-8").read())
         write(os.path.join(folder, "CMakeLists.txt"), "cmake_minimum_required(VERSION 3.14)\nproject(documents CXX)\n"
-              "add_executable(program main.cpp)\n" + block.text)
+              "add_executable(program {})\n{}".format(os.path.join(os.path.dirname(HERE), "main.cpp"), block.text))
         made = os.path.join(folder, "build")
         options = [option.replace("{checks}", place.checks).replace("{work}", place.work) for option in self.options]
         out = place.call(["cmake", "-S", folder, "-B", made, *options], folder)

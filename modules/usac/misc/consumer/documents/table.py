@@ -160,17 +160,17 @@ const Ptr<usacv20::Usac> usac = usacv20::Usac::create(cv::usacv20::HOMOGRAPHY, s
     (COLLECTIONS, "Reconstruction", "sh 1", Shell("collection", prints=("Registered images.* 6$",), leaves=("sparse/0/images.bin",))),
     (COLLECTIONS, "Reconstruction", "colmap global_mapper", Elsewhere(
         PYTHON_TESTS + "test_usac_collection_compare.py", "test_table_of_later_version", ("global_mapper",))),
-    (COLLECTIONS, "New images and other programs", "python 1", Python(where="collection", after="require(summary.verified == 15)")),
+    (COLLECTIONS, "New images and other programs", "python 1", Python(where="collection", after="require(summary.skipped == 15 and summary.faults == 0)")),
     (COLLECTIONS, "New images and other programs", "python 2", Python(after="""
-require(pair.configuration.name == "CALIBRATED" and len(pair.inliers) >= 230 and near(pair.R, TRUTH["R"]))
-require([p.configuration.name for p in found] == 2 * ["CALIBRATED"])""")),
-    (COLLECTIONS, "A look at the pairs", "sh 1", Shell("collection", path=ENV, prints=("verified +15 +100.0 %",), leaves=("report/pairs.png",))),
+require(pair.configuration.name == "TWO_VIEW_CALIBRATED" and pair.inliers >= 230 and near(pair.R, TRUTH["R"]))
+require([p.configuration for p in found] == 2 * [pair.configuration])""")),
+    (COLLECTIONS, "A look at the pairs", "sh 1", Shell("collection", path=ENV, prints=("verified +15 +100.0 %$",), leaves=("report/pairs.png",))),
+    (COLLECTIONS, "Large collections", "sh 1", Shell("collection", path=ENV, prints=("15 were done before",))),
     (COLLECTIONS, "Scores of the matches", "sh 1", Shell("collection", path=ENV, before=SCORES_OF_HLOC, prints=("15 verified, 0 refused$",))),
     (COLLECTIONS, "Large collections", "python3 -m dask scheduler", Shell(
         "collection", path=ENV, service=True, more=" --host 127.0.0.1 --port {port} --no-dashboard")),
     (COLLECTIONS, "Large collections", "python3 -m dask worker tcp://HOST:8786", Shell(
         "collection", path=ENV, service=True, names={"HOST:8786": "127.0.0.1:{port}"}, more=" --no-dashboard")),
-    (COLLECTIONS, "Large collections", "sh 1", Shell("collection", path=ENV, prints=("15 were done before",))),
     (COLLECTIONS, "Large collections", "sh 2", Shell(
         "collection", path=ENV, names={"HOST:8786": "127.0.0.1:{port}"}, prints=("15 verified, 0 refused$",))),
     (COLLECTIONS, "Matches outside of a database", "python 1", Python(before="import os\nos.mkdir('folder')", where="collection")),
