@@ -39,9 +39,9 @@ class Place:
         self.work = os.path.join(self.checks, "documents")
         self.printed: Dict[str, str] = {}  # by each block, or command, that has run
         self.services: List[subprocess.Popen] = []
-        for name in ("clone", "collection", "prefix", "bin", "python"):
+        for name in ("clone", "collection", "prefix", "bin", "python", "benchmark"):
             shutil.rmtree(self.folder(name), ignore_errors=True)
-        for name in ("clone", "collection", "prefix", "bin", "python", "programs"):
+        for name in ("clone", "collection", "prefix", "bin", "python", "benchmark", "programs"):
             os.makedirs(self.folder(name), exist_ok=True)
         for name in os.listdir(self.project):
             if name not in (".git", "build", "env"):
@@ -49,6 +49,7 @@ class Place:
         os.symlink(self.build, self.folder("clone", "build"))
         for name in ("cmake", "apt", "apt-get", "sudo"):
             os.symlink(os.path.join(HERE, "stand_in.py"), self.folder("bin", name))
+        os.symlink("/usr/bin/python3", self.folder("bin", "python3"))
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
@@ -257,15 +258,20 @@ class Cpp(NamedTuple):
     """A part of a program, or a whole one, compiled with warnings as errors and run.
 
     before, after -- around it (frame.hpp); within -- what follows a line of it, as where it declares the points of the reader;
-    whole -- it has a main of its own; folders -- of the project, for headers; given -- arguments"""
+    top -- above it; whole -- it has a main of its own, and commands run it; folders -- of the project, for headers; libraries -- of the
+    library's build"""
 
     before: str = ""
     after: str = ""
     within: Dict[str, str] = {}
     top: str = ""
+    whole: bool = False
     folders: Tuple[str, ...] = ()
+    libraries: Tuple[str, ...] = ()
 
     def source(self, block: Block) -> str:
+        if self.whole:
+            return "#line {} \"{}\"\n{}".format(block.line, block.document, block.text)
         lines, top = [], ['#include "frame.hpp"', self.top]
         left = dict(self.within)
         for line in block.text.rstrip("\n").split("\n"):
@@ -281,6 +287,8 @@ class Cpp(NamedTuple):
 
     def run(self, place: Place, block: Block) -> str:
         place.call(["cmake", "--build", place.folder("programs"), "--target", block.name], place.work)
+        if self.whole:
+            return ""
         return place.call([place.folder("programs", "bin", block.name)], place.folder("programs"))
 
 
@@ -314,11 +322,14 @@ class Python(NamedTuple):
 class CMake(NamedTuple):
     """Lines of a CMakeLists.txt, after those that make a program.
 
-    options -- of the configuration; links -- within the folder, by name; build -- the program is made and run"""
+    options -- of the configuration; names -- values of what the text has; links -- within the folder, by name; build -- the program is made
+    and run; whole -- nothing comes before, main.cpp has that name"""
 
     options: Tuple[str, ...] = ()
+    names: Dict[str, str] = {}
     links: Dict[str, str] = {}
     build: bool = True
+    whole: str = ""
 
     def run(self, place: Place, block: Block) -> str:
         folder = place.folder("cmake_" + block.name)
@@ -328,8 +339,13 @@ class CMake(NamedTuple):
                 os.remove(os.path.join(folder, name))
         for name, target in self.links.items():
             os.symlink(target.replace("{project}", place.project), os.path.join(folder, name))
-        write(os.path.join(folder, "CMakeLists.txt"), "cmake_minimum_required(VERSION 3.14)\nproject(documents CXX)\n"
-              "add_executable(program {})\n{}".format(os.path.join(os.path.dirname(HERE), "main.cpp"), block.text))
+        main, text = os.path.join(os.path.dirname(HERE), "main.cpp"), block.text
+        for name, value in {**self.names, **({self.whole: main} if self.whole else {})}.items():
+            if name not in text:
+                raise Wrong("{!r} of the table is not in the block".format(name))
+            text = text.replace(name, value.replace("{project}", place.project))
+        write(os.path.join(folder, "CMakeLists.txt"), text if self.whole else
+              "cmake_minimum_required(VERSION 3.14)\nproject(documents CXX)\nadd_executable(program {})\n{}".format(main, text))
         made = os.path.join(folder, "build")
         options = [option.replace("{checks}", place.checks).replace("{work}", place.work) for option in self.options]
         out = place.call(["cmake", "-S", folder, "-B", made, *options], folder)
@@ -357,7 +373,8 @@ def preparePrograms(place: Place, programs: List[Tuple[Block, Cpp]]) -> None:
              "set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)", "add_compile_options(-Wall -Wextra -Werror)"]
     for block, action in programs:
         write(os.path.join(folder, "source", block.name + ".cpp"), action.source(block))
-        lines += ["add_executable({0} {0}.cpp)".format(block.name), "target_link_libraries({} opencv_usac::opencv_usac)".format(block.name),
+        lines += ["add_executable({0} {0}.cpp)".format(block.name), "target_link_libraries({} {} opencv_usac::opencv_usac)".format(
+            block.name, " ".join(os.path.join(place.build, name) for name in action.libraries)),
                   "target_include_directories({} PRIVATE {} {})".format(
                       block.name, HERE, " ".join(os.path.join(place.project, name) for name in action.folders))]
     write(os.path.join(folder, "source", "CMakeLists.txt"), "\n".join(lines) + "\n")

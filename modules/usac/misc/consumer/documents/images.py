@@ -12,8 +12,8 @@ import sys
 import cv2
 import numpy as np
 
-SIZE = (400, 300)
-K = np.array([[375.0, 0, 200], [0, 375, 150], [0, 0, 1]])
+SIZE = (320, 240)
+K = np.array([[300.0, 0, 160], [0, 300, 120], [0, 0, 1]])
 # Corner, edges along columns and rows; z is ahead. From far to near.
 PLANES = [((-9, -7, 12), (18, 0, 0), (0, 14, 0)), ((-5, -3, 9), (4, 0, 1.5), (0, 5, 0)), ((1, -3.5, 9), (4, 0, -1.5), (0, 5, 0.8)),
           ((-3, 0.5, 7), (3, 0, -0.5), (0, 2, 0.5)), ((0.2, -2, 7), (2, 0, 0.6), (0, 3.5, 0))]
@@ -47,8 +47,8 @@ def view(textures, degrees):
 def main(folder):
     os.makedirs(folder)
     rng = np.random.RandomState(1)
-    textures = [texture(rng, int(60 * np.linalg.norm(along)), int(60 * np.linalg.norm(down))) for _, along, down in PLANES]
-    for number, degrees in enumerate(np.linspace(-20, 20, 6)):
+    textures = [texture(rng, int(50 * np.linalg.norm(along)), int(50 * np.linalg.norm(down))) for _, along, down in PLANES]
+    for number, degrees in enumerate(np.linspace(-18, 18, 5)):
         cv2.imwrite(os.path.join(folder, "{}.png".format(number)), view(textures, degrees))
 
 

@@ -6,15 +6,13 @@
 """Stands for cmake, apt, apt-get and sudo where the commands of the documents run.
 
 cmake: the sources in the scratch checkout are those of the project, and its folder `build` is the build that the project has. apt
-install: packages are to be installed already, or, as files, to be installable. sudo: the command without it."""
+install: packages are to be installed already, or, as files, to be installable; apt-get: the same of scripts, which may fetch. sudo: apt without it."""
 
 import os
 import subprocess
 import sys
 
-HERE = os.path.dirname(os.path.abspath(sys.argv[0]))
 PROJECT = os.environ.get("USAC_DOCUMENTS_PROJECT", "")
-
 
 def elsewhere(name):
     """The program itself."""
@@ -23,7 +21,6 @@ def elsewhere(name):
         if os.path.realpath(path) != os.path.realpath(__file__) and os.access(path, os.X_OK):
             return path
     sys.exit(name + " was not found")
-
 
 def cmake(arguments):
     for flag in ("-S", "-B"):
@@ -36,7 +33,6 @@ def cmake(arguments):
                 arguments[k] = PROJECT
     program = elsewhere("cmake")
     os.execv(program, [program] + arguments)
-
 
 def apt(arguments):
     if arguments[:1] != ["install"]:
@@ -53,21 +49,19 @@ def apt(arguments):
     if files:
         os.execv("/usr/bin/apt-get", ["apt-get", "--simulate", "install", *map(os.path.abspath, files)])
 
-
 def main(name, arguments):
     if name == "cmake":
         cmake(arguments)
     elif name == "apt":
         apt(arguments)
     elif name == "apt-get":
-        if "download" not in arguments:
+        if not {"download", "update"} & set(arguments):
             sys.exit("a package is missing: apt-get " + " ".join(arguments))
         os.execv("/usr/bin/apt-get", ["apt-get"] + arguments)
     elif arguments[:1] == ["apt"]:  # sudo
         apt(arguments[1:])
     else:
         sys.exit("not a command for a document: sudo " + " ".join(arguments))
-
 
 if __name__ == "__main__":
     main(os.path.basename(sys.argv[0]), sys.argv[1:])
