@@ -14,6 +14,7 @@ import sys
 
 PROJECT = os.environ.get("USAC_DOCUMENTS_PROJECT", "")
 
+
 def elsewhere(name):
     """The program itself."""
     for folder in os.environ["PATH"].split(os.pathsep):
@@ -21,6 +22,7 @@ def elsewhere(name):
         if os.path.realpath(path) != os.path.realpath(__file__) and os.access(path, os.X_OK):
             return path
     sys.exit(name + " was not found")
+
 
 def cmake(arguments):
     for flag in ("-S", "-B"):
@@ -33,6 +35,7 @@ def cmake(arguments):
                 arguments[k] = PROJECT
     program = elsewhere("cmake")
     os.execv(program, [program] + arguments)
+
 
 def apt(arguments):
     if arguments[:1] != ["install"]:
@@ -49,6 +52,7 @@ def apt(arguments):
     if files:
         os.execv("/usr/bin/apt-get", ["apt-get", "--simulate", "install", *map(os.path.abspath, files)])
 
+
 def main(name, arguments):
     if name == "cmake":
         cmake(arguments)
@@ -62,6 +66,7 @@ def main(name, arguments):
         apt(arguments[1:])
     else:
         sys.exit("not a command for a document: sudo " + " ".join(arguments))
+
 
 if __name__ == "__main__":
     main(os.path.basename(sys.argv[0]), sys.argv[1:])
