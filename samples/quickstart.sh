@@ -8,6 +8,7 @@
 # a virtual environment, and its samples. Does all its own set-up on Debian (as root or with sudo).
 #
 #   USAC_BUILD_DIR            everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac_quickstart
+#   CMAKE_ARGS                more options for the build of the Python package
 #   OPENCV_SAMPLES_DATA_PATH  folder of OpenCV's sample images; default: the one of Debian's package opencv-doc
 
 set -eu

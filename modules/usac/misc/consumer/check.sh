@@ -8,7 +8,7 @@
 # are refused by the compiler. With a build of OpenCV that has the module inside, the same project is built and run against
 # that, too: its build tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the pages of
 # the documentation; the Debian packages and what is in them; and the commands and code of README, the module's page, the tutorials,
-# contributing and benchmark. The last line is "<N> passed, <M> failed".
+# contributing and benchmark, for which the packages of common.sh are to be installed. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
 #
 #   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build

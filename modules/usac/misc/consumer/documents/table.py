@@ -37,6 +37,8 @@ done
 usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --inliers=0.6 --scores=0.8 > /dev/null
 usac_synthetic --out=DATA --scene=view --name=pnp --pairs=1 --size=200 --inliers=0.6 > /dev/null
 ln -sfn DATA DIR"""
+FIRST_LIST = """usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --inliers=0.6 > /dev/null
+ln -s ../clone/samples ."""
 FEW = {"--pairs=25": "--pairs=1"}  # scenes
 BENCHMARK_TESTS = "samples/benchmark/test_"
 FILES = "import sys; sys.path.insert(0, '../clone/samples/benchmark')\n"
@@ -225,7 +227,7 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
             Elsewhere(PYTHON_TESTS + "test_usac_hashes.py", "results", ("--write",))})),
 
     # Lists of one pair.
-    (BENCHMARK, "Quick start", "sh 1", Shell("benchmark", before=LISTS + "\nln -s ../clone/samples .", leaves=("tables.csv", "pictures"), elsewhere={
+    (BENCHMARK, "Quick start", "sh 1", Shell("benchmark", before=FIRST_LIST, leaves=("tables.csv", "pictures"), elsewhere={
         "python3 samples/benchmark/dataset.py strecha --images=DIR/strecha --out=DATA --pairs=50":
             Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", ("--images", "--out", "--pairs"))})),
     (BENCHMARK, "Format of pairs and lists", "text 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_poses")),
@@ -241,7 +243,7 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "--images", "--out", "--pairs", "--seed", "--ratio", "--max", "--features"))),
     (BENCHMARK, "Synthetic scenes", "sh 1", Shell(
         "benchmark", names=dict(FEW, **{"--out=DATA": "--out=plane"}), leaves=("plane/lists/synthetic_plane.F.list",))),
-    (BENCHMARK, "Running", "sh 1", Shell("benchmark", prints=("preset:usacV20.*\\|",), leaves=("tables.csv", "runs.csv"))),
+    (BENCHMARK, "Running", "sh 1", Shell("benchmark", before=LISTS, prints=("preset:usacV20.*\\|",), leaves=("tables.csv", "runs.csv"))),
     (BENCHMARK, "Running", "usac_benchmark --help", Shell("benchmark", prints=("--data",))),
     (BENCHMARK, "Affinities, similarities, absolute poses and motions of space", "sh 1", Shell("benchmark", names=FEW, prints=("cv:AFFINE3D_REFIT.*\\|",))),
     (BENCHMARK, "Your own method", "sh 1", Shell("benchmark", prints=("homogr",))),
@@ -262,7 +264,7 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "benchmark", names={" > tracking.md": ""}, more=" --frames=10 --ratios=0.6 --limits=8", prints=("\\|",))),
     (BENCHMARK, "Presets", "sh 1", Shell("benchmark", names={",...": ""}, prints=("preset:fast.*\\|",))),
     (BENCHMARK, "Scale", "sh 1", Shell("benchmark", names={
-        "> scale.md": "--sizes=100,1000 --parts=0.8,0.5 --boundParts=0.3 --repeats=1 > scale.md", "[": "", "]": "", "--out=DIR": "--out=scale"},
+        "> scale.md": "--problems=H --sizes=100,1000 --parts=0.8,0.5 --boundParts=0.3 --repeats=1 > scale.md", "[": "", "]": "", "--out=DIR": "--out=scale"},
         leaves=("scale", "bound.csv"))),
     (BENCHMARK, "Sensitivity to the threshold", "sh 1", Shell("benchmark", leaves=("threshold.md",))),
     (BENCHMARK, "Performance tests", "sh 1", Shell("benchmark", elsewhere={
