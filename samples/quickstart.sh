@@ -8,6 +8,7 @@
 # a virtual environment, and its samples. Does all its own set-up on Debian (as root or with sudo).
 #
 #   USAC_BUILD_DIR            everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac_quickstart
+#   CMAKE_ARGS                more options for the build of the Python package
 #   OPENCV_SAMPLES_DATA_PATH  folder of OpenCV's sample images; default: the one of Debian's package opencv-doc
 
 set -eu
@@ -106,7 +107,7 @@ python_package()
     echo "== the Python package"
     rm -rf "$work/venv"
     /usr/bin/python3 -m venv --system-site-packages "$work/venv"
-    CMAKE_ARGS="-Dopencv_usac_DIR=$build" "$work/venv/bin/pip" install --quiet --no-build-isolation --no-index "$project/modules/usac"
+    CMAKE_ARGS="-Dopencv_usac_DIR=$build ${CMAKE_ARGS:-}" "$work/venv/bin/pip" install --quiet --no-build-isolation --no-index "$project/modules/usac"
     python_sample homography
     python_sample fundamental
     python_sample essential

@@ -7,8 +7,8 @@
 # and runs the consumer project by the CMake package and by pkg-config, and checks that the compiler rejects programs that would
 # lose a flag. With a build of OpenCV that has the module inside, the same project is built and run against that, too: its build
 # tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the pages of the
-# documentation; the Debian packages and their contents; and README's command for the Python package with another python3 first on
-# the PATH. The last line is "<N> passed, <M> failed".
+# documentation; the Debian packages and their contents; and the commands and code of README, the module's page, the tutorials,
+# contributing and benchmark, which need the packages of common.sh. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
 #
 #   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build
@@ -225,20 +225,19 @@ debian_benchmark()
     LD_LIBRARY_PATH="$work/debian/usr/lib" "$work/debian/usr/bin/usac_benchmark" --help
 }
 
-# Runs README's command; the library is already built, and compiled files of a previous run are kept.
-readme_python()
+# Runs what the documents show: commands, programs, output. The library is already built, and compiled files of a previous run are kept.
 {
-    rm -f "$work/readme_build/CMakeCache.txt"
-    line=$(sed -n '/^## Python/,/^## /s/^\([^ ]*python3 -m venv .*\)$/\1/p' "$project/README.md")
-    [ -n "$line" ] && mkdir "$work/readme" && ln -s "$project/modules" "$work/readme/modules" && cd "$work/readme" &&
-    PATH="$work/other_python:$PATH" USACV20_BUILD_DIR="$work/readme_build" CMAKE_ARGS="-Dopencv_usac_DIR=$work/build -DUSAC_PRECOMPILED_HEADERS=ON" sh -exc "$line" &&
-    env/bin/python3 -c "import usacv20; print(usacv20.__version__)" | grep -Fx "$version" &&
-    [ -n "$(find env -path '*/usacv20-*.dist-info/*' -name LICENSE)" ]
+    PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$here/documents/documents.py" "$project" "$work" "$opencv"
+}
+
+documents_test()
+{
+    PYTHONDONTWRITEBYTECODE=1 USAC_DOCUMENTS_CHECKS="$work" /usr/bin/python3 "$here/documents/test_documents.py"
 }
 
 mkdir -p "$work"
 for directory in staging prefix opencv_staging opencv by_prefix by_build in_tree_by_prefix in_tree_by_dir in_tree_by_build \
-    by_pkg_config flags uninstalled debian readme other_python
+    by_pkg_config flags uninstalled debian other_python
 do
     rm -rf "${work:?}/$directory"
 done
@@ -276,7 +275,8 @@ check debian_paths debian_paths
 check debian_stripped debian_stripped
 check debian_python debian_python
 check debian_benchmark debian_benchmark
-check readme_python readme_python
+check documents_test documents_test
+check documents documents
 check flag_cases flag_cases
 for name in $(sed -n 's/^#\(el\)*if defined(\([A-Z]*_[a-z_]*\))$/\2/p' "$here/flags/cases.cpp"); do
     check "$name" flag_case "$name"

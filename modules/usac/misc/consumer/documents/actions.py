@@ -1,0 +1,384 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What can be done with a block of a document. Each action has a method run(place, block), which raises Wrong, and ends with what the
+block has printed."""
+
+import json
+import os
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
+
+from blocks import Block, commandsOf
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+NUMBER = r"(?<![\w.])\d+(?:\.\d+)?(?:e-?\d+)?"
+UNUSED = "Manually-specified variables were not used by the project"
+DEADLINE = 1200  # seconds of one block
+
+
+class Wrong(Exception):
+    """A block does not do what its document says."""
+
+
+class Place:
+    """Where blocks run: folders below `work`, which check.sh has made with the build and the prefix of the library.
+
+    clone    laid out as a checkout: links to all that is in the project; `build` is a link to the library's build
+    collection, programs, python  of the blocks of these kinds"""
+
+    def __init__(self, project: str, work: str, opencv: str = "") -> None:
+        self.project, self.checks, self.opencv = os.path.realpath(project), os.path.realpath(work), opencv
+        self.build = os.path.join(self.checks, "build")
+        self.work = os.path.join(self.checks, "documents")
+        self.printed: Dict[str, str] = {}  # by each block, or command, that has run
+        self.services: List[subprocess.Popen] = []
+        for name in ("clone", "collection", "prefix", "bin", "python", "benchmark"):
+            shutil.rmtree(self.folder(name), ignore_errors=True)
+        for name in ("clone", "collection", "prefix", "bin", "python", "benchmark", "programs"):
+            os.makedirs(self.folder(name), exist_ok=True)
+        for name in os.listdir(self.project):
+            if name not in (".git", "build", "env"):
+                os.symlink(os.path.join(self.project, name), self.folder("clone", name))
+        os.symlink(self.build, self.folder("clone", "build"))
+        for name in ("cmake", "apt", "apt-get", "sudo"):
+            os.symlink(os.path.join(HERE, "stand_in.py"), self.folder("bin", name))
+        os.symlink("/usr/bin/python3", self.folder("bin", "python3"))
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            self.port = free.getsockname()[1]
+
+    def folder(self, *names: str) -> str:
+        return os.path.join(self.work, *names)
+
+    def images(self) -> str:
+        """OpenCV's sample images: those that quickstart.sh takes, too."""
+        folders = (os.environ.get("OPENCV_SAMPLES_DATA_PATH", ""), "/usr/share/doc/opencv-doc/examples/data",
+                   self.folder("quickstart", "opencv-doc", "usr", "share", "doc", "opencv-doc", "examples", "data"))
+        return next((name for name in folders if os.path.isfile(os.path.join(name, "graf1.png"))), "")
+
+    def environment(self, *path: str, **variables: str) -> Dict[str, str]:
+        """Of a process; path: folders that are looked in first."""
+        folders = [*path, self.folder("bin"), os.path.join(self.build, "bin"), os.environ["PATH"]]
+        return dict(os.environ, PATH=os.pathsep.join(folders), USAC_DOCUMENTS_PROJECT=self.project, PYTHONDONTWRITEBYTECODE="1",
+                    MPLBACKEND="Agg", **variables)
+
+    def call(self, command: Sequence[str], cwd: str, environment: Optional[Dict[str, str]] = None) -> str:
+        """What it prints, both streams."""
+        try:
+            run = subprocess.run(command, cwd=cwd, env=environment or self.environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT, universal_newlines=True, errors="replace", timeout=DEADLINE)
+        except subprocess.TimeoutExpired as error:
+            raise Wrong("no end within {} s\n{!r}".format(DEADLINE, error.stdout)) from error
+        except OSError as error:
+            raise Wrong(str(error)) from error
+        if run.returncode:
+            raise Wrong("{}\nexit code {}".format(run.stdout, run.returncode))
+        if UNUSED in run.stdout:
+            raise Wrong("{}\nan option that the project does not know".format(run.stdout))
+        return run.stdout
+
+    def close(self) -> None:
+        for service in reversed(self.services):
+            service.terminate()
+        for service in self.services:
+            service.wait()
+
+
+class Elsewhere(NamedTuple):
+    """The command is run by another check or test of the gate.
+
+    words -- of the command, which that file has, too: a command that changes has to change there"""
+
+    file: str
+    name: str
+    words: Tuple[str, ...] = ()
+
+    def run(self, place: Place, block: Block) -> str:
+        path = os.path.join(place.project, self.file)
+        if not os.path.isfile(path):
+            raise Wrong("{} is not there".format(self.file))
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        named = r"^\s*(?:(?:def|class|check|run) +{0}\b|{0}\(\)|TEST\w*\({0})".format(re.escape(self.name))
+        if not re.search(named, text, re.M):
+            raise Wrong("{} has no check or test {}".format(self.file, self.name))
+        for word in self.words:
+            if word not in block.text or word not in text:
+                raise Wrong("{!r} is not in both, the command and {}".format(word, self.file))
+        return ""
+
+
+class Impossible(NamedTuple):
+    """The command needs what no machine of the gate has."""
+
+    reason: str
+
+    def run(self, place: Place, block: Block) -> str:
+        if not self.reason:
+            raise Wrong("no reason")
+        return ""
+
+
+class Shell(NamedTuple):
+    """Commands of a shell, all of a block in one.
+
+    where -- folder; name -- values of what the text has in angle brackets or capitals; `{clone}` and so on are folders, {port} a
+    free one; elsewhere -- commands that do not run here; before -- what is there already; prints -- what the output has, regular
+    expressions; leaves -- files that are there afterwards; after -- a command that is to succeed; always -- what
+    runs at the end, whatever has happened; service -- goes on running;
+    more -- arguments"""
+
+    where: str = "clone"
+    names: Dict[str, str] = {}
+    variables: Dict[str, str] = {}
+    path: Tuple[str, ...] = ()
+    elsewhere: Dict[str, Elsewhere] = {}
+    before: str = ""
+    prints: Tuple[str, ...] = ()
+    leaves: Tuple[str, ...] = ()
+    after: str = ""
+    always: str = ""
+    service: bool = False
+    more: str = ""
+
+    def run(self, place: Place, block: Block) -> str:
+        def filled(text: str) -> str:
+            for name, value in (("{port}", str(place.port)), ("{build}", place.build), ("{project}", place.project), ("{checks}", place.checks),
+                                ("{images}", place.images()),
+                                ("{work}", place.work)):
+                text = text.replace(name, value)
+            return text
+
+        commands = commandsOf(block.text)
+        for command, other in self.elsewhere.items():
+            if command not in commands:
+                raise Wrong("the table has a command that is not in the block: " + command)
+            other.run(place, block)
+        lines = [command for command in commands if command not in self.elsewhere]
+        text = "\n".join(lines)
+        for name, value in self.names.items():
+            if name not in text:
+                raise Wrong("{!r} of the table is not in the block".format(name))
+            text = text.replace(name, filled(value))
+        folder = place.folder(self.where)
+        environment = place.environment(*map(filled, self.path), **{name: filled(value) for name, value in self.variables.items()})
+        if self.before:
+            place.call(["sh", "-exc", filled(self.before)], folder, environment)
+        if self.service:
+            with open(place.folder(block.name + ".log"), "w") as log:
+                place.services.append(subprocess.Popen(["sh", "-ec", "exec " + text + filled(self.more)], cwd=folder, env=environment,
+                                                       stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT))
+            time.sleep(1)
+            if place.services[-1].poll() is not None:
+                with open(place.folder(block.name + ".log")) as log:
+                    raise Wrong(log.read())
+            return ""
+        try:
+            out = place.call(["sh", "-exc", text + filled(self.more)], folder, environment)
+            for expected in self.prints:
+                if not re.search(filled(expected), out, re.M):
+                    raise Wrong("{}\nis without {!r}".format(out, expected))
+            for name in self.leaves:
+                if not os.path.exists(os.path.join(folder, filled(name))):
+                    raise Wrong("{}\nleaves no {}".format(out, name))
+            if self.after:
+                place.call(["sh", "-exc", filled(self.after)], folder, environment)
+        finally:
+            if self.always:
+                place.call(["sh", "-exc", filled(self.always)], folder, environment)
+        return out
+
+
+class Printed(NamedTuple):
+    """What a document shows of the output of a command.
+
+    of -- key of the block, or a command of the table's own; tolerance -- relative, of its numbers; free -- regular expressions of
+    numbers that may be any, with their surroundings: times, say, or all of them"""
+
+    of: str
+    tolerance: float = 0.0
+    free: Tuple[str, ...] = ()
+    before: str = ""
+
+    def run(self, place: Place, block: Block) -> str:
+        if self.before:
+            found = place.call(["sh", "-ec", self.before.replace("{project}", place.project)], place.folder("collection"),
+                               place.environment(place.folder("clone", "env", "bin")))
+        elif self.of in place.printed:
+            found = place.printed[self.of]
+        else:
+            raise Wrong("{} has not run".format(self.of))
+        for line in block.text.strip().split("\n"):
+            if not any(self.same(line, other) for other in found.split("\n")):
+                raise Wrong("{}\nhas no line as\n{}".format(found, line))
+        return ""
+
+    def same(self, line: str, other: str) -> bool:
+        if re.sub(NUMBER, "#", line) != re.sub(NUMBER, "#", other):
+            return False
+        for expected, found in zip(re.finditer(NUMBER, line), re.finditer(NUMBER, other)):
+            free = any(part.start() <= expected.start() and expected.end() <= part.end()
+                       for pattern in self.free for part in re.finditer(pattern, line))
+            a, b = float(expected.group()), float(found.group())
+            if not free and abs(a - b) > self.tolerance * abs(a):
+                return False
+        return True
+
+
+class Numbers(NamedTuple):
+    """A command within the text, and the numbers that the text has of it.
+
+    text, printed -- regular expressions whose groups, or whose occurrences, are the numbers, in the document and in the output"""
+
+    text: str
+    printed: str
+    tolerance: float
+
+    def run(self, place: Place, block: Block) -> str:
+        out = Shell("programs").run(place, block)
+        with open(os.path.join(place.project, block.document), encoding="utf-8") as file:
+            expected = re.search(self.text, " ".join(file.read().split()))
+        if not expected:
+            raise Wrong("the document has no {!r}".format(self.text))
+        found = re.findall(self.printed, out)
+        if len(found) != len(expected.groups()) or any(
+                abs(float(a) - float(b)) > self.tolerance for a, b in zip(expected.groups(), found)):
+            raise Wrong("{}\nhas {}, the document {}".format(out, found, expected.groups()))
+        return out
+
+
+class Cpp(NamedTuple):
+    """A part of a program, or a whole one, compiled with warnings as errors and run.
+
+    before, after -- around it (frame.hpp); within -- what follows a line of it, as where it declares the points of the reader;
+    top -- above it; whole -- it has a main of its own, and commands run it; folders -- of the project, for headers; libraries -- of the
+    library's build"""
+
+    before: str = ""
+    after: str = ""
+    within: Dict[str, str] = {}
+    top: str = ""
+    whole: bool = False
+    folders: Tuple[str, ...] = ()
+    libraries: Tuple[str, ...] = ()
+
+    def source(self, block: Block) -> str:
+        if self.whole:
+            return "#line {} \"{}\"\n{}".format(block.line, block.document, block.text)
+        lines, top = [], ['#include "frame.hpp"', self.top]
+        left = dict(self.within)
+        for line in block.text.rstrip("\n").split("\n"):
+            if line.startswith("#include "):
+                top.append(line)
+                line = ""
+            more = [left.pop(begin) for begin in list(left) if line.strip().startswith(begin)]
+            lines.append(" ".join([line.split("//")[0] if more else line, *more]))
+        if left:
+            raise Wrong("the block has no line {!r} of the table".format(list(left)))
+        return "{}\n\nint main()\n{{\n{}\n#line {} \"{}\"\n{}\n#line 1 \"after\"\n{}\nreturn 0;\n}}\n".format(
+            "\n".join(top), self.before, block.line, block.document, "\n".join(lines), self.after)
+
+    def run(self, place: Place, block: Block) -> str:
+        place.call(["cmake", "--build", place.folder("programs"), "--target", block.name], place.work)
+        if self.whole:
+            return ""
+        return place.call([place.folder("programs", "bin", block.name)], place.folder("programs"))
+
+
+class Python(NamedTuple):
+    """A part of a program, with what frame.py has.
+
+    cv2 -- it calls the functions of an OpenCV with the module"""
+
+    before: str = ""
+    after: str = ""
+    cv2: bool = False
+    where: str = "python"
+
+    def run(self, place: Place, block: Block) -> str:
+        before, python, variables = self.before, place.folder("clone", "env", "bin", "python3"), {}
+        loader = os.path.join(place.opencv, "python_loader") if place.opencv else ""
+        if self.cv2 and os.path.isdir(loader):
+            python, variables = "/usr/bin/python3", {"PYTHONPATH": loader}
+        elif self.cv2:  # the same functions: with the package beside a cv2
+            before = ("import cv2, usacv20\nusacv20.patch_cv2()\ncv2.usacv20 = usacv20\n"
+                      "for name in dir(usacv20):\n    if name.startswith('USACV20'): setattr(cv2, name, getattr(usacv20, name))\n") + before
+        tasks = place.folder("python", block.name + ".json")
+        with open(tasks, "w", encoding="utf-8") as file:
+            json.dump([dict(key=block.key, document=block.document, line=block.line, code=block.text, before=before, after=self.after)], file)
+        out = place.call([python, os.path.join(HERE, "frame.py"), tasks], place.folder(self.where), place.environment(**variables))
+        if "DONE " + block.key not in out:
+            raise Wrong(out)
+        return out
+
+
+class CMake(NamedTuple):
+    """Lines of a CMakeLists.txt, after those that make a program.
+
+    options -- of the configuration; names -- values of what the text has; links -- within the folder, by name; build -- the program is made
+    and run; whole -- nothing comes before, main.cpp has that name"""
+
+    options: Tuple[str, ...] = ()
+    names: Dict[str, str] = {}
+    links: Dict[str, str] = {}
+    build: bool = True
+    whole: str = ""
+
+    def run(self, place: Place, block: Block) -> str:
+        folder = place.folder("cmake_" + block.name)
+        os.makedirs(folder, exist_ok=True)
+        for name in ("CMakeCache.txt", *self.links):
+            if os.path.lexists(os.path.join(folder, name)):
+                os.remove(os.path.join(folder, name))
+        for name, target in self.links.items():
+            os.symlink(target.replace("{project}", place.project), os.path.join(folder, name))
+        main, text = os.path.join(os.path.dirname(HERE), "main.cpp"), block.text
+        for name, value in {**self.names, **({self.whole: main} if self.whole else {})}.items():
+            if name not in text:
+                raise Wrong("{!r} of the table is not in the block".format(name))
+            text = text.replace(name, value.replace("{project}", place.project))
+        write(os.path.join(folder, "CMakeLists.txt"), text if self.whole else
+              "cmake_minimum_required(VERSION 3.14)\nproject(documents CXX)\nadd_executable(program {})\n{}".format(main, text))
+        made = os.path.join(folder, "build")
+        options = [option.replace("{checks}", place.checks).replace("{work}", place.work) for option in self.options]
+        out = place.call(["cmake", "-S", folder, "-B", made, *options], folder)
+        if self.build:
+            out += place.call(["cmake", "--build", made], folder)
+            out += place.call([os.path.join(made, "program")], folder)
+        return out
+
+
+def write(path: str, text: str) -> None:
+    """Only if it changes: what is made of it stays."""
+    if os.path.exists(path):
+        with open(path, encoding="utf-8") as file:
+            if file.read() == text:
+                return
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def preparePrograms(place: Place, programs: List[Tuple[Block, Cpp]]) -> None:
+    """One project for all; those that are compiled already stay. Mistakes are told by the blocks themselves."""
+    folder = place.folder("programs")
+    os.makedirs(os.path.join(folder, "source"), exist_ok=True)
+    lines = ["cmake_minimum_required(VERSION 3.13)", "project(documents CXX)", "find_package(opencv_usac REQUIRED)",
+             "set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)", "add_compile_options(-Wall -Wextra -Werror)"]
+    for block, action in programs:
+        write(os.path.join(folder, "source", block.name + ".cpp"), action.source(block))
+        lines += ["add_executable({0} {0}.cpp)".format(block.name), "target_link_libraries({} {} opencv_usac::opencv_usac)".format(
+            block.name, " ".join(os.path.join(place.build, name) for name in action.libraries)),
+                  "target_include_directories({} PRIVATE {} {})".format(
+                      block.name, HERE, " ".join(os.path.join(place.project, name) for name in action.folders))]
+    write(os.path.join(folder, "source", "CMakeLists.txt"), "\n".join(lines) + "\n")
+    place.call(["cmake", "-S", os.path.join(folder, "source"), "-B", folder, "-Dopencv_usac_DIR=" + place.build], place.work)
+    subprocess.run(["cmake", "--build", folder, "-j", str(os.cpu_count()), "--", "-k" + ("0" if os.path.exists(
+        os.path.join(folder, "build.ninja")) else "")], cwd=place.work, env=place.environment(), stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL, check=False)

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Runs the commands and compiles the code that the documents show: each block as it stands there, in a folder laid out as the text
+has it. The table says with what; a block without a rule, and a rule without a block, is a failure.
+
+usage: documents.py PROJECT CHECKS [OPENCV [WORD...]]
+
+PROJECT is the checkout, CHECKS the working directory of check.sh with the library's build and installation, OPENCV a build tree of
+OpenCV with the module, or nothing; only blocks whose key has all words run. The last line is "<N> passed, <M> failed"."""
+
+import os
+import sys
+import time
+from typing import Any, List, Sequence, Tuple
+
+from actions import Cpp, Elsewhere, Impossible, Place, Wrong, preparePrograms
+from blocks import Block, DocumentError, blocksOf
+from table import DOCUMENTS, TABLE
+
+Rule = Tuple[str, str, str, Any]
+
+
+def keyOf(rule: Rule) -> str:
+    document, heading, what, _ = rule
+    return "{} | {} | {}".format(document, heading, what)
+
+
+def matched(blocks: Sequence[Block], table: Sequence[Rule]) -> Tuple[List[Tuple[Block, Any]], List[str]]:
+    """Blocks with their actions in the order of the table, and what is wrong with the table."""
+    known = {}
+    for block in blocks:
+        known.setdefault(block.key.replace("`", ""), []).append(block)
+    keys = [keyOf(rule) for rule in table]
+    mistakes = ["{}: the table has no rule for {}".format(block.place, block.key)
+                for block in blocks if block.key.replace("`", "") not in keys]
+    mistakes += ["the table has a rule for what is not there: " + key for key in keys if key not in known]
+    mistakes += ["the table has more than one rule for " + key for key in sorted(set(keys)) if keys.count(key) > 1]
+    return [(block, rule[3]) for rule, key in zip(table, keys) for block in known.get(key, [])], mistakes
+
+
+def read(project: str, documents: Sequence[str]) -> List[Block]:
+    blocks = []
+    for document in documents:
+        with open(os.path.join(project, document), encoding="utf-8") as file:
+            blocks += blocksOf(document, file.read())
+    return blocks
+
+
+def run(place: Place, tasks: Sequence[Tuple[Block, Any]]) -> int:
+    """How many have failed."""
+    failed = 0
+    try:
+        programs = [task for task in tasks if isinstance(task[1], Cpp)]
+        if programs:
+            preparePrograms(place, programs)
+        for block, action in tasks:
+            start, children = time.time(), os.times().children_user
+            try:
+                place.printed["{} | {} {}".format(block.heading, block.language, block.number)] = action.run(place, block)
+                how = "elsewhere: {}".format(action.name) if isinstance(action, Elsewhere) else "{:.1f} s, {:.1f} s of processor time".format(
+                    time.time() - start, os.times().children_user - children)
+                print("PASSED {}: {} ({})".format(block.place, block.key, action.reason if isinstance(action, Impossible) else how), flush=True)
+            except Wrong as error:
+                failed += 1
+                print("{}\nFAILED {}: {}".format(error, block.place, block.key), flush=True)
+    finally:
+        place.close()
+    return failed
+
+
+def main(project: str, checks: str, opencv: str = "", *words: str) -> int:
+    try:
+        tasks, mistakes = matched(read(project, DOCUMENTS), TABLE)
+    except DocumentError as error:
+        tasks, mistakes = [], [str(error)]
+    tasks = [task for task in tasks if all(word in task[0].key for word in words)]
+    for mistake in mistakes:
+        print("FAILED " + mistake)
+    failed = len(mistakes)
+    try:
+        failed += run(Place(project, checks, opencv), tasks)
+    except Wrong as error:
+        print(error)
+        failed += 1
+    print("{} passed, {} failed".format(len(tasks) + len(mistakes) - failed, failed))
+    return 1 if failed or not tasks else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,107 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// What the parts of programs in the documents take for given, with a known truth: two images of points of space, a third of
+// which lies in a plane that both cameras face (so that its map is a homography, an affine map and a similarity), a fifth of
+// the matches wrong. Each part is a program: `before` of the table, the part, `after` of the table, which says REQUIRE.
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <opencv2/usac.hpp>
+
+namespace truth {
+const cv::Matx33d K(700, 0, 320, 0, 700, 240, 0, 0, 1);
+const cv::Matx33d R(std::cos(0.1), -std::sin(0.1), 0, std::sin(0.1), std::cos(0.1), 0, 0, 0, 1);
+const cv::Vec3d t(1, 0.2, 0);
+const double depth = 10;  // of the plane
+const cv::Matx33d H = K * (R + t * cv::Vec3d(0, 0, 1 / depth).t()) * K.inv();
+const cv::Matx23d A(H(0, 0), H(0, 1), H(0, 2), H(1, 0), H(1, 1), H(1, 2));
+const cv::Matx33d E = cv::Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
+const cv::Matx33d F = K.inv().t() * E * K.inv();
+const cv::Matx34d Rt(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0),
+                     R(2, 1), R(2, 2), t[2]);
+}
+
+const cv::Mat K(truth::K);
+const cv::Mat distortion, distCoeffs;  // none
+std::vector<cv::Point2f> points1, points2, imagePoints;
+std::vector<cv::Point3f> objectPoints, space1, space2;
+std::vector<float> ratios;  // lower is better
+
+namespace frame {
+
+inline cv::Point2f project(const cv::Vec3d& X)
+{
+    const cv::Vec3d x = truth::K * X;
+    return cv::Point2f((float)(x[0] / x[2]), (float)(x[1] / x[2]));
+}
+
+struct Maker
+{
+    Maker()
+    {
+        cv::RNG rng(1);
+        for (int i = 0; i < 300; i++)
+        {
+            const bool right = i % 5 != 0;
+            const double z = i % 3 == 0 ? truth::depth : rng.uniform(4., 8.);
+            const cv::Vec3d X(rng.uniform(-0.4, 0.4) * z, rng.uniform(-0.3, 0.3) * z, z);
+            const cv::Vec3d Y = right ? truth::R * X + truth::t : X + cv::Vec3d(rng.uniform(-2., 2.), rng.uniform(-2., 2.), 1);
+            objectPoints.push_back(cv::Point3f((float)X[0], (float)X[1], (float)X[2]));
+            space2.push_back(cv::Point3f((float)Y[0], (float)Y[1], (float)Y[2]));
+            points1.push_back(project(X));
+            points2.push_back(project(Y));
+            ratios.push_back((float)(right ? rng.uniform(0.3, 0.7) : rng.uniform(0.6, 0.9)));
+        }
+        imagePoints = points2;
+        space1 = objectPoints;
+    }
+} const maker;
+
+inline void require(bool condition, const char* text)
+{
+    if (condition)
+        return;
+    std::cerr << "not true after the code of the document: " << text << std::endl;
+    std::exit(1);
+}
+
+// Relative, up to the sign of a matrix without one.
+inline bool near(const cv::Mat& a, const cv::Mat& b, double error = 1e-3)
+{
+    if (a.size() != b.size() || a.empty())
+        return false;
+    const cv::Mat unitA = a / cv::norm(a), unitB = b / cv::norm(b);
+    return std::min(cv::norm(unitA - unitB), cv::norm(unitA + unitB)) < error;
+}
+
+inline bool near(const cv::Mat& a, const cv::Matx33d& b, double error = 1e-3)
+{
+    return near(a, cv::Mat(b), error);
+}
+
+inline bool near(const cv::Mat& a, const cv::Matx23d& b, double error = 1e-3)
+{
+    return near(a, cv::Mat(b), error);
+}
+
+inline bool near(const cv::Mat& a, const cv::Matx34d& b, double error = 1e-3)
+{
+    return near(a, cv::Mat(b), error);
+}
+
+inline bool pose(const cv::Mat& rvec, const cv::Mat& tvec)
+{
+    cv::Mat R;
+    cv::Rodrigues(rvec, R);
+    return near(R, truth::R) && near(tvec, cv::Mat(truth::t));
+}
+}
+
+#define REQUIRE(condition) frame::require(condition, #condition)

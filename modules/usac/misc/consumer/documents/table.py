@@ -1,0 +1,275 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""What is done with each block, in the order in which they run: (document, heading, language and number below the heading or the
+command itself, action)."""
+
+import shutil
+import subprocess
+
+from actions import CMake, Cpp, Elsewhere, Impossible, Numbers, Printed, Python, Shell
+
+README, MODULE, CONTRIBUTING, BENCHMARK = "README.md", "modules/usac/README.md", "doc/contributing.md", "doc/benchmark.md"
+FLAGS = "modules/usac/tutorials/ransac_to_usacv20/ransac_to_usacv20.markdown"
+COLLECTIONS = "modules/usac/tutorials/collections/collections.markdown"
+DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, COLLECTIONS, CONTRIBUTING, BENCHMARK)
+
+CHECK = "modules/usac/misc/consumer/check.sh"
+RUN_TESTS, MATRIX = "modules/usac/misc/run_tests.sh", "modules/usac/misc/matrix.sh"
+PYTHON_TESTS = "modules/usac/misc/python/test/"
+GATE = Elsewhere(RUN_TESTS, "consumer")  # the gate is what runs this check
+
+PIP = Elsewhere("samples/quickstart.sh", "python_package", ("install", "modules/usac"))
+
+ENV = ("{work}/clone/env/bin",)
+QUICKSTART = """mkdir -p "{work}/quickstart"
+ln -sfn "{build}" "{work}/quickstart/build-$(printf %s "$PWD" | cksum | cut -d ' ' -f 1)"
+rm -f "{checks}/readme_build/CMakeCache.txt\""""
+VENV = """rm -f "{checks}/readme_build/CMakeCache.txt\""""
+VENV_IS_RIGHT = """env/bin/python3 -c "import usacv20; print(usacv20.__version__)" |
+    grep -Fx "$(sed -n 's/^set(USAC_VERSION \\(.*\\))$/\\1/p' modules/usac/cmake/usac_version.cmake)"
+[ -n "$(find env -path '*/usacv20-*.dist-info/*' -name LICENSE)" ]"""
+NATIVE = {"USACV20_BUILD_DIR": "{checks}/readme_build"}  # what is compiled stays for the next run
+LISTS = """for scene in planar general view rigid; do
+    usac_synthetic --out=DATA --scene=$scene --pairs=1 --size=200 --inliers=0.6 --scores=0.8 > /dev/null
+done
+usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --inliers=0.6 --scores=0.8 > /dev/null
+usac_synthetic --out=DATA --scene=view --name=pnp --pairs=1 --size=200 --inliers=0.6 > /dev/null
+ln -sfn DATA DIR"""
+FIRST_LIST = """usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --inliers=0.6 > /dev/null
+ln -s ../clone/samples ."""
+FEW = {"--pairs=25": "--pairs=1"}  # scenes
+BENCHMARK_TESTS = "samples/benchmark/test_"
+FILES = "import sys; sys.path.insert(0, '../clone/samples/benchmark')\n"
+RUNS = "usac_benchmark --list=DATA/lists/homogr.H.list --runs=runs.csv --methods=USACV20,cv:USAC_DEFAULT,cv:RANSAC > /dev/null"
+LIST_IS_READ = "import subprocess\nsubprocess.run(['usac_benchmark', '--list=DATA/lists/mine.{}.list', '--methods=USACV20'], check=True)"
+PREFIX = {"<prefix>": "{work}/prefix"}
+NO_FILES = '[ -z "$(find "{work}/prefix" -type f)" ]'
+POSES = "const std::vector<cv::Point3f> nextObjectPoints = objectPoints; const std::vector<cv::Point2f> nextImagePoints = imagePoints;"
+PARAMS = "cv::usacv20::Params params; params.threshold = 1;"
+MASK = "cv::Mat mask;"
+REPORT = "cv::usacv20::Report report;"
+SCORES_OF_HLOC = """python3 -c "
+import sqlite3, h5py, numpy as np
+db = sqlite3.connect('scene.db')
+names, sizes = dict(db.execute('SELECT image_id, name FROM images')), dict(db.execute('SELECT image_id, rows FROM keypoints'))
+with h5py.File('matches.h5', 'w') as file:
+    for pair, rows, data in db.execute('SELECT pair_id, rows, data FROM matches'):
+        if rows:
+            first, second = sorted(((pair - pair % 2147483647) // 2147483647, pair % 2147483647))
+            a, b = np.frombuffer(data, np.uint32).reshape(-1, 2).T
+            partners, scores = np.full(sizes[first], -1, np.int32), np.zeros(sizes[first], np.float16)
+            partners[a], scores[a] = b, 0.5
+            group = file.create_group(names[first] + '/' + names[second])
+            group['matches0'], group['matching_scores0'] = partners, scores
+" """
+# As the text says below the commands.
+OPTIONS_OF_COLMAP = {"--SiftExtraction.use_gpu": "--FeatureExtraction.use_gpu", "--SiftMatching.use_gpu": "--FeatureMatching.use_gpu"}
+if not shutil.which("colmap") or b"FeatureExtraction.use_gpu" not in subprocess.run(
+        ["colmap", "feature_extractor", "--help"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout:
+    OPTIONS_OF_COLMAP = {}  # 3
+COURT = """PYTHONPATH={project}/samples/benchmark/collection python3 -c "
+from streets import Options, Street
+Street(Options('court', 24, seed=0)).write('court.db')"
+python3 -m usacv20.collection verify court.db"""
+
+TABLE = [
+    # The folder that most commands run in; the build there is that of check.sh.
+    (README, "Two commands", "sh 1", Shell(
+        before=QUICKSTART, variables=dict(NATIVE, USAC_BUILD_DIR="{work}/quickstart", CMAKE_ARGS="-DUSAC_PRECOMPILED_HEADERS=ON"),
+        elsewhere={"sh modules/usac/misc/run_tests.sh --installed":
+                   Elsewhere(MATRIX, "run_suite", ("misc/run_tests.sh", "--installed"))},
+        prints=("^== homography$", "^== walkthrough.py$", "^RANSAC", "^USAC_DEFAULT", "^USACV20 ", "^Pictures: "),
+        leaves=("{work}/quickstart/pictures/homography.jpg", "{work}/quickstart/pictures/homography_py.png"))),
+    (README, "opencv_usac", "example_usac_homography --width=1000", Shell(
+        "programs", variables={"OPENCV_SAMPLES_DATA_PATH": "{images}"}, more=" --output=wall.jpg --runs=1", prints=("^USACV20 ",), leaves=("wall.jpg",))),
+    (README, "Building", "sh 1", Shell(names=PREFIX, leaves=("{work}/prefix/lib/pkgconfig/opencv_usac.pc",))),
+    (README, "Building", "cmake 1", CMake(("-DCMAKE_PREFIX_PATH={work}/prefix",))),
+    (README, "Python", "sh 1", Shell(before=VENV, path=("{checks}/other_python",), after=VENV_IS_RIGHT,
+                                     variables=dict(NATIVE, CMAKE_ARGS="-Dopencv_usac_DIR={build} -DUSAC_PRECOMPILED_HEADERS=ON"))),
+    (README, "In a program", "python 1", Python(after="""
+require(near(H, TRUTH["H"]) and mask.sum() >= 80 and report.asDict())
+require(found and pose_near(rvec, tvec) and len(inliers) >= 230)
+require(picture.shape[1] >= 640)""")),
+    (README, "In a program", "cpp 1", Cpp(
+        before="cv::Mat rvec, tvec;",
+        within={"std::vector<cv::Point2f> points1, points2;": "points1 = ::points1; points2 = ::points2;",
+                "std::vector<std::vector<cv::Point2f>> lists1, lists2;": "lists1.assign(2, points1); lists2.assign(2, points2);",
+                "cv::Mat H = ": "REQUIRE(frame::near(H, truth::H)); H.release();"},
+        after="""REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);
+REQUIRE(found && frame::pose(rvec, tvec)); REQUIRE(all.size() == 2 && frame::near(all[1].model, truth::F));""")),
+    (README, "Measured", "sh 1", Shell("benchmark", before=LISTS, prints=("USACV20_FAST.*\\|",))),
+
+    (MODULE, "Which preset", "usac_structured --mode=accuracy --motions=general --sizes=30 --ratios=0.6 --noises=0.333333 --runs=100", Numbers(
+        r"the median error is ([\d.]+) \(H\), ([\d.]+) \(F\), ([\d.]+) \(E\)", r"general .*\(0\) \| ([\d.]+) /", 0.006)),
+    (MODULE, "Building", "sh 1", Elsewhere("modules/usac/misc/common.sh", "configure", (
+        "cmake -S", "-B", "-DOPENCV_EXTRA_MODULES_PATH=", "-DBUILD_LIST=usac,"))),
+    (MODULE, "Building", "sh 2", Shell(names=PREFIX, after=NO_FILES, elsewhere={
+        "cmake --build build --target usac_docs": Elsewhere(CHECK, "documentation", ("--target usac_docs",))})),
+    (MODULE, "Building", "cmake 1", CMake(("-DCMAKE_PREFIX_PATH={checks}/prefix",))),
+    (MODULE, "Building", "cmake 2", CMake(links={"opencv_usac": "{project}"}, build=False)),  # compiled by the checks parent and fetch
+    (MODULE, "Building", "pkg-config --cflags --libs opencv_usac", Elsewhere(CHECK, "by_pkg_config", ("pkg-config --cflags --libs opencv_usac",))),
+    (MODULE, "Building", "sh 3", Shell(
+        before="rm -f build/*.deb", prints=(r"python3-usacv20_\S*deb generated",), always="cmake -S . -B build -DBUILD_SAMPLES=ON",
+        after="ls build/libopencv-usac0.2_*.deb build/libopencv-usac-dev_*.deb build/python3-usacv20_*.deb")),
+    (MODULE, "Python", "/usr/bin/python3 -m build --no-isolation --wheel modules/usac", Elsewhere(
+        RUN_TESTS, "build_python_package", ("/usr/bin/python3 -m build --no-isolation --wheel",))),
+    (MODULE, "Python", "apt install python3-build", Elsewhere("modules/usac/misc/common.sh", "install_packages", ("python3-build",))),
+    (MODULE, "Components of your own", "cpp 1", Cpp(
+        before=PARAMS, top='#include "spread_sampler.hpp"', folders=("samples",),
+        after="REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);")),
+
+    (FLAGS, "A flag", "cpp 1", Cpp(after="""
+REQUIRE(frame::near(H, truth::H)); REQUIRE(frame::near(F, truth::F)); REQUIRE(frame::near(E, truth::E));
+REQUIRE(frame::near(A, truth::A)); REQUIRE(frame::near(S, truth::A));
+REQUIRE(found && frame::pose(rvec, tvec)); REQUIRE(inliers.rows >= 230);""")),
+    (FLAGS, "A flag", "cpp 2", Cpp(
+        before=MASK + """ const bool quick = false;
+{ cv::FileStorage out("settings.yml", cv::FileStorage::WRITE); out << "method" << 16385; }""",
+        after="REQUIRE(method == 16385 && method == (int)cv::USACV20_FAST && 8 == cv::RANSAC); REQUIRE(frame::near(F, truth::F));")),
+    (FLAGS, "A flag", "python 1", Python(cv2=True, after="""
+require(near(H, TRUTH["H"]) and near(F, TRUTH["F"]) and near(E, TRUTH["E"]) and near(A, TRUTH["A"]) and near(S, TRUTH["A"]))
+require(found and pose_near(rvec, tvec) and len(inliers) >= 230)""")),
+    (FLAGS, "A flag", "pip install modules/usac", PIP),
+    (FLAGS, "Options, scores and a report", "cpp 1", Cpp(after="REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);")),
+    (FLAGS, "Options, scores and a report", "python 1", Python(cv2=True, before="import cv2", after="""
+require(near(H, TRUTH["H"]) and mask.sum() >= 80)""")),
+    (FLAGS, "Options, scores and a report", "cpp 2", Cpp(after="""cv::Mat mask;
+REQUIRE(frame::near(cv::usacv20::estimateHomography(points1, points2, params, mask), truth::H));""")),
+    (FLAGS, "To stop a run", "cpp 1", Cpp(before=MASK + " const auto show = [](int, int) {};", after="REQUIRE(frame::near(H, truth::H));")),
+    (FLAGS, "To stop a run", "python 1", Python(before="import threading, usacv20", after='require(near(H, TRUTH["H"]))')),
+    (FLAGS, "What comes next", "python 1", Python(cv2=True, before="""
+import cv2
+H, mask, report = cv2.usacv20.estimateHomography(points1, points2, cv2.usacv20.Params(threshold=1.0))
+within = np.ravel(mask) == 1
+quality = within.astype(float)""", after="""
+require(near(H, TRUTH["H"]) and np.array_equal(np.ravel(errors <= 1.0), within))""")),
+    (FLAGS, "What comes next", "python 2", Python(cv2=True, before="import cv2", after='require(near(R, TRUTH["R"]) and near(t, TRUTH["t"]))')),
+    (FLAGS, "What comes next", "cpp 1", Cpp(before="const cv::Mat K1 = K, K2 = K, d1, d2; cv::Mat R, t, mask;", after="""
+REQUIRE(frame::near(R, truth::R)); REQUIRE(frame::near(t, cv::Mat(truth::t)));""")),
+    (FLAGS, "What comes next", "cpp 2", Cpp(before="cv::usacv20::Params params; cv::Mat mask;", after="REQUIRE(frame::near(Rt, truth::Rt));")),
+    (FLAGS, "What comes next", "cpp 3", Cpp(
+        before="const cv::usacv20::Params params;",
+        within={"std::vector<std::vector<cv::Point2f>> lists1, lists2;": "lists1.assign(3, points1); lists2.assign(3, points2);"},
+        after="REQUIRE(all.size() == 3 && frame::near(all[2].model, truth::F));")),
+    (FLAGS, "What comes next", "python 3", Python(cv2=True, before="import cv2\nlistOfParams = [cv2.usacv20.Params()] * 2", after="""
+require(len(found) == 2 and all(near(F, TRUTH["F"]) for F, mask, report in found))""")),
+    (FLAGS, "A component of your own", "cpp 1", Cpp(before=PARAMS + REPORT, after="""
+REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) == report.inliers);""")),
+    (FLAGS, "An initial model", "cpp 1", Cpp(before=PARAMS + MASK + REPORT + POSES, after="""
+REQUIRE(frame::near(pose, truth::Rt)); REQUIRE(frame::near(next, truth::Rt)); REQUIRE(report.inliers >= 230);""")),
+    (FLAGS, "An initial model", "python 1", Python(
+        before="import usacv20\nparams, pose = usacv20.Params(), np.eye(3, 4)", after="require(np.array_equal(params.initialModel, pose.ravel()))")),
+    (FLAGS, "Another model", "cpp 1", Cpp(before="using namespace cv;" + PARAMS, top='#include "affine_problem.hpp"', folders=("samples",),
+                                          after="REQUIRE(frame::near(A, truth::A));")),
+    (FLAGS, "Another model", "cpp 2", Cpp(before="using namespace cv;" + PARAMS + MASK + """
+const std::vector<Point2f> nextPoints1 = points1, nextPoints2 = points2;
+const Ptr<usacv20::Usac> usac = usacv20::Usac::create(cv::usacv20::HOMOGRAPHY, std::vector<Point2f>(50), std::vector<Point2f>(50), params);""",
+                                          after="REQUIRE(frame::near(next, truth::H));")),
+
+    # A folder of images of five views.
+    (COLLECTIONS, "Goal", "pip install ./modules/usac", PIP),
+    (COLLECTIONS, "Features and matches", "sh 1", Shell(
+        "collection", names=OPTIONS_OF_COLMAP, before="/usr/bin/python3 {project}/modules/usac/misc/consumer/documents/images.py images", leaves=("scene.db",))),
+    (COLLECTIONS, "Verification", "sh 1", Shell("collection", path=ENV, prints=("^10 pairs in .*: 10 verified, 0 refused$",))),
+    (COLLECTIONS, "Verification", "text 1", Printed("Verification | sh 1", free=(".*",))),  # of other images
+    (COLLECTIONS, "Repeated structure", "text 1", Printed(
+        "", before=COURT, tolerance=0.05, free=(r"in \S+ s \(\S+ a second\)",))),
+    (COLLECTIONS, "Repeated structure", "pairs LIST", Elsewhere(PYTHON_TESTS + "test_usac_collection_command.py", "test_pairs")),
+    (COLLECTIONS, "Reconstruction", "sh 1", Shell("collection", prints=("Registered images.* 5$",), leaves=("sparse/0/images.bin",))),
+    (COLLECTIONS, "Reconstruction", "colmap global_mapper", Elsewhere(
+        PYTHON_TESTS + "test_usac_collection_compare.py", "test_table_of_later_version", ("global_mapper",))),
+    (COLLECTIONS, "New images and other programs", "python 1", Python(where="collection", after="require(summary.skipped == 10 and summary.faults == 0)")),
+    (COLLECTIONS, "New images and other programs", "python 2", Python(after="""
+require(pair.configuration.name == "TWO_VIEW_CALIBRATED" and pair.inliers >= 230 and near(pair.R, TRUTH["R"]))
+require([p.configuration for p in found] == 2 * [pair.configuration])""")),
+    (COLLECTIONS, "A look at the pairs", "sh 1", Shell("collection", path=ENV, prints=("verified +10 +100.0 %$",), leaves=("report/pairs.png",))),
+    (COLLECTIONS, "Large collections", "sh 1", Shell("collection", path=ENV, prints=("10 were done before",))),
+    (COLLECTIONS, "Scores of the matches", "sh 1", Shell("collection", path=ENV, before=SCORES_OF_HLOC, prints=("10 verified, 0 refused$",))),
+    (COLLECTIONS, "Large collections", "python3 -m dask scheduler", Shell(
+        "collection", path=ENV, service=True, more=" --host 127.0.0.1 --port {port} --no-dashboard")),
+    (COLLECTIONS, "Large collections", "python3 -m dask worker tcp://HOST:8786", Shell(
+        "collection", path=ENV, service=True, names={"HOST:8786": "127.0.0.1:{port}"}, more=" --no-dashboard")),
+    (COLLECTIONS, "Large collections", "sh 2", Shell(
+        "collection", path=ENV, names={"HOST:8786": "127.0.0.1:{port}"}, prints=("10 verified, 0 refused$",))),
+    (COLLECTIONS, "Matches outside of a database", "python 1", Python(before="import os\nos.mkdir('folder')", where="collection")),
+    (COLLECTIONS, "Matches outside of a database", "sh 1", Shell("collection", path=ENV, prints=("1 verified, 0 refused$",))),
+    (COLLECTIONS, "Matches outside of a database", "pairs matches.h5 --keypoints features.h5", Elsewhere(
+        PYTHON_TESTS + "test_usac_collection_lists.py", "test_hloc")),
+    (COLLECTIONS, "Matches outside of a database", "python 2", Python(where="collection", after="""
+require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(pair.E, TRUTH["E"]))""")),
+    (README, "Collections", "sh 1", Shell(
+        before="cp ../collection/scene.db . && ln -s ../collection/images images", leaves=("sparse/0/images.bin", "report/pairs.png"))),
+
+    (CONTRIBUTING, "The loop", "sh 1", Shell(names={"--runs=4": "--runs=1"}, elsewhere={
+        "bash modules/usac/misc/check_sources.sh": Elsewhere(RUN_TESTS, "sources", ("check_sources.sh",))})),
+    (CONTRIBUTING, "The loop", "sh 2", Shell(elsewhere={
+        "cmake -S . -B build -DUSAC_WERROR=ON -DBUILD_TESTS=ON": Elsewhere(RUN_TESTS, "cpp_tests", ("-DUSAC_WERROR=ON", "-DBUILD_TESTS=ON")),
+        "cmake --build build --target opencv_test_usac": Elsewhere(RUN_TESTS, "installed_tests", ("--target opencv_test_usac",)),
+        "build/bin/opencv_test_usac --gtest_filter='Usac_ConfirmedOrder.*'":
+            Elsewhere("modules/usac/test/termination/test_confirmed_order.cpp", "Usac_ConfirmedOrder"),
+        "sh modules/usac/misc/run_tests.sh --installed": Elsewhere(MATRIX, "run_suite", ("misc/run_tests.sh", "--installed")),
+        "USAC_CPP_OPTIONS=-DCMAKE_CXX_STANDARD=20 sh modules/usac/misc/run_tests.sh --cpp":
+            Elsewhere(MATRIX, "run_cpp", ("USAC_CPP_OPTIONS=", "misc/run_tests.sh", "--cpp"))})),
+    (CONTRIBUTING, "The loop", "cmake --build build --target usac_docs", Elsewhere(CHECK, "documentation", ("--target usac_docs",))),
+    (CONTRIBUTING, "The loop", ".ci/run", GATE),
+    (CONTRIBUTING, "What the gate checks", ".ci/run", GATE),
+    (CONTRIBUTING, "What the gate checks", "sh modules/usac/misc/run_tests.sh", GATE),
+    (CONTRIBUTING, "Reliability", "sh 1", Shell(elsewhere={
+        "sh modules/usac/misc/sanitize.sh": Elsewhere(RUN_TESTS, "sanitized_tests", ("misc/sanitize.sh",)),
+        "sh modules/usac/misc/sanitize.sh fuzz 3600": Impossible("it takes an hour: .github/workflows/tools.yml runs it"),
+        "sh modules/usac/misc/matrix.sh": Impossible("it needs root, a mirror of Debian and some hours")})),
+    (CONTRIBUTING, "Results that change", "sh 1", Shell(elsewhere={  # they write the stored hashes
+        "USAC_WRITE_HASHES=test_data/hashes.txt build/bin/opencv_test_usac --gtest_filter=Usac_Hashes.stored":
+            Elsewhere("modules/usac/test/runs/test_hashes.cpp", "Usac_Hashes", ("USAC_WRITE_HASHES", "stored")),
+        "USAC_TEST_MODULE=usacv20 env/bin/python3 modules/usac/misc/python/test/test_usac_hashes.py --write":
+            Elsewhere(PYTHON_TESTS + "test_usac_hashes.py", "results", ("--write",))})),
+
+    # Lists of one pair.
+    (BENCHMARK, "Quick start", "sh 1", Shell("benchmark", before=FIRST_LIST, leaves=("tables.csv", "pictures"), elsewhere={
+        "python3 samples/benchmark/dataset.py strecha --images=DIR/strecha --out=DATA --pairs=50":
+            Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", ("--images", "--out", "--pairs"))})),
+    (BENCHMARK, "Format of pairs and lists", "text 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_poses")),
+    (BENCHMARK, "Format of pairs and lists", "python 1", Python(
+        FILES + "gt_points = np.c_[points1, points2][right]", LIST_IS_READ.format("H"))),
+    (BENCHMARK, "Views of object points", "python 1", Python(
+        FILES + "object_points, points, R, t = objectPoints, imagePoints, TRUTH['R'], TRUTH['t']", LIST_IS_READ.format("P"))),
+    (BENCHMARK, "Motions of space", "python 1", Python(
+        FILES + "R, t = TRUTH['R'], TRUTH['t']\npoints1 = objectPoints\npoints2 = 1.5 * points1 @ R.T + t", LIST_IS_READ.format("M"),)),
+    (BENCHMARK, "Data sets", "python3 dataset.py <command> --help", Shell(
+        "clone/samples/benchmark", names={"<command>": "strecha"}, prints=("--images",))),
+    (BENCHMARK, "Building pairs", "sh 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", (
+        "--images", "--out", "--pairs", "--seed", "--ratio", "--max", "--features"))),
+    (BENCHMARK, "Synthetic scenes", "sh 1", Shell(
+        "benchmark", names=dict(FEW, **{"--out=DATA": "--out=plane"}), leaves=("plane/lists/synthetic_plane.F.list",))),
+    (BENCHMARK, "Running", "sh 1", Shell("benchmark", before=LISTS, prints=("preset:usacV20.*\\|",), leaves=("tables.csv", "runs.csv"))),
+    (BENCHMARK, "Running", "usac_benchmark --help", Shell("benchmark", prints=("--data",))),
+    (BENCHMARK, "Affinities, similarities, absolute poses and motions of space", "sh 1", Shell("benchmark", names=FEW, prints=("cv:AFFINE3D_REFIT.*\\|",))),
+    (BENCHMARK, "Your own method", "sh 1", Shell("benchmark", prints=("homogr",))),
+    (BENCHMARK, "Your own method", "cpp 1", Cpp(whole=True, folders=("samples/benchmark",), libraries=("libusac_benchmark_lib.a",))),
+    (BENCHMARK, "Your own method", "cmake 1", CMake(
+        ("-DCMAKE_LINK_LIBRARIES_ONLY_TARGETS=ON",), names={"/path/to/opencv_usac": "{project}"}, whole="mine.cpp", build=False)),
+    (BENCHMARK, "Your own method", "sh 2", Shell(
+        "benchmark", names={"mine ": "{work}/programs/bin/doc_benchmark_md_your_own_method_cpp_1 "}, prints=("custom:estimator.*\\|",))),
+    (BENCHMARK, "Comparing pair by pair", "sh 1", Shell(
+        "benchmark", names={"compare.py": "samples/benchmark/compare.py", "[": "", "]": "", " --other=...": ""}, before=RUNS, prints=("homogr",))),
+    (BENCHMARK, "Drawing", "sh 1", Shell(
+        "benchmark", names={"plot.py": "samples/benchmark/plot.py", "[": "", "]": "", "--out=DIR": "--out=drawn"}, before=RUNS, leaves=("drawn",))),
+    (BENCHMARK, "Measured", "sh 1", Shell("benchmark", prints=("USACV20_FAST.*\\|",))),
+    (BENCHMARK, "Absolute pose", "sh 1", Shell("benchmark", prints=("cv:PNP_EPNP.*\\|",))),
+    (BENCHMARK, "Rigid motions of space", "sh 1", Shell(
+        "benchmark", names={"200 1000 10000": "200", "--pairs=20": "--pairs=1"}, prints=("cv:AFFINE3D_REFIT.*\\|",))),
+    (BENCHMARK, "A sequence", "sh 1", Shell(
+        "benchmark", names={" > tracking.md": ""}, more=" --frames=10 --ratios=0.6 --limits=8", prints=("\\|",))),
+    (BENCHMARK, "Presets", "sh 1", Shell("benchmark", names={",...": ""}, prints=("preset:fast.*\\|",))),
+    (BENCHMARK, "Scale", "sh 1", Shell("benchmark", names={
+        "> scale.md": "--problems=H --sizes=100,1000 --parts=0.8,0.5 --boundParts=0.3 --repeats=1 > scale.md", "[": "", "]": "", "--out=DIR": "--out=scale"},
+        leaves=("scale", "bound.csv"))),
+    (BENCHMARK, "Sensitivity to the threshold", "sh 1", Shell("benchmark", leaves=("threshold.md",))),
+    (BENCHMARK, "Performance tests", "sh 1", Shell("benchmark", elsewhere={
+        "bin/opencv_perf_usac --gtest_output=xml:before.xml": Elsewhere(RUN_TESTS, "perf", ("bin/opencv_perf_usac",)),
+        "bin/opencv_perf_usac --gtest_output=xml:after.xml": Elsewhere(RUN_TESTS, "perf", ("bin/opencv_perf_usac",)),
+        "python3 <opencv>/modules/ts/misc/summary.py -m median before.xml after.xml": Impossible("a script of OpenCV's source")})),
+    (BENCHMARK, "Tests", "sh 1", Elsewhere(RUN_TESTS, "benchmark_tests")),
+]
