@@ -71,7 +71,7 @@ def estimate(name: str, matches: List[Tuple[Array, Array]], truth: Any, shape: T
                                                        confidence=args.confidence)
         lost += motion is None
         motions.append(np.eye(2, 3) if motion is None else motion)
-        inliers += 0 if mask is None else np.count_nonzero(mask)
+        inliers += 0 if mask is None else int(np.count_nonzero(mask))
     elapsed = 1e3 * (time.perf_counter() - start) / len(matches)
     if truth:
         errors = [distance(a, b, shape) for a, b in zip(motions, truth)]

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "scene_geometry.hpp"
+#include "random_points.hpp"
 
 #include <cmath>
 #include "opencv2/usac/geometry.hpp"

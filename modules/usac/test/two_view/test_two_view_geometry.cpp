@@ -263,8 +263,8 @@ TEST(Usac_TwoViewGeometry, lenses)
 {
     const Scene scene = sceneOf(3);
     TwoViewPair taken = pairOf(scene), ideal = pairOf(scene);
-    taken.distCoeffs1 = (Mat_<double>(4, 1) << -0.1, 0.02, 0.001, -0.001);
-    taken.distCoeffs2 = (Mat_<double>(4, 1) << 0.05, 0.01, 0, 0);
+    taken.distCoeffs1 = Mat(Vec4d(-0.1, 0.02, 0.001, -0.001));
+    taken.distCoeffs2 = Mat(Vec4d(0.05, 0.01, 0, 0));
     ideal.points1 = removeDistortion(taken.points1, scene.K, taken.distCoeffs1);
     ideal.points2 = removeDistortion(taken.points2, scene.K, taken.distCoeffs2);
     const TwoViewGeometry a = estimateTwoViewGeometry(taken, twoPixels()),

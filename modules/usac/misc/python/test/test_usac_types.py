@@ -129,7 +129,9 @@ class ToolTest(unittest.TestCase):
         self.path = "" if path.endswith("-packages") else path  # mypy looks there by itself
 
     def test_package(self) -> None:
-        self.run_tool("mypy", "--strict", "-p", "usacv20", MYPYPATH=self.path)
+        # What one version of NumPy's stubs needs to be ignored or cast another does not.
+        self.run_tool("mypy", "--strict", "--no-warn-unused-ignores", "--no-warn-redundant-casts", "-p", "usacv20",
+                      MYPYPATH=self.path)
 
     def test_stubs(self) -> None:
         # One signature for inspect cannot be that of several overloads; test_usac_newcomers.py calls with what it says.

@@ -4,6 +4,7 @@
 
 #include "pose_samples.hpp"
 #include "problems/random_rotation.hpp"
+#include "random_points.hpp"
 
 #include <algorithm>
 #include <cfloat>

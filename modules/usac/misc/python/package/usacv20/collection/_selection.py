@@ -35,14 +35,14 @@ class Selection:
         found: List[int] = []
         with explained(source.path):
             for begin in range(0, len(asked), _PAGE):
-                page = asked[begin:begin + _PAGE].tolist()
+                page = typing.cast(List[int], asked[begin:begin + _PAGE].tolist())
                 found += [int(key) for key, in source.connection().execute(
                     "SELECT pair_id FROM matches WHERE pair_id IN ({})".format(", ".join("?" * len(page))), page)]
         self._keys: npt.NDArray[np.int64] = np.sort(np.array(found, np.int64))
         self.missing = len(asked) - len(found)
 
     def keys(self) -> typing.Iterator[Key]:
-        return iter(self._keys.tolist())
+        return iter(typing.cast(List[int], self._keys.tolist()))
 
     def __len__(self) -> int:
         return len(self._keys)

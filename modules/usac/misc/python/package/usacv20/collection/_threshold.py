@@ -258,7 +258,7 @@ def _noise(told: typing.Sequence[_Errors]) -> Tuple[_Numbers, _Numbers]:
     return cores, cores * [_quantile(part) / IN_SIGMAS for part in tail[:, 0]]
 
 
-def _halfNormal(x: _Numbers, sigma: _Numbers) -> _Numbers:
+def _halfNormal(x: "np.ndarray[Any, Any]", sigma: "np.ndarray[Any, Any]") -> _Numbers:
     density: _Numbers = math.sqrt(2 / math.pi) / sigma * np.exp(-0.5 * (x / sigma)**2)
     return density
 
