@@ -99,8 +99,7 @@ require(picture.shape[1] >= 640)""")),
                 "cv::Mat H = ": "REQUIRE(frame::near(H, truth::H)); H.release();"},
         after="""REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);
 REQUIRE(found && frame::pose(rvec, tvec)); REQUIRE(all.size() == 2 && frame::near(all[1].model, truth::F));""")),
-    (README, "Measured", "sh 1", Shell("benchmark", before=LISTS, prints=("USACV20_FAST.*\\|",))),
-
+    (README, "Measured", "sh 1", Elsewhere(BENCHMARK_TESTS + "measure.py", "test_measurement")),
     (MODULE, "Which preset", "usac_structured --mode=accuracy --motions=general --sizes=30 --ratios=0.6 --noises=0.333333 --runs=100", Numbers(
         r"the median error is ([\d.]+) \(H\), ([\d.]+) \(F\), ([\d.]+) \(E\)", r"general .*\(0\) \| ([\d.]+) /", 0.006)),
     (MODULE, "Building", "sh 1", Elsewhere("modules/usac/misc/common.sh", "configure", (
@@ -220,6 +219,8 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "sh modules/usac/misc/sanitize.sh": Elsewhere(RUN_TESTS, "sanitized_tests", ("misc/sanitize.sh",)),
         "sh modules/usac/misc/sanitize.sh fuzz 3600": Impossible("it takes an hour: .github/workflows/tools.yml runs it"),
         "sh modules/usac/misc/matrix.sh": Impossible("it needs root, a mirror of Debian and some hours")})),
+    (CONTRIBUTING, "Results that change", "python3 samples/benchmark/measure.py --build=build --data=DATA",
+        Elsewhere(BENCHMARK_TESTS + "measure.py", "test_measurement")),
     (CONTRIBUTING, "Results that change", "sh 1", Shell(elsewhere={  # they write the stored hashes
         "USAC_WRITE_HASHES=test_data/hashes.txt build/bin/opencv_test_usac --gtest_filter=Usac_Hashes.stored":
             Elsewhere("modules/usac/test/runs/test_hashes.cpp", "Usac_Hashes", ("USAC_WRITE_HASHES", "stored")),
@@ -233,10 +234,6 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
     (BENCHMARK, "Format of pairs and lists", "text 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_poses")),
     (BENCHMARK, "Format of pairs and lists", "python 1", Python(
         FILES + "gt_points = np.c_[points1, points2][right]", LIST_IS_READ.format("H"))),
-    (BENCHMARK, "Views of object points", "python 1", Python(
-        FILES + "object_points, points, R, t = objectPoints, imagePoints, TRUTH['R'], TRUTH['t']", LIST_IS_READ.format("P"))),
-    (BENCHMARK, "Motions of space", "python 1", Python(
-        FILES + "R, t = TRUTH['R'], TRUTH['t']\npoints1 = objectPoints\npoints2 = 1.5 * points1 @ R.T + t", LIST_IS_READ.format("M"),)),
     (BENCHMARK, "Data sets", "python3 dataset.py <command> --help", Shell(
         "clone/samples/benchmark", names={"<command>": "strecha"}, prints=("--images",))),
     (BENCHMARK, "Building pairs", "sh 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", (
@@ -245,8 +242,7 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "benchmark", names=dict(FEW, **{"--out=DATA": "--out=plane"}), leaves=("plane/lists/synthetic_plane.F.list",))),
     (BENCHMARK, "Running", "sh 1", Shell("benchmark", before=LISTS, prints=("preset:usacV20.*\\|",), leaves=("tables.csv", "runs.csv"))),
     (BENCHMARK, "Running", "usac_benchmark --help", Shell("benchmark", prints=("--data",))),
-    (BENCHMARK, "Affinities, similarities, absolute poses and motions of space", "sh 1", Shell("benchmark", names=FEW, prints=("cv:AFFINE3D_REFIT.*\\|",))),
-    (BENCHMARK, "Your own method", "sh 1", Shell("benchmark", prints=("homogr",))),
+    (BENCHMARK, "Your own method", "sh 1", Shell("benchmark", prints=("custom:tukey.*\\|",))),
     (BENCHMARK, "Your own method", "cpp 1", Cpp(whole=True, folders=("samples/benchmark",), libraries=("libusac_benchmark_lib.a",))),
     (BENCHMARK, "Your own method", "cmake 1", CMake(
         ("-DCMAKE_LINK_LIBRARIES_ONLY_TARGETS=ON",), names={"/path/to/opencv_usac": "{project}"}, whole="mine.cpp", build=False)),
@@ -256,13 +252,7 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "benchmark", names={"compare.py": "samples/benchmark/compare.py", "[": "", "]": "", " --other=...": ""}, before=RUNS, prints=("homogr",))),
     (BENCHMARK, "Drawing", "sh 1", Shell(
         "benchmark", names={"plot.py": "samples/benchmark/plot.py", "[": "", "]": "", "--out=DIR": "--out=drawn"}, before=RUNS, leaves=("drawn",))),
-    (BENCHMARK, "Measured", "sh 1", Shell("benchmark", prints=("USACV20_FAST.*\\|",))),
-    (BENCHMARK, "Absolute pose", "sh 1", Shell("benchmark", prints=("cv:PNP_EPNP.*\\|",))),
-    (BENCHMARK, "Rigid motions of space", "sh 1", Shell(
-        "benchmark", names={"200 1000 10000": "200", "--pairs=20": "--pairs=1"}, prints=("cv:AFFINE3D_REFIT.*\\|",))),
-    (BENCHMARK, "A sequence", "sh 1", Shell(
-        "benchmark", names={" > tracking.md": ""}, more=" --frames=10 --ratios=0.6 --limits=8", prints=("\\|",))),
-    (BENCHMARK, "Presets", "sh 1", Shell("benchmark", names={",...": ""}, prints=("preset:fast.*\\|",))),
+    (BENCHMARK, "Measurements", "sh 1", Elsewhere(BENCHMARK_TESTS + "measure.py", "test_check_fails_after_a_change_of_results", ("--check", "--logs="))),
     (BENCHMARK, "Scale", "sh 1", Shell("benchmark", names={
         "> scale.md": "--problems=H --sizes=100,1000 --parts=0.8,0.5 --boundParts=0.3 --repeats=1 > scale.md", "[": "", "]": "", "--out=DIR": "--out=scale"},
         leaves=("scale", "bound.csv"))),
