@@ -102,9 +102,9 @@ documentation()
     pages=$work/build/doc/html &&
     grep -q 'USACv20: robust essential' "$pages/citelist.html" &&
     for tutorial in "$project"/modules/usac/tutorials/*/; do
-        name=$(basename "$tutorial")
+        title=$(basename "$tutorial")
         for picture in "$tutorial"images/*; do
-            grep -F "src=\"$(basename "$picture")\"" "$pages/tutorial_usac_$name.html" || return 1
+            grep -F "src=\"$(basename "$picture")\"" "$pages/tutorial_usac_$title.html" || return 1
         done
     done &&
     ! grep -rlIF -e "$project" -e "$work" "$pages" &&
