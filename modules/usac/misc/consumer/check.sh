@@ -226,6 +226,7 @@ debian_benchmark()
 }
 
 # Runs what the documents show: commands, programs, output. The library is already built, and compiled files of a previous run are kept.
+documents()
 {
     PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$here/documents/documents.py" "$project" "$work" "$opencv"
 }
