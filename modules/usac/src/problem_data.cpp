@@ -53,8 +53,8 @@ constexpr double WIDE = 0.5;
 }  // namespace
 
 ProblemData::ProblemData()
-    : view(), givenThreshold(), inputThreshold(0), pixelThreshold(0), pixels(1), input(), doubles(),
-      floats(), seen(), seenDoubles(), seenFloats()
+    : view(), part(), givenThreshold(), inputThreshold(0), pixelThreshold(0), pixels(1), input(),
+      doubles(), floats(), seen(), seenDoubles(), seenFloats()
 {}
 
 void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2,
@@ -64,6 +64,7 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
     view.problem = &problem;
     for (int array = 0; array < 2; ++array)
         view.coordinates[array] = problem.coordinates(array);
+    part = view;
     readRows(points1, points2, params, arena);
     pixelThreshold = params.threshold;
     if (image)
@@ -72,6 +73,8 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
     inputThreshold = std::min(pixelThreshold / pixels, DBL_MAX);
     shuffle(params, arena);
     scale(params, arena);
+    part = view;
+    part.size = std::min<int>(view.size, SEARCHED);
     if (image)
         shuffleImage(arena);
     givenThreshold[0] = view.threshold;
@@ -82,7 +85,7 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
 
 void ProblemData::restoreThreshold()
 {
-    view.threshold = givenThreshold[0];
+    setSearchThreshold(givenThreshold[0]);
     inputThreshold = givenThreshold[1];
     pixelThreshold = givenThreshold[2];
 }
@@ -172,7 +175,9 @@ bool ProblemData::finiteRow(int row) const
     return all;
 }
 
-/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. */
+/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. Of more points
+than are searched, only the first are drawn at random: the others need no order, and near their old
+places they are read faster. */
 void ProblemData::shuffle(const Params& params, Arena& arena)
 {
     const int count = view.inputSize;
@@ -192,15 +197,19 @@ void ProblemData::shuffle(const Params& params, Arena& arena)
                 indices[size++] = i;
     }
     Rng rng(0x5c3a9d1e, (uint64)size);
-    for (int i = size - 1; i > 0; --i)
-        std::swap(indices[i], indices[rng.uniform(i + 1)]);
+    if (size > SEARCHED)
+        for (int i = 0; i < SEARCHED; ++i)
+            std::swap(indices[i], indices[i + rng.uniform(size - i)]);
+    else
+        for (int i = size - 1; i > 0; --i)
+            std::swap(indices[i], indices[rng.uniform(i + 1)]);
 
     const int padded = alignSize(std::max(size, 1), 16);
     for (int k = 0; k < columns; ++k)
     {
         double* const shuffled = doubles[k] = arena.take<double>(padded);
         floats[k] = arena.take<float>(padded);
-        for (int i = 0; i < size; ++i)
+        for (int i = 0; i < std::min<int>(size, SEARCHED); ++i)  // the others in scaleColumn()
             shuffled[i] = input[k][indices[i]];
         std::fill(shuffled + size, shuffled + padded, 0.);
         std::fill(floats[k] + size, floats[k] + padded, 0.f);
@@ -229,7 +238,8 @@ void ProblemData::scale(const Params& params, Arena& arena)
     const int begin[] = {0, view.coordinates[0], columns};
     double center[MAX_COLUMNS], deviation[MAX_COLUMNS], low[MAX_COLUMNS], high[MAX_COLUMNS];
     for (int k = 0; k < columns; ++k)
-        robustFrame(doubles[k], view.size, center[k], deviation[k], low[k], high[k], arena);
+        robustFrame(doubles[k], std::min<int>(view.size, SEARCHED), center[k], deviation[k], low[k],
+                    high[k], arena);
     for (int array = 0; array < 2; ++array)
     {
         Frame& frame = view.frame[array] = Frame();
@@ -267,9 +277,15 @@ void ProblemData::scaleColumn(int k, double shift, double factor)
 {
     double* const values = doubles[k];
     float* const single = floats[k];
-    for (int i = 0; i < view.size; ++i)
+    const int searched = std::min<int>(view.size, SEARCHED);
+    for (int i = 0; i < searched; ++i)
     {
         values[i] = (values[i] - shift) * factor;
+        single[i] = (float)values[i];
+    }
+    for (int i = searched; i < view.size; ++i)
+    {
+        values[i] = (input[k][view.inputIndex[i]] - shift) * factor;
         single[i] = (float)values[i];
     }
     view.column[k] = single;
@@ -281,7 +297,7 @@ void ProblemData::setThreshold(double threshold)
 {
     if (threshold == view.threshold)
         return;
-    view.threshold = std::max(threshold, 1e-6);
+    setSearchThreshold(std::max(threshold, 1e-6));
     inputThreshold = view.threshold / view.frame[1].scale;
     pixelThreshold = inputThreshold * pixels;
 }

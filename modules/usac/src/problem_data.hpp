@@ -16,6 +16,11 @@ O(N) memory and time. */
 class ProblemData
 {
 public:
+    /** Points of the search; of more points, a random part of this size. The fraction of inliers is
+    known to within 0.3 percentage points then, so models that differ by more are told apart. A
+    multiple of 16. */
+    enum { SEARCHED = 1 << 15 };
+
     //! Holds no points.
     ProblemData();
 
@@ -29,6 +34,10 @@ public:
               Arena& arena, bool image);
 
     const Correspondences& points() const { return view; }
+    /** The points of the search: the first of points(), which are in random order. A model that is
+    good for as many points as these is good for all, up to the last digits, which polishing all
+    points gives. */
+    const Correspondences& searchPoints() const { return part; }
     //! The same with the original image points, for the residual of Problem::createImageResidual.
     Correspondences imagePoints() const;
 
@@ -39,7 +48,7 @@ public:
     //! Restores the threshold after a run, which may have changed it.
     void restoreThreshold();
     //! Multiplies Correspondences::threshold for the rest of the run, but not that of the mask.
-    void scaleReach(double factor) { view.threshold *= factor; }
+    void scaleReach(double factor) { setSearchThreshold(view.threshold * factor); }
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. `image`:
     //! use the original image points.
     //! @return number of inliers.
@@ -60,6 +69,7 @@ private:
     //! Number of inliers that do not coincide with another one in either array, see
     //! Problem::commonUnit.
     int independentInliers(const uchar* mask, Arena& arena) const;
+    void setSearchThreshold(double threshold) { view.threshold = part.threshold = threshold; }
     void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
     bool finiteRow(int row) const;
     void scale(const Params& params, Arena& arena);
@@ -68,7 +78,7 @@ private:
     void keepImage(Arena& arena);
     void shuffleImage(Arena& arena);
 
-    Correspondences view;
+    Correspondences view, part;
     double givenThreshold[3];      //!< before the run: of points(), of the mask, in pixels
     double inputThreshold;         //!< threshold of the mask in the coordinates of `input`
     double pixelThreshold;         //!< the same in pixels

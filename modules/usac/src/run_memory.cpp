@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "problem_data.hpp"
 #include "run_memory.hpp"
 
 namespace cv {
@@ -10,17 +11,20 @@ namespace usacv20 {
 
 namespace {
 
-/** Bytes per point: 88 for the points themselves, 62 for order and graph, 28 for sampler and
-checks, and 150 for temporary data, mostly of polishing and significance. Bytes per run: batches,
-runners-up and tables; the search for planes. Bytes for threads: the hypotheses of a batch, at most.
-Too small a value only costs another block; memory that is not written to costs nothing. */
-constexpr size_t OF_POINT = 352, OF_RUN = 64 << 10, OF_PLANES = 64 << 10, OF_BATCH = 512 << 10;
+/** Bytes per point: 88 for the points themselves and 150 for temporary data, mostly of polishing
+and significance. Bytes per point of the search: 62 for order and graph, 28 for sampler and checks,
+and 24 to spare. Bytes per run: batches, runners-up and tables; the search for planes. Bytes for
+threads: the hypotheses of a batch, at most. Too small a value only costs another block; memory that
+is not written to costs nothing. */
+constexpr size_t OF_POINT = 238, OF_SEARCH = 114, OF_RUN = 64 << 10, OF_PLANES = 64 << 10,
+                 OF_BATCH = 512 << 10;
 
 }  // namespace
 
 size_t runMemory(int points, const Params& params)
 {
-    size_t bytes = (size_t)points * OF_POINT + OF_RUN;
+    size_t bytes = (size_t)points * OF_POINT +
+                   std::min<int>(points, ProblemData::SEARCHED) * OF_SEARCH + OF_RUN;
     if (params.degeneracy & DEGENERACY_DEGENSAC)
         bytes += OF_PLANES;
     if (params.threads != 1)

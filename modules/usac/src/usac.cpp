@@ -77,7 +77,8 @@ public:
         created = begun - readTicks;  // without the time that the caller used in between
         Watch watch(params.maxTime, readTicks);
         prepare();
-        const Context context(data.points(), parts, params, arena, watch.isActive() ? &watch : 0);
+        const Context context(data.searchPoints(), parts, params, arena,
+                              watch.isActive() ? &watch : 0);
         parts.start(context);
         if (parts.score != made.score)
             checkScore(*parts.score);
@@ -89,7 +90,10 @@ public:
         else
             state.report.stop = STOP_TOO_FEW_POINTS;
         created = 0;
-        return finish(context, state, mask, report);
+        const Context all(data.points(), parts, params, arena, context.watch);
+        if (data.points().size > data.searchPoints().size)
+            parts.start(all);
+        return finish(all, state, mask, report);
     }
 
     Mat fit(InputArray weights, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE

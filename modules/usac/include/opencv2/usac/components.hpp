@@ -152,7 +152,8 @@ class CV_EXPORTS Component
 public:
     virtual ~Component();
     /** @brief Begins a run. Called once per run, before anything else, even if there are too few
-    points for a model.
+    points for a model; of more than 32768 points only a random part is searched, and after the
+    search it is called again with all of them.
 
     A component that stores anything about a run (its points, for example, or what it has learned)
     resets it here: the same object is used for the next run, whose points and number of points may

@@ -1,0 +1,115 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_contracts.hpp"
+#include "problems/absolute_pose/pose_scenes.hpp"
+#include "problems/rigid_motion/rigid_scenes.hpp"
+
+// More points than are searched: the search uses a random part of them, polishing and mask all.
+
+namespace opencv_test {
+namespace {
+
+const int MANY = 80000;
+const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_MAGSAC};
+
+//! Scenes of many points, and the least-squares fit to their true matches.
+class UsacManyPoints : public testing::TestWithParam<int>
+{
+protected:
+    static Scene sceneOf(int seed)
+    {
+        SceneOptions options;
+        options.setSize(MANY, 0.4);
+        options.seed = seed;
+        return makeScene((ProblemType)GetParam(), options);
+    }
+};
+
+INSTANTIATE_TEST_CASE_P(/**/, UsacManyPoints, testing::ValuesIn(TWO_VIEW_PROBLEMS));
+
+TEST_P(UsacManyPoints, asAccurateAsLeastSquares)
+{
+    double own[3] = {0}, least = 0;
+    for (int seed = 1; seed <= 4; ++seed)
+    {
+        const Scene scene = sceneOf(seed);
+        Params params;
+        const Mat fitted = createUsac(scene, params)->fit(noArray(), scene.truth);
+        least += modelError(scene, fitted);
+        for (int k = 0; k < 3; ++k)
+        {
+            params = Params::fromMethod(FLAGS[k]);
+            own[k] += modelError(scene, estimate(scene, params));
+        }
+    }
+    // 1.5 times the error of least squares would be that of a part of 35000 points. Wrong matches
+    // near epipolar lines move F and E further.
+    const double most = mapsPoints((ProblemType)GetParam()) ? 1.45 : 2.5;
+    for (int k = 0; k < 3; ++k)
+        EXPECT_LE(own[k], most * least) << "flag " << k;
+}
+
+TEST_P(UsacManyPoints, maskAndReportAreOfAllPoints)
+{
+    const Scene scene = sceneOf(5);
+    Params params;
+    params.threshold = 2;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    Mat mask;
+    Report report;
+    const Mat model = usac->run(mask, &report), errors = usac->errors(model);
+    ASSERT_EQ(MANY, mask.rows);
+    EXPECT_EQ(countNonZero(mask), report.inliers);
+    EXPECT_NEAR((double)report.inliers / MANY, report.inlierRatio, 1e-12);
+    EXPECT_NEAR(0.4, report.inlierRatio, 0.03);
+    int differ = 0;
+    for (int i = 0; i < MANY; ++i)
+        differ += (mask.at<uchar>(i) != 0) != (errors.at<double>(i) <= report.threshold);
+    EXPECT_EQ(0, differ);
+}
+
+TEST_P(UsacManyPoints, sameBitsForAnyNumberOfThreadsAndAgain)
+{
+    const Scene scene = sceneOf(6);
+    Params params;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Mat first = usac->run();
+    EXPECT_TRUE(sameBits(first, usac->run())) << "the second run";
+    params.threads = 2;
+    EXPECT_TRUE(sameBits(first, estimate(scene, params))) << "two threads";
+}
+
+TEST(Usac_ManyPoints, poses)
+{
+    PoseSceneOptions options;
+    options.size = MANY;
+    options.inlierRatio = 0.4;
+    const PoseScene scene = makePoseScene(options);
+    Mat mask;
+    const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
+                                          Params(), mask);
+    ASSERT_FALSE(pose.empty());
+    EXPECT_LE(rotationError(scene, Matx34d(pose)), 0.003) << "degrees";
+    EXPECT_NEAR(0.4, (double)countNonZero(mask) / MANY, 0.03);
+}
+
+TEST(Usac_ManyPoints, motionsOfSpace)
+{
+    RigidSceneOptions options;
+    options.size = MANY;
+    options.inlierRatio = 0.4;
+    const RigidScene scene = makeRigidScene(options);
+    Params params;
+    params.threshold = scene.threshold;
+    Mat mask;
+    const Mat motion = estimateRigid3D(scene.points1, scene.points2, params, mask);
+    ASSERT_FALSE(motion.empty());
+    EXPECT_LE(rotationError(scene, Matx34d(motion)), 0.015) << "degrees";
+    EXPECT_NEAR(0.4, (double)countNonZero(mask) / MANY, 0.05);
+}
+
+}  // namespace
+}  // namespace opencv_test
