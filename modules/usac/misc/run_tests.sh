@@ -105,7 +105,6 @@ sanitized_tests()
 # Runs the C++ tests in the build of the consumer checks, so that the library is compiled once.
 installed_tests()
 {
-    cmake --build "$built" --target opencv_test_usac &&
     cd "$built" && in_shards bin/opencv_test_usac
 }
 
@@ -141,12 +140,20 @@ if [ "$*" = --installed ]; then
     folder=$work/installed-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
     built=$folder/build
     failed=0
-    run sources "$count_passed" "$count_failed" bash "$module/misc/check_sources.sh"
-    export USAC_CONSUMER_OPTIONS=-DBUILD_TESTS=ON USAC_CONSUMER_QUICK=${USAC_CONSUMER_QUICK-1}  # the library is compiled once
-    run consumer "$count_passed" "$count_failed" sh "$module/misc/consumer/check.sh" "$folder"
+    # The library is compiled once. The checks that use one processor run beside the tests.
+    export USAC_CONSUMER_OPTIONS=-DBUILD_TESTS=ON USAC_CONSUMER_QUICK=${USAC_CONSUMER_QUICK-1}
+    sh "$module/misc/consumer/check.sh" --build "$folder" opencv_test_usac
+    bash "$module/misc/check_sources.sh" > "$work/sources.part" 2>&1 &
+    sources=$!
+    sh "$module/misc/consumer/check.sh" "$folder" > "$work/consumer.part" 2>&1 &
+    consumer=$!
     run cpp "$count_passed" "$count_failed" installed_tests
     run python_package "$count_passed" "$count_failed" installed_python
     run python_package_alone "$count_passed" "$count_failed" cat "$work/python_package_alone.part"
+    wait $sources || true  # their own last lines tell
+    wait $consumer || true
+    run sources "$count_passed" "$count_failed" cat "$work/sources.part"
+    run consumer "$count_passed" "$count_failed" cat "$work/consumer.part"
     [ "$failed" = 0 ]
     exit
 fi

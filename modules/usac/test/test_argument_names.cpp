@@ -34,7 +34,7 @@ void expectBegin(const Call& call, const std::string& begin)
 struct Lists
 {
     Lists()
-        : s(makeScene(HOMOGRAPHY, SceneOptions())), a(s.points1), b(s.points2),
+        : s(makeScene(HOMOGRAPHY, SceneOptions())), a(column(s.points1)), b(column(s.points2)),
           few(b.rowRange(1, b.rows)), solid()
     {
         for (int i = 0; i < a.rows; ++i)

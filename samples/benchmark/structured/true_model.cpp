@@ -132,7 +132,7 @@ void TrueModel::normalEquations(const std::vector<int>& rows, cv::Mat& A, cv::Ma
     }
     A = J.t() * J;
     A += n * n.t() * (cv::trace(A)[0] / count);  // the scale is of no effect; this keeps it
-    b = -J.t() * cv::Mat(values);
+    b = -J.t() * cv::Mat(J.rows, 1, CV_64F, values.data());  // since OpenCV 5 a vector is 1-D
 }
 
 TrueModel TrueModel::leastSquares(const std::vector<int>& rows) const

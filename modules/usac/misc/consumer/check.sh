@@ -10,6 +10,7 @@
 # documentation; the Debian packages and their contents; and the commands and code of README, the module's page, the tutorials,
 # contributing and benchmark, which need the packages of common.sh. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
+#        check.sh --build working directory [target...]      only the library's build, for what is tested beside these checks
 #
 #   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build
 #   USAC_CONSUMER_QUICK    if not empty, the projects around the library are configured, which checks that they keep their build type, targets
@@ -17,6 +18,8 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../../../.." && pwd)
+only_build=
+[ "${1:-}" != --build ] || { only_build=1; shift; }
 work=${1:-${TMPDIR:-/tmp}/opencv_usac_consumer}
 opencv=${2:-}
 installed=opencv$(pkg-config --exists opencv5 && echo 5 || echo 4)  # name of the system's OpenCV for pkg-config and of its header folder
@@ -40,12 +43,17 @@ check() # name, command
 }
 
 # Configured anew each time; compiled files are kept.
-install_library()
+build_library() # targets
 {
     rm -f "$work/build/CMakeCache.txt" "$work"/build/*.deb
     PATH="$work/other_python:$PATH" cmake -S "$project" -B "$work/build" -DUSAC_WERROR=ON -DCMAKE_INSTALL_PREFIX=/usr \
         -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_PYTHON=ON -DUSAC_PRECOMPILED_HEADERS=ON ${USAC_CONSUMER_OPTIONS:-} &&
-    cmake --build "$work/build" -j "$(nproc)" &&
+    cmake --build "$work/build" -j "$(nproc)" --target "$@"
+}
+
+install_library()
+{
+    build_library all &&
     cmake --install "$work/build" --prefix "$work/uninstalled" &&
     cmake --build "$work/build" --target uninstall &&
     cmake --install "$work/build" --prefix "$work/staging" &&
@@ -246,6 +254,11 @@ mkdir "$work/other_python"  # stands for pyenv's or conda's python3, which lacks
 printf '#!/bin/sh\necho "another python3 was called" >&2\nexit 1\n' > "$work/other_python/python3"
 cp "$work/other_python/python3" "$work/other_python/python"
 chmod +x "$work/other_python/python3" "$work/other_python/python"
+if [ -n "$only_build" ]; then
+    shift
+    build_library all "$@"
+    exit
+fi
 check install install_library
 check uninstalled uninstalled
 check relocatable relocatable

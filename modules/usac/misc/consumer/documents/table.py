@@ -5,6 +5,7 @@
 """What is done with each block, in the order in which they run: (document, heading, language and number below the heading or the
 command itself, action)."""
 
+import os
 import shutil
 import subprocess
 
@@ -23,6 +24,8 @@ GATE = Elsewhere(RUN_TESTS, "consumer")  # the gate is what runs this check
 PIP = Elsewhere("samples/quickstart.sh", "python_package", ("install", "modules/usac"))
 
 ENV = ("{work}/clone/env/bin",)
+# In quick mode the package is linked with the library that is there instead of compiling it once more.
+LINKED = " -Dopencv_usac_DIR={build}" if os.environ.get("USAC_CONSUMER_QUICK") else ""
 QUICKSTART = """mkdir -p "{work}/quickstart"
 ln -sfn "{build}" "{work}/quickstart/build-$(printf %s "$PWD" | cksum | cut -d ' ' -f 1)"
 rm -f "{checks}/readme_build/CMakeCache.txt\""""
@@ -77,7 +80,7 @@ python3 -m usacv20.collection verify court.db"""
 TABLE = [
     # The folder that most commands run in; the build there is that of check.sh.
     (README, "Two commands", "sh 1", Shell(
-        before=QUICKSTART, variables=dict(NATIVE, USAC_BUILD_DIR="{work}/quickstart", CMAKE_ARGS="-DUSAC_PRECOMPILED_HEADERS=ON"),
+        before=QUICKSTART, variables=dict(NATIVE, USAC_BUILD_DIR="{work}/quickstart", CMAKE_ARGS="-DUSAC_PRECOMPILED_HEADERS=ON" + LINKED),
         elsewhere={"sh modules/usac/misc/run_tests.sh --installed":
                    Elsewhere(MATRIX, "run_suite", ("misc/run_tests.sh", "--installed"))},
         prints=("^== homography$", "^== walkthrough.py$", "^RANSAC", "^USAC_DEFAULT", "^USACV20 ", "^Pictures: "),
@@ -205,7 +208,7 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "bash modules/usac/misc/check_sources.sh": Elsewhere(RUN_TESTS, "sources", ("check_sources.sh",))})),
     (CONTRIBUTING, "The loop", "sh 2", Shell(elsewhere={
         "cmake -S . -B build -DUSAC_WERROR=ON -DBUILD_TESTS=ON": Elsewhere(RUN_TESTS, "cpp_tests", ("-DUSAC_WERROR=ON", "-DBUILD_TESTS=ON")),
-        "cmake --build build --target opencv_test_usac": Elsewhere(RUN_TESTS, "installed_tests", ("--target opencv_test_usac",)),
+        "cmake --build build --target opencv_test_usac": Elsewhere(CHECK, "build_library", ("cmake --build", "--target")),
         "build/bin/opencv_test_usac --gtest_filter='Usac_ConfirmedOrder.*'":
             Elsewhere("modules/usac/test/termination/test_confirmed_order.cpp", "Usac_ConfirmedOrder"),
         "sh modules/usac/misc/run_tests.sh --installed": Elsewhere(MATRIX, "run_suite", ("misc/run_tests.sh", "--installed")),
