@@ -162,6 +162,8 @@ double Sampler::growingShare(const Context&) const { return 0; }
 
 FusedKernel Score::fused(const Residual&) const { return 0; }
 bool Score::wholeModel() const { return false; }
+bool Score::countsInliers() const { return false; }
+bool Score::usesThreshold() const { return true; }
 double Score::inlierPart() const { return 1; }
 double Score::threshold(const Context& context, const Model&) const
 {
@@ -180,6 +182,8 @@ bool Degeneracy::validSample(const Context&, const int*) const { return true; }
 bool Degeneracy::mayBeGood(const Context&, const int*) const { return false; }
 bool Degeneracy::validModel(const Context&, const int*, const Model&) const { return true; }
 bool Degeneracy::recover(const Context&, State&, const int*, Model&, Quality&) { return true; }
+void Degeneracy::discount(const Context&, const Model&, Quality&) {}
+double Degeneracy::successProbability(const Context&, const State&, const Model&) { return 1; }
 
 bool Termination::countsAll() const { return true; }
 bool Termination::adapt(const Context&, State&) { return false; }

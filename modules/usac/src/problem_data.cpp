@@ -53,8 +53,9 @@ constexpr double WIDE = 0.5;
 }  // namespace
 
 ProblemData::ProblemData()
-    : view(), part(), givenThreshold(), inputThreshold(0), pixelThreshold(0), pixels(1), input(),
-      doubles(), floats(), seen(), seenDoubles(), seenFloats()
+    : view(), part(), givenThreshold(), givenReach(1), currentReach(1), inputThreshold(0),
+      pixelThreshold(0), pixels(1), input(), doubles(), floats(), seen(), seenDoubles(),
+      seenFloats()
 {}
 
 void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2,
@@ -77,6 +78,7 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
     part.size = std::min<int>(view.size, SEARCHED);
     if (image)
         shuffleImage(arena);
+    givenReach = currentReach = params.reach;
     givenThreshold[0] = view.threshold;
     givenThreshold[1] = inputThreshold;
     givenThreshold[2] = pixelThreshold;
@@ -86,6 +88,7 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
 void ProblemData::restoreThreshold()
 {
     setSearchThreshold(givenThreshold[0]);
+    currentReach = givenReach;
     inputThreshold = givenThreshold[1];
     pixelThreshold = givenThreshold[2];
 }
@@ -268,6 +271,7 @@ void ProblemData::scale(const Params& params, Arena& arena)
         view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
         view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }
+    view.unit = view.frame[1].scale / pixels;
     view.threshold = std::min(
         std::max(inputThreshold * params.reach * view.frame[1].scale, SMALLEST_THRESHOLD),
         LARGEST_THRESHOLD);

@@ -47,8 +47,14 @@ public:
     void setThreshold(double threshold);
     //! Restores the threshold after a run, which may have changed it.
     void restoreThreshold();
-    //! Multiplies Correspondences::threshold for the rest of the run, but not that of the mask.
-    void scaleReach(double factor) { setSearchThreshold(view.threshold * factor); }
+    //! The threshold of the search relative to that of the mask, at first Params::reach.
+    double reach() const { return currentReach; }
+    //! Sets it for the rest of the run.
+    void setReach(double reach)
+    {
+        setSearchThreshold(view.threshold * (reach / currentReach));
+        currentReach = reach;
+    }
     //! Mask of the rows with error <= threshold under a model in the caller's coordinates. `image`:
     //! use the original image points.
     //! @return number of inliers.
@@ -79,7 +85,8 @@ private:
     void shuffleImage(Arena& arena);
 
     Correspondences view, part;
-    double givenThreshold[3];      //!< before the run: of points(), of the mask, in pixels
+    double givenThreshold[3];  //!< before the run: of points(), of the mask, in pixels
+    double givenReach, currentReach;
     double inputThreshold;         //!< threshold of the mask in the coordinates of `input`
     double pixelThreshold;         //!< the same in pixels
     double pixels;                 //!< pixels per unit of `input`

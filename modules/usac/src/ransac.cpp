@@ -60,7 +60,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
       firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive),
       requiredReason(STOP_STANDARD), requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD),
-      localTicks(0), checkSamples(checkSamples_)
+      ending(STOP_STANDARD), anyModel(false), localTicks(0), checkSamples(checkSamples_)
 {}
 
 // Numbers in comments are lines of Algorithm 1: 4 to 14 in hypothesize(), 15 to 27 in improve().
@@ -125,6 +125,8 @@ bool Ransac::run(int pause)
         if (state.tests.size() != tests || repeated)
             updateTermination();
     }
+    state.report.stop = ending;
+    state.report.degenerate = state.degenerate;
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
     state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 -
                              (state.report.localMs - localBefore);
@@ -152,8 +154,6 @@ void Ransac::thresholdChanged()
     Quality quality = context.rate(state.best);
     const bool valid = recover(0, state.best, quality);
     state.bestQuality = valid ? quality : Quality();  // else search on without a model
-    if (!valid)
-        state.yield = 1;
     if (valid && parts.localOptimizer)
     {
         state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT, state.iteration));
@@ -280,20 +280,15 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
     Model model = candidate.model;
     Quality quality = candidate.quality;
     state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT, state.iteration));
-    const double yield = state.yield;
     const bool valid = recover(candidate.sample.val, model, quality);  // 14
     if (!valid || candidate.quality.betterThan(quality))
         state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
     if (!valid)
         return;  // 15, 16
     if (parts.localOptimizer && !stopped())
-        optimize(model, quality);                // 19 - 24
-    if (!quality.betterThan(state.bestQuality))  // 18
-    {
-        state.yield = yield;  // back to that of the best model
-        return;
-    }
-    setBest(model, quality, &candidate.sample);
+        optimize(model, quality);               // 19 - 24
+    if (quality.betterThan(state.bestQuality))  // 18
+        setBest(model, quality, &candidate.sample);
 }
 
 void Ransac::setBest(const Model& model, const Quality& quality, const Sample* sample)
@@ -303,6 +298,9 @@ void Ransac::setBest(const Model& model, const Quality& quality, const Sample* s
         sampleOfBest = *sample;
     state.best = model;  // 25
     state.bestQuality = quality;
+    state.successProbability = 1;
+    for (int d = 0; d < checkCount && quality.cost <= DBL_MAX; ++d)
+        state.successProbability *= checks[d]->successProbability(context, state, model);
     if (!runnersUp.none())
         runnersUp.setBest(InlierBits(context, model, EXPLAINED));
     updateTermination();  // 26
@@ -380,6 +378,8 @@ bool Ransac::recover(const int* sample, Model& model, Quality& quality)
     for (int d = 0; d < checkCount; ++d)
         if (!checks[d]->recover(context, state, sample, model, quality))
             return false;
+    for (int d = 0; d < checkCount; ++d)
+        checks[d]->discount(context, model, quality);
     return true;
 }
 
@@ -396,6 +396,7 @@ void Ransac::account(const Hypotheses& h)
         return;
     report.degenerateSamples += h.computed == 0;
     report.models += h.computed;
+    anyModel = anyModel || h.computed > 0;
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
     report.droppedModels += h.dropped;

@@ -132,6 +132,8 @@ private:
     //! Number of samples that count (State::counts), and of all samples, after which the run can
     //! stop, each with the StopReason of the criterion that requires it.
     int required, requiredReason, requiredOfAll, reasonOfAll;
+    int ending;     //!< StopReason of the last time that terminate() was true
+    bool anyModel;  //!< a sample has led to a model
     double localTicks;
     const bool checkSamples;
 };

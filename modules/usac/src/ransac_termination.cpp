@@ -21,17 +21,17 @@ constexpr int HOPELESS = 1000000;
 bool Ransac::terminate()
 {
     if (stopped())
-        state.report.stop = context.watch->stopReason();
+        ending = context.watch->stopReason();
     else if (state.iteration >= context.params.maxIterations)
-        state.report.stop = STOP_MAX_ITERATIONS;
+        ending = STOP_MAX_ITERATIONS;
     else if (samplesThatCount() >= required)
-        state.report.stop = requiredReason;
+        ending = requiredReason;
     else if (state.iteration >= requiredOfAll)
-        state.report.stop = reasonOfAll;
-    else if (state.iteration >= HOPELESS && state.report.models == 0 && !parts.terminations.empty())
-        state.report.stop = STOP_NO_MODEL;
+        ending = reasonOfAll;
+    else if (state.iteration >= HOPELESS && !anyModel && !parts.terminations.empty())
+        ending = STOP_NO_MODEL;
     else if (stop(sampleWork))
-        state.report.stop = context.watch->stopReason();
+        ending = context.watch->stopReason();
     else
         return false;
     return true;
@@ -42,8 +42,8 @@ more, unless the two share most of them; then all samples count, whatever points
 prefers. */
 int Ransac::samplesThatCount() const
 {
-    const bool planar = state.report.degenerate ||
-                        state.yield < 1;  // then a wrong model may share nearly all
+    const bool planar = state.degenerate ||
+                        state.successProbability < 1;  // then a wrong model may share nearly all
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - state.repeatedSamples : state.countedSamples;
 }

@@ -84,14 +84,14 @@ bool Ransac::searchUnexplained()
         return false;
     explored = state.best;
     const double wanted = FOR_ITSELF * state.bestQuality.inliers;
-    if (state.report.stop != STOP_ORDER && wanted > context.points.size - state.bestQuality.inliers)
+    if (ending != STOP_ORDER && wanted > context.points.size - state.bestQuality.inliers)
         return false;
     Arena::Scope scope(context.arena);
     int* const indices = scope.take<int>(context.points.size);
     const int count = unexplainedPoints(indices);
     if (count <= m)
         return false;
-    if (state.report.stop == STOP_ORDER)
+    if (ending == STOP_ORDER)
         sampleUnexplained(indices, count,
                           state.unexplainedSamples <= INT_MAX / context.params.persistence
                               ? state.unexplainedSamples * context.params.persistence
@@ -136,6 +136,7 @@ void Ransac::sampleUnexplained(const int* indices, int count, int most)
         const int computed = parts.minimalSolver->solve(context.points, sample.val, models);
         checkModels(models, computed);
         state.report.models += computed;
+        anyModel = anyModel || computed > 0;
         state.report.degenerateSamples += computed == 0;
         for (int i = 0; i < computed; ++i)
             if (!validModel(sample.val, models[i]))

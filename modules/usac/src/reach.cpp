@@ -53,13 +53,12 @@ double noiseOf(const Context& context, const Model& model)
 
 }  // namespace
 
-double suitableReach(const Context& context, const State& state, double least)
+double suitableReach(const Context& context, const State& state, double current)
 {
     if (!(state.bestQuality.cost <= DBL_MAX))
-        return context.params.reach;
-    const double sigmas = noiseOf(context, state.best) / context.points.threshold *
-                          context.params.reach;
-    return std::min(std::max(sigmas * REACH, least), context.params.widestReach);
+        return current;
+    const double sigmas = noiseOf(context, state.best) / context.points.threshold * current;
+    return std::min(std::max(sigmas * REACH, context.params.reach), context.params.widestReach);
 }
 
 }  // namespace usacv20

@@ -14,9 +14,9 @@ namespace usacv20 {
 //! 0.85 or 0.4, errors change by 2 % at most.
 constexpr double REACH_GROWS = 1.5, REACH_SHRINKS = 0.7;
 
-//! Value of Params::reach that suits the errors of the best model, between `least` and
-//! Params::widestReach; the current value if there is no model.
-double suitableReach(const Context& context, const State& state, double least);
+//! The reach, see Params::reach, that suits the errors of the best model, between Params::reach and
+//! Params::widestReach; `current` if there is no model. @param current reach of the search
+double suitableReach(const Context& context, const State& state, double current);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -28,7 +28,7 @@ public:
              const Params& params_)
         : params(params_), usac(Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1,
                                              cameraMatrix2, distCoeffs1, distCoeffs2)),
-          threshold(usac->points().threshold / params.reach)
+          threshold(usac->points().unit * params.threshold)
     {
         const Correspondences& p = usac->points();
         x1.assign(p.inputSize, Vec3d(NAN, NAN, NAN));

@@ -28,21 +28,22 @@ Report::Report()
 
 String Report::describe() const
 {
-    static const char* const reasons[] = {"nothing was run",
-                                          "no model: too few finite correspondences",
-                                          "no model: no sample gave one",
-                                          "maximum of iterations",
-                                          "standard criterion",
-                                          "SPRT criterion",
-                                          "P-NAPSAC criterion",
-                                          "custom criterion",
-                                          "PROSAC criterion",
-                                          "MAGSAC criterion",
-                                          "no model: none that random points would not give",
-                                          "the order of the points",
-                                          "Params::maxTime",
-                                          "cancelled",
-                                          "no search"};
+    static const char* const reasons[] = {
+        "nothing was run",
+        "no model: too few finite correspondences",
+        "no model: no sample led to one with enough inliers",
+        "maximum of iterations",
+        "standard criterion",
+        "SPRT criterion",
+        "P-NAPSAC criterion",
+        "custom criterion",
+        "PROSAC criterion",
+        "MAGSAC criterion",
+        "no model is significantly better than those of random points",
+        "the order of the points",
+        "Params::maxTime",
+        "cancelled",
+        "no search"};
     const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NO_SEARCH ? reasons[stop]
                                                                         : "unknown reason";
     const bool model = stop >= STOP_MAX_ITERATIONS && stop != STOP_NOT_SIGNIFICANT &&

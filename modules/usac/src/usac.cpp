@@ -46,8 +46,7 @@ class UsacImpl : public Usac
 public:
     UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2,
              const Params& params_)
-        : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false),
-          givenReach(params_.reach)
+        : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false)
     {
         checkProblem(*problem, params.residual);  // before any of its methods is used
         seeImage(problem->createResidual(params.residual));
@@ -64,7 +63,6 @@ public:
     void setPoints(InputArray points1, InputArray points2) CV_OVERRIDE
     {
         created = getTickCount();
-        params.reach = givenReach;
         data.read(*problem, points1, points2, params, arena, keepsImage);
         readTicks = getTickCount() - created;
     }
@@ -131,7 +129,6 @@ private:
     //! Resets everything that a previous run has changed.
     void prepare()
     {
-        params.reach = givenReach;
         data.restoreThreshold();
         checkComponents(parts);
         if (parts.residual != fitted && parts.nonMinimalSolver == made.nonMinimalSolver)
@@ -181,20 +178,19 @@ private:
     */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
-        const double least = params.reach;
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
         {
             const bool ended = ransac.run(pause);
-            const double reach = suitableReach(context, state, least);
+            const double reach = suitableReach(context, state, data.reach());
             if (context.watch && context.watch->stopped())
                 return;
-            if (reach > REACH_GROWS * params.reach)
+            if (reach > REACH_GROWS * data.reach())
                 setReach(reach, ransac);
             else if (ended)
                 break;
         }
         for (double reach;
-             (reach = suitableReach(context, state, least)) < REACH_SHRINKS * params.reach;)
+             (reach = suitableReach(context, state, data.reach())) < REACH_SHRINKS * data.reach();)
         {
             setReach(reach, ransac);
             if (!(state.bestQuality.cost <= DBL_MAX))  // a check has rejected the model
@@ -204,8 +200,7 @@ private:
 
     void setReach(double reach, Ransac& ransac)
     {
-        data.scaleReach(reach / params.reach);
-        params.reach = reach;
+        data.setReach(reach);
         ransac.thresholdChanged();
     }
 
@@ -217,9 +212,9 @@ private:
         const double limit = automatic ? LIMIT : params.significance;
         const SearchEffort effort = {parts.minimalSolver->sampleSize(), (double)learned.iterations,
                                      (double)learned.models - learned.rejectedModels,
-                                     params.quality == QUALITY_INLIERS && parts.localOptimizer,
-                                     params.quality == QUALITY_LMEDS};
-        const double grown = std::max(params.reach / givenReach,
+                                     parts.score->countsInliers() && parts.localOptimizer,
+                                     !parts.score->usesThreshold()};
+        const double grown = std::max(data.reach() / params.reach,
                                       1.);  // how far the threshold is below the noise
         Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown,
                           effort, arena, &context);
@@ -328,7 +323,7 @@ private:
                 const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
                 learned.inliers = data.mask(*residual, modelOfMask(*problem, result, model),
                                             !imageResidual.empty(), inliers, arena);
-                if (learned.inliers == 0 && params.reach <= givenReach)
+                if (learned.inliers == 0 && data.reach() <= params.reach)
                     result.release();
             }
         }
@@ -363,7 +358,7 @@ private:
     Arena arena;      //!< memory of the runs
     int64 created;    //!< time at which the points were given, in ticks; 0: they have been used
     int64 readTicks;  //!< duration of reading them
-    Params params;    //!< `reach` is the current one
+    const Params params;
     const Ptr<Problem> problem;
     ProblemData data;
     Components parts;
@@ -376,7 +371,6 @@ private:
     bool keepsImage;                 //!< the original image points are stored, too
     int sample[MAX_SAMPLE_SIZE];     //!< the one that led to the best model of the run
     bool sampled;                    //!< true if there is one
-    const double givenReach;
 };
 
 }  // namespace

@@ -39,6 +39,7 @@ OwnPoints::OwnPoints(ProblemType problem, const std::vector<Point2d>& points1,
     }
     points.inputIndex = index.data();
     points.scores = 0;
+    points.unit = 1;
     points.threshold = inlierThreshold;
     points.frame[0] = points.frame[1] = Frame();
     for (int k = 0; k < 4; ++k)

@@ -158,6 +158,45 @@ private:
     const int mistake;
 };
 
+//! The same as one of the module's scores, as a program would write it.
+class InliersOnly : public Score
+{
+public:
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            sum.inliers += squaredErrors[i] <= squaredThreshold;
+            sum.cost += !(squaredErrors[i] <= squaredThreshold);
+        }
+    }
+    bool countsInliers() const CV_OVERRIDE { return true; }
+};
+
+//! What the run does with a score follows from the score in use, not from Params::quality.
+TEST(Usac_Replacement, score)
+{
+    for (int problem : TWO_VIEW_PROBLEMS)
+    {
+        SceneOptions options;
+        options.setSize(60, 0.4);
+        const Scene scene = makeScene((ProblemType)problem, options);
+        Params params;
+        const Ptr<Usac> replaced = createUsac(scene, params);
+        replaced->components().score = makePtr<InliersOnly>();
+        params.quality = QUALITY_INLIERS;
+        Mat masks[2];
+        Report reports[2];
+        const Mat model = replaced->run(masks[0], &reports[0]);
+        EXPECT_EQ(0,
+                  cv::norm(model, createUsac(scene, params)->run(masks[1], &reports[1]), NORM_INF));
+        EXPECT_EQ(0, cv::norm(masks[0], masks[1], NORM_INF));
+        EXPECT_EQ(reports[1].iterations, reports[0].iterations);
+        EXPECT_EQ(reports[1].chance, reports[0].chance);
+    }
+}
+
 //! Uniform samples end a run where the theory says; PROSAC's criterion, which knows nothing of
 //! them, does not.
 TEST(Usac_Replacement, uniformSampler)

@@ -48,17 +48,19 @@ int Labeling::degreeOf(const Vec2i* edges, int count)
 and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. A point whose label is the same
 for any labels of its neighbors gets it before the cut; most do by a coarse test, that lambda times
 the number of edges does not outweigh their own cost. */
-void Labeling::fix(Arena& arena, const Vec2i* edges, int count, float lambda)
+void Labeling::labelWithoutCut(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     if (degree < 0)
         degree = degreeOf(edges, count);
-    const float turn = lambda * degree;
+    const float mostOfEdges = lambda * degree;
     // bounds of `unary` with the edges, for any labels of the neighbors
     Arena::Scope scope(arena);
     float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
     for (int i = 0; i < size; ++i)
     {
-        node[i] = unary[i] + turn < 0 ? INLIER : unary[i] >= turn || K[i] == 0 ? OUTLIER : 0;
+        node[i] = unary[i] + mostOfEdges < 0             ? INLIER
+                  : unary[i] >= mostOfEdges || K[i] == 0 ? OUTLIER
+                                                         : 0;
         lowest[i] = highest[i] = unary[i];
     }
     for (int e = 0; e < count; ++e)
@@ -72,13 +74,13 @@ void Labeling::fix(Arena& arena, const Vec2i* edges, int count, float lambda)
         highest[p] += lambda * (1 - a);
         highest[q] += lambda * (1 - a);
     }
-    openCount = 0;
+    nodeCount = 0;
     for (int i = 0; i < size; ++i)
         if (node[i] == 0)
         {
-            node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 ? OUTLIER : openCount;
+            node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 ? OUTLIER : nodeCount;
             if (node[i] >= 0)
-                open[openCount++] = i;
+                pointOfNode[nodeCount++] = i;
         }
 }
 
@@ -89,7 +91,7 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     K = scope.take<float>(size);
     unary = scope.take<float>(size);
     node = scope.take<int>(size);
-    open = scope.take<int>(size);
+    pointOfNode = scope.take<int>(size);
     weigh(context, model);
     const float lambda = (float)context.params.spatialWeight;
     const Vec2i* edges = 0;
@@ -97,8 +99,8 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
                                                     : context.neighborhood().edges(context, edges);
     if (context.stop(0))  // while the edges were searched
         count = 0;
-    fix(context.arena, edges, count, lambda);
-    label(context.arena, edges, count, lambda);
+    labelWithoutCut(context.arena, edges, count, lambda);
+    labelByCut(context.arena, edges, count, lambda);
     int found = 0;
     for (int i = 0; i < size; ++i)
         if (node[i] == INLIER)
@@ -108,9 +110,9 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
 
 /* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the
 last term being one arc of the graph. */
-void Labeling::label(Arena& arena, const Vec2i* edges, int count, float lambda)
+void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
-    const int nodes = openCount;
+    const int nodes = nodeCount;
     Arena::Scope scope(arena);
     Vec2i* const arcs = scope.take<Vec2i>(count);  // between nodes
     int arcCount = 0;
@@ -140,14 +142,17 @@ void Labeling::label(Arena& arena, const Vec2i* edges, int count, float lambda)
     for (int v = 0; linked && v < nodes; ++v)  // inliers are on the source side
     {
         graph.addVtx();
-        graph.addTermWeights(v, std::max(-unary[open[v]], 0.f), std::max(unary[open[v]], 0.f));
+        graph.addTermWeights(v, std::max(-unary[pointOfNode[v]], 0.f),
+                             std::max(unary[pointOfNode[v]], 0.f));
     }
     for (int k = 0; k < arcCount; ++k)
         graph.addEdges(arcs[k][0], arcs[k][1], lambda, 0);
     if (linked)
         graph.maxFlow();
     for (int v = 0; v < nodes; ++v)
-        node[open[v]] = (linked ? graph.inSourceSegment(v) : unary[open[v]] < 0) ? INLIER : OUTLIER;
+        node[pointOfNode[v]] = (linked ? graph.inSourceSegment(v) : unary[pointOfNode[v]] < 0)
+                                   ? INLIER
+                                   : OUTLIER;
 }
 
 }  // namespace usacv20

@@ -30,7 +30,7 @@ outliers. O(N) time to set up; the cut is linear in practice. */
 class Labeling
 {
 public:
-    Labeling() : K(0), unary(0), node(0), open(0), size(0), openCount(0), degree(-1) {}
+    Labeling() : K(0), unary(0), node(0), pointOfNode(0), size(0), nodeCount(0), degree(-1) {}
 
     //! Called when a run begins: the edges are new.
     void start() { degree = -1; }
@@ -43,16 +43,16 @@ private:
     int degreeOf(const Vec2i* edges, int count);
     void weigh(const Context& context, const Model& model);
     //! Labels the points that the edges cannot change; the others become nodes.
-    void fix(Arena& arena, const Vec2i* edges, int count, float lambda);
+    void labelWithoutCut(Arena& arena, const Vec2i* edges, int count, float lambda);
     //! Labels the nodes by a minimum cut.
-    void label(Arena& arena, const Vec2i* edges, int count, float lambda);
+    void labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda);
 
     // during a cut
     float* K;
     float* unary;                  //!< cost as an inlier minus cost as an outlier
     int* node;                     //!< node of each point in the graph, or its label
-    int* open;                     //!< point of each node
-    int size, openCount;           //!< points, nodes
+    int* pointOfNode;              //!< point of each node
+    int size, nodeCount;           //!< points, nodes
     detail::GCGraph<float> graph;  //!< keeps its memory
 
     int degree;  //!< largest number of edges of a point; -1: not yet known

@@ -48,31 +48,15 @@ void fromEpipolarSums(const double* sums, NormalEquations& equations)
 
 /** Adds the sums of the transfer error in image 1. Their derivatives are with respect to G = H^-1.
 As dG = -G dH G, the derivatives with respect to H, entries in row-major order, are those times the
-Kronecker product L = -G (x) G^T. The products are written out because the order in which Eigen
-adds in products of this size depends on its version. */
+Kronecker product -G (x) G^T. */
 void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
 {
-    double L[9][9], left[9][9] = {{0}};
+    Eigen::Matrix<double, 9, 9, Eigen::RowMajor> L;
     for (int i = 0; i < 9; ++i)
         for (int j = 0; j < 9; ++j)
-            L[i][j] = -G(i / 3, j / 3) * G(j % 3, i % 3);
-    for (int k = 0; k < 9; ++k)
-        for (int i = 0; i < 9; ++i)
-            for (int j = 0; j < 9; ++j)
-                left[i][j] += L[k][i] * inverse.JtJ(k, j);
-    for (int i = 0; i < 9; ++i)
-    {
-        double row[9] = {0}, gradient = 0;
-        for (int k = 0; k < 9; ++k)
-        {
-            for (int j = 0; j < 9; ++j)
-                row[j] += left[i][k] * L[k][j];
-            gradient += L[k][i] * inverse.Jtr[k];
-        }
-        for (int j = 0; j < 9; ++j)
-            equations.JtJ(i, j) += row[j];
-        equations.Jtr[i] += gradient;
-    }
+            L(i, j) = -G(i / 3, j / 3) * G(j % 3, i % 3);
+    equations.JtJ += L.transpose() * inverse.JtJ * L;
+    equations.Jtr += L.transpose() * inverse.Jtr;
     equations.cost += inverse.cost;
 }
 

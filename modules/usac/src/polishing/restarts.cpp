@@ -262,6 +262,8 @@ bool Restarts::check(Model& model, Quality& quality)
     for (size_t d = 0; d < parts.degeneracies.size(); ++d)
         if (!parts.degeneracies[d]->recover(search, state, 0, model, quality))
             return false;
+    for (size_t d = 0; d < parts.degeneracies.size(); ++d)
+        parts.degeneracies[d]->discount(search, model, quality);
     return true;
 }
 

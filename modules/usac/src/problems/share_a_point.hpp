@@ -13,7 +13,7 @@ namespace cv {
 namespace usacv20 {
 
 //! True if two points of an array have the same coordinates.
-inline bool samePlace(const Correspondences& p, int array, int i, int j)
+inline bool samePoint(const Correspondences& p, int array, int i, int j)
 {
     const int first = array ? p.coordinates[0] : 0, last = first + p.coordinates[array];
     for (int k = first; k < last; ++k)
@@ -26,13 +26,13 @@ inline bool samePlace(const Correspondences& p, int array, int i, int j)
 //! most one of them is right.
 inline bool shareAPoint(const Correspondences& p, int i, int j)
 {
-    return samePlace(p, 0, i, j) || (p.coordinates[1] > 0 && samePlace(p, 1, i, j));
+    return samePoint(p, 0, i, j) || (p.coordinates[1] > 0 && samePoint(p, 1, i, j));
 }
 
 //! True if two matches are the same.
 inline bool sameMatch(const Correspondences& p, int i, int j)
 {
-    return samePlace(p, 0, i, j) && samePlace(p, 1, i, j);
+    return samePoint(p, 0, i, j) && samePoint(p, 1, i, j);
 }
 
 //! True if `share(i, k)` holds for any two points i and k of a sample of m.

@@ -18,6 +18,7 @@ public:
     void accumulate(float* squaredErrors, int count, float squaredThreshold,
                     Quality& sum) const CV_OVERRIDE;
     FusedKernel fused(const Residual& residual) const CV_OVERRIDE;
+    bool countsInliers() const CV_OVERRIDE { return true; }
 };
 
 }  // namespace usacv20

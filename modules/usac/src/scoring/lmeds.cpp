@@ -59,6 +59,7 @@ public:
     }
 
     bool wholeModel() const CV_OVERRIDE { return true; }
+    bool usesThreshold() const CV_OVERRIDE { return false; }
 
     double threshold(const Context& context, const Model& model) const CV_OVERRIDE
     {

@@ -18,10 +18,10 @@ constexpr int BLOCK = 256;
 
 /** Evaluates one model on blocks of points: by the fused kernel if score and residual have one,
 else first the errors, then their score. */
-class Judge
+class BlockScorer
 {
 public:
-    Judge(const Context& context, const Score& score_, const Model& model_)
+    BlockScorer(const Context& context, const Score& score_, const Model& model_)
         : points(context.points), score(score_), residual(*context.components.residual),
           kernel(score.fused(residual)), limit((float)(points.threshold * points.threshold)),
           model(model_)
@@ -52,8 +52,8 @@ private:
 };
 
 //! Evaluates block by block. @return false if the model was rejected or its cost reached `bound`
-bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double bound, int start,
-                Rating& rating)
+bool rateBlocks(const BlockScorer& scorer, int size, const Verifier* verifier, double bound,
+                int start, Rating& rating)
 {
     int tested = 0;
     while (tested < size)
@@ -65,7 +65,7 @@ bool rateBlocks(const Judge& judge, int size, const Verifier* verifier, double b
                                    : BLOCK;
         const int count = std::min(block, std::min(size - tested, size - position));
         rating.costBefore = rating.quality.cost;
-        judge.add(position, position + count, rating.quality);
+        scorer.add(position, position + count, rating.quality);
         tested += count;
         if (rating.firstTested == 0)
         {
@@ -85,8 +85,8 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
 {
     const Correspondences& points = context.points;
     const InlierScore counter;
-    if (verifier &&
-        !rateBlocks(Judge(context, counter, model), points.size, verifier, DBL_MAX, start, rating))
+    if (verifier && !rateBlocks(BlockScorer(context, counter, model), points.size, verifier,
+                                DBL_MAX, start, rating))
     {
         rating.costBefore = 0;  // it was a number of outliers, not a cost of this score
         return;
@@ -108,8 +108,8 @@ Rating rate(const Context& context, const Verifier* verifier, const Model& model
     if (score.wholeModel())
         rateWhole(context, verifier, model, bound, start, rating, errors);
     else
-        rating.complete = rateBlocks(Judge(context, score, model), context.points.size, verifier,
-                                     bound, start, rating);
+        rating.complete = rateBlocks(BlockScorer(context, score, model), context.points.size,
+                                     verifier, bound, start, rating);
     return rating;
 }
 

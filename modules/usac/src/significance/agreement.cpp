@@ -18,11 +18,11 @@ constexpr int PARTNERS = 4;
 array 2. T is double for a custom residual, which may know no other Correspondences than those of
 the estimation, and float otherwise. */
 template <typename T>
-class Pairing
+class WrongPairs
 {
 public:
-    Pairing(const Residual& residual_, const Model& model_, const Correspondences& points_,
-            const T* const* from, int count, double threshold, Arena::Scope& scope)
+    WrongPairs(const Residual& residual_, const Model& model_, const Correspondences& points_,
+               const T* const* from, int count, double threshold, Arena::Scope& scope)
         : residual(residual_), model(model_), points(points_), columns(points.columns()),
           firstMoved(points.coordinates[1] ? points.coordinates[0] : columns - 1),
           limit((T)(threshold * threshold)), size(count), stride(2 * count),
@@ -87,7 +87,7 @@ private:
 };
 
 template <>
-void Pairing<double>::computeErrors(int partner)
+void WrongPairs<double>::computeErrors(int partner)
 {
     const double* data[MAX_COLUMNS];
     for (int k = 0; k < columns; ++k)
@@ -96,7 +96,7 @@ void Pairing<double>::computeErrors(int partner)
 }
 
 template <>
-void Pairing<float>::computeErrors(int partner)
+void WrongPairs<float>::computeErrors(int partner)
 {
     Correspondences view = points;
     view.size = size;
@@ -106,22 +106,22 @@ void Pairing<float>::computeErrors(int partner)
 }
 
 template <typename T>
-Agreement count(Pairing<T>& pairing, const Correspondences& p, int count, double threshold,
+Agreement count(WrongPairs<T>& wrongPairs, const Correspondences& p, int count, double threshold,
                 int pairs, Arena& arena)
 {
     Arena::Scope scope(arena);
     uchar *const mask = scope.take<uchar>(count), *const repeated = scope.take<uchar>(count);
     std::fill(repeated, repeated + count, (uchar)0);
     Agreement found;
-    found.inliers = pairing.inliers(mask);
+    found.inliers = wrongPairs.inliers(mask);
     found.inliers -= markRepeated(p, 0, mask, count, threshold, repeated, arena);
-    found.points = pairing.drop(repeated);
+    found.points = wrongPairs.drop(repeated);
     found.pairs = found.agreeing = 0;
     const int partners = std::min(std::max<int>(PARTNERS, pairs / std::max(found.points, 1)),
                                   found.points - 1);
     for (int partner = 1; partner <= partners; ++partner)
     {
-        found.agreeing += pairing.agreeing(partner);
+        found.agreeing += wrongPairs.agreeing(partner);
         found.pairs += found.points;
     }
     return found;
@@ -135,11 +135,11 @@ Agreement countAgreement(const Residual& residual, const Model& model, const Cor
     Arena::Scope scope(arena);
     if (residual.kind() == Residual::CUSTOM)
     {
-        Pairing<double> pairing(residual, model, p, p.exact, size, threshold, scope);
-        return count(pairing, p, size, threshold, pairs, arena);
+        WrongPairs<double> wrongPairs(residual, model, p, p.exact, size, threshold, scope);
+        return count(wrongPairs, p, size, threshold, pairs, arena);
     }
-    Pairing<float> pairing(residual, model, p, p.column, size, threshold, scope);
-    return count(pairing, p, size, threshold, pairs, arena);
+    WrongPairs<float> wrongPairs(residual, model, p, p.column, size, threshold, scope);
+    return count(wrongPairs, p, size, threshold, pairs, arena);
 }
 
 int wrongErrors(const Residual& residual, const Model& model, const Correspondences& p, int count,

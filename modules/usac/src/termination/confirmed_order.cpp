@@ -88,8 +88,8 @@ are spread over the whole order (otherInliers()). No such samples are needed if 
 matches would show among the outliers and do not (otherMotionWouldShow()).
 
 If uniform samples are enough earlier, or not all all-inlier samples lead to the best model
-(State::yield; a plane has two motions), the other criteria decide. At most O(N) per batch of
-samples. */
+(State::successProbability; a plane has two motions), the other criteria decide. At most O(N) per
+batch of samples. */
 class ConfirmedOrderTermination : public Termination
 {
 public:
@@ -136,7 +136,7 @@ private:
         return orderIsKnown(context) && context.params.orderedEvery > 1 &&
                context.params.runnersUp > 0 && context.components.localOptimizer &&
                context.components.sampler->growingShare(context) > 0 &&
-               context.params.quality != QUALITY_LMEDS;
+               context.components.score->usesThreshold();
     }
 
     void markInliers(const Context& context, const State& state, uchar* inliers) const
@@ -157,7 +157,7 @@ private:
         const int m = context.components.minimalSolver->sampleSize(), size = p.size;
         cost = state.bestQuality.cost;
         orderedNeeded = enough = INT_MAX;
-        if (state.yield < 1 || !state.order || state.orderedSamples == 0 ||
+        if (state.successProbability < 1 || !state.order || state.orderedSamples == 0 ||
             state.bestQuality.inliers <= m)
             return;
         Arena::Scope scope(context.arena);
@@ -180,7 +180,8 @@ private:
             return;
         const double kept = context.components.sampler->growingShare(context) *
                             context.params.orderedEvery *
-                            keptProbability(context, state.bestQuality.inliers) * state.yield;
+                            keptProbability(context, state.bestQuality.inliers) *
+                            state.successProbability;
         int length;
         orderedNeeded = prosacSamples(
             inliers, repeated, size, m, kept, randomRatio, std::log(1 - context.params.confidence),
@@ -253,7 +254,7 @@ private:
         double p = 1;
         for (int i = 0; i < m; ++i)
             p *= std::max(other / left * different - i, 0.0) / (different - i);
-        return samplesNeeded(std::min(p, 1.0) * state.yield,
+        return samplesNeeded(std::min(p, 1.0) * state.successProbability,
                              std::log(1 - context.params.confidence));
     }
 

@@ -23,7 +23,7 @@ double significantInliers(const Context& context, const State& state)
 {
     const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
     const double beside = state.bestQuality.inliers - m, different = beside / copiesOf(state, n, m);
-    const double more = state.yield < 1
+    const double more = state.successProbability < 1
                             ? 0
                             : context.params.relaxation * different / (different + HALF);
     return std::min(m + beside * (1 + more), (double)n);
@@ -36,7 +36,8 @@ namespace {
 the inliers of the sample do not count, because any model has them: with few points, a wrong model
 has only slightly fewer inliers than the right one. For the same reason r is Params::relaxation k /
 (k + #HALF) for k distinct inliers beside the sample. It is 0 if all-inlier samples may lead to a
-wrong model (State::yield), because that has nearly as many inliers as the right one. */
+wrong model (State::successProbability), because that has nearly as many inliers as the right one.
+*/
 class PNapsacTermination : public Termination
 {
 public:

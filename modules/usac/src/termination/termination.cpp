@@ -35,12 +35,12 @@ double goodSampleProbability(const Context& context, const State& state, double 
 {
     const int m = context.components.minimalSolver->sampleSize(), n = context.points.size;
     if ((context.params.termination & TERMINATION_EXACT) == 0)
-        return goodSampleProbability(inliers, n, m, false) * state.yield;
+        return goodSampleProbability(inliers, n, m, false) * state.successProbability;
     const double different = std::max(n / copiesOf(state, n, m), (double)std::min(n, m + 1));
     double p = 1;
     for (int i = 0; i < m; ++i)
         p *= std::max(inliers / n * different - i, 0.0) / (different - i);
-    return std::min(p, 1.0) * state.yield;
+    return std::min(p, 1.0) * state.successProbability;
 }
 
 double goodModelProbability(const Context& context, const State& state, double inliers)

@@ -38,7 +38,7 @@ their number tells how many distinct matches there are. */
 double goodModelProbability(const Context& context, const State& state, double inliers);
 /** Probability that a sample leads to a model with `inliers` of all points: that all its points are
 inliers, drawn with repetition or, with #TERMINATION_EXACT, without and among the distinct matches;
-times State::yield. */
+times State::successProbability. */
 double goodSampleProbability(const Context& context, const State& state, double inliers);
 
 /** Minimum number of inliers of a significantly better model, see PNapsacTermination. The best

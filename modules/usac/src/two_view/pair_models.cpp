@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/unit_norm.hpp"
 #include "batch_progress.hpp"
 #include "problems/camera_arguments.hpp"
 #include "read_points.hpp"
@@ -323,8 +324,7 @@ int PairModels::withinDistances(const std::vector<double>& errors, double limit)
 
 Matx33d PairModels::fundamental(const Matx33d& essential) const
 {
-    const Matx33d result = camera2.inv().t() * essential * camera1.inv();
-    return result * (1 / norm(result));
+    return ofUnitNorm(camera2.inv().t() * essential * camera1.inv());
 }
 
 void PairModels::directions(const Mat& mask, std::vector<Vec3d>& first,

@@ -137,9 +137,9 @@ TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
     const Ptr<Termination> standard = createStandardTermination(),
                            relaxed = createPNapsacTermination();
     EXPECT_LT(counts.iterations(relaxed, 40), counts.iterations(standard, 40) / 2);
-    counts.state.yield = 0.5;
+    counts.state.successProbability = 0.5;
     EXPECT_EQ(counts.iterations(standard, 40), counts.iterations(relaxed, 40));
-    counts.state.yield = 1;
+    counts.state.successProbability = 1;
     counts.state.countedSamples = 1000;
     const double once = (double)counts.iterations(relaxed, 40) / counts.iterations(standard, 40);
     counts.state.repeatedSamples = 500;

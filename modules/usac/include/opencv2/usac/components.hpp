@@ -54,8 +54,9 @@ enum WantedSamples {
 struct CV_EXPORTS State
 {
     State()
-        : iteration(0), counts(true), yield(1), countedSamples(0), repeatedSamples(0),
-          orderedSamples(0), wanted(SAMPLES_MIXED), unexplainedSamples(0), order(0)
+        : iteration(0), counts(true), successProbability(1), countedSamples(0), repeatedSamples(0),
+          orderedSamples(0), wanted(SAMPLES_MIXED), unexplainedSamples(0), order(0),
+          degenerate(false)
     {}
 
     //! The points in the sequence given by the Ordering, best first; sorted at the first call.
@@ -70,8 +71,8 @@ struct CV_EXPORTS State
     int iteration;  //!< samples drawn so far
     bool counts;    //!< the current sample counts for the termination criteria like one drawn
                     //!< uniformly from all points; true unless the sampler says otherwise
-    double yield;  //!< fraction of the all-inlier samples that lead to the best model; 1 except for
-                   //!< degenerate scenes
+    double successProbability;  //!< that of a sample of inliers, for the best model, see
+                                //!< Degeneracy::successProbability()
     int countedSamples;   //!< samples so far with `counts`: the confidence is computed from these
     int repeatedSamples;  //!< samples that do not count only because they contained a match twice
     int orderedSamples;   //!< samples drawn so far that follow a known order (scores, or the order
@@ -85,7 +86,8 @@ struct CV_EXPORTS State
     Quality bestQuality;              //!< its score
     Quality sampleQuality;            //!< the best score of a model of a sample before optimization
     ArenaList<SequentialTest> tests;  //!< the verifier's, the last one is in use
-    Report report;                    //!< statistics of the run so far
+    bool degenerate;  //!< a sample or model was degenerate, such as dominated by a plane
+    Report report;    //!< statistics of the run so far
 
 private:
     void sort(const Context& context);
@@ -307,6 +309,11 @@ public:
     //! True: the cost is not a sum over the points; accumulate() is called once per model, with all
     //! points. Default: false.
     virtual bool wholeModel() const;
+    //! True: the cost is the number of points that are no inliers. Default: false.
+    virtual bool countsInliers() const;
+    //! False: the score does not use the threshold of the points, and its inliers are a fixed part
+    //! of them, as for least median of squares. Default: true.
+    virtual bool usesThreshold() const;
     //! Fraction of the threshold of the points, 0 to 1, up to which accumulate() counts a point as
     //! an inlier; points beyond it contribute to the cost only. Default: 1.
     virtual double inlierPart() const;
@@ -360,8 +367,7 @@ public:
     virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model is rejected without a test. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
-    /** @brief Examines a new so-far-the-best model and may replace it by a better one, lower its
-    quality, or set `state.yield`.
+    /** @brief Examines a new so-far-the-best model and may replace it by a better one.
     @param sample the sample that the model was computed from; null after the local optimization
     @param context, state the fixed and the changing data of the run
     @param model, quality the model and its score
@@ -369,6 +375,14 @@ public:
     */
     virtual bool recover(const Context& context, State& state, const int* sample, Model& model,
                          Quality& quality);
+    //! Lowers the quality of a model that every recover() has passed, if some of its inliers are no
+    //! independent evidence for it. Default: does nothing.
+    virtual void discount(const Context& context, const Model& model, Quality& quality);
+    //! Probability that a sample of inliers leads to the model, which has just become the best one,
+    //! and not to a wrong one with nearly as many inliers. It is at most 1, the default, and raises
+    //! the number of samples accordingly.
+    virtual double successProbability(const Context& context, const State& state,
+                                      const Model& model);
 };
 
 //! Improves each so-far-the-best model (paper, section "Local optimization").

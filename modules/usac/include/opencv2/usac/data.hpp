@@ -118,7 +118,8 @@ struct Correspondences
     const double* exact[MAX_COLUMNS];  //!< double precision for solvers and fits
     const int* inputIndex;             //!< row of each point in the caller's arrays
     const float*
-        scores;        //!< Params::scores in this order, lower is better; null if none were given
+        scores;   //!< Params::scores in this order, lower is better; null if none were given
+    double unit;  //!< unit of Params::threshold (a pixel, mostly) in the coordinates of array 2
     double threshold;  //!< Params::threshold times Params::reach in these coordinates, not squared
     Frame frame[2];  //!< from the caller's coordinates (E: of the normalized image plane) to these;
                      //!< if there is one array, both entries are the same

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/unit_norm.hpp"
 #include "optimization/least_squares.hpp"
 #include "problems/essential/cameras.hpp"
 #include "problems/essential/essential.hpp"

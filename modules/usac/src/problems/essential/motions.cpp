@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/unit_norm.hpp"
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -40,8 +41,7 @@ Eigen::Matrix3d toEigen(const Matx33d& A)
 Matx33d Motion::essential() const
 {
     const Matx33d cross(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0);
-    const Matx33d E = cross * R;
-    return E * (1 / cv::norm(E));
+    return ofUnitNorm(cross * R);
 }
 
 void motionsOf(const Matx33d& E, Motion motions[4])

@@ -17,27 +17,24 @@ namespace {
 constexpr double DOMINANT = 0.8;
 //! Share of the all-inlier samples that are then expected to lead to the correct motion. With 1, 6
 //! of 432 searches in scenes with planes fail instead of 1, see doc/constants.md.
-constexpr double YIELD = 0.5;
+constexpr double SUCCESS = 0.5;
 
 /** @brief Raises the number of samples for E if a plane dominates the scene.
 
 Five points of a plane have two motions @cite ma2004invitation, both of which fit the whole plane;
 only the few points off the plane tell which one is right. With noise, the correct motion of such a
 sample is often too inaccurate to stand out, so that not every all-inlier sample leads to it. If
-most inliers of a new so-far-the-best model (after its local optimization) lie on a plane, the
-termination criteria assume that only a share of YIELD of these samples does (State::yield). */
+most inliers of the best model lie on a plane, the termination criteria assume that only a share of
+SUCCESS of these samples does. */
 class PlanarMotion : public Degeneracy
 {
 public:
-    bool recover(const Context& context, State& state, const int* sample, Model& model,
-                 Quality&) CV_OVERRIDE
+    double successProbability(const Context& context, const State& state,
+                              const Model& model) CV_OVERRIDE
     {
-        if (sample && context.components.localOptimizer)
-            return true;
         Matx33d H;
         Rng rng(context.params.seed, streamOf(STREAM_PLANE, state.iteration));
-        state.yield = plane.find(context, rng, model, DOMINANT, H) ? YIELD : 1;
-        return true;
+        return plane.find(context, rng, model, DOMINANT, H) ? SUCCESS : 1;
     }
 
 private:

@@ -6,7 +6,7 @@
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/share_a_point.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
-#include "problems/two_view/side_by_side.hpp"
+#include "problems/two_view/gathered_points.hpp"
 #include "scoring/formulas.hpp"
 #include "scoring/residuals.hpp"
 #include "problems/fundamental/fundamental.hpp"
@@ -76,7 +76,7 @@ public:
         if (sample ? !planeOfSample(context, sample, model, H)
                    : !plane.find(context, state.rng, model, DOMINANT, H))
             return true;
-        state.report.degenerate = true;
+        state.degenerate = true;
         const Quality before = quality;
         if (knownThreshold == context.points.threshold && isKnown(context, H, sample))
         {

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/unit_norm.hpp"
 #include "optimization/least_squares.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"
@@ -25,8 +26,7 @@ Matx33d toRankTwo(const Matx33d& F)
     SVD::compute(F, w, U, Vt);
     if (w[2] <= 1e-12)
         return F;
-    const Matx33d closest = F - w[2] * U.col(2) * Vt.row(2);
-    return closest * (1 / norm(closest));
+    return ofUnitNorm(F - w[2] * U.col(2) * Vt.row(2));
 }
 
 //! The epipolar geometry of two views: x2^T F x1 = 0, of rank 2.

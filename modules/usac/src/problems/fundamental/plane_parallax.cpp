@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/unit_norm.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
 #include "scoring/places.inl.hpp"
 #include "core/sample_counts.hpp"
@@ -36,7 +37,7 @@ constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
 //! Epipoles (as unit vectors) are the same if the squared sine of the angle between them is
 //! smaller: about two bins. With 0.1, 4 of 432 searches in scenes with planes fail instead of 1,
 //! see also doc/constants.md.
-constexpr double SAME_PLACE = 1e-3;
+constexpr double SAME_EPIPOLE = 1e-3;
 
 //! The middle of the bins first .. last on the line through the orthonormal u and v.
 Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
@@ -46,10 +47,10 @@ Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
     return e * (1 / norm(e));
 }
 
-bool samePlace(const Vec3d& a, const Vec3d& b)
+bool sameEpipole(const Vec3d& a, const Vec3d& b)
 {
     const double cosine = a.dot(b);
-    return 1 - cosine * cosine < SAME_PLACE;
+    return 1 - cosine * cosine < SAME_EPIPOLE;
 }
 
 //! Two orthonormal vectors that are normal to n, which is not zero.
@@ -132,7 +133,7 @@ void PlaneParallax::setPlane(const Context& context, const int* offPlane, int co
                              const Matx33d& homography)
 {
     const Correspondences& points = context.points;
-    H = homography * (1 / norm(homography));
+    H = ofUnitNorm(homography);
     limit = context.inlierThreshold() * context.inlierThreshold();
     voters.gather(points, offPlane, count);
     stride = (size() + ARCS_BLOCK - 1) / ARCS_BLOCK * ARCS_BLOCK;
@@ -183,7 +184,7 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
         const int votes = vote(next, e) + 1;  // its own included
         if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
             continue;
-        if (samePlace(e, lastFit))
+        if (sameEpipole(e, lastFit))
             continue;
         refine(context, e, model, quality);
         needed = linesNeeded(failure, wanted);
@@ -260,7 +261,7 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
     const Quality whole = context.rate(candidate, quality.cost);
     if (!whole.betterThan(quality))
         return;
-    model = candidate * (1 / norm(candidate));
+    model = ofUnitNorm(candidate);
     quality = whole;
 }
 

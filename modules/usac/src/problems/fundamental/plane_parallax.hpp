@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_PLANE_PARALLAX_HPP
 
 #include "problems/two_view/epipole.hpp"
-#include "problems/two_view/side_by_side.hpp"
+#include "problems/two_view/gathered_points.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -75,7 +75,7 @@ private:
 
     Matx33d H;     //!< unit Frobenius norm
     double limit;  //!< squared threshold
-    SideBySide<MAX_POINTS> voters;
+    GatheredPoints<MAX_POINTS> voters;
     float* numbers;  //!< ARCS_ROWS rows of `stride`; room for MAX_POINTS from the first plane on
     int stride;      //!< size(), rounded up to whole blocks
     Quality best;    //!< lowest cost of the voters

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/unit_norm.hpp"
 #include "problems/homography/homography.hpp"
 
 namespace cv {
@@ -50,7 +51,7 @@ public:
     bool validModel(const Context&, const int*, const Model& model) const CV_OVERRIDE
     {
         const Matx33d H = model;
-        const double size = norm(H);
+        const double size = frobeniusNorm(H);
         return std::abs(determinant(H)) > SINGULAR * size * size * size;
     }
 };

@@ -131,11 +131,10 @@ public:
                !anyPair(sample, context.components.minimalSolver->sampleSize(), sharePlace);
     }
 
-    bool recover(const Context& context, State&, const int*, Model& model,
-                 Quality& quality) CV_OVERRIDE
+    void discount(const Context& context, const Model& model, Quality& quality) CV_OVERRIDE
     {
         if (context.components.score->wholeModel())
-            return true;
+            return;
         for (int k = 0; k < places; ++k)
         {
             Arena::Scope scope(context.arena);
@@ -144,7 +143,6 @@ public:
                 place.add(members[i]);
             countOnce(context, 1, place, model, quality);
         }
-        return true;
     }
 
 private:

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_DOMINANT_PLANE_HPP
 #define OPENCV_USACV20_DOMINANT_PLANE_HPP
 
-#include "problems/two_view/side_by_side.hpp"
+#include "problems/two_view/gathered_points.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -54,7 +54,7 @@ private:
 
     int members[MAX_INLIERS];
     int count;
-    SideBySide<MAX_INLIERS> someInliers;
+    GatheredPoints<MAX_INLIERS> someInliers;
 };
 
 //! True if nearly all inliers of F or E are on a plane, or the camera has only rotated, so that the

@@ -42,19 +42,17 @@ public:
         return onlyRepeats(context.points, sample, context.components.minimalSolver->sampleSize());
     }
 
-    bool recover(const Context& context, State&, const int*, Model& model,
-                 Quality& quality) CV_OVERRIDE
+    void discount(const Context& context, const Model& model, Quality& quality) CV_OVERRIDE
     {
         if (!searched)
             search(context);
         if (count == 0 || context.components.score->wholeModel())
-            return true;
+            return;
         Arena::Scope scope(context.arena);
         PointSubset subset(context.points, count, scope);
         for (int i = 0; i < count; ++i)
             subset.add(repetitions[i]);
         countOnce(context, 0, subset, model, quality);
-        return true;
     }
 
 private:

@@ -31,10 +31,10 @@ constexpr double ANYWHERE = 60;
 
 /** Test whether a match is an inlier of F wherever one of its two ends (points) is, see
 SharedPoints. `sizes` are those of the images. */
-class OneEnd
+class InsensitivityTest
 {
 public:
-    OneEnd(const Model& F, const float* sizes, double threshold)
+    InsensitivityTest(const Model& F, const float* sizes, double threshold)
         : most1((float)square(std::max<double>(FAR_APART / sizes[1], 1 / (ANYWHERE * threshold)) *
                               sizes[0])),
           most2((float)square(std::max<double>(FAR_APART / sizes[0], 1 / (ANYWHERE * threshold)) *
@@ -43,7 +43,7 @@ public:
         toFloat(F, f);
     }
 
-    bool counts(float x1, float y1, float x2, float y2) const
+    bool holds(float x1, float y1, float x2, float y2) const
     {
         const float n2 = square(f[0] * x1 + f[1] * y1 + f[2]) +
                          square(f[3] * x1 + f[4] * y1 + f[5]);
@@ -130,25 +130,25 @@ public:
         return onlyRepeats(context.points, sample, context.components.minimalSolver->sampleSize());
     }
 
-    bool recover(const Context& context, State&, const int*, Model& model,
-                 Quality& quality) CV_OVERRIDE
+    void discount(const Context& context, const Model& model, Quality& quality) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
         if (context.components.score->wholeModel())
-            return true;
-        const OneEnd one(model, sizes, p.threshold);
+            return;
+        const InsensitivityTest insensitive(model, sizes, p.threshold);
         int seen = 0;
         for (int i = 0; i < std::min<int>(p.size, LOOKED_AT); ++i)
-            seen += one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]);
+            seen += insensitive.holds(p.column[X1][i], p.column[Y1][i], p.column[X2][i],
+                                      p.column[Y2][i]);
         if (seen < FEW)
-            return true;
+            return;
         Arena::Scope scope(context.arena);
         PointSubset silent(p, p.size, scope);
         for (int i = 0; i < p.size; ++i)
-            if (one.counts(p.column[X1][i], p.column[Y1][i], p.column[X2][i], p.column[Y2][i]))
+            if (insensitive.holds(p.column[X1][i], p.column[Y1][i], p.column[X2][i],
+                                  p.column[Y2][i]))
                 silent.add(i);
         countOnce(context, 1, silent, model, quality);
-        return true;
     }
 
 private:

@@ -143,7 +143,7 @@ TEST(Usac_Degensac, neverRaisesTheCost)
                 const bool changed = model != models[k];
                 EXPECT_EQ(changed, after.cost < before.cost);
                 replaced += changed;
-                detected += state.report.degenerate;
+                detected += state.degenerate;
                 if (changed)
                 {
                     EXPECT_NEAR(0, determinant(Matx33d(model)), 1e-9);
@@ -194,7 +194,7 @@ TEST(Usac_Degensac, detectsFiveOfSeven)
                 Model model = truth;
                 Quality quality = context.rate(model);
                 degensac->recover(context, state, sample, model, quality);
-                found[planar] += state.report.degenerate;
+                found[planar] += state.degenerate;
             }
     }
     for (int planar = 5; planar <= 7; ++planar)
@@ -235,7 +235,7 @@ TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
         const Quality before = quality;
         State state;
         EXPECT_TRUE(createDegensac()->recover(context, state, 0, model, quality));
-        EXPECT_TRUE(state.report.degenerate);
+        EXPECT_TRUE(state.degenerate);
         mended += quality.betterThan(before) && quality.inliers >= before.inliers + 20;
     }
     EXPECT_GE(mended, SCENES * 8 / 10);
@@ -265,7 +265,7 @@ void expectNoPlane(const Model& F, double threshold)
         Quality quality(1, 7);
         EXPECT_TRUE(
             createDegensac()->recover(context, state, k < 2 ? samples[k] : 0, model, quality));
-        EXPECT_FALSE(state.report.degenerate) << k;
+        EXPECT_FALSE(state.degenerate) << k;
         EXPECT_EQ(F, model);
         EXPECT_EQ(1, quality.cost);
     }

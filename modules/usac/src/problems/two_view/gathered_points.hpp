@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_USACV20_SIDE_BY_SIDE_HPP
-#define OPENCV_USACV20_SIDE_BY_SIDE_HPP
+#ifndef OPENCV_USACV20_GATHERED_POINTS_HPP
+#define OPENCV_USACV20_GATHERED_POINTS_HPP
 
 #include <algorithm>
 #include "opencv2/usac/components.hpp"
@@ -14,10 +14,10 @@ namespace usacv20 {
 
 //! A contiguous copy of selected correspondences, at most MOST, for the vectorized kernels.
 template <int MOST>
-class SideBySide
+class GatheredPoints
 {
 public:
-    SideBySide() : points(), coordinates() {}
+    GatheredPoints() : points(), coordinates() {}
 
     void gather(const Correspondences& p, const int* indices, int count)
     {
@@ -59,8 +59,8 @@ private:
         return result;
     }
 
-    SideBySide(const SideBySide&);
-    SideBySide& operator=(const SideBySide&);
+    GatheredPoints(const GatheredPoints&);
+    GatheredPoints& operator=(const GatheredPoints&);
 
     Correspondences points;
     float coordinates[4][MOST];

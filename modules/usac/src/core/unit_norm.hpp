@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_UNIT_NORM_HPP
+#define OPENCV_USACV20_UNIT_NORM_HPP
+
+namespace cv {
+namespace usacv20 {
+
+//! Frobenius norm, summed in the order of cv::norm of OpenCV 4, which OpenCV 5 has changed.
+inline double frobeniusNorm(const Matx33d& m)
+{
+    const double* const v = m.val;
+    double sum = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
+    sum += v[4] * v[4] + v[5] * v[5] + v[6] * v[6] + v[7] * v[7];
+    return std::sqrt(sum + v[8] * v[8]);
+}
+
+//! The multiple of unit Frobenius norm of a matrix that is not zero.
+inline Matx33d ofUnitNorm(const Matx33d& m) { return m * (1 / frobeniusNorm(m)); }
+
+//! Scales a model to unit Frobenius norm. False if it is zero or not finite.
+inline bool toUnitNorm(Matx33d& model)
+{
+    const double size = frobeniusNorm(model);
+    if (!(size > 0 && size <= DBL_MAX))
+        return false;
+    model *= 1 / size;
+    return true;
+}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
