@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "significance/significance.hpp"
-#include "core/beta_binomial.hpp"
+#include "core/tails.hpp"
 #include "core/repetitions.hpp"
 #include "watch.hpp"
 

@@ -12,10 +12,7 @@ namespace usacv20 {
 inliers: P(Binomial(n - m, randomRatio) >= inliers - m) @cite chum2005matching.
 
 The points of the sample are inliers in any case; each other point is an inlier by chance with
-probability `randomRatio`. Exact sum: the first term in the form of @cite loader2000fast, which
-avoids cancellation, the others by their ratios, on the side of the distribution where they
-decrease. 0 if the probability is below the range of double. At most O(n) time, mostly
-O(sqrt(n)). */
+probability `randomRatio`. See binomialTail(). */
 double chanceOf(int inliers, int n, int m, double randomRatio);
 
 }  // namespace usacv20

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "core/beta_binomial.hpp"
+#include "core/tails.hpp"
 
 namespace opencv_test {
 namespace {

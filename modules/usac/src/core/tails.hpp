@@ -2,11 +2,18 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_USACV20_BETA_BINOMIAL_HPP
-#define OPENCV_USACV20_BETA_BINOMIAL_HPP
+#ifndef OPENCV_USACV20_TAILS_HPP
+#define OPENCV_USACV20_TAILS_HPP
 
 namespace cv {
 namespace usacv20 {
+
+/** @brief P(Binomial(n, p) >= k), 0 <= k <= n, 0 < p < 1.
+
+Exact sum: the first term in the form of @cite loader2000fast, which avoids cancellation, the others
+by their ratios, on the side of the distribution where they decrease. 0 if the probability is below
+the range of double. At most O(n) time, mostly O(sqrt(n)). */
+double binomialTail(int k, int n, double p);
 
 /** @brief Probability that at least `successes` of `trials` succeed, given that `earlierSuccesses`
 of `earlierTrials` did and that the prior of their common probability is uniform: the upper tail of
