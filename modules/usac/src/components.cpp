@@ -16,6 +16,14 @@ bool Ordering::informative(const Context&) const { return true; }
 Neighborhood::~Neighborhood() {}
 Sampler::~Sampler() {}
 MinimalSolver::~MinimalSolver() {}
+
+void MinimalSolver::solveMany(const Correspondences& points, const int* const* samples, int count,
+                              Model* const* models, int* found) const
+{
+    for (int i = 0; i < count; ++i)
+        found[i] = solve(points, samples[i], models[i]);
+}
+
 NonMinimalSolver::~NonMinimalSolver() {}
 Residual::~Residual() {}
 Score::~Score() {}

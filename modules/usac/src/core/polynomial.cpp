@@ -28,83 +28,6 @@ struct Polynomial
     }
 };
 
-/** Sturm's sequence p, p', -(p mod p'), ... Neighbors are linked by f[k-1] = (a x + b) f[k] - s
-f[k+1] with s > 0, so that evaluating the whole sequence at x, from the last element upwards, takes
-three operations per element. Where a degree is (nearly) skipped, as for x^3 - 1, there is no such
-link: `regular` is then false and the sequence must not be used. */
-class SturmSequence
-{
-public:
-    explicit SturmSequence(const Polynomial& p) : regular(true), count(0), lastDegree(0)
-    {
-        tail[0] = 0;
-        double f[MAX_DEGREE + 1], g[MAX_DEGREE + 1];
-        int degree = p.degree;
-        for (int i = 0; i <= degree; ++i)
-            f[i] = p.c[i];
-        for (int i = 0; i < degree; ++i)
-            g[i] = (i + 1) * f[i + 1];
-        while (degree > 0)
-        {
-            Link& link = links[count++];
-            const double lead = 1 / g[degree - 1];
-            link.a = f[degree] * lead;
-            link.b = (f[degree - 1] - (degree > 1 ? link.a * g[degree - 2] : 0)) * lead;
-            double rest[MAX_DEGREE + 1], largest = 0;
-            for (int i = 0; i < degree - 1; ++i)
-            {
-                rest[i] = link.b * g[i] + (i > 0 ? link.a * g[i - 1] : 0) - f[i];
-                largest = std::max(largest, std::abs(rest[i]));
-            }
-            --degree;
-            link.s = largest;
-            regular = degree == 0 || !(largest > 1e-14) ||
-                      std::abs(rest[degree - 1]) > 1e-5 * largest;
-            if (degree == 0 || !(largest > 1e-14) || !regular)
-            {
-                link.s = 0;  // g divides f up to rounding: the sequence ends here
-                lastDegree = degree;
-                for (int i = 0; i <= degree; ++i)
-                    tail[i] = g[i];
-                return;
-            }
-            const double inverse = 1 / largest;
-            for (int i = 0; i <= degree; ++i)
-                f[i] = g[i];
-            for (int i = 0; i < degree; ++i)
-                g[i] = rest[i] * inverse;
-        }
-    }
-
-    bool regular;
-
-    //! Number of sign changes at x.
-    int changes(double x) const
-    {
-        double below = 0, here = tail[lastDegree];
-        for (int i = lastDegree - 1; i >= 0; --i)
-            here = here * x + tail[i];
-        int result = 0;
-        for (int k = count - 1; k >= 0; --k)
-        {
-            const double above = (links[k].a * x + links[k].b) * here - links[k].s * below;
-            result += (above < 0) != (here < 0);
-            below = here;
-            here = above;
-        }
-        return result;
-    }
-
-private:
-    struct Link
-    {
-        double a, b, s;
-    };
-    Link links[MAX_DEGREE];
-    double tail[MAX_DEGREE + 1];
-    int count, lastDegree;
-};
-
 //! The root in (low, high], where the polynomial changes sign: Newton's method, with bisection
 //! where a step leaves the bracket.
 double refine(const Polynomial& p, double low, double high, double atLow)
@@ -127,32 +50,6 @@ double refine(const Polynomial& p, double low, double high, double atLow)
         x = next;
     }
     return x;
-}
-
-//! The roots in (low, high]. Their number is fromLow - fromHigh, the sign changes at both ends.
-int isolate(const Polynomial& p, const SturmSequence& sturm, double low, double high, int fromLow,
-            int fromHigh, int depth, double* roots)
-{
-    const int expected = fromLow - fromHigh;
-    if (expected <= 0)
-        return 0;
-    double atLow, atHigh, slope;
-    p.evaluate(low, atLow, slope);
-    p.evaluate(high, atHigh, slope);
-    if (expected == 1 && (atLow < 0) != (atHigh < 0))
-    {
-        roots[0] = refine(p, low, high, atLow);
-        return 1;
-    }
-    const double middle = 0.5 * (low + high);
-    if (depth == 0)
-    {
-        roots[0] = middle;  // a multiple root, or a cluster too narrow to distinguish from one
-        return 1;
-    }
-    const int fromMiddle = sturm.changes(middle);
-    const int left = isolate(p, sturm, low, middle, fromLow, fromMiddle, depth - 1, roots);
-    return left + isolate(p, sturm, middle, high, fromMiddle, fromHigh, depth - 1, roots + left);
 }
 
 //! Beyond these bounds #realRoots uses the reversed polynomial. No round numbers, because Sturm's
@@ -189,16 +86,6 @@ int betweenExtrema(const Polynomial& p, double* roots)
             roots[count++] = refine(p, bounds[k - 1], bounds[k], before);
     }
     return count;
-}
-
-int rootsNearZero(const double* c, int degree, double* roots)
-{
-    const Polynomial p = {c, degree};
-    const SturmSequence sturm(p);
-    if (!sturm.regular)
-        return betweenExtrema(p, roots);
-    return isolate(p, sturm, LOWEST, HIGHEST, sturm.changes(LOWEST), sturm.changes(HIGHEST), 40,
-                   roots);
 }
 
 //! One Newton step towards a root, if it reduces the absolute value of the polynomial.
@@ -259,12 +146,14 @@ int realRoots(const double* coefficients, int degree, double* roots)
         c[i] = reversed[degree - i] = coefficients[i] / largest;
     if (degree == 3 && std::abs(c[3]) > 1e-3)
         return cubicRoots(c, roots);
-    int count = rootsNearZero(c, degree, roots);
+    const Polynomial p = {c, degree};
+    int count = betweenExtrema(p, roots);
     int lowest = 0;  // roots at 0 lower the degree of the reversed polynomial
     while (std::abs(c[lowest]) <= 1e-14)
         ++lowest;
     double inverses[MAX_DEGREE];
-    const int more = degree > lowest ? rootsNearZero(reversed, degree - lowest, inverses) : 0;
+    const Polynomial q = {reversed, degree - lowest};
+    const int more = degree > lowest ? betweenExtrema(q, inverses) : 0;
     for (int i = 0; i < more && count < degree; ++i)
     {
         const double root = 1 / inverses[i];

@@ -39,6 +39,17 @@ threshold, see PlaneParallax and arcs.inl.hpp.
 @param from, to output: first and last bin of each arc; 0 and -1 if the arc is the whole line */
 typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
 
+//! Samples of one call of a SolverKernel, at most: as many as the widest registers hold.
+constexpr int SOLVED_TOGETHER = 8;
+/** Solves several samples in the lanes of vector registers. The models of a sample do not depend on
+the others.
+@param samples `count` samples, see MinimalSolver::solve
+@param count 1 to #SOLVED_TOGETHER
+@param models output: 3x3 matrices of unit norm, row by row
+@param found output: their number for each sample */
+typedef void (*SolverKernel)(const Correspondences& points, const int* const* samples, int count,
+                             double (*models)[MAX_MODELS][9], int* found);
+
 /** The loops over points, compiled once for each instruction set. All versions return the same
 bits: they sum in the same lanes and order, and no multiplication is contracted with an addition.
 The arrays are indexed by Residual::Kind; the sums and costs of the symmetric transfer error are
@@ -51,6 +62,7 @@ struct Kernels
     SumsKernel sums[Residual::CUSTOM];   //!< null if fits are in closed form
     SumsKernel costs[Residual::CUSTOM];  //!< null likewise
     ArcsKernel arcs;
+    SolverKernel fivePoints;  //!< essential matrices
 };
 
 Kernels baselineKernels();

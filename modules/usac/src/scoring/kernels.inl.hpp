@@ -6,14 +6,22 @@
 may be instantiated here, because the linker would merge inline functions of other headers with
 those compiled for other instruction sets. */
 
+#include <cfloat>
 #include <cmath>
 #include <limits>
 #include "core/indices.hpp"
+#include "core/polynomial.hpp"
+#include "problems/essential/essential_basis.hpp"
 #include "scoring/arcs.inl.hpp"
 #include "scoring/formulas.hpp"
 #include "scoring/kernels.hpp"
 #include "core/simd.hpp"
 #include "scoring/sums.inl.hpp"
+#include "lanes/pack.inl.hpp"
+#include "lanes/null_space.inl.hpp"
+#include "lanes/roots.inl.hpp"
+#include "lanes/five_points_polynomials.inl.hpp"
+#include "lanes/five_points.inl.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -130,6 +138,7 @@ Kernels allKernels()
     addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost,
                                        all);
     all.arcs = arcsKernel;
+    all.fivePoints = fivePointKernel;
     addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums,
                                        symmetricEpipolarCost, all);
     addKernels<ReprojectionError>(Residual::REPROJECTION, reprojectionSums, reprojectionCost, all);

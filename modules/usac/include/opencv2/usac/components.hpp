@@ -221,6 +221,17 @@ public:
     virtual int sampleSize() const = 0;  //!< points in a sample, at most #MAX_SAMPLE_SIZE
     //! Writes at most #MAX_MODELS models. @return their number; 0 for a degenerate sample.
     virtual int solve(const Correspondences& points, const int* sample, Model* models) const = 0;
+    /** @brief The same for several samples. Override it if this is faster than one at a time; the
+    models of a sample must not depend on the other samples.
+    @param points the correspondences
+    @param samples `count` samples
+    @param count number of samples
+    @param models output: where the models of each sample go
+    @param found output: their number for each sample
+
+    Default: calls solve() for each. */
+    virtual void solveMany(const Correspondences& points, const int* const* samples, int count,
+                           Model* const* models, int* found) const;
 };
 
 //! Fits a model to many points.

@@ -53,26 +53,7 @@ Matx33d rotationOf(const Correspondences& p, const int* sample)
 
 }  // namespace
 
-void mix(EssentialBasis& basis)
-{
-    // The rotation v -> p v q of four dimensions with the quaternions p = 3 + 5i + 7j + 11k and q =
-    // 13 - 4i + 6j + 9k, times sqrt(61608); any rotation without small entries will do.
-    static const double ROTATION[4][4] = {
-        {-82, -56, -198, -112}, {50, 200, -118, 72}, {20, 114, 76, -206}, {228, -74, -52, -38}};
-    EssentialBasis q;
-    for (int k = 0; k < 4; ++k)
-    {
-        const double inverse = 1 / std::sqrt(61608 * product(basis[k], basis[k]));
-        for (int i = 0; i < 9; ++i)
-            q[k][i] = inverse * basis[k][i];
-    }
-    for (int k = 0; k < 4; ++k)
-        for (int i = 0; i < 9; ++i)
-            basis[k][i] = ROTATION[k][0] * q[0][i] + ROTATION[k][1] * q[1][i] +
-                          ROTATION[k][2] * q[2][i] + ROTATION[k][3] * q[3][i];
-}
-
-double align(const Correspondences& points, const int* sample, EssentialBasis& basis)
+void align(const Correspondences& points, const int* sample, EssentialBasis& basis)
 {
     //! Three times a rotation of three dimensions without small entries.
     static const double ROTATION[3][3] = {{2, -2, 1}, {2, 1, -2}, {1, 2, 2}};
@@ -116,7 +97,6 @@ double align(const Correspondences& points, const int* sample, EssentialBasis& b
                                        3;
         basis[2][i] = scale * rest[i];
     }
-    return scale;
 }
 
 }  // namespace usacv20

@@ -15,20 +15,15 @@ five-point solver looks for E = x X + y Y + z Z + W, and loses digits if x, y or
 all solutions are close together. */
 typedef double EssentialBasis[4][9];
 
-/** Scales the vectors of a basis to unit length and mixes them by a rotation. The basis from the
-elimination has zeros at positions that depend on the motion: without mixing, the motions of
-rectified cameras and of a camera that moves forward or sideways have no finite x, y, z. */
-void mix(EssentialBasis& basis);
-
 /** The basis for points that a rotation R alone (nearly) explains; R is estimated from the points
 first. Then E = [t]x R is near a solution for every t: X, Y and W are the three matrices of the
 space closest to these, mixed, and Z is the remaining direction, scaled so that z is neither large
 nor small. With mix() instead, all solutions lie close to one plane, and the constraints nearly hold
 everywhere on it.
 @param points, sample indices of the five points
-@param basis input: any basis; output: orthonormal except for the length of Z
-@return the length of Z, between 1e-6 and 1 */
-double align(const Correspondences& points, const int* sample, EssentialBasis& basis);
+@param basis input: any basis; output: orthonormal except for the length of Z, which is between 1e-6
+and 1 */
+void align(const Correspondences& points, const int* sample, EssentialBasis& basis);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -1,0 +1,263 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* The five-point solver @cite nister2004efficient for several samples at once. The epipolar
+constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3 matrix of
+polynomials in z whose determinant, of degree 10, vanishes; its real roots give z, its null vectors
+x and y. Roots that violate the constraints even after a correction are rejected. No include guard:
+compiled once for each instruction set by scoring/kernels.inl.hpp. */
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+/** Scales the vectors of a basis to unit length and mixes them by a rotation. The basis from the
+elimination has zeros at positions that depend on the motion: without mixing, the motions of
+rectified cameras and of a camera that moves forward or sideways have no finite x, y, z. */
+void mix(FiveBasis& basis)
+{
+    // The rotation v -> p v q of four dimensions with the quaternions p = 3 + 5i + 7j + 11k and q =
+    // 13 - 4i + 6j + 9k, times sqrt(61608); any rotation without small entries will do.
+    static const double ROTATION[4][4] = {
+        {-82, -56, -198, -112}, {50, 200, -118, 72}, {20, 114, 76, -206}, {228, -74, -52, -38}};
+    for (int k = 0; k < 4; ++k)
+    {
+        const Pack inverse = 1. / squareRoot(61608. * dot9(basis[k], basis[k]));
+        for (int i = 0; i < 9; ++i)
+            basis[k][i] *= inverse;
+    }
+    for (int i = 0; i < 9; ++i)
+    {
+        const Pack v[4] = {basis[0][i], basis[1][i], basis[2][i], basis[3][i]};
+        for (int k = 0; k < 4; ++k)
+            basis[k][i] = ROTATION[k][0] * v[0] + ROTATION[k][1] * v[1] + ROTATION[k][2] * v[2] +
+                          ROTATION[k][3] * v[3];
+    }
+}
+
+//! Residuals of the constraints for E of unit norm: below EXACT, no correction is needed; from
+//! VIOLATED on, E is no essential matrix.
+constexpr double EXACT = 1e-12, VIOLATED = 1e-9;
+
+//! A matrix with the residuals of the ten constraints, and what their derivatives need.
+struct Violation
+{
+    void compute()
+    {
+        for (int i = 0; i < 3; ++i)
+            for (int j = i; j < 3; ++j)
+                S[i][j] = dot3(E[3 * i], E[3 * j], E[3 * i + 1], E[3 * j + 1], E[3 * i + 2],
+                               E[3 * j + 2]);
+        const Pack half = 0.5 * (S[0][0] + S[1][1] + S[2][2]);
+        squares = 2. * half;
+        for (int i = 0; i < 3; ++i)
+            S[i][i] -= half;
+        S[1][0] = S[0][1];
+        S[2][0] = S[0][2];
+        S[2][1] = S[1][2];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                r[3 * i + j] = dot3(S[i][0], E[j], S[i][1], E[3 + j], S[i][2], E[6 + j]);
+        cofactors(E, c);
+        r[9] = dot3(c[0], E[0], c[1], E[1], c[2], E[2]);
+        largest = Pack();
+        for (int i = 0; i < 10; ++i)
+            largest = largerOf(largest, absolute(r[i]));
+    }
+
+    //! The derivative of the residuals in the direction of a matrix D.
+    void derive(const Pack (&D)[9], Pack (&g)[10]) const
+    {
+        Pack G[3][3], change[3][3];  // D E^T and the change of S
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                G[i][j] = dot3(D[3 * i], E[3 * j], D[3 * i + 1], E[3 * j + 1], D[3 * i + 2],
+                               E[3 * j + 2]);
+        const Pack half = G[0][0] + G[1][1] + G[2][2];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                change[i][j] = i == j ? G[i][i] + G[i][i] - half : G[i][j] + G[j][i];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                g[3 * i + j] = dot3(change[i][0], E[j], change[i][1], E[3 + j], change[i][2],
+                                    E[6 + j]) +
+                               dot3(S[i][0], D[j], S[i][1], D[3 + j], S[i][2], D[6 + j]);
+        g[9] = dot9(c, D);
+    }
+
+    //! True where the residuals are at least so large for E of unit norm.
+    Mask exceeds(double limit) const { return largest >= limit * squares * squareRoot(squares); }
+
+    Pack E[9], S[3][3];  //!< S: E E^T - trace / 2
+    Pack c[9], r[10];    //!< cofactors of E, residuals
+    Pack largest;        //!< the largest absolute residual
+    Pack squares;        //!< the squared norm of E
+};
+
+//! Gauss-Newton step on the ten constraints in x, y and z; NaN where it is not determined.
+void stepOf(const FiveBasis& basis, const Violation& at, Pack (&step)[3])
+{
+    Pack g[3][10], A[9], b[3], c[9];
+    for (int k = 0; k < 3; ++k)
+        at.derive(basis[k], g[k]);
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = i; j < 3; ++j)
+        {
+            Pack sum = g[i][0] * g[j][0];
+            for (int n = 1; n < 10; ++n)
+                sum += g[i][n] * g[j][n];
+            A[3 * i + j] = A[3 * j + i] = sum;
+        }
+        b[i] = g[i][0] * at.r[0];
+        for (int n = 1; n < 10; ++n)
+            b[i] += g[i][n] * at.r[n];
+    }
+    cofactors(A, c);
+    const Pack inverse = 1. / dot3(c[0], A[0], c[1], A[1], c[2], A[2]);
+    for (int i = 0; i < 3; ++i)
+        step[i] = inverse * dot3(c[3 * i], b[0], c[3 * i + 1], b[1], c[3 * i + 2], b[2]);
+}
+
+/** Gauss-Newton method on the ten constraints in x, y and z. It restores the digits that the
+elimination loses if its pivots are small.
+@param basis X, Y, Z and W
+@param x, y, z solution
+@param active lanes with a solution
+@param at output: the corrected matrix */
+void correct(const FiveBasis& basis, Pack x, Pack y, Pack z, Mask active, Violation& at)
+{
+    enum { STEPS = 4 };
+    for (int k = 0;; ++k)
+    {
+        for (int i = 0; i < 9; ++i)
+            at.E[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
+        at.compute();
+        active &= at.exceeds(EXACT);
+        if (k == STEPS || bitsOf(active) == 0)
+            return;
+        Pack step[3], change[9];
+        stepOf(basis, at, step);
+        for (int i = 0; i < 9; ++i)
+            change[i] = dot3(step[0], basis[0][i], step[1], basis[1][i], step[2], basis[2][i]);
+        active &= dot9(change, change) < 0.1 * at.squares;  // false for NaN
+        x = active ? x - step[0] : x;
+        y = active ? y - step[1] : y;
+        z = active ? z - step[2] : z;
+    }
+}
+
+//! With smaller pivots the elimination loses solutions, and another basis is used. In a scene with
+//! parallax this happens for less than one sample in a hundred.
+constexpr double SMALL_PIVOT = 5e-4;
+
+//! Up to WIDTH samples.
+struct FivePoints
+{
+    FivePoints(const Correspondences& points_, const int* const* samples_, int count_)
+        : points(points_), samples(samples_), count(count_)
+    {}
+
+    //! @param models, found see SolverKernel
+    void solve(double (*models)[MAX_MODELS][9], int* found)
+    {
+        const int regular = build();
+        Pack determinant[DEGREE + 1];
+        Roots roots;
+        determinantOf(B, determinant);
+        roots.find(determinant, regular);
+        for (int k = 0; k < count; ++k)
+            found[k] = 0;
+        for (int r = 0; r < MAX_MODELS; ++r)
+        {
+            int left = 0;
+            for (int k = 0; k < count; ++k)
+                left |= (r < roots.count[k]) << k;
+            if (left == 0)
+                break;
+            addModels(roots.at[r], left, models, found);
+        }
+    }
+
+private:
+    //! @return lanes with finitely many solutions, a bit for each
+    int build()
+    {
+        Pack A[9][5];
+        epipolarRows(points, samples, count, A);
+        const int independent = bitsOf(nullSpace(A, basis)) & ((1 << count) - 1);
+        mix(basis);
+        Pack pivot = reduce();
+        const int small = independent & ~bitsOf(pivot >= SMALL_PIVOT);
+        for (int k = 0; k < count; ++k)
+            if (small >> k & 1)
+                alignLane(k);
+        if (small != 0)
+            pivot = reduce();
+        return independent & bitsOf(pivot > 0.);
+    }
+
+    //! @return see eliminate()
+    Pack reduce()
+    {
+        TenCubics C;
+        constraints(basis, C);
+        const Pack pivot = eliminate(C);
+        for (int k = 0; k < 3; ++k)
+            linkRows(C[4 + 2 * k], C[5 + 2 * k], B[k]);
+        return pivot;
+    }
+
+    void alignLane(int k)
+    {
+        EssentialBasis own;
+        for (int v = 0; v < 4; ++v)
+            for (int i = 0; i < 9; ++i)
+                own[v][i] = lane(basis[v][i], k);
+        align(points, samples[k], own);
+        for (int v = 0; v < 4; ++v)
+            for (int i = 0; i < 9; ++i)
+                setLane(basis[v][i], k, own[v][i]);
+    }
+
+    //! Appends the matrices of a root z in each of the lanes `wanted`.
+    void addModels(const Pack& z, int wanted, double (*models)[MAX_MODELS][9], int* found) const
+    {
+        Pack x, y;
+        Violation at;
+        const Mask finite = backSubstitute(B, z, x, y);
+        correct(basis, x, y, z, finite, at);
+        wanted &= bitsOf(finite & (at.squares <= DBL_MAX)) & ~bitsOf(at.exceeds(VIOLATED));
+        const Pack inverse = 1. / squareRoot(at.squares);
+        for (int i = 0; i < 9; ++i)
+            at.E[i] *= inverse;
+        for (int k = 0; k < count; ++k)
+            if (wanted >> k & 1)
+            {
+                double* const model = models[k][found[k]++];
+                for (int i = 0; i < 9; ++i)
+                    model[i] = lane(at.E[i], k);
+            }
+    }
+
+    const Correspondences& points;
+    const int* const* const samples;
+    const int count;
+    FiveBasis basis;
+    ThreeRows B;
+};
+
+void fivePointKernel(const Correspondences& points, const int* const* samples, int count,
+                     double (*models)[MAX_MODELS][9], int* found)
+{
+    for (int i = 0; i < count; i += WIDTH)
+    {
+        FivePoints part(points, samples + i, count - i < WIDTH ? count - i : WIDTH);
+        part.solve(models + i, found + i);
+    }
+}
+
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv

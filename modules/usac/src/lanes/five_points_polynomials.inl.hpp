@@ -1,0 +1,231 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* The polynomials of the five-point solver, for several samples at once. No include guard: compiled
+once for each instruction set by scoring/kernels.inl.hpp. */
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+/* Polynomials in x, y, z as arrays of coefficients.
+Linear[4]:     x y z 1
+Quadratic[10]: x2 xy xz x y2 yz y z2 z 1
+Cubic[20]:     x3 y3 x2y xy2 x2z x2 y2z y2 xyz xy | xz2 xz x yz2 yz y z3 z2 z 1, in the order of
+@cite nister2004efficient */
+
+//! q += a b
+inline void addProduct(const Pack* a, const Pack* b, Pack* q)
+{
+    q[0] += a[0] * b[0];
+    q[1] += a[0] * b[1] + a[1] * b[0];
+    q[2] += a[0] * b[2] + a[2] * b[0];
+    q[3] += a[0] * b[3] + a[3] * b[0];
+    q[4] += a[1] * b[1];
+    q[5] += a[1] * b[2] + a[2] * b[1];
+    q[6] += a[1] * b[3] + a[3] * b[1];
+    q[7] += a[2] * b[2];
+    q[8] += a[2] * b[3] + a[3] * b[2];
+    q[9] += a[3] * b[3];
+}
+
+//! c += q a, quadratic times linear
+inline void addCubic(const Pack* q, const Pack* a, Pack* c)
+{
+    c[0] += q[0] * a[0];
+    c[1] += q[4] * a[1];
+    c[2] += q[0] * a[1] + q[1] * a[0];
+    c[3] += q[1] * a[1] + q[4] * a[0];
+    c[4] += q[0] * a[2] + q[2] * a[0];
+    c[5] += q[0] * a[3] + q[3] * a[0];
+    c[6] += q[4] * a[2] + q[5] * a[1];
+    c[7] += q[4] * a[3] + q[6] * a[1];
+    c[8] += q[1] * a[2] + q[2] * a[1] + q[5] * a[0];
+    c[9] += q[1] * a[3] + q[3] * a[1] + q[6] * a[0];
+    c[10] += q[2] * a[2] + q[7] * a[0];
+    c[11] += q[2] * a[3] + q[3] * a[2] + q[8] * a[0];
+    c[12] += q[3] * a[3] + q[9] * a[0];
+    c[13] += q[5] * a[2] + q[7] * a[1];
+    c[14] += q[5] * a[3] + q[6] * a[2] + q[8] * a[1];
+    c[15] += q[6] * a[3] + q[9] * a[1];
+    c[16] += q[7] * a[2];
+    c[17] += q[7] * a[3] + q[8] * a[2];
+    c[18] += q[8] * a[3] + q[9] * a[2];
+    c[19] += q[9] * a[3];
+}
+
+template <int COUNT>
+inline void clear(Pack (&polynomial)[COUNT])
+{
+    for (int n = 0; n < COUNT; ++n)
+        polynomial[n] = Pack();
+}
+
+//! Four 3x3 matrices, row by row, as in EssentialBasis.
+typedef Pack FiveBasis[4][9];
+
+//! The coefficients of ten cubic polynomials.
+typedef Pack TenCubics[10][20];
+
+//! The ten cubic constraints on E = x X + y Y + z Z + W: det E = 0 and E E^T E - trace(E E^T) E / 2
+//! = 0.
+void constraints(const FiveBasis& basis, TenCubics& C)
+{
+    Pack E[9][4], S[3][3][10];  // S: E E^T - trace / 2, symmetric
+    for (int i = 0; i < 9; ++i)
+        for (int k = 0; k < 4; ++k)
+            E[i][k] = basis[k][i];
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+        {
+            clear(S[i][j]);
+            for (int k = 0; k < 3; ++k)
+                addProduct(E[3 * i + k], E[3 * j + k], S[i][j]);
+        }
+    for (int n = 0; n < 10; ++n)
+    {
+        const Pack half = 0.5 * (S[0][0][n] + S[1][1][n] + S[2][2][n]);
+        for (int i = 0; i < 3; ++i)
+            S[i][i][n] -= half;
+    }
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+        {
+            clear(C[3 * i + j]);
+            for (int k = 0; k < 3; ++k)
+                addCubic(i < k ? S[i][k] : S[k][i], E[3 * k + j], C[3 * i + j]);
+        }
+    clear(C[9]);
+    for (int k = 0; k < 3; ++k)  // determinant along the first row
+    {
+        const int a = (k + 1) % 3, b = (k + 2) % 3;
+        Pack minor[10], negative[4];
+        for (int n = 0; n < 4; ++n)
+            negative[n] = -E[3 + b][n];
+        clear(minor);
+        addProduct(E[3 + a], E[6 + b], minor);
+        addProduct(negative, E[6 + a], minor);
+        addCubic(minor, E[k], C[9]);
+    }
+}
+
+/** Gaussian elimination of the left 10x10 block with partial pivoting; only the last six rows,
+which the solver uses, are brought to reduced form. @return the smallest pivot relative to the
+largest coefficient; 0 where the block is singular */
+Pack eliminate(TenCubics& C)
+{
+    Pack largest = Pack(), least = everywhere(DBL_MAX);
+    for (int i = 0; i < 10; ++i)
+        for (int j = 0; j < 10; ++j)
+            largest = largerOf(largest, absolute(C[i][j]));
+    Mask regular = least == least;
+    for (int k = 0; k < 10; ++k)
+    {
+        Pack best = everywhere(k), most = absolute(C[k][k]), pivot = C[k][k], factor[10];
+        for (int i = k + 1; i < 10; ++i)
+        {
+            const Pack size = absolute(C[i][k]);
+            best = size > most ? everywhere(i) : best;
+            most = largerOf(most, size);
+        }
+        least = smallerOf(least, most);
+        regular &= most > 1e-13 * largest;  // false for NaN
+        Mask swap[10];
+        for (int i = k + 1; i < 10; ++i)
+        {
+            swap[i] = best == (double)i;
+            factor[i] = C[i][k];
+            exchange(swap[i], pivot, factor[i]);
+        }
+        for (int i = 4; i < k; ++i)
+            factor[i] = C[i][k];
+        const Pack inverse = 1. / pivot;
+        for (int j = k + 1; j < 20; ++j)
+        {
+            Pack row = C[k][j];
+            for (int i = k + 1; i < 10; ++i)
+                exchange(swap[i], row, C[i][j]);
+            row *= inverse;
+            C[k][j] = row;
+            for (int i = k < 4 ? k + 1 : 4; i < 10; ++i)
+                if (i != k)
+                    C[i][j] -= factor[i] * row;
+        }
+    }
+    return regular ? least / largest : Pack();
+}
+
+//! Polynomials in z, coefficients from the constant upwards; the columns have degree 3, 3 and 4.
+typedef Pack ThreeRows[3][3][5];
+
+/** A row of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of (monomial z) minus z times
+the row of (monomial). */
+void linkRows(const Pack (&withZ)[20], const Pack (&without)[20], Pack (&B)[3][5])
+{
+    for (int k = 0; k < 2; ++k)
+    {
+        const Pack *e = withZ + 10 + 3 * k, *f = without + 10 + 3 * k;
+        B[k][0] = e[2];
+        B[k][1] = e[1] - f[2];
+        B[k][2] = e[0] - f[1];
+        B[k][3] = -f[0];
+        B[k][4] = Pack();
+    }
+    const Pack *e = withZ + 16, *f = without + 16;
+    B[2][0] = e[3];
+    B[2][1] = e[2] - f[3];
+    B[2][2] = e[1] - f[2];
+    B[2][3] = e[0] - f[1];
+    B[2][4] = -f[0];
+}
+
+//! Determinant of B(z), along its third column.
+void determinantOf(const ThreeRows& B, Pack (&result)[DEGREE + 1])
+{
+    clear(result);
+    for (int row = 0; row < 3; ++row)
+    {
+        const Pack(*const a)[5] = B[(row + 1) % 3], (*const b)[5] = B[(row + 2) % 3];
+        Pack minor[7];
+        clear(minor);
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j)
+                minor[i + j] += a[0][i] * b[1][j] - b[0][i] * a[1][j];
+        for (int i = 0; i < 7; ++i)
+            for (int j = 0; j < 5; ++j)
+                result[i + j] += minor[i] * B[row][2][j];
+    }
+}
+
+inline Pack horner(const Pack (&c)[5], const Pack& z)
+{
+    return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
+}
+
+//! (x, y, 1) in the null space of B(z), from the cross product of two rows with the largest third
+//! entry. @return false where x or y is (nearly) infinite.
+Mask backSubstitute(const ThreeRows& B, const Pack& z, Pack& x, Pack& y)
+{
+    Pack v[3][3], best = Pack(), p = Pack(), q = Pack(), w = everywhere(1);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            v[i][j] = horner(B[i][j], z);
+    for (int i = 0; i < 3; ++i)
+    {
+        const Pack *a = v[i], *b = v[(i + 1) % 3];
+        const Pack third = a[0] * b[1] - a[1] * b[0], size = absolute(third);
+        const Mask larger = size > best;
+        best = larger ? size : best;
+        w = larger ? third : w;
+        p = larger ? a[1] * b[2] - a[2] * b[1] : p;
+        q = larger ? a[2] * b[0] - a[0] * b[2] : q;
+    }
+    x = p / w;
+    y = q / w;
+    return (best > 0.) & (absolute(x) < 1e12) & (absolute(y) < 1e12);
+}
+
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv

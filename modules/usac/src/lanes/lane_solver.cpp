@@ -1,0 +1,34 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "lanes/lane_solver.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+int LaneSolver::solve(const Correspondences& points, const int* sample, Model* models) const
+{
+    int found = 0;
+    solveMany(points, &sample, 1, &models, &found);
+    return found;
+}
+
+void LaneSolver::solveMany(const Correspondences& points, const int* const* samples, int count,
+                           Model* const* models, int* found) const
+{
+    const SolverKernel solveLanes = kernel();
+    for (int first = 0; first < count; first += SOLVED_TOGETHER)
+    {
+        double matrices[SOLVED_TOGETHER][MAX_MODELS][9];
+        const int end = std::min(first + SOLVED_TOGETHER, count);
+        solveLanes(points, samples + first, end - first, matrices, found + first);
+        for (int i = first; i < end; ++i)
+            for (int k = 0; k < found[i]; ++k)
+                models[i][k] = Matx33d(matrices[i - first][k]);
+    }
+}
+
+}  // namespace usacv20
+}  // namespace cv

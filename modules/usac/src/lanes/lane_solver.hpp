@@ -1,0 +1,28 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_LANE_SOLVER_HPP
+#define OPENCV_USACV20_LANE_SOLVER_HPP
+
+#include "scoring/kernels.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! A solver whose samples are solved in the lanes of vector registers; its models are 3x3 matrices.
+class LaneSolver : public MinimalSolver
+{
+public:
+    int solve(const Correspondences& points, const int* sample, Model* models) const CV_OVERRIDE;
+    void solveMany(const Correspondences& points, const int* const* samples, int count,
+                   Model* const* models, int* found) const CV_OVERRIDE;
+
+protected:
+    virtual SolverKernel kernel() const = 0;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,129 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* A register of numbers, one for each of several samples that are solved together (its lanes). No
+include guard: compiled once for each instruction set by scoring/kernels.inl.hpp. No operation mixes
+lanes, so that the result of a sample has the same bits with any number of lanes. */
+
+#if defined __SSE2__
+#include <immintrin.h>
+#endif
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+#if defined __GNUC__
+
+//! Lanes of a Pack.
+#if defined __AVX512F__
+constexpr int WIDTH = 8;
+#elif defined __AVX__
+constexpr int WIDTH = 4;
+#else
+constexpr int WIDTH = 2;
+#endif
+typedef double Pack __attribute__((vector_size(WIDTH * sizeof(double))));
+//! Result of a comparison: all bits of a lane are set, or none.
+typedef decltype(Pack() < Pack()) Mask;
+
+inline double lane(const Pack& p, int k) { return p[k]; }
+inline void setLane(Pack& p, int k, double value) { p[k] = value; }
+
+//! Bit k is set if lane k is.
+inline int bitsOf(const Mask& mask)
+{
+#if defined __AVX512F__
+    return _mm512_movepi64_mask((__m512i)mask);
+#elif defined __AVX__
+    return _mm256_movemask_pd((__m256d)mask);
+#elif defined __SSE2__
+    return _mm_movemask_pd((__m128d)mask);
+#else
+    int bits = 0;
+    for (int k = 0; k < WIDTH; ++k)
+        bits |= (mask[k] != 0) << k;
+    return bits;
+#endif
+}
+
+#else  // compilers without vectors as a type
+
+constexpr int WIDTH = 1;
+typedef double Pack;
+typedef bool Mask;
+
+inline double lane(const Pack& p, int) { return p; }
+inline void setLane(Pack& p, int, double value) { p = value; }
+inline int bitsOf(const Mask& mask) { return mask; }
+
+#endif
+
+//! One number for each lane.
+inline Pack load(const double (&values)[WIDTH])
+{
+    Pack result = Pack();
+    for (int k = 0; k < WIDTH; ++k)
+        setLane(result, k, values[k]);
+    return result;
+}
+
+inline Pack everywhere(double value) { return Pack() + value; }
+
+//! Lane by lane; a NaN in `b` is ignored.
+inline Pack largerOf(const Pack& a, const Pack& b) { return b > a ? b : a; }
+inline Pack smallerOf(const Pack& a, const Pack& b) { return b < a ? b : a; }
+
+inline Pack absolute(const Pack& p) { return p < 0. ? -p : p; }
+
+inline Pack squareRoot(const Pack& p)
+{
+    Pack result = p;
+    for (int k = 0; k < WIDTH; ++k)
+        setLane(result, k, ::sqrt(lane(p, k)));
+    return result;
+}
+
+inline Pack square(const Pack& p) { return p * p; }
+
+//! a b + c d + e f
+inline Pack dot3(const Pack& a, const Pack& b, const Pack& c, const Pack& d, const Pack& e,
+                 const Pack& f)
+{
+    return a * b + c * d + e * f;
+}
+
+inline Pack dot9(const Pack (&a)[9], const Pack (&b)[9])
+{
+    Pack sum = a[0] * b[0];
+    for (int i = 1; i < 9; ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+//! Exchanges two registers in the lanes of a mask.
+inline void exchange(const Mask& mask, Pack& a, Pack& b)
+{
+    const Pack before = a;
+    a = mask ? b : a;
+    b = mask ? before : b;
+}
+
+//! The cofactors of a 3x3 matrix, row by row.
+inline void cofactors(const Pack (&m)[9], Pack (&c)[9])
+{
+    c[0] = m[4] * m[8] - m[5] * m[7];
+    c[1] = m[5] * m[6] - m[3] * m[8];
+    c[2] = m[3] * m[7] - m[4] * m[6];
+    c[3] = m[2] * m[7] - m[1] * m[8];
+    c[4] = m[0] * m[8] - m[2] * m[6];
+    c[5] = m[1] * m[6] - m[0] * m[7];
+    c[6] = m[1] * m[5] - m[2] * m[4];
+    c[7] = m[2] * m[3] - m[0] * m[5];
+    c[8] = m[0] * m[4] - m[1] * m[3];
+}
+
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv

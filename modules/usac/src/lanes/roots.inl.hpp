@@ -1,0 +1,333 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* Real roots of polynomials of degree 10, one polynomial in each lane. Sturm's theorem isolates the
+roots in [-1, 1]; the others are inverses of roots of the reversed polynomial. Newton's method
+inside a bracket refines them to double precision @cite press2007numerical. No include guard:
+compiled once for each instruction set by scoring/kernels.inl.hpp. */
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+constexpr int DEGREE = 10;
+
+struct Polynomials
+{
+    //! Horner's scheme.
+    Pack value(const Pack& x) const
+    {
+        Pack result = c[DEGREE];
+        for (int i = DEGREE - 1; i >= 0; --i)
+            result = result * x + c[i];
+        return result;
+    }
+
+    Pack c[DEGREE + 1];  //!< coefficients, the constant term first
+};
+
+/** Sturm's sequence p, p', -(p mod p'), ... Neighbors are linked by f[k-1] = (a x + b) f[k] - s
+f[k+1] with s > 0, so that evaluating the whole sequence at x, from the last element upwards, takes
+three operations per element. */
+struct Sturm
+{
+    /** @return in which lanes there are such links and the last element is a constant. Not where a
+    degree is (nearly) skipped, as for x^10 - 1, nor for a multiple root. */
+    Mask build(const Polynomials& p)
+    {
+        Pack f[DEGREE + 1], g[DEGREE + 1];
+        for (int i = 0; i <= DEGREE; ++i)
+            f[i] = p.c[i];
+        for (int i = 0; i < DEGREE; ++i)
+            g[i] = (i + 1.) * f[i + 1];
+        Mask regular = f[0] == f[0];
+        for (int degree = DEGREE, k = 0; degree > 1; --degree, ++k)
+        {
+            const Pack lead = 1. / g[degree - 1];
+            a[k] = f[degree] * lead;
+            b[k] = (f[degree - 1] - a[k] * g[degree - 2]) * lead;
+            Pack rest[DEGREE], largest = Pack();
+            for (int i = 0; i < degree - 1; ++i)
+            {
+                rest[i] = b[k] * g[i] + (i > 0 ? a[k] * g[i - 1] : Pack()) - f[i];
+                largest = largerOf(largest, absolute(rest[i]));
+            }
+            s[k] = largest;
+            regular &= largest > 1e-14;
+            regular &= absolute(rest[degree - 2]) > 1e-5 * largest;
+            const Pack inverse = 1. / largest;
+            for (int i = 0; i < degree; ++i)
+                f[i] = g[i];
+            for (int i = 0; i < degree - 1; ++i)
+                g[i] = rest[i] * inverse;
+        }
+        const Pack lead = 1. / g[0];
+        a[DEGREE - 1] = f[1] * lead;
+        b[DEGREE - 1] = f[0] * lead;
+        s[DEGREE - 1] = Pack();
+        last = g[0];
+        return regular;
+    }
+
+    //! Number of sign changes at x.
+    Pack changes(const Pack& x) const
+    {
+        Pack below = Pack(), here = last, result = Pack();
+        for (int k = DEGREE - 1; k >= 0; --k)
+        {
+            const Pack above = (a[k] * x + b[k]) * here - s[k] * below;
+            result = (above < 0.) != (here < 0.) ? result + 1. : result;
+            below = here;
+            here = above;
+        }
+        return result;
+    }
+
+    Pack a[DEGREE], b[DEGREE], s[DEGREE], last;
+};
+
+//! Bounds of the roots of a polynomial and of the reversed one. No round numbers, because Sturm's
+//! theorem excludes a root at the lower end of the interval.
+constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
+//! Intervals of equal length between them, each of which holds at most one root in most cases.
+constexpr int CELLS = 8;
+//! Halvings of an interval that holds several roots.
+constexpr int HALVINGS = 37;
+
+inline double boundOf(int cell)
+{
+    return cell == CELLS ? HIGHEST : LOWEST + cell * ((HIGHEST - LOWEST) / CELLS);
+}
+
+//! Intervals (low, high] with one root each, in which the polynomial changes its sign.
+struct Brackets
+{
+    enum { PER_LANE = 2 * DEGREE, MOST = PER_LANE * WIDTH, PACKS = 2 };
+
+    Brackets() : count(0)
+    {
+        for (int k = 0; k < WIDTH; ++k)
+            ofLane[k] = 0;
+    }
+
+    void add(int part, int k, double from, double to, double atFrom, double atTo)
+    {
+        if (ofLane[k] == PER_LANE)  // only if rounding has spoiled the sequence
+            return;
+        ++ofLane[k];
+        reversed[count] = part;
+        lanes[count] = k;
+        low[count] = from;
+        high[count] = to;
+        atLow[count] = atFrom;
+        atHigh[count++] = atTo;
+    }
+
+    int count, ofLane[WIDTH];
+    int reversed[MOST], lanes[MOST];  //!< which polynomial
+    double low[MOST], high[MOST], atLow[MOST], atHigh[MOST];
+    double roots[MOST];  //!< output of refine()
+};
+
+//! Polynomials and reversed polynomials with their sequences.
+struct Isolation
+{
+    Polynomials p[2];
+    Sturm sturm[2];
+    Brackets brackets;
+
+    //! Brackets of the roots in (low, high] of a lane: their number is fromLow - fromHigh, the sign
+    //! changes at both ends.
+    void split(int part, int k, double low, double high, double fromLow, double fromHigh, int depth)
+    {
+        if (!(fromLow > fromHigh))
+            return;
+        const double atLow = lane(p[part].value(everywhere(low)), k),
+                     atHigh = lane(p[part].value(everywhere(high)), k);
+        const double middle = 0.5 * (low + high);
+        if (fromLow - fromHigh == 1 && (atLow < 0) != (atHigh < 0))
+            brackets.add(part, k, low, high, atLow, atHigh);
+        else if (depth == 0)  // a multiple root, or a cluster too narrow to distinguish from one
+            brackets.add(part, k, middle, middle, atLow, atHigh);
+        else
+        {
+            const double fromMiddle = lane(sturm[part].changes(everywhere(middle)), k);
+            split(part, k, low, middle, fromLow, fromMiddle, depth - 1);
+            split(part, k, middle, high, fromMiddle, fromHigh, depth - 1);
+        }
+    }
+
+    //! The same for all lanes of `wanted`, in (LOWEST, HIGHEST].
+    void isolate(int part, int wanted)
+    {
+        Pack from[CELLS + 1], at[CELLS + 1];
+        for (int i = 0; i <= CELLS; ++i)
+        {
+            const Pack x = everywhere(boundOf(i));
+            from[i] = sturm[part].changes(x);
+            at[i] = p[part].value(x);
+        }
+        for (int i = 0; i < CELLS; ++i)
+        {
+            const Pack roots = from[i] - from[i + 1];
+            const int some = bitsOf(roots > 0.) & wanted;
+            if (some == 0)
+                continue;
+            const int simple = bitsOf(roots == 1.) & (bitsOf(at[i] < 0.) ^ bitsOf(at[i + 1] < 0.));
+            for (int k = 0; k < WIDTH; ++k)
+                if ((some & simple) >> k & 1)
+                    brackets.add(part, k, boundOf(i), boundOf(i + 1), lane(at[i], k),
+                                 lane(at[i + 1], k));
+                else if (some >> k & 1)
+                    split(part, k, boundOf(i), boundOf(i + 1), lane(from[i], k),
+                          lane(from[i + 1], k), HALVINGS);
+        }
+    }
+
+    //! Refines the brackets first .. first + PACKS * WIDTH - 1: Newton's method, with bisection
+    //! where a step leaves the bracket. Two registers at a time hide the latency of the operations.
+    void refine(int first);
+
+    void refine()
+    {
+        for (int i = 0; i < brackets.count; i += Brackets::PACKS * WIDTH)
+            refine(i);
+    }
+};
+
+//! Where Newton's method begins: where the chord crosses zero, or in the middle.
+inline Pack startOf(const Pack& low, const Pack& high, const Pack& atLow, const Pack& atHigh)
+{
+    const Pack chord = low - atLow / (atHigh - atLow) * (high - low);
+    return (chord > low) & (chord < high) ? chord : 0.5 * (low + high);
+}
+
+void Isolation::refine(int first)
+{
+    enum { PACKS = Brackets::PACKS };
+    Pack c[PACKS][DEGREE + 1], low[PACKS], high[PACKS], atLow[PACKS], x[PACKS];
+    Mask active[PACKS];
+    for (int u = 0; u < PACKS; ++u)
+    {
+        double numbers[DEGREE + 5][WIDTH];
+        for (int k = 0; k < WIDTH; ++k)
+        {
+            const int wanted = first + u * WIDTH + k,
+                      i = wanted < brackets.count ? wanted : brackets.count - 1;
+            const Polynomials& from = p[brackets.reversed[i]];
+            for (int j = 0; j <= DEGREE; ++j)
+                numbers[j][k] = lane(from.c[j], brackets.lanes[i]);
+            numbers[DEGREE + 1][k] = brackets.low[i];
+            numbers[DEGREE + 2][k] = brackets.high[i];
+            numbers[DEGREE + 3][k] = brackets.atLow[i];
+            numbers[DEGREE + 4][k] = brackets.atHigh[i];
+        }
+        for (int j = 0; j <= DEGREE; ++j)
+            c[u][j] = load(numbers[j]);
+        low[u] = load(numbers[DEGREE + 1]);
+        high[u] = load(numbers[DEGREE + 2]);
+        atLow[u] = load(numbers[DEGREE + 3]);
+        x[u] = startOf(low[u], high[u], atLow[u], load(numbers[DEGREE + 4]));
+        active[u] = low[u] == low[u];
+    }
+    for (int i = 0; i < 60 && (bitsOf(active[0]) | bitsOf(active[1])) != 0; ++i)
+    {
+        Pack value[PACKS], slope[PACKS];
+        for (int u = 0; u < PACKS; ++u)
+        {
+            value[u] = c[u][DEGREE];
+            slope[u] = Pack();
+        }
+        for (int j = DEGREE - 1; j >= 0; --j)
+            for (int u = 0; u < PACKS; ++u)
+            {
+                slope[u] = slope[u] * x[u] + value[u];
+                value[u] = value[u] * x[u] + c[u][j];
+            }
+        for (int u = 0; u < PACKS; ++u)
+        {
+            const Mask left = (value[u] < 0.) == (atLow[u] < 0.);
+            low[u] = left ? x[u] : low[u];
+            high[u] = left ? high[u] : x[u];
+            Pack next = x[u] - value[u] / slope[u];
+            const Mask inside = (next > low[u]) & (next < high[u]);
+            next = inside ? next : 0.5 * (low[u] + high[u]);
+            active[u] &= value[u] != 0.;
+            // Newton's method converges quadratically: a step of 1e-9 leaves an error of about
+            // 1e-18
+            const Pack limit = (inside ? everywhere(1e-9) : everywhere(4e-16)) * absolute(x[u]);
+            const Mask moving = absolute(next - x[u]) > limit;
+            x[u] = active[u] ? next : x[u];
+            active[u] &= moving;
+        }
+    }
+    for (int i = first; i < first + PACKS * WIDTH && i < brackets.count; ++i)
+        brackets.roots[i] = lane(x[(i - first) / WIDTH], (i - first) % WIDTH);
+}
+
+//! Real roots of the polynomials; those of one lane are the first count[k] rows of `roots`.
+struct Roots
+{
+    int count[WIDTH];
+    Pack at[MAX_MODELS];
+
+    void add(int k, double root)
+    {
+        if (count[k] < DEGREE)
+            setLane(at[count[k]++], k, root);
+    }
+
+    //! @param coefficients of the polynomials, the constant first
+    //! @param wanted lanes, a bit for each; there are no roots in the others
+    void find(const Pack (&coefficients)[DEGREE + 1], int wanted)
+    {
+        for (int k = 0; k < WIDTH; ++k)
+            count[k] = 0;
+        for (int i = 0; i < MAX_MODELS; ++i)
+            at[i] = Pack();
+        Isolation all;
+        Pack largest = Pack();
+        for (int i = 0; i <= DEGREE; ++i)
+            largest = largerOf(largest, absolute(coefficients[i]));
+        const Pack inverse = 1. / largest;
+        for (int i = 0; i <= DEGREE; ++i)
+            all.p[0].c[i] = all.p[1].c[DEGREE - i] = coefficients[i] * inverse;
+        // where the degree is lower or there is a root at 0, the sequences are not as assumed
+        int regular = bitsOf(absolute(all.p[0].c[DEGREE]) > 1e-14) &
+                      bitsOf(absolute(all.p[0].c[0]) > 1e-14) &
+                      bitsOf(all.sturm[0].build(all.p[0])) & bitsOf(all.sturm[1].build(all.p[1]));
+        regular &= wanted;
+        for (int part = 0; part < 2; ++part)
+            all.isolate(part, regular);
+        all.refine();
+        for (int i = 0; i < all.brackets.count; ++i)
+        {
+            const int k = all.brackets.lanes[i];
+            const double near = all.brackets.roots[i], root = 1 / near;
+            if (!all.brackets.reversed[i])
+                add(k, near);
+            else if (root <= LOWEST || root > HIGHEST)
+                add(k, root);
+        }
+        for (int k = 0; k < WIDTH; ++k)
+            if ((wanted & ~regular) >> k & 1)
+                findOne(coefficients, k);
+    }
+
+private:
+    //! By a slower method that works for every polynomial.
+    void findOne(const Pack (&coefficients)[DEGREE + 1], int k)
+    {
+        double c[DEGREE + 1], roots[MAX_DEGREE];
+        for (int i = 0; i <= DEGREE; ++i)
+            c[i] = lane(coefficients[i], k);
+        const int found = realRoots(c, DEGREE, roots);
+        for (int i = 0; i < found; ++i)
+            add(k, roots[i]);
+    }
+};
+
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv
