@@ -120,19 +120,61 @@ void stepOf(const FiveBasis& basis, const Violation& at, Pack (&step)[3])
         step[i] = inverse * dot3(c[3 * i], b[0], c[3 * i + 1], b[1], c[3 * i + 2], b[2]);
 }
 
+//! E = x X + y Y + z Z + W
+inline void combine(const FiveBasis& basis, const Pack& x, const Pack& y, const Pack& z,
+                    Pack (&E)[9])
+{
+    for (int i = 0; i < 9; ++i)
+        E[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
+}
+
+//! Solutions that a correction makes exact; those of several roots share a register.
+struct Inexact
+{
+    enum { MOST = MAX_MODELS * WIDTH };
+
+    Inexact() : count(0) {}
+
+    void add(int k, double ownX, double ownY, double ownZ)
+    {
+        lanes[count] = k;
+        x[count] = ownX;
+        y[count] = ownY;
+        z[count++] = ownZ;
+    }
+
+    int count, lanes[MOST];
+    double x[MOST], y[MOST], z[MOST];
+};
+
 /** Gauss-Newton method on the ten constraints in x, y and z. It restores the digits that the
 elimination loses if its pivots are small.
-@param basis X, Y, Z and W
-@param x, y, z solution
-@param active lanes with a solution
-@param at output: the corrected matrix */
-void correct(const FiveBasis& basis, Pack x, Pack y, Pack z, Mask active, Violation& at)
+@param all X, Y, Z and W of each sample
+@param solutions, first corrects those from `first` on, as many as there are lanes
+@param at output: the corrected matrices */
+void correct(const FiveBasis& all, const Inexact& solutions, int first, Violation& at)
 {
     enum { STEPS = 4 };
+    double numbers[4][9][WIDTH], begin[3][WIDTH];
+    for (int k = 0; k < WIDTH; ++k)
+    {
+        const int i = first + k < solutions.count ? first + k : first;
+        for (int v = 0; v < 4; ++v)
+            for (int n = 0; n < 9; ++n)
+                numbers[v][n][k] = lane(all[v][n], solutions.lanes[i]);
+        begin[0][k] = solutions.x[i];
+        begin[1][k] = solutions.y[i];
+        begin[2][k] = solutions.z[i];
+    }
+    FiveBasis basis;
+    for (int v = 0; v < 4; ++v)
+        for (int n = 0; n < 9; ++n)
+            basis[v][n] = load(numbers[v][n]);
+    Pack x = load(begin[0]), y = load(begin[1]), z = load(begin[2]);
+    Mask active = x == x;
     for (int k = 0;; ++k)
     {
-        for (int i = 0; i < 9; ++i)
-            at.E[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
+        combine(basis, x, y, z, at.E);
         at.compute();
         active &= at.exceeds(EXACT);
         if (k == STEPS || bitsOf(active) == 0)
@@ -169,14 +211,23 @@ struct FivePoints
         roots.find(determinant, regular);
         for (int k = 0; k < count; ++k)
             found[k] = 0;
+        Inexact inexact;
         for (int r = 0; r < MAX_MODELS; ++r)
         {
-            int left = 0;
+            int wanted = 0;
             for (int k = 0; k < count; ++k)
-                left |= (r < roots.count[k]) << k;
-            if (left == 0)
+                wanted |= (r < roots.count[k]) << k;
+            if (wanted == 0)
                 break;
-            addModels(roots.at[r], left, models, found);
+            addExact(roots.at[r], wanted, models, found, inexact);
+        }
+        for (int i = 0; i < inexact.count; i += WIDTH)
+        {
+            Violation at;
+            correct(basis, inexact, i, at);
+            const int left = inexact.count - i < WIDTH ? inexact.count - i : WIDTH;
+            add(at, inexact.lanes + i, ((1 << left) - 1) & ~bitsOf(at.exceeds(VIOLATED)), models,
+                found);
         }
     }
 
@@ -221,21 +272,39 @@ private:
                 setLane(basis[v][i], k, own[v][i]);
     }
 
-    //! Appends the matrices of a root z in each of the lanes `wanted`.
-    void addModels(const Pack& z, int wanted, double (*models)[MAX_MODELS][9], int* found) const
+    //! Appends the matrices of a root z in each of the lanes `wanted`, unless they need a
+    //! correction.
+    void addExact(const Pack& z, int wanted, double (*models)[MAX_MODELS][9], int* found,
+                  Inexact& inexact) const
     {
+        int lanes[WIDTH];
         Pack x, y;
         Violation at;
-        const Mask finite = backSubstitute(B, z, x, y);
-        correct(basis, x, y, z, finite, at);
-        wanted &= bitsOf(finite & (at.squares <= DBL_MAX)) & ~bitsOf(at.exceeds(VIOLATED));
+        wanted &= bitsOf(backSubstitute(B, z, x, y));
+        combine(basis, x, y, z, at.E);
+        at.compute();
+        const int exact = wanted & ~bitsOf(at.exceeds(EXACT));
+        for (int k = 0; k < WIDTH; ++k)
+        {
+            lanes[k] = k;
+            if ((wanted & ~exact) >> k & 1)
+                inexact.add(k, lane(x, k), lane(y, k), lane(z, k));
+        }
+        add(at, lanes, exact, models, found);
+    }
+
+    //! Appends the matrices of the lanes `wanted`, normalized, to the models of samples.
+    static void add(Violation& at, const int* lanes, int wanted, double (*models)[MAX_MODELS][9],
+                    int* found)
+    {
         const Pack inverse = 1. / squareRoot(at.squares);
+        wanted &= bitsOf(at.squares <= DBL_MAX);  // false for NaN
         for (int i = 0; i < 9; ++i)
             at.E[i] *= inverse;
-        for (int k = 0; k < count; ++k)
+        for (int k = 0; k < WIDTH; ++k)
             if (wanted >> k & 1)
             {
-                double* const model = models[k][found[k]++];
+                double* const model = models[lanes[k]][found[lanes[k]]++];
                 for (int i = 0; i < 9; ++i)
                     model[i] = lane(at.E[i], k);
             }

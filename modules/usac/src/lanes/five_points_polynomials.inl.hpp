@@ -122,7 +122,7 @@ Pack eliminate(TenCubics& C)
     Mask regular = least == least;
     for (int k = 0; k < 10; ++k)
     {
-        Pack best = everywhere(k), most = absolute(C[k][k]), pivot = C[k][k], factor[10];
+        Pack best = everywhere(k), most = absolute(C[k][k]);
         for (int i = k + 1; i < 10; ++i)
         {
             const Pack size = absolute(C[i][k]);
@@ -131,26 +131,18 @@ Pack eliminate(TenCubics& C)
         }
         least = smallerOf(least, most);
         regular &= most > 1e-13 * largest;  // false for NaN
-        Mask swap[10];
         for (int i = k + 1; i < 10; ++i)
-        {
-            swap[i] = best == (double)i;
-            factor[i] = C[i][k];
-            exchange(swap[i], pivot, factor[i]);
-        }
-        for (int i = 4; i < k; ++i)
-            factor[i] = C[i][k];
-        const Pack inverse = 1. / pivot;
+            exchange(best == (double)i, k, C[k], C[i]);
+        const Pack inverse = 1. / C[k][k];
         for (int j = k + 1; j < 20; ++j)
+            C[k][j] *= inverse;
+        for (int i = k < 4 ? k + 1 : 4; i < 10; ++i)
         {
-            Pack row = C[k][j];
-            for (int i = k + 1; i < 10; ++i)
-                exchange(swap[i], row, C[i][j]);
-            row *= inverse;
-            C[k][j] = row;
-            for (int i = k < 4 ? k + 1 : 4; i < 10; ++i)
-                if (i != k)
-                    C[i][j] -= factor[i] * row;
+            if (i == k)
+                continue;
+            const Pack factor = C[i][k];
+            for (int j = k + 1; j < 20; ++j)
+                C[i][j] -= factor * C[k][j];
         }
     }
     return regular ? least / largest : Pack();

@@ -60,11 +60,7 @@ Mask nullSpace(Pack (&A)[9][ROWS], Pack (&basis)[9 - ROWS][9])
         full &= most > least;  // false for NaN
         chosen[k] = best;
         for (int j = k + 1; j < 9; ++j)
-        {
-            const Mask here = best == (double)j;
-            for (int i = 0; i < ROWS; ++i)
-                exchange(here, A[k][i], A[j][i]);
-        }
+            exchange(best == (double)j, 0, A[k], A[j]);
         const Pack inverse = 1. / A[k][k];
         for (int j = k + 1; j < 9; ++j)
         {
@@ -74,14 +70,16 @@ Mask nullSpace(Pack (&A)[9][ROWS], Pack (&basis)[9 - ROWS][9])
             A[j][k] = factor;
         }
     }
-    for (int v = 0; v < 9 - ROWS; ++v)
-    {
-        for (int k = 0; k < 9; ++k)
-            basis[v][k] = k < ROWS ? -A[ROWS + v][k] : everywhere(k == ROWS + v);
-        for (int k = ROWS - 1; k >= 0; --k)  // back to the order of the columns
-            for (int j = k + 1; j < 9; ++j)
-                exchange(chosen[k] == (double)j, basis[v][k], basis[v][j]);
-    }
+    Pack rows[9][9 - ROWS];
+    for (int k = 0; k < 9; ++k)
+        for (int v = 0; v < 9 - ROWS; ++v)
+            rows[k][v] = k < ROWS ? -A[ROWS + v][k] : everywhere(k == ROWS + v);
+    for (int k = ROWS - 1; k >= 0; --k)  // back to the order of the columns
+        for (int j = k + 1; j < 9; ++j)
+            exchange(chosen[k] == (double)j, 0, rows[k], rows[j]);
+    for (int k = 0; k < 9; ++k)
+        for (int v = 0; v < 9 - ROWS; ++v)
+            basis[v][k] = rows[k][v];
     return full;
 }
 

@@ -31,6 +31,8 @@ typedef decltype(Pack() < Pack()) Mask;
 inline double lane(const Pack& p, int k) { return p[k]; }
 inline void setLane(Pack& p, int k, double value) { p[k] = value; }
 
+inline Pack absolute(const Pack& p) { return (Pack)((Mask)p & LLONG_MAX); }
+
 //! Bit k is set if lane k is.
 inline int bitsOf(const Mask& mask)
 {
@@ -48,6 +50,20 @@ inline int bitsOf(const Mask& mask)
 #endif
 }
 
+//! Counts in each lane how often two numbers have different signs, 0 being positive.
+class SignChanges
+{
+public:
+    SignChanges() : bits((Bits)(Pack() + FIRST)) {}
+    void add(const Pack& a, const Pack& b) { bits += ((Bits)a ^ (Bits)b) >> 63; }
+    Pack count() const { return (Pack)bits - FIRST; }
+
+private:
+    typedef unsigned long long Bits __attribute__((vector_size(WIDTH * sizeof(double))));
+    static constexpr double FIRST = 4503599627370496.;  // 2^52, whose last bit is a unit
+    Bits bits;
+};
+
 #else  // compilers without vectors as a type
 
 constexpr int WIDTH = 1;
@@ -56,7 +72,19 @@ typedef bool Mask;
 
 inline double lane(const Pack& p, int) { return p; }
 inline void setLane(Pack& p, int, double value) { p = value; }
+inline Pack absolute(const Pack& p) { return ::fabs(p); }
 inline int bitsOf(const Mask& mask) { return mask; }
+
+class SignChanges
+{
+public:
+    SignChanges() : changes(0) {}
+    void add(const Pack& a, const Pack& b) { changes += std::signbit(a) != std::signbit(b); }
+    Pack count() const { return changes; }
+
+private:
+    int changes;
+};
 
 #endif
 
@@ -74,8 +102,6 @@ inline Pack everywhere(double value) { return Pack() + value; }
 //! Lane by lane; a NaN in `b` is ignored.
 inline Pack largerOf(const Pack& a, const Pack& b) { return b > a ? b : a; }
 inline Pack smallerOf(const Pack& a, const Pack& b) { return b < a ? b : a; }
-
-inline Pack absolute(const Pack& p) { return p < 0. ? -p : p; }
 
 inline Pack squareRoot(const Pack& p)
 {
@@ -102,12 +128,18 @@ inline Pack dot9(const Pack (&a)[9], const Pack (&b)[9])
     return sum;
 }
 
-//! Exchanges two registers in the lanes of a mask.
-inline void exchange(const Mask& mask, Pack& a, Pack& b)
+//! Exchanges the registers first .. COUNT-1 of two rows in the lanes of a mask.
+template <int COUNT>
+inline void exchange(const Mask& mask, int first, Pack (&a)[COUNT], Pack (&b)[COUNT])
 {
-    const Pack before = a;
-    a = mask ? b : a;
-    b = mask ? before : b;
+    if (bitsOf(mask) == 0)
+        return;
+    for (int i = first; i < COUNT; ++i)
+    {
+        const Pack before = a[i];
+        a[i] = mask ? b[i] : before;
+        b[i] = mask ? before : b[i];
+    }
 }
 
 //! The cofactors of a 3x3 matrix, row by row.

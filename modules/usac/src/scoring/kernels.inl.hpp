@@ -7,6 +7,7 @@ may be instantiated here, because the linker would merge inline functions of oth
 those compiled for other instruction sets. */
 
 #include <cfloat>
+#include <climits>
 #include <cmath>
 #include <limits>
 #include "core/indices.hpp"
