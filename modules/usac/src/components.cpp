@@ -24,6 +24,8 @@ void MinimalSolver::solveMany(const Correspondences& points, const int* const* s
         found[i] = solve(points, samples[i], models[i]);
 }
 
+int MinimalSolver::together() const { return 1; }
+
 NonMinimalSolver::~NonMinimalSolver() {}
 Residual::~Residual() {}
 Score::~Score() {}

@@ -44,6 +44,11 @@ Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena&
     return result;
 }
 
+int samplesAhead(const MinimalSolver& solver)
+{
+    return std::min(std::max(solver.together(), 1), (int)MinimalSolver::MAX_TOGETHER);
+}
+
 }  // namespace
 
 Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
@@ -58,7 +63,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
                             LARGEST_BATCH)),
       sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
-      firstOfBatch(0), exhaustive(exhaustiveSamples(context_)), required(exhaustive),
+      firstOfBatch(0), ahead(samplesAhead(*parts.minimalSolver)), exhaustive(exhaustiveSamples(context_)), required(exhaustive),
       requiredReason(STOP_STANDARD), requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD),
       ending(STOP_STANDARD), anyModel(false), localTicks(0), checkSamples(checkSamples_)
 {}
@@ -83,14 +88,16 @@ bool Ransac::run(int pause)
         const bool first = state.iteration == 0;
         const bool together = threads > 1 &&
                               size * context.points.problem->sampleCost().time >= PARALLEL_WORK;
-        reserve(together ? LARGEST_BATCH : 1, together ? threads : 1);
+        reserve(together ? LARGEST_BATCH : ahead, together ? threads : 1);
         if (together)
             hypothesizeBatch();
         Candidate best;
         bool found = false;
         for (int i = 0; i < size && !terminate(); ++i)
         {
-            Hypotheses& h = batch[together ? i : 0];
+            Hypotheses& h = batch[together ? i : i % ahead];
+            if (!together && i % ahead == 0)
+                solve(samples + i, std::min(ahead, size - i), batch);
             if (!together)
                 hypothesize(i, h, errorRows);
             ++state.iteration;
@@ -201,19 +208,37 @@ void Ransac::reserve(int wanted, int rows)
         errorRows = context.arena.take<float>((size_t)rows * context.points.size);
 }
 
-//! Called by several threads at the same time: writes only to its own `h` and `row`.
+//! Called by several threads at the same time: writes only to its own `h`.
+void Ransac::solve(const Sample* drawn, int count, Hypotheses* h) const
+{
+    const int* valid[MinimalSolver::MAX_TOGETHER];
+    Model* models[MinimalSolver::MAX_TOGETHER];
+    int found[MinimalSolver::MAX_TOGETHER], solved = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        const int* const sample = drawn[i].val;
+        h[i].repeated = false;
+        h[i].rejectedSample = !validSample(sample);  // 4
+        for (int d = 0; d < checkCount && h[i].rejectedSample && !h[i].repeated; ++d)
+            h[i].repeated = checks[d]->mayBeGood(context, sample);
+        if (h[i].rejectedSample)
+            continue;  // 5
+        valid[solved] = sample;
+        models[solved++] = h[i].models;
+    }
+    if (solved > 0)
+        parts.minimalSolver->solveMany(context.points, valid, solved, models, found);  // 6
+    for (int i = 0, k = 0; i < count; ++i)
+        h[i].computed = h[i].rejectedSample ? 0 : found[k++];
+}
+
+//! The same.
 void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
 {
     const int* sample = samples[index].val;
-    h.count = h.computed = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested =
-        h.stopped = 0;
-    h.rejectedSample = h.repeated = false;
-    h.rejectedSample = !validSample(sample);  // 4
-    for (int d = 0; d < checkCount && h.rejectedSample && !h.repeated; ++d)
-        h.repeated = checks[d]->mayBeGood(context, sample);
+    h.count = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
     if (h.rejectedSample)
-        return;                                                                 // 5
-    h.computed = parts.minimalSolver->solve(context.points, sample, h.models);  // 6
+        return;
     checkModels(h.models, h.computed);
     Rng rotation(context.params.seed, streamOf(STREAM_ROTATION, firstOfBatch + index));
     for (int k = 0; k < h.computed; ++k)  // 7

@@ -61,7 +61,10 @@ private:
     bool stop(double work) const { return context.watch && context.watch->stop(work); }
     bool stopped() const { return context.watch && context.watch->stopped(); }
     void drawBatch();
-    //! @param index index of the sample in the batch
+    //! Computes the models of `count` samples, at most MinimalSolver::MAX_TOGETHER, and writes them
+    //! to `h`.
+    void solve(const Sample* drawn, int count, Hypotheses* h) const;
+    //! Scores these models. @param index index of the sample in the batch
     //! @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
     void hypothesizeBatch();
@@ -90,6 +93,8 @@ private:
     //! explains other points). @param drawn samples before this search
     void sampleForRivals(const int* indices, int count, double wanted, int drawn);
     void sampleUnexplained(const int* indices, int count, int most);
+    //! @param index State::iteration of the sample
+    Sample drawUnexplained(const int* indices, int count, int index) const;
     //! Inliers, among the points of InlierBits, that a rival has at least and the best model lacks.
     double rivalInliers() const;
     //! @return false if the model is not a rival
@@ -128,6 +133,7 @@ private:
     const int threads;
     const double sampleWork;  //!< time for a sample and its models, at most, in point tests
     int firstOfBatch;         //!< index of its first sample
+    const int ahead;          //!< samples that are solved at once
     const int exhaustive;
     //! Number of samples that count (State::counts), and of all samples, after which the run can
     //! stop, each with the StopReason of the criterion that requires it.

@@ -40,9 +40,14 @@ void Ransac::hypothesizePart(int first, int count)
             for (int t = range.start; t < range.end; ++t)
             {
                 float* const row = errorRows ? errorRows + (size_t)t * context.points.size : 0;
-                const int end = first + (int)((int64)count * (t + 1) / threads);
-                for (int i = first + (int)((int64)count * t / threads); i < end; ++i)
+                const int begin = first + (int)((int64)count * t / threads),
+                          end = first + (int)((int64)count * (t + 1) / threads);
+                for (int i = begin; i < end; ++i)
+                {
+                    if ((i - begin) % ahead == 0)
+                        solve(samples + i, std::min(ahead, end - i), batch + i);
                     hypothesize(i, batch[i], row);
+                }
             }
         },
         threads);

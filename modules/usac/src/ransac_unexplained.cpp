@@ -120,30 +120,45 @@ void Ransac::sampleUnexplained(const int* indices, int count, int most)
 {
     const int end = state.iteration +
                     std::min(most, context.params.maxIterations - state.iteration);
-    for (; state.iteration < end && !stop(sampleWork); ++state.iteration)
+    Sample drawn[MinimalSolver::MAX_TOGETHER];
+    Hypotheses solved[MinimalSolver::MAX_TOGETHER];
+    for (int i = ahead; state.iteration < end && !stop(sampleWork); ++state.iteration, ++i)
     {
-        Rng rng(context.params.seed, streamOf(STREAM_UNEXPLAINED, state.iteration));
-        Sample sample;
-        rng.distinct(count, m, sample.val);
-        for (int k = 0; k < m; ++k)
-            sample[k] = indices[sample[k]];
-        if (!validSample(sample.val))
+        if (i == ahead)
+        {
+            const int next = std::min(ahead, end - state.iteration);
+            for (i = 0; i < next; ++i)
+                drawn[i] = drawUnexplained(indices, count, state.iteration + i);
+            solve(drawn, next, solved);
+            i = 0;
+        }
+        if (solved[i].rejectedSample)
         {
             ++state.report.rejectedSamples;
             continue;
         }
-        Model models[MAX_MODELS];
-        const int computed = parts.minimalSolver->solve(context.points, sample.val, models);
+        const int computed = solved[i].computed;
+        const Model* const models = solved[i].models;
         checkModels(models, computed);
         state.report.models += computed;
         anyModel = anyModel || computed > 0;
         state.report.degenerateSamples += computed == 0;
-        for (int i = 0; i < computed; ++i)
-            if (!validModel(sample.val, models[i]))
+        for (int k = 0; k < computed; ++k)
+            if (!validModel(drawn[i].val, models[k]))
                 ++state.report.rejectedModels;
-            else if (!addRival(sample, models[i]))
+            else if (!addRival(drawn[i], models[k]))
                 ++state.report.droppedModels;
     }
+}
+
+Sample Ransac::drawUnexplained(const int* indices, int count, int index) const
+{
+    Rng rng(context.params.seed, streamOf(STREAM_UNEXPLAINED, index));
+    Sample sample;
+    rng.distinct(count, m, sample.val);
+    for (int k = 0; k < m; ++k)
+        sample[k] = indices[sample[k]];
+    return sample;
 }
 
 bool Ransac::addRival(const Sample& sample, const Model& model)

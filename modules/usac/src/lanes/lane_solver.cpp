@@ -18,12 +18,13 @@ int LaneSolver::solve(const Correspondences& points, const int* sample, Model* m
 void LaneSolver::solveMany(const Correspondences& points, const int* const* samples, int count,
                            Model* const* models, int* found) const
 {
-    const SolverKernel solveLanes = kernel();
-    for (int first = 0; first < count; first += SOLVED_TOGETHER)
+    const SolverKernels best = kernel();
+    for (int first = 0; first < count; first += MAX_TOGETHER)
     {
-        double matrices[SOLVED_TOGETHER][MAX_MODELS][9];
-        const int end = std::min(first + SOLVED_TOGETHER, count);
-        solveLanes(points, samples + first, end - first, matrices, found + first);
+        double matrices[MAX_TOGETHER][MAX_MODELS][9];
+        const int end = std::min(first + MAX_TOGETHER, count);
+        const SolverKernel solver = end - first > FEW_SAMPLES ? best.many : best.few;
+        solver(points, samples + first, end - first, matrices, found + first);
         for (int i = first; i < end; ++i)
             for (int k = 0; k < found[i]; ++k)
                 models[i][k] = Matx33d(matrices[i - first][k]);

@@ -17,9 +17,10 @@ public:
     int solve(const Correspondences& points, const int* sample, Model* models) const CV_OVERRIDE;
     void solveMany(const Correspondences& points, const int* const* samples, int count,
                    Model* const* models, int* found) const CV_OVERRIDE;
+    int together() const CV_OVERRIDE { return MAX_TOGETHER; }
 
 protected:
-    virtual SolverKernel kernel() const = 0;
+    virtual SolverKernels kernel() const = 0;
 };
 
 }  // namespace usacv20

@@ -14,6 +14,10 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
+//! For roughCubeRoot(): 2 / 3 of the upper half of the bits of 1, less 3 % of the root, so that the
+//! error has either sign.
+constexpr unsigned long long THIRD_OF_ONE = 715094163;
+
 #if defined __GNUC__
 
 //! Lanes of a Pack.
@@ -31,7 +35,17 @@ typedef decltype(Pack() < Pack()) Mask;
 inline double lane(const Pack& p, int k) { return p[k]; }
 inline void setLane(Pack& p, int k, double value) { p[k] = value; }
 
-inline Pack absolute(const Pack& p) { return (Pack)((Mask)p & LLONG_MAX); }
+typedef unsigned long long Bits __attribute__((vector_size(WIDTH * sizeof(double))));
+
+inline Pack absolute(const Pack& p) { return (Pack)((Bits)p & LLONG_MAX); }
+
+//! Cube root of positive numbers with an error of a few percent: a third of the logarithm, as which
+//! the upper half of the bits can be read, and two thirds of that of 1.
+inline Pack roughCubeRoot(const Pack& p)
+{
+    const Bits third = ((Bits)p >> 32) * 0x55555556 >> 32;
+    return (Pack)((third + THIRD_OF_ONE) << 32);
+}
 
 //! Bit k is set if lane k is.
 inline int bitsOf(const Mask& mask)
@@ -59,7 +73,6 @@ public:
     Pack count() const { return (Pack)bits - FIRST; }
 
 private:
-    typedef unsigned long long Bits __attribute__((vector_size(WIDTH * sizeof(double))));
     static constexpr double FIRST = 4503599627370496.;  // 2^52, whose last bit is a unit
     Bits bits;
 };
@@ -73,6 +86,17 @@ typedef bool Mask;
 inline double lane(const Pack& p, int) { return p; }
 inline void setLane(Pack& p, int, double value) { p = value; }
 inline Pack absolute(const Pack& p) { return ::fabs(p); }
+
+inline Pack roughCubeRoot(const Pack& p)
+{
+    unsigned long long bits;
+    memcpy(&bits, &p, sizeof(bits));
+    bits = (((bits >> 32) * 0x55555556 >> 32) + THIRD_OF_ONE) << 32;
+    double result;
+    memcpy(&result, &bits, sizeof(bits));
+    return result;
+}
+
 inline int bitsOf(const Mask& mask) { return mask; }
 
 class SignChanges

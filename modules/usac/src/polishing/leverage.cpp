@@ -180,24 +180,29 @@ bool Leverage::sampled(const Points& points, int first, Model& model) const
 {
     const int m = parts.minimalSolver->sampleSize();
     double least = DBL_MAX;
+    int samples[STARTS][MAX_SAMPLE_SIZE], found[STARTS];
+    Model models[STARTS][MAX_MODELS];
+    const int* drawn[STARTS];
+    Model* solved[STARTS];
     for (int i = 0; i < STARTS; ++i)
     {
         Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE, 1 + first + i));
-        int sample[MAX_SAMPLE_SIZE];
-        rng.distinct(points.count, m, sample);
+        rng.distinct(points.count, m, samples[i]);
         for (int k = 0; k < m; ++k)
-            sample[k] = points.indices[sample[k]];
-        Model models[MAX_MODELS];
-        const int found = parts.minimalSolver->solve(search.points, sample, models);
-        for (int k = 0; k < found; ++k)
+            samples[i][k] = points.indices[samples[i][k]];
+        drawn[i] = samples[i];
+        solved[i] = models[i];
+    }
+    parts.minimalSolver->solveMany(search.points, drawn, STARTS, solved, found);
+    for (int i = 0; i < STARTS; ++i)
+        for (int k = 0; k < found[i]; ++k)
         {
-            const double sum = sumOf(points, models[k]);
+            const double sum = sumOf(points, models[i][k]);
             if (!(sum < least))
                 continue;
             least = sum;
-            model = models[k];
+            model = models[i][k];
         }
-    }
     return least < DBL_MAX;
 }
 

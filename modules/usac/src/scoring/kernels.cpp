@@ -10,6 +10,20 @@ namespace usacv20 {
 
 Kernels baselineKernels() { return allKernels(); }
 
+#ifdef USACV20_HAVE_AVX512
+//! The AVX-512 versions, and those of AVX2 for few samples.
+static Kernels widestKernels()
+{
+    Kernels all = avx512Kernels();
+#ifdef USACV20_HAVE_AVX2
+    const Kernels narrower = avx2Kernels();
+    all.fivePoints.few = narrower.fivePoints.few;
+    all.sevenPoints.few = narrower.sevenPoints.few;
+#endif
+    return all;
+}
+#endif
+
 static Kernels bestKernels()
 {
 #ifdef USACV20_HAVE_AVX512
@@ -17,7 +31,7 @@ static Kernels bestKernels()
     if (checkHardwareSupport(CV_CPU_AVX512_SKX) && checkHardwareSupport(CV_CPU_AVX_512F) &&
         checkHardwareSupport(CV_CPU_AVX_512BW) && checkHardwareSupport(CV_CPU_AVX_512DQ) &&
         checkHardwareSupport(CV_CPU_AVX_512VL))
-        return avx512Kernels();
+        return widestKernels();
 #endif
 #ifdef USACV20_HAVE_AVX2
     if (checkHardwareSupport(CV_CPU_AVX2))

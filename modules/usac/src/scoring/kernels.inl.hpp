@@ -9,10 +9,12 @@ those compiled for other instruction sets. */
 #include <cfloat>
 #include <climits>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include "core/indices.hpp"
 #include "core/polynomial.hpp"
 #include "problems/essential/essential_basis.hpp"
+#include "problems/fundamental/fundamental.hpp"
 #include "scoring/arcs.inl.hpp"
 #include "scoring/formulas.hpp"
 #include "scoring/kernels.hpp"
@@ -23,6 +25,7 @@ those compiled for other instruction sets. */
 #include "lanes/roots.inl.hpp"
 #include "lanes/five_points_polynomials.inl.hpp"
 #include "lanes/five_points.inl.hpp"
+#include "lanes/seven_points.inl.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -139,7 +142,8 @@ Kernels allKernels()
     addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost,
                                        all);
     all.arcs = arcsKernel;
-    all.fivePoints = fivePointKernel;
+    all.sevenPoints.many = all.sevenPoints.few = sevenPointKernel;
+    all.fivePoints.many = all.fivePoints.few = fivePointKernel;
     addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums,
                                        symmetricEpipolarCost, all);
     addKernels<ReprojectionError>(Residual::REPROJECTION, reprojectionSums, reprojectionCost, all);

@@ -221,17 +221,20 @@ public:
     virtual int sampleSize() const = 0;  //!< points in a sample, at most #MAX_SAMPLE_SIZE
     //! Writes at most #MAX_MODELS models. @return their number; 0 for a degenerate sample.
     virtual int solve(const Correspondences& points, const int* sample, Model* models) const = 0;
-    /** @brief The same for several samples. Override it if this is faster than one at a time; the
-    models of a sample must not depend on the other samples.
+    /** @brief The same for several samples; override it if this is faster than one at a time.
     @param points the correspondences
     @param samples `count` samples
     @param count number of samples
-    @param models output: where the models of each sample go
+    @param models output: where the models of each sample go, at most #MAX_MODELS
     @param found output: their number for each sample
 
-    Default: calls solve() for each. */
+    The models of a sample must not depend on the other samples. Default: calls solve() for each. */
     virtual void solveMany(const Correspondences& points, const int* const* samples, int count,
                            Model* const* models, int* found) const;
+    //! Number of samples for which solveMany() is fastest, at most #MAX_TOGETHER. Default: 1, so
+    //! that no sample is solved in vain when the run ends.
+    virtual int together() const;
+    enum { MAX_TOGETHER = 8 /*!< most samples that a run solves at once */ };
 };
 
 //! Fits a model to many points.

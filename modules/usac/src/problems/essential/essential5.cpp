@@ -18,7 +18,7 @@ public:
     int sampleSize() const CV_OVERRIDE { return 5; }
 
 protected:
-    SolverKernel kernel() const CV_OVERRIDE { return kernels().fivePoints; }
+    SolverKernels kernel() const CV_OVERRIDE { return kernels().fivePoints; }
 };
 
 }  // namespace

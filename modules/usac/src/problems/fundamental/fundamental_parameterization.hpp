@@ -6,12 +6,10 @@
 #define OPENCV_USACV20_FUNDAMENTAL_PARAMETERIZATION_HPP
 
 #include "optimization/tangent_space.hpp"
+#include "problems/fundamental/fundamental.hpp"
 
 namespace cv {
 namespace usacv20 {
-
-//! Smallest ratio of the two singular values of F that counts as rank 2.
-constexpr double LEAST_RATIO = 1e-6;
 
 /** @brief A fundamental matrix and a minimal parameterization around it; zero parameters give the
 model itself.

@@ -1,0 +1,161 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* The seven-point solver @cite hartley2003multiple for several samples at once. The epipolar
+constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated points lower
+the rank of the constraints, so that the sample is degenerate. Collinear points fit l2 l1^T, which
+has rank 1 and is no epipolar geometry. No include guard: compiled once for each instruction set by
+scoring/kernels.inl.hpp. */
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+//! Real roots of cubic polynomials, one in each lane.
+struct CubicRoots
+{
+    //! @param c coefficients, the constant first
+    //! @param wanted lanes, a bit for each; there are no roots in the others
+    void find(const Pack (&c)[4], int wanted)
+    {
+        Pack largest = Pack();
+        for (int i = 0; i < 4; ++i)
+            largest = largerOf(largest, absolute(c[i]));
+        const Pack a = c[2] / c[3], b = c[1] / c[3], d = c[0] / c[3];
+        const Pack Q = (a * a - 3. * b) / 9., R = (2. * a * a * a - 9. * a * b + 27. * d) / 54.,
+                   excess = R * R - Q * Q * Q;
+        const Pack shift = a / 3.;
+        const Pack first = R > 0. ? -outermost(Q, absolute(R), excess)
+                                  : outermost(Q, absolute(R), excess);
+        // the other two, if real, from the quotient t^2 + first t + first^2 - 3 Q
+        const Pack half = 0.5 * squareRoot(largerOf(Pack(), 12. * Q - 3. * first * first));
+        at[0] = polish(a, b, d, first - shift);
+        at[1] = polish(a, b, d, -0.5 * first + half - shift);
+        at[2] = polish(a, b, d, -0.5 * first - half - shift);
+        // a root at infinity, or a multiple one
+        const int special = wanted & ~(bitsOf(absolute(c[3]) > 1e-3 * largest) &
+                                       bitsOf(absolute(excess) > 1e-13 * R * R));
+        lanes[0] = wanted & ~special;
+        lanes[1] = lanes[2] = lanes[0] & bitsOf(excess < 0.);
+        for (int k = 0; k < WIDTH; ++k)
+            if (special >> k & 1)
+                findOne(c, k);
+    }
+
+    Pack at[3];
+    int lanes[3];  //!< those with this root, a bit for each
+
+private:
+    /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: a start with an error of a few thousandths,
+    and two steps of Halley's method. If there are three roots (excess W^2 - Q^3 < 0), it grows from
+    sqrt(3 Q) to 2 sqrt(Q), nearly linearly in W; else it is Cardano's. */
+    static Pack outermost(const Pack& Q, const Pack& W, const Pack& excess)
+    {
+        const double ROOT3 = 1.7320508075688772;
+        const Mask three = excess < 0.;
+        const Pack root = squareRoot(largerOf(Pack(), Q)),
+                   cube = W + squareRoot(largerOf(Pack(), excess));
+        Pack A = roughCubeRoot(cube);
+        A = A * (A * A * A + 2. * cube) / (2. * A * A * A + cube);
+        const Pack B = Q / A;
+        Pack u = three ? ROOT3 * root + (2. - ROOT3) * W / Q : 2. * W / (A * A - Q + B * B);
+        for (int i = 0; i < 2; ++i)
+        {
+            const Pack value = (u * u - 3. * Q) * u - 2. * W, slope = 3. * (u * u - Q);
+            u = u - value * slope / (slope * slope - value * (3. * u));
+        }
+        return u;
+    }
+
+    //! Two Newton steps towards a root of x^3 + a x^2 + b x + d, where they reduce the absolute
+    //! value of the polynomial.
+    static Pack polish(const Pack& a, const Pack& b, const Pack& d, Pack x)
+    {
+        Pack value = ((x + a) * x + b) * x + d;
+        for (int i = 0; i < 2; ++i)
+        {
+            const Pack next = x - value / ((3. * x + 2. * a) * x + b),
+                       there = ((next + a) * next + b) * next + d;
+            const Mask better = absolute(there) < absolute(value);
+            x = better ? next : x;
+            value = better ? there : value;
+        }
+        return x;
+    }
+
+    //! By a slower method that works for every polynomial.
+    void findOne(const Pack (&coefficients)[4], int k)
+    {
+        double c[4], roots[MAX_DEGREE];
+        for (int i = 0; i < 4; ++i)
+            c[i] = lane(coefficients[i], k);
+        const int found = realRoots(c, 3, roots);
+        for (int i = 0; i < found; ++i)
+        {
+            setLane(at[i], k, roots[i]);
+            lanes[i] |= 1 << k;
+        }
+    }
+};
+
+//! Appends the matrices of the lanes `wanted`, normalized, to the models of the samples.
+void addFundamental(Pack (&F)[9], int wanted, double (*models)[MAX_MODELS][9], int* found)
+{
+    const Pack squares = dot9(F, F), inverse = 1. / squareRoot(squares);
+    wanted &= bitsOf((squares > 0.) & (squares <= DBL_MAX));
+    for (int i = 0; i < 9; ++i)
+        F[i] *= inverse;
+    Pack c[9];
+    cofactors(F, c);  // their norm is the product of the singular values
+    wanted &= bitsOf(dot9(c, c) > LEAST_RATIO * LEAST_RATIO);
+    for (int k = 0; k < WIDTH; ++k)
+        if (wanted >> k & 1)
+        {
+            double* const model = models[k][found[k]++];
+            for (int i = 0; i < 9; ++i)
+                model[i] = lane(F[i], k);
+        }
+}
+
+//! Up to WIDTH samples.
+void solveSeven(const Correspondences& points, const int* const* samples, int count,
+                double (*models)[MAX_MODELS][9], int* found)
+{
+    Pack A[9][7], F[2][9], c1[9], c2[9];
+    epipolarRows(points, samples, count, A);
+    const int independent = bitsOf(nullSpace(A, F)) & ((1 << count) - 1);
+    // det(s F1 + t F2) = s^3 det F1 + s^2 t <cof F1, F2> + s t^2 <F1, cof F2> + t^3 det F2
+    cofactors(F[0], c1);
+    cofactors(F[1], c2);
+    Pack cubic[4] = {dot9(c2, F[1]) / 3., dot9(c2, F[0]), dot9(c1, F[1]), dot9(c1, F[0]) / 3.};
+    // the ratio whose cubic has the larger leading coefficient, so that no root is at infinity
+    const Mask other = absolute(cubic[0]) > absolute(cubic[3]);
+    exchange(other, 0, F[0], F[1]);
+    const Pack turned[4] = {cubic[3], cubic[2], cubic[1], cubic[0]};
+    for (int i = 0; i < 4; ++i)
+        cubic[i] = other ? turned[i] : cubic[i];
+    CubicRoots roots;
+    roots.find(cubic, independent);
+    for (int k = 0; k < count; ++k)
+        found[k] = 0;
+    for (int r = 0; r < 3; ++r)
+    {
+        Pack root[9];
+        for (int i = 0; i < 9; ++i)
+            root[i] = roots.at[r] * F[0][i] + F[1][i];
+        addFundamental(root, roots.lanes[r], models, found);
+    }
+}
+
+void sevenPointKernel(const Correspondences& points, const int* const* samples, int count,
+                      double (*models)[MAX_MODELS][9], int* found)
+{
+    for (int i = 0; i < count; i += WIDTH)
+        solveSeven(points, samples + i, count - i < WIDTH ? count - i : WIDTH, models + i,
+                   found + i);
+}
+
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv
