@@ -5,30 +5,45 @@
 #include "perf_precomp.hpp"
 #include "perf_scene.hpp"
 
+#include <numeric>
+
 namespace opencv_test {
 namespace {
 
 CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, RIGID_3D, SIMILARITY_3D)
 typedef TestBaseWithParam<Problem> UsacSolver;
 
-//! 10 000 samples a call. Half of the matches are wrong, so nearly all samples hold some, as in a
-//! real run.
+//! 10 000 samples a call, as many at once as in a run. Half of the matches are wrong, so nearly all
+//! samples hold some, as in a real run.
 PERF_TEST_P(UsacSolver, minimal_10000samples, Problem::all())
 {
     const int samples = 10000;
     const PerfScene scene((ProblemType)(int)GetParam(), 1000);
     const MinimalSolver& solver = *scene.usac->components().minimalSolver;
     const Correspondences& points = scene.usac->points();
+    const int together = solver.together();
     std::vector<int> sample(samples * MAX_SAMPLE_SIZE);
+    std::vector<const int*> all;
     for (int k = 0; k < samples; ++k)
+    {
+        all.push_back(&sample[k * MAX_SAMPLE_SIZE]);
         Rng(1, k).distinct(points.size, solver.sampleSize(), &sample[k * MAX_SAMPLE_SIZE]);
+    }
+    std::vector<Model> models(together * MAX_MODELS);
+    std::vector<Model*> places;
+    for (int k = 0; k < together; ++k)
+        places.push_back(&models[k * MAX_MODELS]);
+    std::vector<int> counts(together);
     int found = 0;
     TEST_CYCLE()
     {
-        Model models[MAX_MODELS];
         found = 0;
-        for (int k = 0; k < samples; ++k)
-            found += solver.solve(points, &sample[k * MAX_SAMPLE_SIZE], models);
+        for (int k = 0; k < samples; k += together)
+        {
+            const int count = std::min(together, samples - k);
+            solver.solveMany(points, &all[k], count, places.data(), counts.data());
+            found += std::accumulate(counts.begin(), counts.begin() + count, 0);
+        }
     }
     EXPECT_GT(found, samples / 2);
     SANITY_CHECK_NOTHING();

@@ -63,9 +63,10 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
                             LARGEST_BATCH)),
       sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
-      firstOfBatch(0), ahead(samplesAhead(*parts.minimalSolver)), exhaustive(exhaustiveSamples(context_)), required(exhaustive),
-      requiredReason(STOP_STANDARD), requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD),
-      ending(STOP_STANDARD), anyModel(false), localTicks(0), checkSamples(checkSamples_)
+      firstOfBatch(0), ahead(samplesAhead(*parts.minimalSolver)),
+      exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), ending(STOP_STANDARD), anyModel(false),
+      localTicks(0), checkSamples(checkSamples_)
 {}
 
 // Numbers in comments are lines of Algorithm 1: 4 to 14 in hypothesize(), 15 to 27 in improve().

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* Real roots of polynomials of degree 10, one polynomial in each lane. Sturm's theorem isolates the
-roots in [-1, 1]; the others are inverses of roots of the reversed polynomial. Newton's method
+roots in [-1, 1]; the others are inverses of roots of the reversed polynomial. Halley's method
 inside a bracket refines them to double precision @cite press2007numerical. No include guard:
 compiled once for each instruction set by scoring/kernels.inl.hpp. */
 
@@ -104,7 +104,7 @@ inline double boundOf(int cell)
 //! Intervals (low, high] with one root each, in which the polynomial changes its sign.
 struct Brackets
 {
-    enum { PER_LANE = 2 * DEGREE, MOST = PER_LANE * WIDTH, PACKS = 2 };
+    enum { PER_LANE = 2 * DEGREE, MOST = PER_LANE * WIDTH };
 
     Brackets() : count(0)
     {
@@ -186,86 +186,98 @@ struct Isolation
         }
     }
 
-    //! Refines the brackets first .. first + PACKS * WIDTH - 1: Newton's method, with bisection
-    //! where a step leaves the bracket. Two registers at a time hide the latency of the operations.
-    void refine(int first);
-
-    void refine()
-    {
-        for (int i = 0; i < brackets.count; i += Brackets::PACKS * WIDTH)
-            refine(i);
-    }
+    //! Refines the roots of all brackets.
+    void refine();
 };
 
-//! Where Newton's method begins: where the chord crosses zero, or in the middle.
-inline Pack startOf(const Pack& low, const Pack& high, const Pack& atLow, const Pack& atHigh)
+//! Halley's method inside brackets, with bisection where a step leaves the bracket.
+struct Refinement
 {
-    const Pack chord = low - atLow / (atHigh - atLow) * (high - low);
-    return (chord > low) & (chord < high) ? chord : 0.5 * (low + high);
-}
-
-void Isolation::refine(int first)
-{
-    enum { PACKS = Brackets::PACKS };
-    Pack c[PACKS][DEGREE + 1], low[PACKS], high[PACKS], atLow[PACKS], x[PACKS];
-    Mask active[PACKS];
-    for (int u = 0; u < PACKS; ++u)
+    //! @param all, i brackets i[0] .. i[WIDTH - 1] are those of the lanes
+    void begin(const Isolation& all, const int (&i)[WIDTH])
     {
+        const Brackets& brackets = all.brackets;
         double numbers[DEGREE + 5][WIDTH];
         for (int k = 0; k < WIDTH; ++k)
         {
-            const int wanted = first + u * WIDTH + k,
-                      i = wanted < brackets.count ? wanted : brackets.count - 1;
-            const Polynomials& from = p[brackets.reversed[i]];
+            const Polynomials& from = all.p[brackets.reversed[i[k]]];
             for (int j = 0; j <= DEGREE; ++j)
-                numbers[j][k] = lane(from.c[j], brackets.lanes[i]);
-            numbers[DEGREE + 1][k] = brackets.low[i];
-            numbers[DEGREE + 2][k] = brackets.high[i];
-            numbers[DEGREE + 3][k] = brackets.atLow[i];
-            numbers[DEGREE + 4][k] = brackets.atHigh[i];
+                numbers[j][k] = lane(from.c[j], brackets.lanes[i[k]]);
+            numbers[DEGREE + 1][k] = brackets.low[i[k]];
+            numbers[DEGREE + 2][k] = brackets.high[i[k]];
+            numbers[DEGREE + 3][k] = brackets.atLow[i[k]];
+            numbers[DEGREE + 4][k] = brackets.atHigh[i[k]];
         }
         for (int j = 0; j <= DEGREE; ++j)
-            c[u][j] = load(numbers[j]);
-        low[u] = load(numbers[DEGREE + 1]);
-        high[u] = load(numbers[DEGREE + 2]);
-        atLow[u] = load(numbers[DEGREE + 3]);
-        x[u] = startOf(low[u], high[u], atLow[u], load(numbers[DEGREE + 4]));
-        active[u] = low[u] == low[u];
+            c[j] = load(numbers[j]);
+        low = load(numbers[DEGREE + 1]);
+        high = load(numbers[DEGREE + 2]);
+        atLow = load(numbers[DEGREE + 3]);
+        // where the chord crosses zero, or in the middle
+        const Pack chord = low - atLow / (load(numbers[DEGREE + 4]) - atLow) * (high - low);
+        x = ((chord > low) & (chord < high)) ? chord : 0.5 * (low + high);
+        active = low == low;
     }
-    for (int i = 0; i < 60 && (bitsOf(active[0]) | bitsOf(active[1])) != 0; ++i)
+
+    //! One step from x, where the polynomial has this value and slope and half this second
+    //! derivative.
+    void step(const Pack& value, const Pack& slope, const Pack& bend)
     {
-        Pack value[PACKS], slope[PACKS], bend[PACKS];  // bend: half of the second derivative
+        const Mask left = (value < 0.) == (atLow < 0.);
+        low = left ? x : low;
+        high = left ? high : x;
+        Pack next = x - value * slope / (slope * slope - value * bend);
+        const Mask inside = (next > low) & (next < high);
+        next = inside ? next : 0.5 * (low + high);
+        active &= value != 0.;
+        // Halley's method converges cubically: a step of 1e-7 leaves an error far below 1e-16
+        const Pack limit = (inside ? everywhere(1e-7) : everywhere(4e-16)) * absolute(x);
+        const Mask moving = absolute(next - x) > limit;
+        x = active ? next : x;
+        active &= moving;
+    }
+
+    Pack c[DEGREE + 1], low, high, atLow, x;
+    Mask active;  //!< lanes that have not converged
+};
+
+void Isolation::refine()
+{
+    enum { PACKS = 2 };  // registers at a time, which hides the latency of the operations
+    for (int first = 0; first < brackets.count; first += PACKS * WIDTH)
+    {
+        Refinement r[PACKS];
         for (int u = 0; u < PACKS; ++u)
         {
-            value[u] = c[u][DEGREE];
-            slope[u] = bend[u] = Pack();
+            int wanted[WIDTH];
+            for (int k = 0; k < WIDTH; ++k)
+            {
+                const int i = first + u * WIDTH + k;
+                wanted[k] = i < brackets.count ? i : brackets.count - 1;
+            }
+            r[u].begin(*this, wanted);
         }
-        for (int j = DEGREE - 1; j >= 0; --j)
+        for (int i = 0; i < 60 && (bitsOf(r[0].active) | bitsOf(r[1].active)) != 0; ++i)
+        {
+            Pack value[PACKS], slope[PACKS], bend[PACKS];
             for (int u = 0; u < PACKS; ++u)
             {
-                bend[u] = bend[u] * x[u] + slope[u];
-                slope[u] = slope[u] * x[u] + value[u];
-                value[u] = value[u] * x[u] + c[u][j];
+                value[u] = r[u].c[DEGREE];
+                slope[u] = bend[u] = Pack();
             }
-        for (int u = 0; u < PACKS; ++u)
-        {
-            const Mask left = (value[u] < 0.) == (atLow[u] < 0.);
-            low[u] = left ? x[u] : low[u];
-            high[u] = left ? high[u] : x[u];
-            Pack next = x[u] -
-                        value[u] * slope[u] / (slope[u] * slope[u] - value[u] * bend[u]);
-            const Mask inside = (next > low[u]) & (next < high[u]);
-            next = inside ? next : 0.5 * (low[u] + high[u]);
-            active[u] &= value[u] != 0.;
-            // Halley's method converges cubically: a step of 1e-7 leaves an error far below 1e-16
-            const Pack limit = (inside ? everywhere(1e-7) : everywhere(4e-16)) * absolute(x[u]);
-            const Mask moving = absolute(next - x[u]) > limit;
-            x[u] = active[u] ? next : x[u];
-            active[u] &= moving;
+            for (int j = DEGREE - 1; j >= 0; --j)
+                for (int u = 0; u < PACKS; ++u)
+                {
+                    bend[u] = bend[u] * r[u].x + slope[u];
+                    slope[u] = slope[u] * r[u].x + value[u];
+                    value[u] = value[u] * r[u].x + r[u].c[j];
+                }
+            for (int u = 0; u < PACKS; ++u)
+                r[u].step(value[u], slope[u], bend[u]);
         }
+        for (int i = first; i < first + PACKS * WIDTH && i < brackets.count; ++i)
+            brackets.roots[i] = lane(r[(i - first) / WIDTH].x, (i - first) % WIDTH);
     }
-    for (int i = first; i < first + PACKS * WIDTH && i < brackets.count; ++i)
-        brackets.roots[i] = lane(x[(i - first) / WIDTH], (i - first) % WIDTH);
 }
 
 //! Real roots of the polynomials; those of one lane are the first count[k] rows of `roots`.

@@ -47,9 +47,9 @@ struct CubicRoots
     int lanes[3];  //!< those with this root, a bit for each
 
 private:
-    /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: a start with an error of a few thousandths,
-    and two steps of Halley's method. If there are three roots (excess W^2 - Q^3 < 0), it grows from
-    sqrt(3 Q) to 2 sqrt(Q), nearly linearly in W; else it is Cardano's. */
+    /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: a start with an error of a few
+    thousandths, and two steps of Halley's method. If there are three roots (excess W^2 - Q^3 < 0),
+    it grows from sqrt(3 Q) to 2 sqrt(Q), nearly linearly in W; else it is Cardano's. */
     static Pack outermost(const Pack& Q, const Pack& W, const Pack& excess)
     {
         const double ROOT3 = 1.7320508075688772;

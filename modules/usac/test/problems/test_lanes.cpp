@@ -1,0 +1,212 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "problem_objects.hpp"
+#include "scoring/available_kernels.hpp"
+
+#include <atomic>
+
+namespace opencv_test {
+namespace {
+
+enum { TOGETHER = MinimalSolver::MAX_TOGETHER };
+
+//! Samples of every kind: of right and wrong matches, and degenerate ones.
+struct Samples
+{
+    Samples(ProblemType problem_, double planeFraction)
+        : problem(problem_), count(4000), size(problem == ESSENTIAL ? 5 : 7)
+    {
+        SceneOptions options;
+        options.seed = 5;
+        options.setSize(200, 0.5);
+        options.planeFraction = planeFraction;
+        usac = createUsac(makeScene(problem, options), Params());
+        indices.resize(count * MAX_SAMPLE_SIZE);
+        for (int i = 0; i < count; ++i)
+        {
+            int* const own = &indices[i * MAX_SAMPLE_SIZE];
+            Rng(2, i).distinct(points().size, size, own);
+            if (i % 9 == 0)
+                own[1] = own[0];  // a repeated point
+            if (i % 31 == 0)
+                std::fill(own, own + size, own[0]);
+            all.push_back(own);
+        }
+    }
+
+    const Correspondences& points() const { return usac->points(); }
+    SolverKernels solverOf(const Kernels& kernels) const
+    {
+        return problem == ESSENTIAL ? kernels.fivePoints : kernels.sevenPoints;
+    }
+
+    const ProblemType problem;
+    const int count, size;
+    Ptr<Usac> usac;
+    std::vector<int> indices;
+    std::vector<const int*> all;
+};
+
+typedef std::vector<std::vector<double>> Solutions;  //!< the models of each sample
+
+//! By one kernel, `together` samples at once, the first ones apart.
+Solutions solutions(const Samples& samples, SolverKernel solver, int together, int apart = 0)
+{
+    Solutions result;
+    double models[TOGETHER][MAX_MODELS][9];
+    int found[TOGETHER];
+    for (int i = 0; i < samples.count;)
+    {
+        const int wanted = i < apart ? 1 : together, count = std::min(wanted, samples.count - i);
+        solver(samples.points(), &samples.all[i], count, models, found);
+        for (int k = 0; k < count; ++k)
+            result.push_back(
+                std::vector<double>(&models[k][0][0], &models[k][0][0] + 9 * found[k]));
+        i += count;
+    }
+    return result;
+}
+
+Solutions expectedOf(const Samples& samples)
+{
+    return solutions(samples, samples.solverOf(baselineKernels()).many, 1);
+}
+
+//! Number of samples whose models differ in any bit.
+int different(const Solutions& a, const Solutions& b)
+{
+    int result = a.size() != b.size();
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        result += a[i].size() != b[i].size() ||
+                  (!a[i].empty() &&
+                   memcmp(a[i].data(), b[i].data(), a[i].size() * sizeof(double)) != 0);
+    return result;
+}
+
+//! A problem, and how much of the scene is a plane.
+typedef testing::TestWithParam<std::tuple<int, double>> Usac_Lanes;
+
+ProblemType problemOf(const std::tuple<int, double>& parameters)
+{
+    return (ProblemType)std::get<0>(parameters);
+}
+
+TEST_P(Usac_Lanes, sameBitsWithEveryInstructionSet)
+{
+    const Samples samples(problemOf(GetParam()), std::get<1>(GetParam()));
+    const Solutions expected = expectedOf(samples);
+    size_t numbers = 0;
+    for (size_t i = 0; i < expected.size(); ++i)
+        numbers += expected[i].size();
+    EXPECT_GT(numbers, 9000u);
+    const std::vector<NamedKernels> all = availableKernels();
+    for (size_t k = 0; k < all.size(); ++k)
+    {
+        const SolverKernels solver = samples.solverOf(all[k].kernels);
+        EXPECT_EQ(0, different(expected, solutions(samples, solver.many, TOGETHER))) << all[k].name;
+        EXPECT_EQ(0, different(expected, solutions(samples, solver.few, 4))) << all[k].name;
+    }
+}
+
+//! With any number of samples together, and at any place among them.
+TEST_P(Usac_Lanes, sameBitsInEveryLane)
+{
+    const Samples samples(problemOf(GetParam()), std::get<1>(GetParam()));
+    const Solutions expected = expectedOf(samples);
+    const std::vector<NamedKernels> all = availableKernels();
+    for (size_t k = 0; k < all.size(); ++k)
+    {
+        const SolverKernel solver = samples.solverOf(all[k].kernels).many;
+        for (int i = 1; i < TOGETHER; ++i)
+        {
+            EXPECT_EQ(0, different(expected, solutions(samples, solver, i))) << all[k].name;
+            EXPECT_EQ(0, different(expected, solutions(samples, solver, TOGETHER, i)))
+                << all[k].name;
+        }
+    }
+}
+
+TEST_P(Usac_Lanes, sameModelsOneByOne)
+{
+    const Samples samples(problemOf(GetParam()), std::get<1>(GetParam()));
+    const Ptr<MinimalSolver> solver = samples.problem == ESSENTIAL ? createEssential5Solver()
+                                                                   : createFundamental7Solver();
+    EXPECT_GT(solver->together(), 1);
+    const int counts[] = {1, 3, TOGETHER, TOGETHER + 1, 1000};
+    std::vector<Model> models(1000 * MAX_MODELS);
+    std::vector<Model*> places;
+    std::vector<int> found(1000);
+    for (int i = 0; i < 1000; ++i)
+        places.push_back(&models[i * MAX_MODELS]);
+    for (int c = 0; c < 5; ++c)
+    {
+        solver->solveMany(samples.points(), samples.all.data(), counts[c], places.data(),
+                          found.data());
+        for (int i = 0; i < counts[c]; ++i)
+        {
+            Model own[MAX_MODELS];
+            ASSERT_EQ(solver->solve(samples.points(), samples.all[i], own), found[i]);
+            EXPECT_TRUE(std::equal(own, own + found[i], places[i])) << counts[c] << " " << i;
+        }
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(Problems, Usac_Lanes,
+                        testing::Combine(testing::Values((int)FUNDAMENTAL, (int)ESSENTIAL),
+                                         testing::Values(0., 0.8)));
+
+//! A solver of somebody else, who knows nothing of several samples.
+class OwnSolver : public MinimalSolver
+{
+public:
+    OwnSolver() : calls(0), solver(createHomography4Solver()) {}
+    int sampleSize() const CV_OVERRIDE { return 4; }
+    int solve(const Correspondences& points, const int* sample, Model* models) const CV_OVERRIDE
+    {
+        ++calls;
+        return solver->solve(points, sample, models);
+    }
+
+    mutable std::atomic<int> calls;
+
+private:
+    const Ptr<MinimalSolver> solver;
+};
+
+TEST(Usac_OwnSolver, solvesSeveralSamplesOneByOne)
+{
+    SceneOptions options;
+    const Ptr<Usac> usac = createUsac(makeScene(HOMOGRAPHY, options), Params());
+    const OwnSolver solver;
+    const int samples[3][4] = {{0, 1, 2, 3}, {4, 4, 5, 6}, {7, 8, 9, 10}};
+    const int* const all[3] = {samples[0], samples[1], samples[2]};
+    Model models[3][MAX_MODELS], own[MAX_MODELS];
+    Model* const places[3] = {models[0], models[1], models[2]};
+    int found[3];
+    EXPECT_EQ(1, solver.together());
+    solver.solveMany(usac->points(), all, 3, places, found);
+    EXPECT_EQ(3, solver.calls);
+    for (int i = 0; i < 3; ++i)
+    {
+        ASSERT_EQ(solver.solve(usac->points(), samples[i], own), found[i]);
+        EXPECT_TRUE(std::equal(own, own + found[i], models[i]));
+    }
+    EXPECT_EQ(0, found[1]);
+}
+
+TEST(Usac_OwnSolver, sameRunAsWithTheBuiltInOne)
+{
+    SceneOptions options;
+    options.outliers = 200;
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    const Ptr<Usac> usac = createUsac(scene, Params()), other = createUsac(scene, Params());
+    other->components().minimalSolver = makePtr<OwnSolver>();
+    const Mat expected = usac->run(), model = other->run();
+    EXPECT_EQ(0, cv::norm(expected, model, NORM_INF));
+}
+
+}
+}  // namespace
