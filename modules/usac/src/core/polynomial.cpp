@@ -52,10 +52,6 @@ double refine(const Polynomial& p, double low, double high, double atLow)
     return x;
 }
 
-//! Beyond these bounds #realRoots uses the reversed polynomial. No round numbers, because Sturm's
-//! theorem excludes a root at the lower end of the interval.
-constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
-
 //! The roots in (LOWEST, HIGHEST], bracketed by the roots of the derivative: slower than Sturm's
 //! sequence, but works for every polynomial.
 int betweenExtrema(const Polynomial& p, double* roots)
@@ -131,6 +127,14 @@ int cubicRoots(const double* c, double* roots)
 
 }  // namespace
 
+int rootsNearZero(const double* coefficients, int degree, double* roots)
+{
+    while (degree > 0 && std::abs(coefficients[degree]) <= 1e-14)
+        --degree;
+    const Polynomial p = {coefficients, degree};
+    return degree > 0 ? betweenExtrema(p, roots) : 0;
+}
+
 int realRoots(const double* coefficients, int degree, double* roots)
 {
     double largest = 0, c[MAX_DEGREE + 1], reversed[MAX_DEGREE + 1];
@@ -146,14 +150,9 @@ int realRoots(const double* coefficients, int degree, double* roots)
         c[i] = reversed[degree - i] = coefficients[i] / largest;
     if (degree == 3 && std::abs(c[3]) > 1e-3)
         return cubicRoots(c, roots);
-    const Polynomial p = {c, degree};
-    int count = betweenExtrema(p, roots);
-    int lowest = 0;  // roots at 0 lower the degree of the reversed polynomial
-    while (std::abs(c[lowest]) <= 1e-14)
-        ++lowest;
+    int count = rootsNearZero(c, degree, roots);
     double inverses[MAX_DEGREE];
-    const Polynomial q = {reversed, degree - lowest};
-    const int more = degree > lowest ? betweenExtrema(q, inverses) : 0;
+    const int more = rootsNearZero(reversed, degree, inverses);
     for (int i = 0; i < more && count < degree; ++i)
     {
         const double root = 1 / inverses[i];

@@ -13,14 +13,22 @@ constexpr int MAX_DEGREE = 10;
 
 /** @brief Real roots of a polynomial, in no particular order, each once.
 
-Sturm's theorem isolates the roots in [-1, 1]; the others are inverses of roots of the reversed
-polynomial. Newton's method inside a bracket refines them to double precision.
+The roots of the derivative isolate those in [-1, 1]; the others are inverses of roots of the
+reversed polynomial. Newton's method inside a bracket refines them to double precision. A cubic is
+solved in closed form.
 @param coefficients degree + 1 numbers, the constant term first
 @param degree at most #MAX_DEGREE
 @param roots output, at most `degree`
 @return number of roots; 0 for a constant and for coefficients that are not finite.
 @cite press2007numerical */
 int realRoots(const double* coefficients, int degree, double* roots);
+
+//! Bounds of the roots of a polynomial and of the reversed one. No round numbers, because Sturm's
+//! theorem excludes a root at the lower end of the interval.
+constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
+
+//! The roots in (#LOWEST, #HIGHEST] of a polynomial whose largest coefficient is 1.
+int rootsNearZero(const double* coefficients, int degree, double* roots);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -32,41 +32,45 @@ f[k+1] with s > 0, so that evaluating the whole sequence at x, from the last ele
 three operations per element. */
 struct Sturm
 {
-    /** @return in which lanes there are such links and the last element is a constant. Not where a
-    degree is (nearly) skipped, as for x^10 - 1, nor for a multiple root. */
+    /** @return in which lanes there are such links: not where a degree is (nearly) skipped, as for
+    x^10 - 1. The sequence ends early if its last element divides the others up to rounding. */
     Mask build(const Polynomials& p)
     {
         Pack f[DEGREE + 1], g[DEGREE + 1];
         for (int i = 0; i <= DEGREE; ++i)
             f[i] = p.c[i];
         for (int i = 0; i < DEGREE; ++i)
+        {
             g[i] = (i + 1.) * f[i + 1];
-        Mask regular = f[0] == f[0];
+            last[i] = Pack();
+        }
+        Mask regular = f[0] == f[0], open = Pack() == Pack(), closed = Pack() != Pack();
         for (int degree = DEGREE, k = 0; degree > 1; --degree, ++k)
         {
-            const Pack lead = 1. / g[degree - 1];
-            a[k] = f[degree] * lead;
-            b[k] = (f[degree - 1] - a[k] * g[degree - 2]) * lead;
             Pack rest[DEGREE], largest = Pack();
+            link(k, f, g, degree, open);
             for (int i = 0; i < degree - 1; ++i)
             {
                 rest[i] = b[k] * g[i] + (i > 0 ? a[k] * g[i - 1] : Pack()) - f[i];
                 largest = largerOf(largest, absolute(rest[i]));
             }
-            s[k] = largest;
-            regular &= largest > 1e-14;
-            regular &= absolute(rest[degree - 2]) > 1e-5 * largest;
+            const Mask ends = largest <= 1e-14;
+            for (int i = 0; i < degree; ++i)
+                last[i] = (ends & open) ? g[i] : last[i];
+            closed |= ends;
+            open &= largest > 1e-14;
+            s[k] = open ? largest : Pack();
+            regular &= (absolute(rest[degree - 2]) > 1e-5 * largest) | closed;
             const Pack inverse = 1. / largest;
             for (int i = 0; i < degree; ++i)
                 f[i] = g[i];
             for (int i = 0; i < degree - 1; ++i)
                 g[i] = rest[i] * inverse;
         }
-        const Pack lead = 1. / g[0];
-        a[DEGREE - 1] = f[1] * lead;
-        b[DEGREE - 1] = f[0] * lead;
+        link(DEGREE - 1, f, g, 1, open);
         s[DEGREE - 1] = Pack();
-        last = g[0];
+        last[0] = open ? g[0] : last[0];
+        early = bitsOf(closed) != 0;
         return regular;
     }
 
@@ -74,7 +78,13 @@ struct Sturm
     Pack changes(const Pack& x) const
     {
         SignChanges result;
-        Pack below = Pack(), here = last;
+        Pack below = Pack(), here = last[0];
+        if (early)
+        {
+            here = last[DEGREE - 1];
+            for (int i = DEGREE - 2; i >= 0; --i)
+                here = here * x + last[i];
+        }
         for (int k = DEGREE - 1; k >= 0; --k)
         {
             const Pack above = (a[k] * x + b[k]) * here - s[k] * below;
@@ -85,13 +95,24 @@ struct Sturm
         return result.count();
     }
 
-    Pack a[DEGREE], b[DEGREE], s[DEGREE], last;
+private:
+    //! The k-th link, between f of a degree and g; above the end of a sequence it leaves numbers as
+    //! they are.
+    void link(int k, const Pack* f, const Pack* g, int degree, const Mask& open)
+    {
+        const Pack lead = 1. / g[degree - 1], factor = f[degree] * lead,
+                   rest = f[degree - 1] - (degree > 1 ? factor * g[degree - 2] : Pack());
+        a[k] = open ? factor : Pack();
+        b[k] = open ? rest * lead : everywhere(1);
+    }
+
+    Pack a[DEGREE], b[DEGREE], s[DEGREE];
+    Pack last[DEGREE];  //!< coefficients of the last element
+    bool early;         //!< it is not a constant in all lanes
 };
 
-//! Bounds of the roots of a polynomial and of the reversed one. No round numbers, because Sturm's
-//! theorem excludes a root at the lower end of the interval.
-constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
-//! Intervals of equal length between them, each of which holds at most one root in most cases.
+//! Intervals of equal length between #LOWEST and #HIGHEST, each of which holds at most one root in
+//! most cases.
 constexpr int CELLS = 8;
 //! Halvings of an interval that holds several roots.
 constexpr int HALVINGS = 37;
@@ -286,12 +307,6 @@ struct Roots
     int count[WIDTH];
     Pack at[MAX_MODELS];
 
-    void add(int k, double root)
-    {
-        if (count[k] < DEGREE)
-            setLane(at[count[k]++], k, root);
-    }
-
     //! @param coefficients of the polynomials, the constant first
     //! @param wanted lanes, a bit for each; there are no roots in the others
     void find(const Pack (&coefficients)[DEGREE + 1], int wanted)
@@ -307,38 +322,39 @@ struct Roots
         const Pack inverse = 1. / largest;
         for (int i = 0; i <= DEGREE; ++i)
             all.p[0].c[i] = all.p[1].c[DEGREE - i] = coefficients[i] * inverse;
-        // where the degree is lower or there is a root at 0, the sequences are not as assumed
-        int regular = bitsOf(absolute(all.p[0].c[DEGREE]) > 1e-14) &
-                      bitsOf(absolute(all.p[0].c[0]) > 1e-14) &
-                      bitsOf(all.sturm[0].build(all.p[0])) & bitsOf(all.sturm[1].build(all.p[1]));
-        regular &= wanted;
         for (int part = 0; part < 2; ++part)
+        {
+            // else the degree is lower than the sequence assumes
+            const Mask full = absolute(all.p[part].c[DEGREE]) > 1e-14;
+            const int regular = wanted & bitsOf(full & all.sturm[part].build(all.p[part]));
             all.isolate(part, regular);
+            for (int k = 0; k < WIDTH; ++k)
+                if ((wanted & ~regular) >> k & 1)
+                    addSlowly(part, k, all.p[part]);
+        }
         all.refine();
         for (int i = 0; i < all.brackets.count; ++i)
-        {
-            const int k = all.brackets.lanes[i];
-            const double near = all.brackets.roots[i], root = 1 / near;
-            if (!all.brackets.reversed[i])
-                add(k, near);
-            else if (root <= LOWEST || root > HIGHEST)
-                add(k, root);
-        }
-        for (int k = 0; k < WIDTH; ++k)
-            if ((wanted & ~regular) >> k & 1)
-                findOne(coefficients, k);
+            add(all.brackets.reversed[i], all.brackets.lanes[i], all.brackets.roots[i]);
     }
 
 private:
+    //! @param part 1: the inverse of a root, which the polynomial itself has, too, if it is near 0
+    void add(int part, int k, double near)
+    {
+        const double root = part == 0 ? near : 1 / near;
+        if (count[k] < DEGREE && (part == 0 || root <= LOWEST || root > HIGHEST))
+            setLane(at[count[k]++], k, root);
+    }
+
     //! By a slower method that works for every polynomial.
-    void findOne(const Pack (&coefficients)[DEGREE + 1], int k)
+    void addSlowly(int part, int k, const Polynomials& p)
     {
         double c[DEGREE + 1], roots[MAX_DEGREE];
         for (int i = 0; i <= DEGREE; ++i)
-            c[i] = lane(coefficients[i], k);
-        const int found = realRoots(c, DEGREE, roots);
+            c[i] = lane(p.c[i], k);
+        const int found = rootsNearZero(c, DEGREE, roots);
         for (int i = 0; i < found; ++i)
-            add(k, roots[i]);
+            add(part, k, roots[i]);
     }
 };
 
