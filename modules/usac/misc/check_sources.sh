@@ -57,6 +57,7 @@ done > "$mistakes"
 report "folders of the tests that $src does not have"
 # A folder may include only from folders of the lines above it, not from those of its own line.
 layers='core
+lanes
 scoring
 optimization
 problems

@@ -6,7 +6,7 @@
 constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3 matrix of
 polynomials in z whose determinant, of degree 10, vanishes; its real roots give z, its null vectors
 x and y. Roots that violate the constraints even after a correction are rejected. No include guard:
-compiled once for each instruction set by scoring/kernels.inl.hpp. */
+compiled once for each instruction set by lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* The polynomials of the five-point solver, for several samples at once. No include guard: compiled
-once for each instruction set by scoring/kernels.inl.hpp. */
+once for each instruction set by lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {

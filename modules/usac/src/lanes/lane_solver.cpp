@@ -18,12 +18,11 @@ int LaneSolver::solve(const Correspondences& points, const int* sample, Model* m
 void LaneSolver::solveMany(const Correspondences& points, const int* const* samples, int count,
                            Model* const* models, int* found) const
 {
-    const SolverKernels best = kernel();
     for (int first = 0; first < count; first += MAX_TOGETHER)
     {
         double matrices[MAX_TOGETHER][MAX_MODELS][9];
         const int end = std::min(first + MAX_TOGETHER, count);
-        const SolverKernel solver = end - first > FEW_SAMPLES ? best.many : best.few;
+        const SolverKernel solver = kernelOf(lanes::kernelsFor(end - first));
         solver(points, samples + first, end - first, matrices, found + first);
         for (int i = first; i < end; ++i)
             for (int k = 0; k < found[i]; ++k)

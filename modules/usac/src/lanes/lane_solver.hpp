@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_LANE_SOLVER_HPP
 #define OPENCV_USACV20_LANE_SOLVER_HPP
 
-#include "scoring/kernels.hpp"
+#include "lanes/lane_kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -20,7 +20,7 @@ public:
     int together() const CV_OVERRIDE { return MAX_TOGETHER; }
 
 protected:
-    virtual SolverKernels kernel() const = 0;
+    virtual SolverKernel kernelOf(const lanes::Kernels& kernels) const = 0;
 };
 
 }  // namespace usacv20

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* The matrices that fulfil the epipolar constraints of samples. No include guard: compiled once for
-each instruction set by scoring/kernels.inl.hpp. */
+each instruction set by lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* A register of numbers, one for each of several samples that are solved together (its lanes). No
-include guard: compiled once for each instruction set by scoring/kernels.inl.hpp. No operation mixes
-lanes, so that the result of a sample has the same bits with any number of lanes. */
+include guard: compiled once for each instruction set by lanes/lane_kernels.inl.hpp. No operation
+mixes lanes, so that the result of a sample has the same bits with any number of lanes. */
 
 #if defined __SSE2__
 #include <immintrin.h>

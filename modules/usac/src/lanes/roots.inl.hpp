@@ -5,7 +5,7 @@
 /* Real roots of polynomials of degree 10, one polynomial in each lane. Sturm's theorem isolates the
 roots in [-1, 1]; the others are inverses of roots of the reversed polynomial. Halley's method
 inside a bracket refines them to double precision @cite press2007numerical. No include guard:
-compiled once for each instruction set by scoring/kernels.inl.hpp. */
+compiled once for each instruction set by lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {

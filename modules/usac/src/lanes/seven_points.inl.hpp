@@ -6,7 +6,7 @@
 constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated points lower
 the rank of the constraints, so that the sample is degenerate. Collinear points fit l2 l1^T, which
 has rank 1 and is no epipolar geometry. No include guard: compiled once for each instruction set by
-scoring/kernels.inl.hpp. */
+lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "core/instruction_set.hpp"
 #include "scoring/kernels.inl.hpp"
 
 namespace cv {
@@ -10,33 +11,18 @@ namespace usacv20 {
 
 Kernels baselineKernels() { return allKernels(); }
 
-#ifdef USACV20_HAVE_AVX512
-//! The AVX-512 versions, and those of AVX2 for few samples.
-static Kernels widestKernels()
-{
-    Kernels all = avx512Kernels();
-#ifdef USACV20_HAVE_AVX2
-    const Kernels narrower = avx2Kernels();
-    all.fivePoints.few = narrower.fivePoints.few;
-    all.sevenPoints.few = narrower.sevenPoints.few;
-#endif
-    return all;
-}
-#endif
-
 static Kernels bestKernels()
 {
+    const InstructionSet instructions = fastestInstructions();
 #ifdef USACV20_HAVE_AVX512
-    // OPENCV_CPU_DISABLE can name the group AVX512_SKX or single features
-    if (checkHardwareSupport(CV_CPU_AVX512_SKX) && checkHardwareSupport(CV_CPU_AVX_512F) &&
-        checkHardwareSupport(CV_CPU_AVX_512BW) && checkHardwareSupport(CV_CPU_AVX_512DQ) &&
-        checkHardwareSupport(CV_CPU_AVX_512VL))
-        return widestKernels();
+    if (instructions == INSTRUCTIONS_AVX512)
+        return avx512Kernels();
 #endif
 #ifdef USACV20_HAVE_AVX2
-    if (checkHardwareSupport(CV_CPU_AVX2))
+    if (instructions == INSTRUCTIONS_AVX2)
         return avx2Kernels();
 #endif
+    CV_UNUSED(instructions);
     return baselineKernels();
 }
 

@@ -39,23 +39,6 @@ threshold, see PlaneParallax and arcs.inl.hpp.
 @param from, to output: first and last bin of each arc; 0 and -1 if the arc is the whole line */
 typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
 
-/** Solves several samples in the lanes of vector registers. The models of a sample do not depend on
-the others.
-@param samples `count` samples, see MinimalSolver::solve
-@param count 1 to MinimalSolver::MAX_TOGETHER, which the widest registers hold
-@param models output: 3x3 matrices of unit norm, row by row
-@param found output: their number for each sample */
-typedef void (*SolverKernel)(const Correspondences& points, const int* const* samples, int count,
-                             double (*models)[MAX_MODELS][9], int* found);
-
-//! One solver for several instruction sets, all with the same results.
-struct SolverKernels
-{
-    SolverKernel many, few;  //!< few: for up to #FEW_SAMPLES
-};
-//! For fewer samples, wide registers are slower than narrow ones.
-constexpr int FEW_SAMPLES = 4;
-
 /** The loops over points, compiled once for each instruction set. All versions return the same
 bits: they sum in the same lanes and order, and no multiplication is contracted with an addition.
 The arrays are indexed by Residual::Kind; the sums and costs of the symmetric transfer error are
@@ -68,8 +51,6 @@ struct Kernels
     SumsKernel sums[Residual::CUSTOM];   //!< null if fits are in closed form
     SumsKernel costs[Residual::CUSTOM];  //!< null likewise
     ArcsKernel arcs;
-    SolverKernels fivePoints;   //!< essential matrices
-    SolverKernels sevenPoints;  //!< fundamental matrices
 };
 
 Kernels baselineKernels();

@@ -6,26 +6,14 @@
 may be instantiated here, because the linker would merge inline functions of other headers with
 those compiled for other instruction sets. */
 
-#include <cfloat>
-#include <climits>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include "core/indices.hpp"
-#include "core/polynomial.hpp"
-#include "problems/essential/essential_basis.hpp"
-#include "problems/fundamental/fundamental.hpp"
 #include "scoring/arcs.inl.hpp"
 #include "scoring/formulas.hpp"
 #include "scoring/kernels.hpp"
 #include "core/simd.hpp"
 #include "scoring/sums.inl.hpp"
-#include "lanes/pack.inl.hpp"
-#include "lanes/null_space.inl.hpp"
-#include "lanes/roots.inl.hpp"
-#include "lanes/five_points_polynomials.inl.hpp"
-#include "lanes/five_points.inl.hpp"
-#include "lanes/seven_points.inl.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -142,8 +130,6 @@ Kernels allKernels()
     addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost,
                                        all);
     all.arcs = arcsKernel;
-    all.sevenPoints.many = all.sevenPoints.few = sevenPointKernel;
-    all.fivePoints.many = all.fivePoints.few = fivePointKernel;
     addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums,
                                        symmetricEpipolarCost, all);
     addKernels<ReprojectionError>(Residual::REPROJECTION, reprojectionSums, reprojectionCost, all);

@@ -9,7 +9,7 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 #include "run_context.hpp"
-#include "scoring/available_kernels.hpp"
+#include "scoring/kernels.hpp"
 #include "scoring/residuals.hpp"
 #include "scoring/scores.hpp"
 
@@ -19,6 +19,38 @@ namespace opencv_test {
 namespace {
 
 enum { COUNT = 600 };
+
+struct NamedKernels
+{
+    const char* name;
+    Kernels kernels;
+};
+
+//! Of all instruction sets that this processor has.
+std::vector<NamedKernels> availableKernels()
+{
+    std::vector<NamedKernels> result;
+    const NamedKernels baseline = {"baseline", baselineKernels()};
+    result.push_back(baseline);
+#ifdef USACV20_HAVE_AVX2
+    if (checkHardwareSupport(CV_CPU_AVX2))
+    {
+        const NamedKernels avx2 = {"AVX2", avx2Kernels()};
+        result.push_back(avx2);
+    }
+#endif
+#ifdef USACV20_HAVE_AVX512
+    if (checkHardwareSupport(CV_CPU_AVX_512F) && checkHardwareSupport(CV_CPU_AVX_512BW) &&
+        checkHardwareSupport(CV_CPU_AVX_512DQ) && checkHardwareSupport(CV_CPU_AVX_512VL))
+    {
+        const NamedKernels avx512 = {"AVX-512", avx512Kernels()};
+        result.push_back(avx512);
+    }
+#endif
+    const NamedKernels best = {"best", kernels()};
+    result.push_back(best);
+    return result;
+}
 
 //! Points and models of all qualities.
 struct Fixture

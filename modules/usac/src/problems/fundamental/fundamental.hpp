@@ -10,9 +10,6 @@
 namespace cv {
 namespace usacv20 {
 
-//! Smallest ratio of the two singular values of F that counts as rank 2.
-constexpr double LEAST_RATIO = 1e-6;
-
 //! See FundamentalProblem.
 Ptr<Problem> createFundamentalProblem();
 //! From 7 points, see Fundamental7Solver.

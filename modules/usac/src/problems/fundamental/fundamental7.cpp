@@ -18,7 +18,10 @@ public:
     int sampleSize() const CV_OVERRIDE { return 7; }
 
 protected:
-    SolverKernels kernel() const CV_OVERRIDE { return kernels().sevenPoints; }
+    SolverKernel kernelOf(const lanes::Kernels& kernels) const CV_OVERRIDE
+    {
+        return kernels.sevenPoints;
+    }
 };
 
 }  // namespace

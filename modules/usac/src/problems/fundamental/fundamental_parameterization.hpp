@@ -5,8 +5,8 @@
 #ifndef OPENCV_USACV20_FUNDAMENTAL_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_FUNDAMENTAL_PARAMETERIZATION_HPP
 
+#include "lanes/lane_kernels.hpp"
 #include "optimization/tangent_space.hpp"
-#include "problems/fundamental/fundamental.hpp"
 
 namespace cv {
 namespace usacv20 {

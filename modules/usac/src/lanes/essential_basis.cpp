@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "problems/essential/essential_basis.hpp"
+#include "lanes/essential_basis.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
-#include "scoring/available_kernels.hpp"
+#include "lanes/lane_kernels.hpp"
 
 #include <atomic>
 
@@ -12,6 +12,30 @@ namespace opencv_test {
 namespace {
 
 enum { TOGETHER = MinimalSolver::MAX_TOGETHER };
+
+struct NamedKernels
+{
+    const char* name;
+    lanes::Kernels kernels;
+};
+
+//! Of all instruction sets that this processor has.
+std::vector<NamedKernels> availableKernels()
+{
+    std::vector<NamedKernels> result;
+    const NamedKernels all[] = {{"baseline", lanes::baselineKernels()},
+                                {"for few", lanes::kernelsFor(1)},
+                                {"for many", lanes::kernelsFor(TOGETHER)}};
+    result.assign(all, all + 3);
+#ifdef USACV20_HAVE_AVX2
+    if (checkHardwareSupport(CV_CPU_AVX2))
+    {
+        const NamedKernels avx2 = {"AVX2", lanes::avx2Kernels()};
+        result.push_back(avx2);
+    }
+#endif
+    return result;
+}
 
 //! Samples of every kind: of right and wrong matches, and degenerate ones.
 struct Samples
@@ -38,7 +62,7 @@ struct Samples
     }
 
     const Correspondences& points() const { return usac->points(); }
-    SolverKernels solverOf(const Kernels& kernels) const
+    SolverKernel solverOf(const lanes::Kernels& kernels) const
     {
         return problem == ESSENTIAL ? kernels.fivePoints : kernels.sevenPoints;
     }
@@ -72,7 +96,7 @@ Solutions solutions(const Samples& samples, SolverKernel solver, int together, i
 
 Solutions expectedOf(const Samples& samples)
 {
-    return solutions(samples, samples.solverOf(baselineKernels()).many, 1);
+    return solutions(samples, samples.solverOf(lanes::baselineKernels()), 1);
 }
 
 //! Number of samples whose models differ in any bit.
@@ -105,9 +129,8 @@ TEST_P(Usac_Lanes, sameBitsWithEveryInstructionSet)
     const std::vector<NamedKernels> all = availableKernels();
     for (size_t k = 0; k < all.size(); ++k)
     {
-        const SolverKernels solver = samples.solverOf(all[k].kernels);
-        EXPECT_EQ(0, different(expected, solutions(samples, solver.many, TOGETHER))) << all[k].name;
-        EXPECT_EQ(0, different(expected, solutions(samples, solver.few, 4))) << all[k].name;
+        const SolverKernel solver = samples.solverOf(all[k].kernels);
+        EXPECT_EQ(0, different(expected, solutions(samples, solver, TOGETHER))) << all[k].name;
     }
 }
 
@@ -119,7 +142,7 @@ TEST_P(Usac_Lanes, sameBitsInEveryLane)
     const std::vector<NamedKernels> all = availableKernels();
     for (size_t k = 0; k < all.size(); ++k)
     {
-        const SolverKernel solver = samples.solverOf(all[k].kernels).many;
+        const SolverKernel solver = samples.solverOf(all[k].kernels);
         for (int i = 1; i < TOGETHER; ++i)
         {
             EXPECT_EQ(0, different(expected, solutions(samples, solver, i))) << all[k].name;

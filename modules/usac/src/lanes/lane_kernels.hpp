@@ -1,0 +1,50 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_LANE_KERNELS_HPP
+#define OPENCV_USACV20_LANE_KERNELS_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Smallest ratio of the two singular values of a fundamental matrix that counts as rank 2.
+constexpr double LEAST_RATIO = 1e-6;
+
+/** Solves several samples in the lanes of vector registers. The models of a sample do not depend on
+the others.
+@param samples `count` samples, see MinimalSolver::solve
+@param count 1 to MinimalSolver::MAX_TOGETHER, as many as the widest registers hold
+@param models output: 3x3 matrices of unit norm, row by row
+@param found output: their number for each sample */
+typedef void (*SolverKernel)(const Correspondences& points, const int* const* samples, int count,
+                             double (*models)[MAX_MODELS][9], int* found);
+
+//! The solvers that work in lanes, compiled once for each instruction set; all versions return the
+//! same bits.
+namespace lanes {
+
+struct Kernels
+{
+    SolverKernel fivePoints;   //!< essential matrices
+    SolverKernel sevenPoints;  //!< fundamental matrices
+};
+
+Kernels baselineKernels();
+#ifdef USACV20_HAVE_AVX2
+Kernels avx2Kernels();
+#endif
+#ifdef USACV20_HAVE_AVX512
+Kernels avx512Kernels();
+#endif
+
+//! The fastest kernels for this many samples.
+const Kernels& kernelsFor(int samples);
+
+}  // namespace lanes
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+/* No include guard: each source file that sets an instruction set includes this once. Nothing with
+external linkage may be instantiated here, because the linker would merge inline functions of other
+headers with those compiled for other instruction sets. */
+
+#include <cfloat>
+#include <climits>
+#include <cmath>
+#include <cstring>
+#include "core/polynomial.hpp"
+#include "lanes/essential_basis.hpp"
+#include "lanes/lane_kernels.hpp"
+#include "lanes/pack.inl.hpp"
+#include "lanes/null_space.inl.hpp"
+#include "lanes/roots.inl.hpp"
+#include "lanes/five_points_polynomials.inl.hpp"
+#include "lanes/five_points.inl.hpp"
+#include "lanes/seven_points.inl.hpp"
+
+namespace cv {
+namespace usacv20 {
+namespace {
+
+lanes::Kernels allKernels()
+{
+    lanes::Kernels all;
+    all.fivePoints = fivePointKernel;
+    all.sevenPoints = sevenPointKernel;
+    return all;
+}
+
+}  // namespace
+}  // namespace usacv20
+}  // namespace cv
