@@ -69,7 +69,8 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       localTicks(0), checkSamples(checkSamples_)
 {}
 
-// Numbers in comments are lines of Algorithm 1: 4 to 14 in hypothesize(), 15 to 27 in improve().
+// Numbers in comments are lines of Algorithm 1: 4 to 6 in solve(), 7 to 14 in hypothesize(), 15 to
+// 27 in improve().
 bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();

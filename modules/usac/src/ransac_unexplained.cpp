@@ -126,11 +126,11 @@ void Ransac::sampleUnexplained(const int* indices, int count, int most)
     {
         if (i == ahead)
         {
-            const int next = std::min(ahead, end - state.iteration);
-            for (i = 0; i < next; ++i)
-                drawn[i] = drawUnexplained(indices, count, state.iteration + i);
-            solve(drawn, next, solved);
             i = 0;
+            const int next = std::min(ahead, end - state.iteration);
+            for (int k = 0; k < next; ++k)
+                drawn[k] = drawUnexplained(indices, count, state.iteration + k);
+            solve(drawn, next, solved);
         }
         if (solved[i].rejectedSample)
         {
