@@ -97,11 +97,7 @@ bool Ransac::run(int pause)
         bool found = false;
         for (int i = 0; i < size && !terminate(); ++i)
         {
-            Hypotheses& h = batch[together ? i : i % ahead];
-            if (!together && i % ahead == 0)
-                solve(samples + i, std::min(ahead, size - i), batch);
-            if (!together)
-                hypothesize(i, h, errorRows);
+            const Hypotheses& h = together ? batch[i] : hypothesizeNext(i);
             ++state.iteration;
             state.counts = counts[i] != 0;
             account(h);
@@ -279,6 +275,15 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
         else
             ++h.dropped;
     }
+}
+
+const Hypotheses& Ransac::hypothesizeNext(int index)
+{
+    if (index % ahead == 0)
+        solve(samples + index, std::min(ahead, size - index), batch);
+    Hypotheses& h = batch[index % ahead];
+    hypothesize(index, h, errorRows);
+    return h;
 }
 
 bool Ransac::validSample(const int* sample) const

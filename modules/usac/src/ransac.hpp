@@ -67,6 +67,8 @@ private:
     //! Scores these models. @param index index of the sample in the batch
     //! @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
+    //! Both for the samples of a batch one after the other.
+    const Hypotheses& hypothesizeNext(int index);
     void hypothesizeBatch();
     void hypothesizePart(int first, int count);
     //! Allocates memory for the hypotheses of `wanted` samples and for `rows` rows of errors.
