@@ -10,7 +10,8 @@
 
 namespace benchmark {
 
-/** A minimal solver that remembers its samples, and the models of some of them. For one thread. */
+/** A minimal solver that remembers its samples, and the models of some of them. For one thread. It
+solves them one by one, so that no sample is solved that the run does not reach. */
 class CountingSolver : public cv::usacv20::MinimalSolver
 {
 public:

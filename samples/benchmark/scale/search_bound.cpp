@@ -21,15 +21,30 @@ namespace {
 //! So many times everything is timed.
 const int ROUNDS = 15;
 
-//! Wall time, as Report::searchMs. @param found output, number of models.
+//! Wall time, as Report::searchMs, of as many samples at once as in a run. @param found output,
+//! number of models.
 double solverMsOf(const Usac& usac, const MinimalSolver& solver, const CountingSolver& samples,
                   int& found)
 {
+    const int together = solver.together();
+    std::vector<Model> models(together * MAX_MODELS);
+    std::vector<const int*> drawn(together);
+    std::vector<Model*> places(together);
+    std::vector<int> counts(together);
     const Stopwatch watch;
-    Model models[MAX_MODELS];
     found = 0;
-    for (int i = 0; i < samples.solved(); ++i)
-        found += solver.solve(usac.points(), samples.sample(i), models);
+    for (int i = 0; i < samples.solved(); i += together)
+    {
+        const int count = std::min(together, samples.solved() - i);
+        for (int k = 0; k < count; ++k)
+        {
+            drawn[k] = samples.sample(i + k);
+            places[k] = &models[k * MAX_MODELS];
+        }
+        solver.solveMany(usac.points(), drawn.data(), count, places.data(), counts.data());
+        for (int k = 0; k < count; ++k)
+            found += counts[k];
+    }
     return watch.wallMs();
 }
 
