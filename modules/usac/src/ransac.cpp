@@ -21,9 +21,9 @@ constexpr int LARGEST_BATCH = 256;
 models of this batch except the best are optimized late. Half: time +3 to +5 %; double: failures of
 F and E +0.3 to +0.5 percentage points. */
 constexpr int FIRST_BATCH = 8;
-//! A sample is expensive above this SampleCost::time, in point tests: between those of F, 700, and
-//! of E, 4000. Double: failures of E +0.3 percentage points.
-constexpr int EXPENSIVE = 2000;
+//! A sample is expensive above this SampleCost::time, in point tests: between those of F, 300, and
+//! of E, 1500. Double: failures of E +0.3 percentage points.
+constexpr int EXPENSIVE = 1000;
 //! In point tests. Batches with less work, a tenth of a millisecond, are not distributed over
 //! threads. The result does not depend on it.
 constexpr double PARALLEL_WORK = 44800;
