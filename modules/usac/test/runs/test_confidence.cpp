@@ -8,7 +8,7 @@
 namespace opencv_test {
 namespace {
 
-enum { RUNS = 1000 };
+const int RUNS = 1000;
 
 /** @brief Two homographies without noise among wrong matches. The right one has a few more matches
 than the other, which is what an impatient criterion ends with. Best match first: each part is

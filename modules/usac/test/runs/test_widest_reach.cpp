@@ -13,7 +13,7 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_WidestReach, testing::ValuesIn(TWO_VIEW_PROBL
 //! Of some scenes; the mask is checked, too.
 double meanError(int problem, Params params, double pixels)
 {
-    enum { SCENES = 6 };
+    const int SCENES = 6;
     params.threshold = pixels;
     double sum = 0;
     for (int seed = 1; seed <= SCENES; ++seed)

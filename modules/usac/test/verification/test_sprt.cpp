@@ -9,7 +9,7 @@
 namespace opencv_test {
 namespace {
 
-enum { COUNT = 2000 };
+const int COUNT = 2000;
 
 //! A verifier that has learned an inlier ratio of good and of bad models.
 class Trained
