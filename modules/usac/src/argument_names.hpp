@@ -5,23 +5,23 @@
 #ifndef OPENCV_USACV20_ARGUMENT_NAMES_HPP
 #define OPENCV_USACV20_ARGUMENT_NAMES_HPP
 
-// Translates argument names in error messages for functions (those of calib3d, for example) whose
-// arguments have other names than those of the estimation that they call.
+// Some functions (those of calib3d, for example) have other argument names than the estimation that
+// they call. This translates the names in error messages.
 
 #include <opencv2/core.hpp>
 
 namespace cv {
 namespace usacv20 {
 
-//! Name of an argument in the estimation, and in the function that the caller used.
+//! Name of an argument in the estimation, and in the function that the caller has called.
 struct ArgumentName
 {
     const char *inner, *callers;
 };
 
-//! Rethrows `mistake` with the argument names before the colon, as in "points1 and points2: lists
-//! of ...", replaced by those of the caller if they differ. Text before the colon that is not a
-//! list of names is left unchanged.
+//! Throws `mistake` with the argument names before the colon, as in "points1 and points2: lists of
+//! ...", replaced by those of the caller. Returns if none of them differs, or if the text before
+//! the colon is not a list of names.
 void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake);
 
 //! Calls an estimation and translates the argument names in its exceptions. A handler installed

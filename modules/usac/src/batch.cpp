@@ -78,8 +78,8 @@ std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1,
     const size_t count = first.size();
     if (count != second.size())
         CV_Error_(Error::StsUnmatchedSizes,
-                  ("%s and %s: as many entries are expected, not %d and %d", name1, name2,
-                   (int)count, (int)second.size()));
+                  ("%s and %s: lists of the same length are expected, not of %d and %d", name1,
+                   name2, (int)count, (int)second.size()));
     if (params.size() != 1 && params.size() != count)
         CV_Error_(Error::StsUnmatchedSizes,
                   ("params: 1 or %d are expected, not %d", (int)count, (int)params.size()));

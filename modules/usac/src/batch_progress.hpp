@@ -16,11 +16,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Lets the ProgressScopes of the thread that calls estimateBatch cancel the work of all its
-threads.
+/** @brief Lets the ProgressScopes of the thread that calls estimateBatch cancel the work of all
+threads of the batch.
 
 Only the calling thread calls the progress functions: during its own estimations, between them, and
-while it waits for those of other threads. The other threads read the answer from a flag. Without a
+while it waits for the other threads. These read the answer from a flag. Without a
 ProgressScope nothing is called, and no thread waits. */
 class BatchProgress
 {
@@ -50,10 +50,11 @@ public:
 
 private:
     bool isCaller() const { return std::this_thread::get_id() == caller; }
-    //! For the calling thread: stores an exception of a progress function, because exceptions
-    //! during an estimation are otherwise attributed to its task.
+    //! Calls the progress functions, in the calling thread only. Their exception is stored for
+    //! finish(): thrown during an estimation, it would be taken for an error of that task.
+    //! @return false if the batch is cancelled
     bool ask(const Report& report);
-    //! The same, if PERIOD has passed since the last call.
+    //! Calls ask() if PERIOD has passed since the last call.
     void askNowAndThen();
     void waitForOthers();
 

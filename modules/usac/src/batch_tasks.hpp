@@ -11,14 +11,13 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Runs many estimations in parallel: each thread of cv::parallel_for_ takes the next one
-when it has finished one.
+/** @brief Runs many estimations in parallel: each thread of cv::parallel_for_ takes the next
+estimation when it has finished one.
 @param count number of estimations
 @param threads how many run at once, at most cv::getNumThreads(); 0: cv::getNumThreads(). Raises
 cv::Exception if negative
 @param estimate runs the estimation with a given index; must not throw
-@param leave called for each one that is not begun because a ProgressScope has cancelled the batch
-*/
+@param leave called instead of `estimate` after a ProgressScope has cancelled the batch */
 void forEachTask(int count, int threads, const std::function<void(int)>& estimate,
                  const std::function<void(int)>& leave);
 

@@ -46,8 +46,8 @@ void checkScore(const Score& score)
             (!far && sum.inliers != COUNT))
             CV_Error_(Error::StsOutOfRange,
                       ("components().score: %d points %s have the cost %g and %d inliers; a cost "
-                       "from 0 to 1 a point "
-                       "is expected, and that points without error are inliers",
+                       "from 0 to 1 per point is expected, "
+                       "and that points without error are inliers",
                        (int)COUNT, far ? "far from the model" : "without error", sum.cost,
                        sum.inliers));
     }
@@ -59,7 +59,7 @@ void checkProblem(const Problem& problem, int residual)
     const Ptr<MinimalSolver> solver = problem.createMinimalSolver();
     if (!solver || !problem.createResidual(residual))
         CV_Error_(Error::StsNullPtr,
-                  ("problem %s: createResidual() or createMinimalSolver() has given nothing",
+                  ("problem %s: createResidual() or createMinimalSolver() has returned nothing",
                    name.c_str()));
     const int dimensions = problem.errorDimension(), m = solver->sampleSize();
     const int first = problem.coordinates(0), second = problem.coordinates(1);
@@ -79,7 +79,7 @@ void checkProblem(const Problem& problem, int residual)
     const SampleCost cost = problem.sampleCost();
     if (!(cost.time > 0 && cost.models > 0))
         CV_Error_(Error::StsOutOfRange,
-                  ("problem %s: costs above 0 are expected, not time %g and %g models",
+                  ("problem %s: sampleCost() above 0 is expected, not a time of %g and %g models",
                    name.c_str(), cost.time, cost.models));
 }
 

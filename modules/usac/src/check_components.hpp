@@ -16,12 +16,12 @@ be positive.
 @param residual ResidualType */
 void checkProblem(const Problem& problem, int residual);
 
-//! Raises a cv::Exception that names the component if a required one or an entry of a list is
-//! empty, or if the sample size is impossible.
+//! Raises a cv::Exception that names the component if a required component or an entry of a list of
+//! components is empty, or if the sample size is out of range.
 void checkComponents(const Components& parts);
 
-/** @brief Raises a cv::Exception for an invalid score of the caller, which must have been started:
-points without error must be inliers, and costs must lie between 0 and 1. */
+/** @brief Raises a cv::Exception for an invalid score of the caller: points without error must be
+inliers, and costs must lie between 0 and 1. To be called after Score::start(). */
 void checkScore(const Score& score);
 
 //! Raises a cv::Exception if a sample of a caller's sampler does not have m distinct indices in 0

@@ -38,9 +38,9 @@ Usac::~Usac() {}
 
 namespace {
 
-//! Time to sort the points, per point, in point tests (see Watch): measured for a million points,
-//! 130 ns with scores and 80 ns by density. It only affects how late a run with a time limit ends
-//! during this step.
+//! Time per point to sort the points, in point tests (see Watch). With a million points, 130 ns
+//! with scores and 80 ns by density were measured. It only affects how late a run with a time limit
+//! ends during this step.
 constexpr double SORT_WORK = 65;
 
 }  // namespace
@@ -138,7 +138,7 @@ bool Residual::homogeneous() const { return true; }
 int Residual::error(const Model& model, const double* datum, double* error) const
 {
     const double*
-        columns[MAX_COLUMNS];  // of one datum; the residual does not read those it does not have
+        columns[MAX_COLUMNS];  // of one datum; the residual reads only those that a datum has
     for (int k = 0; k < MAX_COLUMNS; ++k)
         columns[k] = datum + k;
     squaredErrors(model, columns, 1, error);

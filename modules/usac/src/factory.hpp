@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 //! Creates the components that the options name. A new variant needs its file, its enumerator and
-//! one line here.
+//! one line in factory.cpp.
 Components createComponents(const Problem& problem, const Params& params);
 
 }  // namespace usacv20

@@ -13,8 +13,8 @@ using usacv20::calling;
 using usacv20::Params;
 using usacv20::paramsOf;
 
-// Argument names of calib3d's functions. Functions with a Params translate only the arrays, since
-// its fields keep their names.
+// Argument names of calib3d's functions. For functions with a Params, only the names of the arrays
+// are translated, since the fields of Params keep their names.
 static const ArgumentName HOMOGRAPHY_NAMES[] = {{"points1", "srcPoints"},
                                                 {"points2", "dstPoints"},
                                                 {"threshold", "ransacReprojThreshold"},
@@ -47,7 +47,7 @@ static Matx33d cameraOf(double focal, Point2d pp)
     return Matx33d(focal, 0, pp.x, 0, focal, pp.y, 0, 0, 1);
 }
 
-// If a signature of calib3d has no maxIters, its default is used.
+// If a signature of calib3d has no maxIters, the default of the signature with maxIters is used.
 
 Mat findHomography(InputArray srcPoints, InputArray dstPoints, UsacV20Method method,
                    double ransacReprojThreshold, OutputArray mask, const int maxIters,

@@ -22,8 +22,8 @@ static const ArgumentName NAMES[] = {{"points1", "from"},
                                      {"polishingSteps", "refineIters"}};
 static const ArgumentName ARRAYS_OF_PARAMS[] = {{"points1", "pts1"}, {"points2", "pts2"}};
 
-//! Converts a `size_t` count of calib3d's functions; a negative one appears as a huge number and
-//! raises cv::Exception.
+//! Converts a `size_t` argument of calib3d's functions to int; a negative number, which arrives as
+//! a huge one, raises cv::Exception.
 static int countOf(const char* name, size_t count)
 {
     if (count > (size_t)INT_MAX)

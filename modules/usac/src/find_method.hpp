@@ -18,8 +18,8 @@ Params paramsOf(UsacV20Method method, double threshold, double confidence, int m
                 const char* name = "method");
 
 /** True if a number is a flag of this module, false if it may be one of OpenCV's, which are 0 .. 38
-in OpenCV 4.6, with room up to 63. Any other number raises a cv::Exception, because calib3d does not
-always detect it: for F and E it treats unknown numbers as LMedS. `name` is the name of the
+in OpenCV 4.6; later ones may be up to 63. Any other number raises a cv::Exception, because calib3d
+does not always do so: for F and E it treats unknown numbers as LMedS. `name` is the name of the
 argument. */
 bool isOurs(int method, const char* name = "method");
 

@@ -14,12 +14,13 @@ namespace {
 // Measured on 1200 fits of H, F, E and poses to 8 to 2000 points; doc/constants.md has the effect
 // of halving and doubling each value.
 
-//! Number of samples whose models are compared by their errors, and number of the best of these
-//! models from which least-squares fits start. Halving either: 6 or 7 of the 1200 fits end in a
-//! minimum that is higher by 0.1 % or more.
+//! SAMPLES: number of samples whose models are compared by their errors. STARTS: least-squares fits
+//! start from so many of these models, the best ones. Halving either: 6 or 7 of the 1200 fits end
+//! in a minimum that is higher by 0.1 % or more.
 constexpr int SAMPLES = 64, STARTS = 4;
-//! Number of points with which the initial models are compared and fitted, and maximum number of
-//! steps of a fit, which converges earlier. Halving or doubling either does not change the minima.
+//! PART: number of points with which the initial models are compared and fitted. STEPS: maximum
+//! number of steps of a fit; fits converge earlier. Halving or doubling either does not change the
+//! minima.
 constexpr int PART = 500, STEPS = 100;
 
 //! Converts a list of numbers, one for each point, to CV_64F; empty if none is given.

@@ -29,13 +29,14 @@ public:
     //! Converts a model of the caller to the coordinates of the mask.
     //! @param forSearch output, the same model in the coordinates of the search; may be null
     Model read(InputArray given, Model* forSearch) const;
-    //! Returns State::best in the form of Usac::run if `stop` in State::report is #STOP_NO_SEARCH.
+    //! Returns State::best like Usac::run if Report::stop is #STOP_NO_SEARCH, else no model.
     Mat give(State& state, OutputArray mask, Report* report);
 
 private:
     //! Reads which points are used, and their weights.
     void choose(InputArray weights, InputArray chosen);
-    //! Initial model: the best model of minimal samples, fitted to a subset of the points.
+    //! Finds an initial model: the best models of some samples are fitted to a subset of the
+    //! points, and the fit with the lowest loss is taken. @return false if there is none
     bool begin(Model& model) const;
     //! The sum of (weighted) squared errors over the points of `part`.
     double lossOf(PointSubset& part, const Model& model) const;
@@ -44,7 +45,7 @@ private:
     const Context& context;
     ProblemData& data;
     const Ptr<Residual> residual;  //!< the one that the mask uses
-    const bool asSeen;  //!< `residual` is an image residual, for the original image points
+    const bool asSeen;             //!< true if `residual` is for the original image points
     const Correspondences points;  //!< in the coordinates of `residual`
     const NonMinimalSolver& solver;
     const Problem& problem;

@@ -73,14 +73,14 @@ void checkCombinations(const Params& p)
                          !(p.ordering == ORDERING_INPUT_ORDER ||
                            (p.ordering == ORDERING_AUTO && !p.scores.empty())),
                      "termination: TERMINATION_PROSAC needs points in an order, by scores or by "
-                     "ORDERING_INPUT_ORDER; many wrong "
-                     "models fit the densest places");
+                     "ORDERING_INPUT_ORDER; in an order by density, many wrong models fit the "
+                     "first points");
     checkCombination(criteria == TERMINATION_ORDER,
-                     "termination: TERMINATION_ORDER ends a search only where the order proves to "
-                     "be good, and is for "
-                     "use beside another criterion");
+                     "termination: TERMINATION_ORDER ends a search only if the order proves to be "
+                     "good, and needs "
+                     "another criterion beside it");
     checkCombination(p.termination == TERMINATION_EXACT,
-                     "termination: TERMINATION_EXACT modifies another criterion and stands alone");
+                     "termination: TERMINATION_EXACT modifies other criteria, and none is given");
     checkCombination(
         p.sampler == SAMPLER_IMPORTANCE &&
             (p.scores.empty() || p.scoreOrder != SCORES_HIGHER_IS_BETTER),

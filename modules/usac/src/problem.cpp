@@ -33,8 +33,8 @@ public:
         return dimensions == 2 ? std::sqrt(volume()) : std::pow(volume(), 1. / dimensions);
     }
 
-    //! Upper bound on the length of a line or the area of a plane inside the box; `codimension` is
-    //! the difference of their dimensions.
+    //! Upper bound on the length of a line or the area of a plane inside the box; `codimension`:
+    //! the dimension of the box minus that of the line or plane.
     double largestSection(int codimension) const
     {
         double squares = 0;

@@ -15,9 +15,9 @@ namespace usacv20 {
 
 namespace {
 
-//! In mean absolute deviations from the center: points further out do not enlarge the box
-//! Correspondences::lower, upper. Halving or doubling it changes errors by 2 % at most, the noise
-//! of the search.
+//! Points farther than this many mean absolute deviations from the center do not enlarge the box
+//! Correspondences::lower, upper. Halving or doubling it changes errors by 2 % at most, no more
+//! than the noise of the search.
 constexpr double FRAME = 5;
 //! Bounds of the threshold of the search: its square and the inverse of that must be neither 0 nor
 //! infinite as float. The mask uses the caller's threshold unchanged.
@@ -44,10 +44,10 @@ bool allFinite(const double* values, int count)
     return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // NaN or infinity times 0 is NaN
 }
 
-//! Threshold for Report::wideThreshold, in sides of the box of the points: along its longest side,
-//! all points are within this distance of its center. With half the value, 160 px would be wide in
-//! an image of 640; with double, 1.5 px with normalized points of a field of view of 90 degrees
-//! would not be.
+//! A threshold of at least this fraction of the longest side of the box of the points is wide
+//! (Report::wideThreshold): along this side, all points are within the threshold of the center.
+//! With half of it, 160 px would be wide in an image of 640 px; with double, a threshold of 1.5,
+//! meant as pixels, would not be wide for normalized points of a field of view of 90 degrees.
 constexpr double WIDE = 0.5;
 
 }  // namespace
@@ -141,7 +141,7 @@ void ProblemData::keepImage(Arena& arena)
     view.problem->toImageCoordinates(columns, count);
 }
 
-//! With the same rows, order and normalization as points().
+//! Stores the original image points with the rows, order and normalization of points().
 void ProblemData::shuffleImage(Arena& arena)
 {
     const Frame& frame = view.frame[1];
@@ -178,9 +178,9 @@ bool ProblemData::finiteRow(int row) const
     return all;
 }
 
-/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. Of more points
-than are searched, only the first are drawn at random: the others need no order, and near their old
-places they are read faster. */
+/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. Of more than
+SEARCHED points, only the first SEARCHED are drawn at random: the others need no random order, and
+are read faster near their old places. */
 void ProblemData::shuffle(const Params& params, Arena& arena)
 {
     const int count = view.inputSize;
@@ -296,7 +296,7 @@ void ProblemData::scaleColumn(int k, double shift, double factor)
     view.exact[k] = values;
 }
 
-//! Noise-free data may lead to a threshold of 0, below the rounding errors, hence the lower bound.
+//! The lower bound is for noise-free data, which may lead to a threshold below the rounding errors.
 void ProblemData::setThreshold(double threshold)
 {
     if (threshold == view.threshold)

@@ -16,9 +16,9 @@ O(N) memory and time. */
 class ProblemData
 {
 public:
-    /** Points of the search; of more points, a random part of this size. The fraction of inliers is
-    known to within 0.3 percentage points then, so models that differ by more are told apart. A
-    multiple of 16. */
+    /** Maximum number of points in the search, which uses a random part of this size if there are
+    more. It yields the fraction of inliers to within 0.3 percentage points, and thus distinguishes
+    models that differ by more. A multiple of 16. */
     enum { SEARCHED = 1 << 15 };
 
     //! Holds no points.
@@ -35,21 +35,22 @@ public:
 
     const Correspondences& points() const { return view; }
     /** The points of the search: the first of points(), which are in random order. A model that is
-    good for as many points as these is good for all, up to the last digits, which polishing all
-    points gives. */
+    good for so many of the points is good for all; polishing, which uses all, gives the last
+    digits. */
     const Correspondences& searchPoints() const { return part; }
-    //! The same with the original image points, for the residual of Problem::createImageResidual.
+    //! points() with the original image points, for the residual of Problem::createImageResidual.
     Correspondences imagePoints() const;
 
     //! The threshold of the mask in pixels.
     double threshold() const { return pixelThreshold; }
-    //! Sets the threshold for the rest of the run, in the coordinates of points().
+    //! Sets the thresholds of search and mask for the rest of the run, in the coordinates of
+    //! points().
     void setThreshold(double threshold);
-    //! Restores the threshold after a run, which may have changed it.
+    //! Restores the thresholds and the reach after a run, which may have changed them.
     void restoreThreshold();
-    //! The threshold of the search relative to that of the mask, at first Params::reach.
+    //! The ratio of the search threshold to the mask threshold, at first Params::reach.
     double reach() const { return currentReach; }
-    //! Sets it for the rest of the run.
+    //! Sets the reach for the rest of the run.
     void setReach(double reach)
     {
         setSearchThreshold(view.threshold * (reach / currentReach));
@@ -60,7 +61,7 @@ public:
     //! @return number of inliers.
     int mask(const Residual& residual, const Model& model, bool image, uchar* mask,
              Arena& arena) const;
-    //! The errors of all rows, in the unit of threshold(), as compared with it for the mask.
+    //! The errors of all rows, in pixels, as mask() compares them with threshold().
     void errors(const Residual& residual, const Model& model, bool image, double* errors) const;
     //! The threshold of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
@@ -72,8 +73,8 @@ public:
 private:
     //! Value of Report::wideThreshold.
     bool wideThreshold() const;
-    //! Number of inliers that do not coincide with another one in either array, see
-    //! Problem::commonUnit.
+    //! Number of inliers; those that coincide in one array count once, see
+    //! usacv20::independentInliers and Problem::commonUnit.
     int independentInliers(const uchar* mask, Arena& arena) const;
     void setSearchThreshold(double threshold) { view.threshold = part.threshold = threshold; }
     void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
@@ -85,7 +86,7 @@ private:
     void shuffleImage(Arena& arena);
 
     Correspondences view, part;
-    double givenThreshold[3];  //!< before the run: of points(), of the mask, in pixels
+    double givenThreshold[3];  //!< view.threshold, inputThreshold and pixelThreshold before the run
     double givenReach, currentReach;
     double inputThreshold;         //!< threshold of the mask in the coordinates of `input`
     double pixelThreshold;         //!< the same in pixels
@@ -93,15 +94,16 @@ private:
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[3];               //!< original image points of the last array, all rows, or null
-    const double* seenDoubles[3];  //!< the same for imagePoints()
+    double* seen[3];               //!< original image points of array 2, all rows, or null
+    const double* seenDoubles[3];  //!< columns of the same for imagePoints()
     const float* seenFloats[3];
 
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);
 };
 
-//! The model for the mask: exactly the returned one if Problem::ofOutput supports it, else `model`.
+//! The model for the mask: exactly the returned one if Problem::ofOutput can convert it, else
+//! `model`.
 inline Model modelOfMask(const Problem& problem, const Mat& returned, const Model& model)
 {
     const Model exact = problem.ofOutput(returned);

@@ -15,25 +15,27 @@ namespace usacv20 {
 namespace {
 
 // doc/constants.md has the effect of halving and doubling each of these numbers.
-//! Samples in the largest batch: work for several threads. Halving or doubling it changes little.
+//! Samples in the largest batch: enough work for several threads. Halving or doubling it changes
+//! little.
 constexpr int LARGEST_BATCH = 256;
-/** Samples in the first batch, half as many if they are expensive, like five points for E: all
-models of this batch except the best are optimized late. Half: time +3 to +5 %; double: failures of
+/** Samples in the first batch, half as many if they are expensive, as for E: all models of this
+batch except the best are optimized late. With half of it: time +3 to +5 %; with double: failures of
 F and E +0.3 to +0.5 percentage points. */
 constexpr int FIRST_BATCH = 8;
-//! A sample is expensive above this SampleCost::time, in point tests: between those of F, 300, and
-//! of E, 1500. Double: failures of E +0.3 percentage points.
+//! A sample is expensive if SampleCost::time is above this many point tests: for E (1500), but not
+//! for F (300). With double: failures of E +0.3 percentage points.
 constexpr int EXPENSIVE = 1000;
-//! In point tests. Batches with less work, a tenth of a millisecond, are not distributed over
-//! threads. The result does not depend on it.
+//! Batches with less work than this, in point tests (a tenth of a millisecond), are not distributed
+//! over threads. The result does not depend on it.
 constexpr double PARALLEL_WORK = 44800;
 
 //! A model may become a runner-up if its gain (reduction of the cost relative to no model at all)
-//! is at least this fraction of the gain of the best model. Half: time +2 to +8 %; 0.8: failures of
-//! H and E +0.2 percentage points.
+//! is at least this fraction of the gain of the best model. With half of it: time +2 to +8 %; with
+//! 0.8: failures of H and E +0.2 percentage points.
 constexpr double WORTHWHILE = 0.6;
-//! A runner-up is optimized if the best model does not explain more than this fraction of its
-//! inliers. Halving or doubling it changes no failures; 0: time of F +4 %, of H +2 %.
+//! A runner-up is optimized if more than this fraction of its inliers are points that the best
+//! model does not explain. Halving or doubling it changes no failures; with 0: time of F +4 %, of H
+//! +2 %.
 constexpr double DIFFERENT = 0.1;
 
 Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
@@ -138,8 +140,8 @@ bool Ransac::run(int pause)
     return ended;
 }
 
-//! State::sampleQuality is not set: the score of an optimized model is one that no model of a
-//! sample reaches, and this model may be one of another motion.
+//! State::sampleQuality, which models of samples have to beat, is not set: hardly any reaches the
+//! score of an optimized model, and the initial model may be that of another motion.
 void Ransac::begin(const Model& initial)
 {
     Model model = initial;
@@ -158,7 +160,7 @@ void Ransac::thresholdChanged()
     state.sampleQuality = Quality();
     Quality quality = context.rate(state.best);
     const bool valid = recover(0, state.best, quality);
-    state.bestQuality = valid ? quality : Quality();  // else search on without a model
+    state.bestQuality = valid ? quality : Quality();  // else the search goes on without a model
     if (valid && parts.localOptimizer)
     {
         state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT, state.iteration));
@@ -230,7 +232,7 @@ void Ransac::solve(const Sample* drawn, int count, Hypotheses* h) const
         h[i].computed = h[i].rejectedSample ? 0 : found[k++];
 }
 
-//! The same.
+//! Called by several threads at the same time: writes only to its own `h` and `row`.
 void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
 {
     const int* sample = samples[index].val;
@@ -302,11 +304,11 @@ bool Ransac::validModel(const int* sample, const Model& model) const
     return valid;
 }
 
-/* Processes a model that is better than the models of all previous samples. The paper compares
-with the optimized best model instead; but a good model of a noisy sample is often worse than an
-optimized bad one, and would never be optimized. `before` is the quality that models had to beat
-before this one: if a check rejects this model or lowers its quality, it does not exclude others.
-*/
+/* Processes a model that is better than the models of all previous samples, or a runner-up. The
+paper compares with the optimized best model instead; but a good model of a noisy sample is often
+worse than an optimized bad one, and would never be optimized. `before` is the quality that models
+had to beat before this one; it applies again if a check rejects this model or makes it worse than
+that. */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
@@ -432,8 +434,8 @@ void Ransac::account(const Hypotheses& h)
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
     report.droppedModels += h.dropped;
-    // The best model may have changed since a thread scored these: decide again whether the
-    // verifier or the cost came first.
+    // The best model may have changed since a thread scored these models: decide again whether the
+    // verifier or the cost excluded them first.
     for (int k = 0; k < h.stopped; ++k)
         ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
 }

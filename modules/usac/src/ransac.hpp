@@ -11,19 +11,21 @@
 namespace cv {
 namespace usacv20 {
 
-//! The models of one sample that were good enough when they were computed to become the best model
+//! The models of one sample that, when they were scored, were good enough to become the best model
 //! or a runner-up (lines 4 to 14 of Algorithm 1).
 struct Hypotheses
 {
     int count;
     Model models[MAX_MODELS];
     Quality qualities[MAX_MODELS];
-    bool rejectedSample;  //!< by a degeneracy check
+    bool rejectedSample;  //!< a degeneracy check has rejected the sample
     bool repeated;        //!< rejected, but may consist of inliers, one of them twice
-    int computed, rejected, refused, dropped;  //!< numbers of models, for the report
-    int firstInliers, firstTested;  //!< in their first blocks of points, for the verifier
-    int stopped;                    //!< models that the verifier rejected during scoring
-    double costs[MAX_MODELS];       //!< costs of these before their last block
+    //! Numbers of models, for the report: all; excluded by a check, by Verifier::preTest, by cost.
+    int computed, rejected, refused, dropped;
+    //! Inliers and points in the blocks that the models were tested with first, for the verifier.
+    int firstInliers, firstTested;
+    int stopped;               //!< number of models that the verifier rejected during scoring
+    double costs[MAX_MODELS];  //!< costs of these models before their last block of points
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
@@ -64,11 +66,12 @@ private:
     //! Computes the models of `count` samples, at most MinimalSolver::MAX_TOGETHER, and writes them
     //! to `h`.
     void solve(const Sample* drawn, int count, Hypotheses* h) const;
-    //! Scores these models. @param index index of the sample in the batch
+    //! Scores the models in `h`. @param index index of the sample in the batch
     //! @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
-    //! Both for the samples of a batch one after the other.
+    //! solve() and hypothesize() for one sample after the other.
     const Hypotheses& hypothesizeNext(int index);
+    //! solve() and hypothesize() for all samples of the batch, by several threads.
     void hypothesizeBatch();
     void hypothesizePart(int first, int count);
     //! Allocates memory for the hypotheses of `wanted` samples and for `rows` rows of errors.
@@ -79,13 +82,13 @@ private:
     //! `sample`: the sample of the model; null: none
     void setBest(const Model& model, const Quality& quality, const Sample* sample);
     void addRunnerUp(const Candidate& candidate);
-    //! Called when the search is about to end: looks for other models. @return false: it ends
+    //! Called when the search is about to end: looks for other models. @return false if it ends
     bool lookBeside();
     void improveRunnersUp();
     bool worthOptimizing(const RunnerUp& runnerUp) const;
-    /** Points within this many Context::inlierThreshold of the best model count as explained by it:
-    with wide noise, some of its correct matches lie beyond the threshold. 1: samples +33 %, see
-    doc/constants.md. */
+    /** The best model explains the points whose errors are at most this many
+    Context::inlierThreshold: with wide noise, some of its correct matches lie beyond the threshold.
+    With 1: samples +33 %, see doc/constants.md. */
     static constexpr double EXPLAINED = 1.5;
     //! Draws samples of the points that the best model does not explain; see
     //! ransac_unexplained.cpp. @return false if none was drawn
@@ -97,7 +100,8 @@ private:
     void sampleUnexplained(const int* indices, int count, int most);
     //! @param index State::iteration of the sample
     Sample drawUnexplained(const int* indices, int count, int index) const;
-    //! Inliers, among the points of InlierBits, that a rival has at least and the best model lacks.
+    //! Minimum number of inliers of a rival, among the points of InlierBits, that the best model
+    //! does not explain.
     double rivalInliers() const;
     //! @return false if the model is not a rival
     bool addRival(const Sample& sample, const Model& model);
@@ -122,9 +126,9 @@ private:
     const int checkCount;       //!< number of `checks`
     Sample* samples;            //!< of the batch
     uchar* counts;              //!< State::counts of each
-    Hypotheses* batch;          //!< their models, or those of the current sample
+    Hypotheses* batch;          //!< their models, or those of `ahead` samples at a time
     float* errorRows;  //!< one for each thread that scores models; null: not needed by the score
-    int size;          //!< of the batch
+    int size;          //!< number of samples in the batch
     int hypotheses;    //!< room in `batch`
     RunnersUp runnersUp;
     Sample sampleOfBest;
@@ -135,10 +139,10 @@ private:
     const int threads;
     const double sampleWork;  //!< time for a sample and its models, at most, in point tests
     int firstOfBatch;         //!< index of its first sample
-    const int ahead;          //!< samples that are solved at once
+    const int ahead;          //!< number of samples that are solved at once
     const int exhaustive;
-    //! Number of samples that count (State::counts), and of all samples, after which the run can
-    //! stop, each with the StopReason of the criterion that requires it.
+    //! The run can stop after `required` samples that count, see samplesThatCount(), or after
+    //! `requiredOfAll` samples of any kind; each with the StopReason of the criterion.
     int required, requiredReason, requiredOfAll, reasonOfAll;
     int ending;     //!< StopReason of the last time that terminate() was true
     bool anyModel;  //!< a sample has led to a model

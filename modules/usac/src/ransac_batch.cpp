@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Work of each thread between two checks of the clock if the run may be stopped, in point tests:
-//! two milliseconds. The result does not depend on it.
+//! Work of each thread between two checks of the clock, for a run that may be stopped; in point
+//! tests (two milliseconds). The result does not depend on it.
 constexpr double TOGETHER = 1e6;
 
 }  // namespace

@@ -37,13 +37,13 @@ bool Ransac::terminate()
     return true;
 }
 
-/* If a model has more than half of the points as inliers beside its sample, no other model has
-more, unless the two share most of them; then all samples count, whatever points the sampler
-prefers. */
+/* If more than half of the points outside the sample of the best model are its inliers, a model
+with more inliers must share some of them. Then all samples except repeated ones count, whatever
+points the sampler prefers. */
 int Ransac::samplesThatCount() const
 {
     const bool planar = state.degenerate ||
-                        state.successProbability < 1;  // then a wrong model may share nearly all
+                        state.successProbability < 1;  // a wrong model may share nearly all inliers
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - state.repeatedSamples : state.countedSamples;
 }

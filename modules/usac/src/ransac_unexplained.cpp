@@ -12,21 +12,21 @@
 end.
 
 Wrong matches may be consistent with each other: matches of repeated windows have a common shift, a
-moving object has its own motion. Their model may have at least as many inliers as the criteria of
-termination promise to have found. The model of the correct matches has only been found if one of
-their samples was good enough, and many all-inlier samples are not: with noise, half of those of H
-and most of those of F and E yield models that SPRT rejects. But if two models share few of their
-inliers, the points that one does not explain are mostly inliers of the other, and samples of these
-points are far more often all-inlier: with 45 % inliers of one model and 35 % of another, (45 /
-65)^7 = 8 % of the samples of seven points, instead of (45 / 100)^7 = 0.4 % among all points.
+moving object has its own motion. Their model may have enough inliers to end the search before the
+model of the correct matches is found. That takes a good sample, and many all-inlier samples are not
+good: with noise, half of those of H and most of those of F and E yield models that SPRT rejects.
+But if two models share few of their inliers, the points that one does not explain are mostly
+inliers of the other, and samples of these points are far more often all-inlier: with 45 % inliers
+of one model and 35 % of another, (45 / 65)^7 = 8 % of the samples of seven points, instead of
+(45 / 100)^7 = 0.4 % among all points.
 
 A few such samples are always drawn. If the model of one of them, or a runner-up, has inliers that
-the best model does not have, at least RIVAL times the number of inliers of the best model, there
-may be a rival, that is a second model of about the same support. Then enough samples are drawn to
-find, with the promised confidence, a model with as many inliers as the best one that shares few of
-them; at most a third of the number drawn so far. If an order that the data confirm has ended the
-search (ConfirmedOrderTermination), this order may be that of a group of wrong matches; then that
-criterion sets the number of samples. These samples count as iterations, but not for the criteria.
+the best model does not explain, at least RIVAL times as many as the best model has inliers, there
+may be a rival: a second model of about the same support. Then enough samples are drawn to find,
+with the promised confidence, a model with as many inliers as the best one that shares few of them;
+at most a third of the number drawn so far. If ConfirmedOrderTermination has ended the search, the
+order that it trusts may be that of a group of wrong matches; then it sets the number of samples.
+All these samples are iterations, but not among State::countedSamples.
 */
 
 namespace cv {
@@ -37,18 +37,19 @@ namespace {
 // doc/constants.md has the effect of halving and doubling each of these. Failures are those of H
 // and F in scenes with a second motion of nearly the same size (doc/structured.md).
 
-//! Without evidence of a rival: at most 1 / FIRST_PART of the samples drawn so far, but at least
-//! LEAST_SAMPLES. 32: instructions of H and E +1 %.
+//! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of those drawn so
+//! far, or LEAST_SAMPLES if this is more. With FIRST_PART 32: CPU instructions for H and E +1 %.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
-//! With evidence of a rival: at most 1 / MOST_PART of the samples drawn so far. 1: instructions of
-//! H +6 %; 2: H +1 %, failures of USACV20_FAST fall from 20 to 15 %.
+//! With evidence of a rival, the number of samples is at most 1 / MOST_PART of those drawn so far.
+//! With MOST_PART 1: CPU instructions for H +6 %; with 2: +1 %, and failures of USACV20_FAST fall
+//! from 20 to 15 %.
 constexpr int MOST_PART = 3;
-//! A rival has at least this many inliers that the best model does not have, as a fraction of the
-//! inliers of the best model. Random wrong matches reach 0.06, matches of a cluster 0.15. With
+//! A rival has at least this many inliers that the best model does not explain, as a fraction of
+//! the inliers of the best model. Random wrong matches reach 0.06, matches of a cluster 0.15. With
 //! 0.15, failures of USACV20_FAST rise from 20 to 31 %.
 constexpr double RIVAL = 0.1;
-//! Smallest fraction of the inliers of a rival that it does not share with the best model; assumed
-//! when the number of samples is computed.
+//! The number of samples is computed for a rival with as many inliers as the best model, of which
+//! the best model explains all but this fraction.
 constexpr double FOR_ITSELF = 2. / 3;
 
 }  // namespace

@@ -12,17 +12,17 @@ namespace usacv20 {
 
 namespace {
 
-/** Suitable reach in standard deviations of the noise, the same as in Params::magsacPlusPlus with a
-threshold of 2 sigma. The reach grows to this value if it is less than two thirds of it, and shrinks
-to it if it is wider by one half, which costs time rather than accuracy. Half: errors +5 to +9 %;
-double: nine tenths of H and a fifth of F fail, because the wider threshold shows more noise and
-grows again. */
+/** Suitable threshold of the search in standard deviations of the noise, about the same as that of
+Params::magsacPlusPlus for a threshold of 2 sigma. The reach grows if the search threshold is less
+than two thirds of it, and shrinks if it is more than 1.4 times as large; too large a reach costs
+time rather than accuracy. With half of it: errors +5 to +9 %; with double: nine tenths of H and a
+fifth of F fail, because a wider threshold shows more noise, and the reach grows again. */
 constexpr double REACH = 5;
 
-/** Points of another motion, or of a second plane, may look like wide noise. But real noise of that
-width fills the threshold with errors. The reach therefore does not grow if at least this fraction
-of the inliers of the wide noise is in a core within the threshold whose own noise is small. Halving
-it changes nothing; double: 8 % of F and 5 % of E with a second motion fail. */
+/** Points of another motion, or of a second plane, may look like wide noise. But the errors of real
+noise of that width fill the threshold. The reach therefore does not grow if the errors within the
+threshold have a core of small noise, with at least this fraction of the inliers found for the wide
+noise. Halving it changes nothing; with double, 8 % of F and 5 % of E with a second motion fail. */
 constexpr double CORE = 1. / 3;
 
 //! Standard deviation of the noise in the errors of the model; 0 if none is significant.

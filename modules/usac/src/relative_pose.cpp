@@ -10,13 +10,13 @@ namespace usacv20 {
 
 namespace {
 
-/** Fraction of the inliers on a plane above which its second motion is reported, as in
-PlanarMotion. 0.9: half of the planes of 0.9 of the points are missed; 0.6: planes of 0.7 are
-detected as well, and the returned motions are the same. */
+/** A plane with more than this fraction of the inliers is dominant: its second motion is reported,
+as in PlanarMotion. With 0.9, half of the planes with 0.9 of the points are missed; with 0.6, planes
+with 0.7 of the points are detected as well, and the returned motions are the same. */
 constexpr double DOMINANT = 0.8;
-//! Distance, in thresholds, from its image under the homography within which a point is on the
-//! plane. Half: 134 of 358 planes with noise of up to two thirds of a threshold are missed; double:
-//! 5 of 180 planes of 0.7 of the points are detected.
+//! A point is on the plane if it is within this many thresholds of its image under the homography.
+//! With half of it, 134 of 358 planes with noise of up to two thirds of a threshold are missed;
+//! with double, 5 of 180 planes with 0.7 of the points are detected.
 constexpr double ON_PLANE = 2;
 
 //! The essential matrix of two views and the motion derived from it.
@@ -47,8 +47,8 @@ public:
         Report report;
         Motion motion;
         int inliers;  //!< of the essential matrix, including those behind a camera
-        double cost;  //!< truncated squared errors, in squared thresholds; points that are not
-                      //!< inliers in front cost 1
+        double cost;  //!< sum of squared errors, in squared thresholds; a point that is not an
+                      //!< inlier in front of both cameras counts 1
     };
 
     bool search(Solution& found)
@@ -59,7 +59,8 @@ public:
         return !found.essential.empty();
     }
 
-    //! The second motion of a dominant plane. @return inliers on the plane, 0: there is none
+    //! Finds the second motion of a dominant plane. @return number of inliers on the plane; 0: no
+    //! plane is dominant
     int otherOfPlane(const Solution& found, Solution& other)
     {
         Matx33d H;
@@ -131,7 +132,8 @@ private:
         return count;
     }
 
-    //! Homography of the plane with the most inliers, and one of its points. @return inliers on it
+    //! Homography of the plane with the most inliers, and one point of this plane. @return number
+    //! of inliers on it
     int plane(const Solution& found, Matx33d& H, Vec3d& point) const
     {
         const double pixels = found.report.threshold / threshold;
@@ -170,7 +172,7 @@ private:
     const Params params;
     const Ptr<Usac> usac;
     const double threshold;     //!< inlier threshold, on the normalized image planes
-    std::vector<Vec3d> x1, x2;  //!< points on the same, undistorted; NaN: not finite
+    std::vector<Vec3d> x1, x2;  //!< undistorted points on these planes; NaN: not finite
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 //! Params::significance 0.
 constexpr double SIGNIFICANT = 0.01;
 //! describe() says that few inliers are independent (most are at a few places) if there are more
-//! than this many inliers for each independent one. Half, double: not measured.
+//! than this many inliers for each independent one. Halving and doubling were not measured.
 constexpr int FEW = 4;
 
 }  // namespace
@@ -32,7 +32,7 @@ String Report::describe() const
         "nothing was run",
         "no model: too few finite correspondences",
         "no model: no sample led to one with enough inliers",
-        "maximum of iterations",
+        "maximum number of iterations",
         "standard criterion",
         "SPRT criterion",
         "P-NAPSAC criterion",

@@ -11,11 +11,11 @@ namespace usacv20 {
 
 namespace {
 
-/** Bytes per point: 88 for the points themselves and 150 for temporary data, mostly of polishing
-and significance. Bytes per point of the search: 62 for order and graph, 28 for sampler and checks,
-and 24 to spare. Bytes per run: batches, runners-up and tables; the search for planes. Bytes for
-threads: the hypotheses of a batch, at most. Too small a value only costs another block; memory that
-is not written to costs nothing. */
+/** Numbers of bytes. OF_POINT, for each point: 88 for the point itself and 150 for temporary data,
+mostly of polishing and significance. OF_SEARCH, for each point of the search: 62 for order and
+graph, 28 for sampler and checks, and 24 to spare. OF_RUN: batches, runners-up and tables.
+OF_PLANES: the search for planes. OF_BATCH, with several threads: the hypotheses of the largest
+batch. Too small a value only costs another block; memory that is not written to costs nothing. */
 constexpr size_t OF_POINT = 238, OF_SEARCH = 114, OF_RUN = 64 << 10, OF_PLANES = 64 << 10,
                  OF_BATCH = 512 << 10;
 

@@ -29,14 +29,15 @@ double milliseconds(int64 since) { return (getTickCount() - since) / getTickFreq
 //! With 4 or 1, errors change by 2 % at most.
 constexpr int FIRST_LOOK = 2;
 
-//! For Params::significance 0: the limit of the probability, and the fraction of the points that
-//! must be able to reach it as inliers. With half or double these values, no correct model is
-//! rejected and no run differs; doc/design.md says which models they reject.
+//! For Params::significance 0: a model is rejected if Report::chance exceeds LIMIT, provided that
+//! there are enough points for a model with a fraction DECISIVE of inliers not to exceed it. With
+//! half or double these values, no correct model is rejected and no run differs; doc/design.md says
+//! which models are rejected.
 constexpr double LIMIT = 0.01, DECISIVE = 0.25;
 /* Fraction of the gain of a model (reduction of the cost relative to no model at all) that must
-remain after polishing. With 0.9, polishing is undone if the threshold is no larger than the noise:
-the error of H is 3.1 times that of least squares, with 0.5 it is 1.2 times. On the benchmark lists,
-half of it changes nothing, 1 raises errors by 2 to 6 %. */
+remain after polishing; else polishing is undone. If the threshold is no larger than the noise, the
+error of H is 3.1 times that of least squares with 0.9, as polishing is undone, and 1.2 times with
+0.5. On the benchmark lists, 0.25 changes nothing, and 1 raises errors by 2 to 6 %. */
 constexpr double KEPT = 0.5;
 //! Values of Report::chance below this need not be exact. Halving or doubling it changes no run.
 constexpr double CLEAR = 1e-6;
@@ -169,13 +170,12 @@ private:
         ransac.begin(model);
     }
 
-    /** The search with a reach that grows with the noise in the errors of the best model: at the
-    end of the search, or after half of its samples. (With a reach that is far too small, models
-    have few inliers, and no criterion ends the search. Earlier, the correct model may not have been
-    found yet, and a wrong one with more noise, between two planes for example, would be taken for
-    it.) At the end the reach may also shrink again, because poor models show more noise than there
-    is.
-    */
+    /** Searches with a reach that grows if the errors of the best model show wide noise. This is
+    tested when the search ends, and once before, after half of Params::maxIterations: with a reach
+    that is far too small, models have few inliers, and no criterion ends the search. It is not
+    tested earlier, as a wrong model with more noise, between two planes for example, may still be
+    the best. At the end the reach may also shrink again, because poor models show more noise than
+    there is. */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
@@ -215,7 +215,7 @@ private:
                                      parts.score->countsInliers() && parts.localOptimizer,
                                      !parts.score->usesThreshold()};
         const double grown = std::max(data.reach() / params.reach,
-                                      1.);  // how far the threshold is below the noise
+                                      1.);  // factor by which the reach has grown with the noise
         Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown,
                           effort, arena, &context);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
@@ -356,7 +356,7 @@ private:
     }
 
     Arena arena;      //!< memory of the runs
-    int64 created;    //!< time at which the points were given, in ticks; 0: they have been used
+    int64 created;    //!< time at which the points were given, in ticks; 0: a run has used them
     int64 readTicks;  //!< duration of reading them
     const Params params;
     const Ptr<Problem> problem;
@@ -364,13 +364,13 @@ private:
     Components parts;
     Components made;                 //!< the defaults for `params`, before the caller replaced any
     Ptr<Residual> fitted;            //!< the residual that made.nonMinimalSolver minimizes
-    Ptr<Residual> rated;             //!< the residual of the last run
+    Ptr<Residual> rated;             //!< the residual that imageResidual was created for
     Ptr<Residual> imageResidual;     //!< Problem::createImageResidual(rated); may be empty
-    Ptr<NonMinimalSolver> imageFit;  //!< the least-squares solver for it
+    Ptr<NonMinimalSolver> imageFit;  //!< the least-squares solver for imageResidual
     Components imageParts;           //!< components during polishing
     bool keepsImage;                 //!< the original image points are stored, too
-    int sample[MAX_SAMPLE_SIZE];     //!< the one that led to the best model of the run
-    bool sampled;                    //!< true if there is one
+    int sample[MAX_SAMPLE_SIZE];     //!< the sample that led to the best model of the run
+    bool sampled;                    //!< false if that model did not come from a sample
 };
 
 }  // namespace

@@ -11,16 +11,16 @@
 namespace cv {
 namespace usacv20 {
 
-/** Number of points: a run that must stop uses all points for its last steps if there is time for
-that, else at most this many where this affects only details of the report. 50 000 points take 20 ms
-for Report::chance, the slowest such step. */
+/** Number of points: if a run must stop, steps that only provide details of the report use more
+points than this only if there is time. 50 000 points take 20 ms for Report::chance, the slowest
+such step. */
 constexpr int ENOUGH = 50000;
 
 /** @brief Stops a run before its termination criteria do: when Params::maxTime is exceeded, or when
 the function of a ProgressScope returns false.
 
-The loops of a run query it. Without a time limit and a ProgressScope a query only tests a flag.
-Otherwise, the clock is read after every fraction of a millisecond of work, and the progress
+The loops of a run query a Watch. Without a time limit and a ProgressScope a query only tests a
+flag. Otherwise, the clock is read after every fraction of a millisecond of work, and the progress
 functions are called every few milliseconds. To be used by the thread that began the run. */
 class Watch
 {
@@ -50,9 +50,9 @@ public:
     bool fits(double work) const;
     //! The result of the last query.
     bool stopped() const { return reason != STOP_NOT_RUN; }
-    //! False if it never stops the run.
+    //! False if nothing can stop the run: neither a time limit nor a ProgressScope.
     bool isActive() const { return active; }
-    //! @ref StopReason after it has stopped the run.
+    //! @ref StopReason, once stopped() is true.
     int stopReason() const { return reason; }
     //! To be called when the search has ended: grants some milliseconds for finishing its model.
     void finish();
@@ -67,8 +67,8 @@ private:
     bool lacks(double work);
     Report present(int64 now) const;
 
-    //! In point tests, 2 ns each: 0.4 ms of work between two readings of the clock, which take 25
-    //! ns. Half: runs end equally late, within the noise; double: not measured.
+    //! Work between two readings of the clock, in point tests of 2 ns: 0.4 ms; a reading takes 25
+    //! ns. With half of it, runs end equally late, within the noise; double was not measured.
     static constexpr double WORK = 2e5;
 
     const bool active;

@@ -27,12 +27,13 @@ namespace usacv20 {
 namespace {
 
 constexpr int ALIGNMENT = 64;
-/** Size of a block in bytes, unless a single array is larger. When a Usac is destroyed, glibc
-returns its memory to the system, and each page that the next Usac writes to causes a page fault,
-which takes a quarter of the time of a call. glibc keeps the memory if a block that it had mapped
-separately (128 kB to 32 MB) was freed before and at most twice as much is free now. Therefore
-SMALLEST is above the lower bound and LARGEST below the upper one; sizes in between double, so that
-not every call with a few more points is the first of its size. Untouched pages cost nothing. */
+/** Smallest and largest size of a block in bytes; a block for a single larger array exceeds
+LARGEST. When a Usac is destroyed, glibc returns its memory to the system, and the page faults of
+the next Usac, one for each page that it writes to, take a quarter of the time of a call. glibc
+keeps the memory if a separately mapped block (128 kB to 32 MB) was freed before and at most twice
+its size is free now. Therefore SMALLEST is above 128 kB and LARGEST below 32 MB. Between them sizes
+double, so that calls with slightly different numbers of points use the same size. Untouched pages
+cost nothing. */
 constexpr size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
 
 //! Size of a block that has room for `bytes`.
@@ -54,7 +55,7 @@ struct Arena::Block
 {
     Block* next;
     char *begin, *end;
-    char* kept;  //!< clear() frees only what lies behind
+    char* kept;  //!< clear() frees only the memory from here on
     char* low;   //!< end of what has been taken from the low end
     char* high;  //!< start of what has been taken from the high end
 
@@ -80,8 +81,7 @@ void Arena::release()
     top = 0;
 }
 
-//! Appends a block of at least `bytes`; it is as large as all others together if that is more and
-//! within LARGEST.
+//! Appends a block of at least `bytes`, and of at least min(capacity(), LARGEST).
 Arena::Block* Arena::add(size_t bytes)
 {
     const size_t header = rounded(sizeof(Block)),
@@ -115,7 +115,7 @@ void* Arena::low(size_t bytes)
     return taken;
 }
 
-//! No block behind `top` is in use at its high end.
+//! Memory at the high end is in use in `top` and the blocks before it only.
 void* Arena::high(size_t bytes)
 {
     const size_t size = sizeOf(bytes);

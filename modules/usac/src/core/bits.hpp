@@ -14,7 +14,7 @@ namespace usacv20 {
 //! Number of bits of a word.
 constexpr int WORD_BITS = 64;
 
-//! Number of ones of a word, summed in parallel in fields of 2, 4 and 8 bits.
+//! Number of 1 bits of a word, summed in parallel in fields of 2, 4 and 8 bits.
 inline int ones(uint64 word)
 {
     word -= (word >> 1) & 0x5555555555555555ULL;
@@ -22,7 +22,7 @@ inline int ones(uint64 word)
     return (int)((((word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fULL) * 0x0101010101010101ULL) >> 56);
 }
 
-//! Index of the lowest one of a word that is not 0.
+//! Index of the lowest 1 bit of a word other than 0.
 inline int lowestOne(uint64 word)
 {
 #ifdef __GNUC__
@@ -32,7 +32,7 @@ inline int lowestOne(uint64 word)
 #endif
 }
 
-/** A word whose bit i tells whether errors[i] <= limit, for at most #WORD_BITS errors; 0 for NaN.
+/** A word whose bit i is 1 if errors[i] <= limit, for at most #WORD_BITS errors; NaN gives 0.
 Compilers vectorize the comparison; a multiplication then gathers the flags of eight bytes in the
 highest byte. */
 inline uint64 within(const float* errors, int count, float limit)

@@ -9,7 +9,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Share of the inliers with the largest noise whose errors are within the threshold, as in
+//! Fraction of the inliers with noise sigma_max whose errors are within the threshold, as in
 //! @cite barath2019magsac.
 constexpr double QUANTILE = 0.99;
 

@@ -16,8 +16,8 @@ namespace usacv20 {
 double gammaFunction(double a);
 //! Integral of t^(a-1) exp(-t) over 0 .. x; a > 0, x >= 0.
 double lowerGamma(double a, double x);
-//! The same over x .. infinity; a >= 0, x >= 0. For a = 0 this is the exponential integral,
-//! infinite at x = 0.
+//! Integral of t^(a-1) exp(-t) over x .. infinity; a >= 0, x >= 0. For a = 0 this is the
+//! exponential integral E_1, infinite at x = 0.
 double upperGamma(double a, double x);
 
 }  // namespace usacv20

@@ -15,7 +15,7 @@ constexpr double UNIFORM_SAMPLES = 200000;
 Growth::Growth(int sampleSize, int pointCount)
     : m(sampleSize), n(sampleSize), expected(UNIFORM_SAMPLES), limit(1)
 {
-    double share = 1;  // of the uniform samples: those that lie within the m best points
+    double share = 1;  // fraction of the uniform samples that lie within the m best points
     for (int i = 0; i < m; ++i)
         share *= (double)(m - i) / (pointCount - i);
     expected = std::min(expected * share, 1.);

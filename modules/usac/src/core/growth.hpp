@@ -10,22 +10,22 @@ namespace usacv20 {
 
 /** @brief How PROSAC's set of the best points grows @cite chum2005matching.
 
-Among T_N = 200 000 uniform samples of all N points (or as many as there are different ones, if
-these are fewer), T_n = T_N prod_{i<m} (n - i)/(N - i) lie on average within the n best points. The
-set grows from n to n + 1 points after T'_n samples, with T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
+Of T_N uniform samples of all N points, T_n = T_N prod_{i<m} (n - i)/(N - i) lie on average within
+the n best points; T_N is 200 000, or the number of different samples if that is smaller. The set
+grows from n to n + 1 points after T'_n samples, with T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
 class Growth
 {
 public:
     Growth(int sampleSize, int pointCount);
 
-    //! From n to n + 1.
+    //! Adds the next best point to the set.
     void grow();
     //! Number n of best points.
     int size() const { return n; }
     //! T'_n: this many samples, all within the n best points, are drawn before the set grows.
     double samples() const { return limit; }
-    //! T_n: a number of uniform samples of the n best points. The T'_n samples drawn contain, on
-    //! average, at least as many all-inlier samples as these.
+    //! T_n. The T'_n samples drawn so far contain, on average, at least as many all-inlier samples
+    //! as T_n uniform samples of the n best points.
     double uniformSamples() const { return expected; }
 
 private:
@@ -34,7 +34,7 @@ private:
     double limit;     //!< T'_n
 };
 
-//! The growing set of the best points, stepped from sample to sample.
+//! The growing set of the best points, for one sample after the other.
 class GrowingSet
 {
 public:
@@ -48,13 +48,13 @@ public:
     void next();
     //! Number n of best points that the sample is drawn from.
     int size() const { return growth.size(); }
-    //! True if the sample must contain the n-th point, which no earlier sample could contain.
+    //! True if the sample must contain the n-th point, the one added last.
     bool newest() const { return drawn <= growth.samples() && growth.size() < total; }
 
 private:
     Growth growth;
     int total;
-    double drawn;  //!< number of the sample, t in the paper
+    double drawn;  //!< number of samples including the current one, t in the paper
 };
 
 }  // namespace usacv20

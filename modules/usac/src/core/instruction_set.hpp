@@ -8,10 +8,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! For which some files are compiled, see usac_options.cmake.
+//! Instruction sets for which some files are compiled, see usac_options.cmake.
 enum InstructionSet { INSTRUCTIONS_BASELINE, INSTRUCTIONS_AVX2, INSTRUCTIONS_AVX512 };
 
-//! The fastest one that the processor supports, OPENCV_CPU_DISABLE permits and the compiler knew.
+//! The fastest set that compiler and processor support and OPENCV_CPU_DISABLE permits.
 InstructionSet fastestInstructions();
 
 }  // namespace usacv20

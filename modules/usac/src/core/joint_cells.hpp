@@ -10,28 +10,28 @@
 namespace cv {
 namespace usacv20 {
 
-//! Number of cells of an array along each side, and in total. In the ordering by density, 4 or 16
-//! divisions raise errors by up to 5 %, see doc/constants.md.
+//! Numbers of cells of an array: along each axis, and in total. With 4 or 16 along each axis,
+//! errors of the search ordered by density rise by up to 5 %, see doc/constants.md.
 constexpr int CELL_DIVISIONS = 8, CELLS = CELL_DIVISIONS * CELL_DIVISIONS;
 
-//! The cell of each point by the first two coordinates of an array; a single coordinate gives one
-//! row of cells.
+//! Finds the cell of each point by its first two coordinates in an array; a single coordinate gives
+//! one row of cells.
 void assignCells(const Correspondences& points, int array, ushort* cells);
 
 //! Numbers of pairs of points that lie in the same cell.
 struct CellPairs
 {
-    //! Counts the points whose `mask` equals `value`, in cells with `merged` times the side;
-    //! `merged` divides CELL_DIVISIONS.
+    //! Counts pairs of the points whose `mask` equals `value`, in cells with `merged` times the
+    //! side; CELL_DIVISIONS must be a multiple of `merged`.
     CellPairs(const Correspondences& points, const uchar* mask, uchar value, Arena& arena,
               int merged = 1);
 
     int cells;         //!< number of cells of an array
     double all;        //!< all pairs of points
-    double in[2];      //!< pairs in one cell of array 1, of array 2
-    double both;       //!< pairs in one cell of array 1 and in one cell of array 2
+    double in[2];      //!< pairs that share a cell of array 1, and pairs that share one of array 2
+    double both;       //!< pairs that share a cell in both arrays
     double expected;   //!< mean of `both` if the positions in the two arrays are independent
-    double coherence;  //!< `both` over the geometric mean of `in`; 0 if that is 0
+    double coherence;  //!< `both` divided by the geometric mean of `in`; 0 if that mean is 0
 };
 
 }  // namespace usacv20

@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! A subset of the points, copied to columns as a residual takes them, in memory of a scope.
+//! A subset of the points, copied to columns for a residual; the memory is that of a scope.
 class PointSubset
 {
 public:

@@ -52,8 +52,8 @@ double refine(const Polynomial& p, double low, double high, double atLow)
     return x;
 }
 
-//! The roots in (LOWEST, HIGHEST], bracketed by the roots of the derivative: slower than Sturm's
-//! sequence, but works for every polynomial.
+//! The roots in (LOWEST, HIGHEST], bracketed by the roots of the derivative. Slower than Sturm's
+//! sequence, but this works for every polynomial.
 int betweenExtrema(const Polynomial& p, double* roots)
 {
     if (p.degree <= 1)

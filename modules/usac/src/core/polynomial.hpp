@@ -13,9 +13,9 @@ constexpr int MAX_DEGREE = 10;
 
 /** @brief Real roots of a polynomial, in no particular order, each once.
 
-The roots of the derivative isolate those in [-1, 1]; the others are inverses of roots of the
-reversed polynomial. Newton's method inside a bracket refines them to double precision. A cubic is
-solved in closed form.
+Roots in (#LOWEST, #HIGHEST], about -1 to 1, are isolated by the roots of the derivative; the others
+are inverses of roots of the reversed polynomial. Newton's method inside a bracket refines all to
+double precision. A cubic is solved in closed form.
 @param coefficients degree + 1 numbers, the constant term first
 @param degree at most #MAX_DEGREE
 @param roots output, at most `degree`
@@ -23,11 +23,11 @@ solved in closed form.
 @cite press2007numerical */
 int realRoots(const double* coefficients, int degree, double* roots);
 
-//! Bounds of the roots of a polynomial and of the reversed one. No round numbers, because Sturm's
-//! theorem excludes a root at the lower end of the interval.
+//! Roots outside these bounds are found by the reversed polynomial. Not -1 and 1, which are likely
+//! roots, as Sturm's theorem does not count a root at the lower end of an interval.
 constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
 
-//! The roots in (#LOWEST, #HIGHEST] of a polynomial whose largest coefficient is 1.
+//! The roots in (#LOWEST, #HIGHEST] of a polynomial whose largest absolute coefficient is 1.
 int rootsNearZero(const double* coefficients, int degree, double* roots);
 
 }  // namespace usacv20

@@ -26,14 +26,14 @@ public:
         --mask;
     }
 
-    //! Returns false if the cell is in the set already. Coordinates of cells are doubles, because
-    //! small sides make them large.
+    //! Adds a cell; false if it is in the set already. Cell indices are doubles, as small cells
+    //! make them exceed int.
     bool insert(const Cell& cell)
     {
         uint64 bits[DIMENSIONS];
         std::memcpy(bits, cell.val, sizeof(bits));
-        // a double that is a small integer has ones in its high bits only, and the product below
-        // moves bits only upwards
+        // a small integer as double has ones in its high bits only, and the product below moves
+        // bits only upwards: the high half is mixed into the low one first
         uint64 h = bits[0];
         for (int k = 1; k < DIMENSIONS; ++k)
             h ^= bits[k] << k | bits[k] >> (64 - k);

@@ -17,20 +17,20 @@ constexpr double REPETITION_WORK = 75;
 /** @brief Number of independent inliers: those at the same place count once.
 
 A place is a cell of side `threshold1` in array 1 and of side `threshold2` in array 2, which have
-`coordinates` numbers per point. The smaller number of occupied places of the two arrays is
-returned, so that neither repeated matches nor many points matched to a single one support a model.
-`mask` marks the inliers among the `count` points. O(count). */
+`coordinates` numbers per point. The inliers occupy some places in each array; the smaller of these
+two numbers is returned, so that neither repeated matches nor many points matched to a single one
+support a model. `mask` marks the inliers among the `count` points. O(count). */
 int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask,
                        int count, double threshold1, double threshold2, Arena& arena);
 
 /** Marks in `repeated` the inliers of one array that lie in the same cell as an earlier inlier.
 @param side of the cells; 0: only equal points are repeated
-@param order indices of the points, for `mask` and `repeated`; null: 0, 1, 2, ...
+@param order indices of the points that `mask` and `repeated` are for; null: 0, 1, 2, ...
 @return number of marked points, including those marked before */
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
                  int count, double side, uchar* repeated, Arena& arena);
-//! The same in both arrays. The side is the threshold, but 0 in the first array if its unit
-//! differs, see Problem::commonUnit.
+//! Does so for both arrays: marks inliers that repeat an earlier one in either array. The side is
+//! the threshold, but 0 in the first array if its unit differs, see Problem::commonUnit.
 int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena);
 

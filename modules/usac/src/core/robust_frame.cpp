@@ -12,9 +12,9 @@ namespace usacv20 {
 
 namespace {
 
-// Guards against extreme input: halving or doubling them changes at most one or two runs of H.
+// Limits for extreme input. Halving or doubling one changes at most one or two runs of H.
 
-//! Number of the first values, whose medians are compared with the means of all.
+//! Medians of this many values, the first ones, are compared with the means of all values.
 constexpr int SAMPLE = 31;
 //! A value farther out than FAR_OUT mean deviations dominates the mean. A mean deviation above
 //! SPOILT times the median deviation of the first SAMPLE values stems from values far out.
@@ -34,7 +34,7 @@ void medianFrame(const double* values, int count, double& center, double& deviat
     deviation = others > 0 ? median(copy, others) : 0;
 }
 
-//! Number of partial sums and extremes, which do not depend on each other.
+//! Number of partial sums and of partial extremes that are computed side by side.
 constexpr int LANES = 4;
 
 double sumOf(const double* lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }

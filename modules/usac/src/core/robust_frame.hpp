@@ -10,9 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** Center and mean deviation of values in random order, and their range. Means for sane data;
-medians if values lie so far out that they would dominate the means: single values, or so many that
-the spread of the others is negligible beside the mean deviation. */
+/** Center, deviation and range of values in random order. Center and deviation are means, or
+medians if values far out would dominate the means: single values, or so many that the spread of the
+others is negligible beside the mean deviation. */
 void robustFrame(const double* values, int count, double& center, double& deviation, double& low,
                  double& high, Arena& arena);
 

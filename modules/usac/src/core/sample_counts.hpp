@@ -11,7 +11,8 @@ namespace usacv20 {
 /** Probability that a sample of m out of n points contains only inliers, of which there are
 `inliers`. `exact`: without replacement, C(inliers, m) / C(n, m); else (inliers / n)^m. */
 double goodSampleProbability(double inliers, int n, int m, bool exact = true);
-//! Smallest k with (1 - p)^k <= failure, given log(failure) < 0; INT_MAX if it does not fit an int.
+//! Smallest k with (1 - p)^k <= failure, for logFailure = log(failure); INT_MAX if there is none or
+//! it is larger.
 int samplesNeeded(double p, double logFailure);
 
 }  // namespace usacv20

@@ -15,14 +15,14 @@ namespace usacv20 {
 enum Stream {
     STREAM_ROTATION = 1,  //!< point at which the verification of a model begins
     STREAM_REFINEMENT,    //!< local optimization and degeneracy checks of an iteration
-    STREAM_UNEXPLAINED,   //!< samples of the outliers of the so-far-the-best model
+    STREAM_UNEXPLAINED,   //!< samples of the points that the best model does not explain
     STREAM_PLANE,         //!< triples of points, to find a plane
     STREAM_RESTARTS,      //!< restarts of the final polishing
     STREAM_FIT,           //!< samples that a fit without a search starts from
-    STREAM_LEVERAGE       //!< check for points of high leverage: planes, samples of the others
+    STREAM_LEVERAGE       //!< check for points of high leverage: planes, samples of other points
 };
 
-//! Number of a stream of Rng, where each purpose has 2^40 streams.
+//! Number of a stream of Rng; each purpose has 2^40 streams.
 inline uint64 streamOf(Stream stream, uint64 number = 0) { return ((uint64)stream << 40) + number; }
 
 }  // namespace usacv20

@@ -54,10 +54,10 @@ double binomial(double k, double n, double p)
     return std::exp(exponent) * std::sqrt(n / (2 * CV_PI * k * (n - k)));
 }
 
-/** The probability of k or more, from the terms of a distribution on 0 .. n.
-@param upper sum the terms from k on; false: 1 minus the sum of those from k downwards
-@param term that of k
-@param ratio ratio(k): the next term, in the direction of the sum, over that of k */
+/** Upper tail of a distribution on 0 .. n.
+@param upper true: the sum of the terms k, k + 1, ...; false: 1 minus the sum of k, k - 1, ...
+@param term the term k
+@param ratio ratio(k): the next term in the direction of the sum, divided by the term k */
 template <class Ratio>
 double sumOfTerms(bool upper, double k, double n, double term, const Ratio& ratio)
 {
@@ -72,7 +72,7 @@ double sumOfTerms(bool upper, double k, double n, double term, const Ratio& rati
 
 }  // namespace
 
-//! std::lgamma writes to a global variable in some C libraries.
+//! Not by std::lgamma, which writes to a global variable in some C libraries.
 double logFactorial(double n)
 {
     if (n <= LARGE)

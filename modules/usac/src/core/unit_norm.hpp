@@ -8,7 +8,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Frobenius norm, summed in the order of cv::norm of OpenCV 4, which OpenCV 5 has changed.
+//! Frobenius norm, summed in the order of cv::norm in OpenCV 4; the order in OpenCV 5 differs.
 inline double frobeniusNorm(const Matx33d& m)
 {
     const double* const v = m.val;
@@ -17,7 +17,7 @@ inline double frobeniusNorm(const Matx33d& m)
     return std::sqrt(sum + v[8] * v[8]);
 }
 
-//! The multiple of unit Frobenius norm of a matrix that is not zero.
+//! A matrix other than zero, scaled to unit Frobenius norm.
 inline Matx33d ofUnitNorm(const Matx33d& m) { return m * (1 / frobeniusNorm(m)); }
 
 //! Scales a model to unit Frobenius norm. False if it is zero or not finite.

@@ -18,8 +18,8 @@ double product(const double* a, const double* b)
     return sum;
 }
 
-//! Gram-Schmidt step for the k-th vector; those before it are orthonormal. @return its length after
-//! their directions were removed
+//! Gram-Schmidt step for the k-th vector; the vectors before it are orthonormal. @return its length
+//! after their directions were removed
 double orthonormalize(double (*vectors)[9], int k)
 {
     double* const v = vectors[k];

@@ -16,9 +16,9 @@ all solutions are close together. */
 typedef double EssentialBasis[4][9];
 
 /** The basis for points that a rotation R alone (nearly) explains; R is estimated from the points
-first. Then E = [t]x R is near a solution for every t: X, Y and W are the three matrices of the
-space closest to these, mixed, and Z is the remaining direction, scaled so that z is neither large
-nor small. With mix() instead, all solutions lie close to one plane, and the constraints nearly hold
+first. Then E = [t]x R is near a solution for every t: X, Y and W span the part of the space that is
+closest to these matrices, and Z is the remaining direction, scaled so that z is neither large nor
+small. With mix() instead, all solutions lie close to one plane, and the constraints nearly hold
 everywhere on it.
 @param points, sample indices of the five points
 @param basis input: any basis; output: orthonormal except for the length of Z, which is between 1e-6

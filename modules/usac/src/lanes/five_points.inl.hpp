@@ -86,7 +86,7 @@ struct Violation
         g[9] = dot9(c, D);
     }
 
-    //! True where the residuals are at least so large for E of unit norm.
+    //! True in lanes where the largest residual, for E scaled to unit norm, is at least `limit`.
     Mask exceeds(double limit) const { return largest >= limit * squares * squareRoot(squares); }
 
     Pack E[9], S[3][3];  //!< S: E E^T - trace / 2
@@ -128,7 +128,7 @@ inline void combine(const FiveBasis& basis, const Pack& x, const Pack& y, const 
         E[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
 }
 
-//! Solutions that a correction makes exact; those of several roots share a register.
+//! Solutions that need a correction. They are corrected together, whatever root they are from.
 struct Inexact
 {
     enum { MOST = MAX_MODELS * WIDTH };
@@ -150,7 +150,7 @@ struct Inexact
 /** Gauss-Newton method on the ten constraints in x, y and z. It restores the digits that the
 elimination loses if its pivots are small.
 @param all X, Y, Z and W of each sample
-@param solutions, first corrects those from `first` on, as many as there are lanes
+@param solutions, first the solutions from `first` on are corrected, as many as there are lanes
 @param at output: the corrected matrices */
 void correct(const FiveBasis& all, const Inexact& solutions, int first, Violation& at)
 {
@@ -190,11 +190,11 @@ void correct(const FiveBasis& all, const Inexact& solutions, int first, Violatio
     }
 }
 
-//! With smaller pivots the elimination loses solutions, and another basis is used. In a scene with
-//! parallax this happens for less than one sample in a hundred.
+//! If a pivot of the elimination is smaller, solutions are lost, and align() makes another basis.
+//! In a scene with parallax this happens for less than one sample in a hundred.
 constexpr double SMALL_PIVOT = 5e-4;
 
-//! Up to WIDTH samples.
+//! Solves up to WIDTH samples.
 struct FivePoints
 {
     FivePoints(const Correspondences& points_, const int* const* samples_, int count_)
@@ -232,7 +232,7 @@ struct FivePoints
     }
 
 private:
-    //! @return lanes with finitely many solutions, a bit for each
+    //! Computes the basis and B. @return lanes with finitely many solutions, a bit for each
     int build()
     {
         Pack A[9][5];
@@ -272,8 +272,8 @@ private:
                 setLane(basis[v][i], k, own[v][i]);
     }
 
-    //! Appends the matrices of a root z in each of the lanes `wanted`, unless they need a
-    //! correction.
+    //! Appends the matrices of a root z in each of the lanes `wanted`; those that need a correction
+    //! go to `inexact` instead.
     void addExact(const Pack& z, int wanted, double (*models)[MAX_MODELS][9], int* found,
                   Inexact& inexact) const
     {

@@ -151,8 +151,8 @@ Pack eliminate(TenCubics& C)
 //! Polynomials in z, coefficients from the constant upwards; the columns have degree 3, 3 and 4.
 typedef Pack ThreeRows[3][3][5];
 
-/** A row of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of (monomial z) minus z times
-the row of (monomial). */
+/** A row of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of a leading monomial that
+contains z, minus z times the row of the same monomial without z. */
 void linkRows(const Pack (&withZ)[20], const Pack (&without)[20], Pack (&B)[3][5])
 {
     for (int k = 0; k < 2; ++k)
@@ -195,8 +195,8 @@ inline Pack horner(const Pack (&c)[5], const Pack& z)
     return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
 }
 
-//! (x, y, 1) in the null space of B(z), from the cross product of two rows with the largest third
-//! entry. @return false where x or y is (nearly) infinite.
+//! (x, y, 1) in the null space of B(z), from that cross product of two rows whose third entry is
+//! the largest. @return false where x or y is (nearly) infinite
 Mask backSubstitute(const ThreeRows& B, const Pack& z, Pack& x, Pack& y)
 {
     Pack v[3][3], best = Pack(), p = Pack(), q = Pack(), w = everywhere(1);

@@ -12,7 +12,7 @@ namespace lanes {
 
 Kernels baselineKernels() { return allKernels(); }
 
-//! @param widest also registers that are slower for few samples
+//! @param widest allows the widest registers, too, which are slower for few samples
 static Kernels bestKernels(bool widest)
 {
     const InstructionSet instructions = fastestInstructions();

@@ -14,11 +14,11 @@ namespace usacv20 {
 constexpr double LEAST_RATIO = 1e-6;
 
 /** Solves several samples in the lanes of vector registers. The models of a sample do not depend on
-the others.
+the other samples.
 @param samples `count` samples, see MinimalSolver::solve
 @param count 1 to MinimalSolver::MAX_TOGETHER, as many as the widest registers hold
 @param models output: 3x3 matrices of unit norm, row by row
-@param found output: their number for each sample */
+@param found output: number of models of each sample */
 typedef void (*SolverKernel)(const Correspondences& points, const int* const* samples, int count,
                              double (*models)[MAX_MODELS][9], int* found);
 

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* The matrices that fulfil the epipolar constraints of samples. No include guard: compiled once for
-each instruction set by lanes/lane_kernels.inl.hpp. */
+/* The matrices that satisfy the epipolar constraints of samples. No include guard: compiled once
+for each instruction set by lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {

@@ -14,8 +14,8 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-//! For roughCubeRoot(): 2 / 3 of the upper half of the bits of 1, less 3 % of the root, so that the
-//! error has either sign.
+//! For roughCubeRoot(): 2 / 3 of the upper half of the bits of 1, reduced so that the root becomes
+//! 3 % smaller and its error has either sign.
 constexpr unsigned long long THIRD_OF_ONE = 715094163;
 
 #if defined __GNUC__
@@ -39,8 +39,8 @@ typedef unsigned long long Bits __attribute__((vector_size(WIDTH * sizeof(double
 
 inline Pack absolute(const Pack& p) { return (Pack)((Bits)p & LLONG_MAX); }
 
-//! Cube root of positive numbers with an error of a few percent: a third of the logarithm, as which
-//! the upper half of the bits can be read, and two thirds of that of 1.
+//! Cube root of positive numbers with an error of a few percent. The upper half of the bits is
+//! nearly a logarithm: a third of it, plus two thirds of that of 1, is the upper half of the root.
 inline Pack roughCubeRoot(const Pack& p)
 {
     const Bits third = ((Bits)p >> 32) * 0x55555556 >> 32;
@@ -64,7 +64,7 @@ inline int bitsOf(const Mask& mask)
 #endif
 }
 
-//! Counts in each lane how often two numbers have different signs, 0 being positive.
+//! Counts in each lane how often two numbers have different signs; 0 counts as positive.
 class SignChanges
 {
 public:
@@ -73,7 +73,7 @@ public:
     Pack count() const { return (Pack)bits - FIRST; }
 
 private:
-    static constexpr double FIRST = 4503599627370496.;  // 2^52, whose last bit is a unit
+    static constexpr double FIRST = 4503599627370496.;  // 2^52, whose last bit has the value 1
     Bits bits;
 };
 

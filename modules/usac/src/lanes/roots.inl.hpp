@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* Real roots of polynomials of degree 10, one polynomial in each lane. Sturm's theorem isolates the
-roots in [-1, 1]; the others are inverses of roots of the reversed polynomial. Halley's method
+roots in about [-1, 1]; the others are inverses of roots of the reversed polynomial. Halley's method
 inside a bracket refines them to double precision @cite press2007numerical. No include guard:
 compiled once for each instruction set by lanes/lane_kernels.inl.hpp. */
 
@@ -32,8 +32,8 @@ f[k+1] with s > 0, so that evaluating the whole sequence at x, from the last ele
 three operations per element. */
 struct Sturm
 {
-    /** @return in which lanes there are such links: not where a degree is (nearly) skipped, as for
-    x^10 - 1. The sequence ends early if its last element divides the others up to rounding. */
+    /** @return the lanes in which all links exist: they do not where a degree is (nearly) skipped,
+    as for x^10 - 1. A sequence ends early if its last element divides the others up to rounding. */
     Mask build(const Polynomials& p)
     {
         Pack f[DEGREE + 1], g[DEGREE + 1];
@@ -96,8 +96,8 @@ struct Sturm
     }
 
 private:
-    //! The k-th link, between f of a degree and g; above the end of a sequence it leaves numbers as
-    //! they are.
+    //! The k-th link, between f, of degree `degree`, and g. In lanes whose sequence has ended
+    //! (`open` is false), the link passes values on unchanged.
     void link(int k, const Pack* f, const Pack* g, int degree, const Mask& open)
     {
         const Pack lead = 1. / g[degree - 1], factor = f[degree] * lead,
@@ -108,13 +108,13 @@ private:
 
     Pack a[DEGREE], b[DEGREE], s[DEGREE];
     Pack last[DEGREE];  //!< coefficients of the last element
-    bool early;         //!< it is not a constant in all lanes
+    bool early;         //!< in some lane the last element is not a constant
 };
 
 //! Intervals of equal length between #LOWEST and #HIGHEST, each of which holds at most one root in
 //! most cases.
 constexpr int CELLS = 8;
-//! Halvings of an interval that holds several roots.
+//! Maximum number of halvings of an interval that holds several roots.
 constexpr int HALVINGS = 37;
 
 inline double boundOf(int cell)
@@ -147,7 +147,7 @@ struct Brackets
     }
 
     int count, ofLane[WIDTH];
-    int reversed[MOST], lanes[MOST];  //!< which polynomial
+    int reversed[MOST], lanes[MOST];  //!< polynomial of the bracket: 1 if it is reversed; its lane
     double low[MOST], high[MOST], atLow[MOST], atHigh[MOST];
     double roots[MOST];  //!< output of refine()
 };
@@ -159,8 +159,8 @@ struct Isolation
     Sturm sturm[2];
     Brackets brackets;
 
-    //! Brackets of the roots in (low, high] of a lane: their number is fromLow - fromHigh, the sign
-    //! changes at both ends.
+    //! Adds brackets of the roots of lane k in (low, high]. The number of roots is fromLow -
+    //! fromHigh, the difference of the sign changes at the two ends.
     void split(int part, int k, double low, double high, double fromLow, double fromHigh, int depth)
     {
         if (!(fromLow > fromHigh))
@@ -214,7 +214,7 @@ struct Isolation
 //! Halley's method inside brackets, with bisection where a step leaves the bracket.
 struct Refinement
 {
-    //! @param all, i brackets i[0] .. i[WIDTH - 1] are those of the lanes
+    //! @param all, i lane k refines the bracket i[k] of `all`
     void begin(const Isolation& all, const int (&i)[WIDTH])
     {
         const Brackets& brackets = all.brackets;
@@ -240,7 +240,7 @@ struct Refinement
         active = low == low;
     }
 
-    //! One step from x, where the polynomial has this value and slope and half this second
+    //! One step from x, where the polynomial has this value and slope; `bend` is half its second
     //! derivative.
     void step(const Pack& value, const Pack& slope, const Pack& bend)
     {
@@ -301,14 +301,14 @@ void Isolation::refine()
     }
 }
 
-//! Real roots of the polynomials; those of one lane are the first count[k] rows of `roots`.
+//! Real roots of the polynomials; the roots of lane k are in the first count[k] elements of `at`.
 struct Roots
 {
     int count[WIDTH];
     Pack at[MAX_MODELS];
 
     //! @param coefficients of the polynomials, the constant first
-    //! @param wanted lanes, a bit for each; there are no roots in the others
+    //! @param wanted lanes to solve, a bit for each; the other lanes get no roots
     void find(const Pack (&coefficients)[DEGREE + 1], int wanted)
     {
         for (int k = 0; k < WIDTH; ++k)
@@ -338,7 +338,7 @@ struct Roots
     }
 
 private:
-    //! @param part 1: the inverse of a root, which the polynomial itself has, too, if it is near 0
+    //! @param part 0: `near` is a root; 1: 1 / `near` is a root, left out where part 0 finds it
     void add(int part, int k, double near)
     {
         const double root = part == 0 ? near : 1 / near;
@@ -346,7 +346,7 @@ private:
             setLane(at[count[k]++], k, root);
     }
 
-    //! By a slower method that works for every polynomial.
+    //! Finds the roots in one lane by a slower method that works for every polynomial.
     void addSlowly(int part, int k, const Polynomials& p)
     {
         double c[DEGREE + 1], roots[MAX_DEGREE];

@@ -16,7 +16,7 @@ namespace {
 struct CubicRoots
 {
     //! @param c coefficients, the constant first
-    //! @param wanted lanes, a bit for each; there are no roots in the others
+    //! @param wanted lanes to solve, a bit for each; the other lanes get no roots
     void find(const Pack (&c)[4], int wanted)
     {
         Pack largest = Pack();
@@ -44,12 +44,13 @@ struct CubicRoots
     }
 
     Pack at[3];
-    int lanes[3];  //!< those with this root, a bit for each
+    int lanes[3];  //!< the lanes that have each root, a bit for each
 
 private:
     /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: a start with an error of a few
     thousandths, and two steps of Halley's method. If there are three roots (excess W^2 - Q^3 < 0),
-    it grows from sqrt(3 Q) to 2 sqrt(Q), nearly linearly in W; else it is Cardano's. */
+    this one grows nearly linearly in W, from sqrt(3 Q) to 2 sqrt(Q); else Cardano's formula gives
+    the start. */
     static Pack outermost(const Pack& Q, const Pack& W, const Pack& excess)
     {
         const double ROOT3 = 1.7320508075688772;
@@ -84,7 +85,7 @@ private:
         return x;
     }
 
-    //! By a slower method that works for every polynomial.
+    //! Finds the roots in one lane by a slower method that works for every polynomial.
     void findOne(const Pack (&coefficients)[4], int k)
     {
         double c[4], roots[MAX_DEGREE];
@@ -118,7 +119,7 @@ void addFundamental(Pack (&F)[9], int wanted, double (*models)[MAX_MODELS][9], i
         }
 }
 
-//! Up to WIDTH samples.
+//! Solves up to WIDTH samples.
 void solveSeven(const Correspondences& points, const int* const* samples, int count,
                 double (*models)[MAX_MODELS][9], int* found)
 {
@@ -129,7 +130,8 @@ void solveSeven(const Correspondences& points, const int* const* samples, int co
     cofactors(F[0], c1);
     cofactors(F[1], c2);
     Pack cubic[4] = {dot9(c2, F[1]) / 3., dot9(c2, F[0]), dot9(c1, F[1]), dot9(c1, F[0]) / 3.};
-    // the ratio whose cubic has the larger leading coefficient, so that no root is at infinity
+    // s / t or t / s: the ratio whose cubic has the larger leading coefficient, so that no root is
+    // at infinity
     const Mask other = absolute(cubic[0]) > absolute(cubic[3]);
     exchange(other, 0, F[0], F[1]);
     const Pack turned[4] = {cubic[3], cubic[2], cubic[1], cubic[0]};

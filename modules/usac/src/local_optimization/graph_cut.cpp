@@ -12,41 +12,42 @@ namespace usacv20 {
 
 namespace {
 
-// Halved and doubled values: doc/constants.md.
+// Effects of halving or doubling each constant: doc/constants.md.
 
-//! Maximum number of points of a fit to the inliers, and of one within a shrinking threshold: more
-//! are slower, not better, while the inliers still change. Halving or doubling changes errors by at
-//! most 2 %.
+//! Maximum number of points of a fit to the inliers (MAX_FIT), and of a fit to the points within a
+//! shrinking threshold (MAX_SHRINK): while the inliers still change, fits to more points are
+//! slower, not better. Halving or doubling either changes errors by at most 2 %.
 constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
-//! Gauss-Newton steps from a model that does not yet fit the inliers well. 1: time -2 to -4 %, but
-//! errors of E +2 % under forward motion.
+//! Gauss-Newton steps of a fit from a model that does not yet fit the inliers well. With 1, time is
+//! 2 to 4 % less, but errors of E under forward motion are 2 % larger.
 constexpr int SHRINK_STEPS = 2;
-//! Gauss-Newton steps from a model that already fits the inliers. 2: time +2 to +3 %, errors the
-//! same.
+//! Gauss-Newton steps of a fit from a model that already fits the inliers. With 2, time is 2 to 3 %
+//! more, and errors are the same.
 constexpr int FIT_STEPS = 1;
-//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally. 1 or 4
-//! change errors by at most 1 %.
+//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally. PART 1
+//! or 4 changes errors by at most 1 %.
 constexpr int PART = 2;
-//! The first and widest of the shrinking thresholds, in thresholds. 6, with six fits: errors -2 to
-//! -4 %, time +9 to +12 %.
+//! The first and widest of the shrinking thresholds, as a multiple of the threshold. With 6, and so
+//! six fits, errors are 2 to 4 % smaller, but time is 9 to 12 % more.
 constexpr int WIDE = 3;
 //! An iteration is the last one unless it lowers the cost below this part of the previous cost.
-//! 0.985: time +2 to +5 %, errors within 1 %.
+//! 0.985 increases time by 2 to 5 % and changes errors by at most 1 %.
 constexpr double WORTHWHILE = 0.97;
-//! Error at which the labels of a graph without edges change from inlier to outlier, in thresholds:
-//! K = 1 / 2 (Labeling).
+//! Error, in thresholds, up to which a point without edges is labeled as an inlier: there, K (see
+//! Labeling) is 1 / 2.
 const double LABELED = std::sqrt(2 * CV_LOG2);
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.
 
 Alternates between finding the spatially coherent inliers of the model (Labeling) and an inner
-RANSAC over them: models are fitted to random samples of Params::localSampleMultiple times the
-minimal size, and to all of them up to a bound. Before that, as in LO-RANSAC @cite chum2003locally,
-the model is fitted to the points within a multiple of the threshold that shrinks to 1: for a model
-of a minimal sample, the final threshold alone would lead to the nearest local optimum, as the few
-inliers within it confirm the model. Optimization ends there unless the model is now clearly better
-than the so-far-the-best one. A better fit always replaces the model; the first iteration without a
-clear gain is the last, and Params::localIterations bounds their number. */
+RANSAC over these inliers: models are fitted to random samples of Params::localSampleMultiple times
+the minimal size, and to all inliers (#MAX_FIT random ones if there are more). Before that, as in
+LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of the
+threshold that shrinks to 1: for a model of a minimal sample, the final threshold alone would lead
+to the nearest local optimum, as the few inliers within it confirm the model. Optimization ends
+after these fits unless the model is now clearly better than the so-far-the-best one. A better fit
+always replaces the model; the first iteration without a clear gain is the last, and
+Params::localIterations bounds the number of iterations. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:

@@ -17,14 +17,14 @@ class InlierSet
 public:
     InlierSet() : members(0), count(0), errors(0) {}
 
-    //! Takes memory for so many points; has to be called first.
+    //! Takes memory for this many points; has to be called first.
     void allocate(Arena::Scope& scope, int points)
     {
         members = scope.take<int>(points);
         errors = scope.take<float>(points);
         count = 0;
     }
-    //! Makes the points with errors up to a multiple of the threshold its members.
+    //! Sets the members: the points with errors up to this multiple of the threshold.
     void within(const Context& context, const Model& model, double multiple);
     //! Moves `most` random members, or all if there are fewer, to the front. @return their number
     int select(Rng& rng, int most);

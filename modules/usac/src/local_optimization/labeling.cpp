@@ -13,8 +13,8 @@ namespace {
 //! K (see Labeling) of a point at an error of 3.25 thresholds; smaller K are taken as 0, which
 //! saves the exponential. Halving or doubling changes errors by some thousandths.
 constexpr float NEGLIGIBLE = 0.005f;
-//! Work of edges and cut per point, without a kd-tree, in point tests, the unit of Watch: 100 ns
-//! with a million points. It affects only how late a time limit ends a run.
+//! Work per point to find the edges (without a kd-tree) and to cut the graph, in point tests, the
+//! unit of Watch: 100 ns with a million points. It affects only how late a time limit ends a run.
 constexpr double CUT_WORK = 50;
 
 }  // namespace
@@ -44,16 +44,16 @@ int Labeling::degreeOf(const Vec2i* edges, int count)
     return most;
 }
 
-/* An edge changes the cost of p being an inlier, against an outlier, by -lambda a if q is an inlier
-and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. A point whose label is the same
-for any labels of its neighbors gets it before the cut; most do by a coarse test, that lambda times
-the number of edges does not outweigh their own cost. */
+/* An edge (p, q) changes the cost of p as an inlier minus its cost as an outlier by -lambda a if q
+is an inlier, and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. A point whose
+label is the same for any labels of its neighbors is labeled before the cut. For most points a
+coarse test shows this: lambda times the largest number of edges does not outweigh `unary`. */
 void Labeling::labelWithoutCut(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     if (degree < 0)
         degree = degreeOf(edges, count);
     const float mostOfEdges = lambda * degree;
-    // bounds of `unary` with the edges, for any labels of the neighbors
+    // bounds of `unary` plus the changes by the edges, for any labels of the neighbors
     Arena::Scope scope(arena);
     float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
     for (int i = 0; i < size; ++i)
@@ -108,8 +108,8 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     return found;
 }
 
-/* With x = 1 for an inlier, the cost of an edge is a + (1 - a) x_p - a x_q + (1 - x_p) x_q, the
-last term being one arc of the graph. */
+/* With x = 1 for an inlier and 0 for an outlier, the cost of an edge is lambda times a + (1 - a)
+x_p - a x_q + (1 - x_p) x_q. The last term is one arc of the graph. */
 void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     const int nodes = nodeCount;

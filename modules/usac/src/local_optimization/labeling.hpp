@@ -20,13 +20,13 @@ namespace usacv20 {
 @cite barath2018graph.
 
 With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as an inlier and K_p as an
-outlier. An edge (p, q) costs lambda times 1 if the labels differ, (K_p + K_q) / 2 if both are
-outliers, 1 - (K_p + K_q) / 2 if both are inliers. The energy is submodular, so a minimum cut gives
-its exact minimum.
+outlier. An edge (p, q) costs lambda if the labels differ, lambda (K_p + K_q) / 2 if both points are
+outliers, lambda (1 - (K_p + K_q) / 2) if both are inliers. The energy is submodular, so a minimum
+cut gives its exact minimum.
 
-Points whose label does not depend on their neighbors, most of them in practice, get it before the
-cut and are not nodes of the graph; points far from the model (K_p below #NEGLIGIBLE) are always
-outliers. O(N) time to set up; the cut is linear in practice. */
+Points whose label does not depend on their neighbors (most points in practice) are labeled before
+the cut and are not nodes of the graph. Points far from the model (K_p below #NEGLIGIBLE) are always
+outliers. The graph is set up in O(N) time; in practice, the cut takes linear time. */
 class Labeling
 {
 public:

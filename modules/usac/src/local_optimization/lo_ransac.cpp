@@ -11,23 +11,25 @@ namespace usacv20 {
 
 namespace {
 
-//! The first and widest of the shrinking thresholds, in thresholds. Halving or doubling changes
+//! The first and widest of the shrinking thresholds, as a multiple of the threshold. 2 or 6 change
 //! errors by at most 4 %, see doc/constants.md.
 constexpr int WIDE = 3;
 //! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally.
 constexpr int PART = 2;
 //! Maximum number of points of a fit of FLO-RANSAC, in minimal sample sizes, as in
-//! @cite lebeda2012fixing. 3: failures of E +1.1 points; 14: time of F +8 %.
+//! @cite lebeda2012fixing. With 3, the failure rate of E rises by 1.1 percentage points; with 14, F
+//! takes 8 % more time.
 constexpr int FLO_FIT = 7;
 
 /** @brief Local optimization of LO-RANSAC @cite chum2003locally, or its variant in "Fixing the
 locally optimized RANSAC" @cite lebeda2012fixing (FLO-RANSAC).
 
-The model is fitted to its inliers within a wide threshold. Then an inner RANSAC draws
-Params::localSamples samples of Params::localSampleMultiple times the minimal size, at most half of
-them all, from the inliers of that fit; each is fitted and then refined by least squares over the
-points within a threshold that shrinks from #WIDE times to the threshold itself in
-Params::localIterations steps. The best of all these fits replaces the model if it is better.
+The model is fitted to the points within #WIDE thresholds. Then an inner RANSAC draws
+Params::localSamples samples from the inliers of that fit, of Params::localSampleMultiple times the
+minimal size, but at most half of these inliers. A model is fitted to each sample and then refined
+by least squares over the points within a threshold that shrinks from #WIDE times to the threshold
+itself in Params::localIterations steps. The best of all these fits replaces the model if it is
+better.
 
 LO-RANSAC fits to all selected points. FLO-RANSAC fits to a random subset of at most #FLO_FIT times
 the minimal sample size: a fit takes the same time for any number of points, and fits vary more. */
@@ -65,7 +67,8 @@ public:
     }
 
 private:
-    //! Least squares over the points within a shrinking threshold, each from the previous fit.
+    //! Least squares over the points within a shrinking threshold; a fit starts from the previous
+    //! one.
     bool shrink(const Context& context, State& state, int m, int largest, Model fitted,
                 Model& model, Quality& quality)
     {

@@ -39,9 +39,9 @@ With noise, a better sample often gives a worse model, and only local optimizati
 better @cite lebeda2012fixing. Models that beat all previous samples are optimized at once. Of the
 others, those with the most inliers that are not inliers of the best model are optimized when the
 search is about to end. Choosing them by cost could give only variants of one wrong model: points
-with a common shift, or on an independently moving plane, have a family of F. Its optimized member
-is the best model, and all others cost less than models of all-inlier samples before these are
-optimized. Each model is given out once. */
+with a common shift, or on an independently moving plane, agree with a family of F. If an optimized
+F of this family is the best model, all its other members cost less than models of all-inlier
+samples that are not yet optimized. take() gives each model once. */
 class RunnersUp
 {
 public:
@@ -50,7 +50,7 @@ public:
 
     //! True if no models are kept.
     bool none() const { return most == 0; }
-    //! False if a model with so many inliers that the best one lacks would not be kept.
+    //! False if a model with this RunnerUp::unexplained would not be kept.
     bool wants(int unexplained) const
     {
         return count < most || unexplained >= kept[most - 1].unexplained;
@@ -73,7 +73,7 @@ private:
 
     const int most;
     InlierBits known;  //!< inliers of the best model
-    RunnerUp* kept;    //!< in the order of take(), with one spare place; null before the first
+    RunnerUp* kept;    //!< in the order of take(), with one spare place; null before add()
     RunnerUp* given;   //!< models given by the last take()
     int count;         //!< number of models kept
     Arena& arena;

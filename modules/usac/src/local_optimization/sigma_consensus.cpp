@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Selects the points within the threshold, nearest first, or #MAX_FIT random ones of them.
+//! Selects the points within the threshold, or #MAX_FIT random ones of these; nearest first.
 void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model, Near* all)
 {
     const Correspondences& p = context.points;
@@ -91,9 +91,9 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
 
 namespace {
 
-/** Local optimization by SigmaConsensus: repeats the marginalized fit from its own result, at most
-Params::localIterations times. A better fit replaces the model; the first one that is not better is
-the last. */
+/** Local optimization by SigmaConsensus: the marginalized fit is repeated from its own result, at
+most Params::localIterations times. A better fit replaces the model; the first fit that is not
+better is the last. */
 class SigmaConsensusOptimizer : public LocalOptimizer
 {
 public:

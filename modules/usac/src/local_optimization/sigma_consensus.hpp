@@ -14,21 +14,21 @@ namespace usacv20 {
 
 The range 0 .. sigma_max of scales is divided into #PARTITIONS equal parts. The model of a part is
 the least-squares fit to the points whose error from the given model is at most thresholdInSigmas
-times the largest sigma of the part, or the model of the previous part if these are too few or the
-same points (for the first part, the given model). A point's weight is its likelihood under the
-model of each scale, marginalized over the scale as in MarginalizedWeights: within a part the
-integral is that class's formula, taken between the ends of the part. The result is the fit with
-these weights.
+times the largest sigma of the part. If these points are too few or those of the previous part, the
+previous part's model is used (for the first part, the given model). A point's weight is its
+likelihood under the model of each scale, marginalized over the scale as in MarginalizedWeights:
+within a part, the integral is the formula of that class between the ends of the part. The result is
+the fit with these weights.
 
-The points are those within the threshold of the given model, or #MAX_FIT random ones of them. This
-bounds the time of the fits, one per part and a final one; there is also one pass over all
+Only points within the threshold of the given model are used, at most #MAX_FIT random ones. This
+bounds the time of the fits: one per part, and a final one. There is also one pass over all
 points. */
 class SigmaConsensus
 {
 public:
-    /** Number of parts, as in the program of the paper's authors, and maximum number of points.
-    Halving or doubling changes time by -14 to +31 % and errors by at most 1 %, see
-    doc/constants.md. */
+    /** PARTITIONS: number of parts, as in the program of the paper's authors. MAX_FIT: maximum
+    number of points. Halving or doubling one of them changes time by -14 to +31 % and errors by at
+    most 1 %, see doc/constants.md. */
     enum { PARTITIONS = 5, MAX_FIT = 500 };
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}

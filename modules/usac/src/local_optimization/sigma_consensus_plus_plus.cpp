@@ -15,14 +15,15 @@ namespace {
 //! Maximum number of points of a fit. Halving or doubling changes errors by at most 2 % and time by
 //! at most 4 %.
 constexpr int MAX_FIT = 500;
-//! Ends after so many fits in a row that are not better. 1 or 4: errors the same.
+//! Optimization ends after this many fits in a row that are not better. 1 or 4 gives the same
+//! errors.
 constexpr int FAILURES = 2;
 
 /** @brief The local optimization of MAGSAC++ @cite barath2020magsac: iteratively re-weighted least
 squares with the weights of MarginalizedWeights.
 
 There are at most Params::localIterations iterations. Each uses all points within the threshold of
-the last fit, or #MAX_FIT random ones of them, which are enough while the weights still change. The
+the last fit, or #MAX_FIT random ones of these, which are enough while the weights still change. The
 best fit is kept if it is better than the model; the #FAILURES-th fit in a row that is not better is
 the last. */
 class SigmaConsensusPlusPlus : public LocalOptimizer

@@ -11,16 +11,16 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of layers, each twice as wide as the previous one, and maximum number of neighbors kept
-//! per point unless the caller asks for more. Halving or doubling LAYERS changes only some pairs of
-//! H, WIDEST nothing; see doc/constants.md.
+//! LAYERS: number of layers, each twice as wide as the previous one. WIDEST: maximum number of
+//! neighbors kept per point, unless the caller asks for more. Halving or doubling LAYERS changes
+//! the results of only some pairs of H, WIDEST none; see doc/constants.md.
 constexpr int LAYERS = 4, WIDEST = 512;
-//! Maximum number of edges from a point to its neighbors. 4: time -18 to -23 %, errors of F +3 %;
-//! 16: time +8 to +10 %.
+//! Maximum number of edges from a point to its neighbors. With 4: time -18 to -23 %, errors of F
+//! +3 %; with 16: time +8 to +10 %.
 constexpr int LINKS = 8;
 
 //! Work in point tests, the unit of Watch: to build the tree, per point; to sort the edges, per
-//! edge; of one search. They affect only how late a time limit ends a run.
+//! edge; to find the neighbors of a point. It affects only how late a run with a time limit ends.
 constexpr double BUILD_WORK = 300, SORT_WORK = 60, FIND_WORK = 2000;
 
 typedef cvflann::L2<float> SquaredDistance;
@@ -81,8 +81,8 @@ have k, 2 k, 4 k and 8 k of them; for a radius r, the points within r, 2 r, 4 r 
 needs growing layers because it asks for more and more members. The parameters define the finest
 layer; the graph cut uses that one, NAPSAC the coarsest. The nearest #WIDEST neighbors are kept, or
 k if k is larger; memory is thus O(N) for any radius. Edges link each point to its nearest neighbors
-in the finest layer, at most #LINKS of them: with more, the spatial coherence would outweigh the
-error of a point.
+in the finest layer, at most #LINKS of them: with more, the graph cut would weigh the labels of
+neighbors more than the error of the point itself.
 
 The tree is built at first use in O(N log N). The neighbors of a point are searched at its first
 query, in O(log N), because samplers use only some points. */
@@ -146,7 +146,7 @@ private:
         return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
     }
 
-    //! Gives only the point itself, when the run has to end.
+    //! Returns only the point itself, for a run that has to end.
     static int alone(const Context& context, int point, const int*& members)
     {
         int* const one = context.arena.take<int>(1);
@@ -155,7 +155,7 @@ private:
         return 1;
     }
 
-    //! Makes the edges, only those of the first points if the run has to end meanwhile.
+    //! Creates the edges; if the run has to end meanwhile, those of the first points or none.
     void link(const Context& context)
     {
         const Reach nearest = {std::min<int>(reach[0].neighbors, LINKS), reach[0].squaredRadius};
@@ -234,7 +234,7 @@ private:
     int size;            //!< points
     Ptr<KdTree> tree;
     const cvflann::SearchParams exact;
-    Surroundings* known;       //!< of each point
+    Surroundings* known;       //!< neighbors of each point
     std::vector<Found> found;  //!< result of the last search; its memory is kept
     Vec2i* links;              //!< null: not requested yet
     int linkCount;

@@ -10,11 +10,13 @@ namespace usacv20 {
 
 namespace {
 
-//! Bits of a code: with four axes, four per axis, for 16, 8, 4 and 2 cells as in the program of the
-//! authors of @cite barath2019progressive; and maximum number of bits per axis with fewer axes.
+//! CODE_BITS: bits of the code of a cell; with four axes these are four per axis, for layers with
+//! 16, 8, 4 and 2 cells per axis as in the program of the authors of @cite barath2019progressive.
+//! MOST_BITS: maximum number of bits per axis, with fewer axes.
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
-//! Maximum number of edges from a point to later points in its cell of the second layer. 6: time +2
-//! to +5 %; 1, or cells of the finest or the third layer, change errors by at most 2 %.
+//! Maximum number of edges from a point to later points in its cell of the second layer. With 6:
+//! time +2 to +5 %. With 1, or with cells of another layer, the finest or the third, errors change
+//! by at most 2 %.
 constexpr int LINKS = 3;
 
 /** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite
@@ -47,7 +49,7 @@ public:
         build(context);
         const int shift = axes * layer, cell = codes[point] >> shift;
         int first = rank[point],
-            last = first + 1;  // range in the cell; the steps double until they leave it
+            last = first + 1;  // points in the cell; the steps double until they leave it
         for (int step = 1; first > 0 && sortedCodes[first - 1] >> shift == cell; step *= 2)
             first = std::max(first - step, 0);
         first = (int)(std::lower_bound(sortedCodes + first, sortedCodes + rank[point],
@@ -81,7 +83,7 @@ public:
 private:
     static bool lessCode(ushort code, int value) { return code < value; }
 
-    //! Puts the bits of v at multiples of `step`.
+    //! Moves bit k of v to bit k * step.
     static int spread(int v, int step)
     {
         int result = 0;
@@ -147,10 +149,10 @@ private:
 
     const int axes, bits;  //!< number of columns, and of bits per column
     int size;              //!< number of points
-    ushort* codes;         //!< of each point; null: nothing is built
+    ushort* codes;         //!< code of each point; null: nothing has been built
     int* sorted;           //!< points, sorted by code
     int* rank;             //!< position of each point in `sorted`
-    ushort* sortedCodes;   //!< their codes
+    ushort* sortedCodes;   //!< codes of the points in `sorted`
     Vec2i* links;          //!< null: not requested yet
     int linkCount;
 };

@@ -12,9 +12,9 @@ namespace usacv20 {
 
 //! Multi-layer grid in the joint space of the columns, see GridNeighborhood.
 Ptr<Neighborhood> createGridNeighborhood(int columns);
-//! Nearest neighbors, see FlannNeighborhood. @param neighbors their number in the finest layer
+//! Nearest neighbors, see FlannNeighborhood. @param neighbors number of them in the finest layer
 Ptr<Neighborhood> createKnnNeighborhood(int neighbors);
-//! Points within a radius, see FlannNeighborhood. @param radius that of the finest layer, in pixels
+//! Points within a radius, see FlannNeighborhood. @param radius of the finest layer, in pixels
 Ptr<Neighborhood> createRadiusNeighborhood(double radius);
 
 }  // namespace usacv20

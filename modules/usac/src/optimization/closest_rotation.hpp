@@ -41,7 +41,7 @@ struct ClosestRotation
     }
 
     Eigen::Matrix3d rotation;
-    double scale;                    //!< scale times R is closest to M: a third of that trace
+    double scale;                    //!< scale times R is closest to M: trace of R^T M, over 3
     Eigen::Vector3d singularValues;  //!< of M, largest first
 };
 

@@ -22,10 +22,10 @@ struct AroundModel
 /** @brief Least squares of the geometric error by the Gauss-Newton method, with Levenberg-Marquardt
 damping @cite more1978levenberg after a step that does not lower the cost.
 
-Minimizes the sum of (weighted) squared errors of a Residual over the models of one kind, from the
-given one, in a minimal parameterization of that kind (DIMENSION parameters of NUMBERS entries,
-project(), plus(), model(), hasFullRank()). As it starts from a model, it needs no linear estimate
-and works on planar scenes, where the eight-point method fails. About 40 (H) or 100 (F, E)
+Minimizes the sum of (weighted) squared errors of a Residual, starting from a given model. The
+parameterization is minimal: DIMENSION parameters for the NUMBERS entries of a model, with
+project(), plus(), model() and hasFullRank(). As it starts from a model, the method needs no linear
+estimate and works on planar scenes, where the eight-point method fails. About 40 (H) or 100 (F, E)
 operations per point and iteration, twice as many for the symmetric errors.
 
 The first step is not damped: a polisher asks for one step at a time, and any effective damping
@@ -108,7 +108,7 @@ private:
     }
 
     /** Solves the damped normal equations on the tangent space. `gain` is the decrease of the cost
-    if the residuals are linear. False if the equations are singular or not finite. */
+    for linear residuals. False if the equations are singular or not finite. */
     static bool solve(const Parameterization& here, const Equations& sums, double damping,
                       Step& step, double& gain)
     {
@@ -126,22 +126,22 @@ private:
         return step.allFinite();
     }
 
-    // Halving or doubling changes errors by some thousandths and time by at most 3 %
+    // Halving or doubling one of these changes errors by some thousandths and time by at most 3 %
     // (doc/constants.md).
 
-    //! Number of steps without a lower cost that do not count as iterations.
+    //! Number of steps that did not lower the cost and are tried in addition to the iterations.
     enum { RETRIES = 2 };
-    //! Added to the diagonal of the normal equations: FIRST_DAMPING times each entry after a step
-    //! that did not lower the cost, and always SINGULAR times the mean entry.
+    //! Added to each entry of the diagonal of the normal equations: FIRST_DAMPING times the entry
+    //! after a first step that did not lower the cost; in any case SINGULAR times the mean entry.
     static const double FIRST_DAMPING, SINGULAR;
-    //! Expected decrease of the cost, relative to it: below SETTLED a step is the last one, up to
-    //! ARRIVED it is not taken.
+    //! A step with an expected decrease of less than SETTLED times the cost is the last one; with
+    //! at most ARRIVED times the cost, it is not taken.
     static const double SETTLED, ARRIVED;
 
     const Ptr<Residual> residual;
     const int errorDimension;
     const Around around;
-    Arena* arena;  //!< memory of the run; null before the first one
+    Arena* arena;  //!< memory of the run; null before the first run
 };
 
 template <class Parameterization, class Around>

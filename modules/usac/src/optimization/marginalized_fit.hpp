@@ -13,14 +13,14 @@ namespace usacv20 {
 /** @brief One iteration of re-weighted least squares with the weights of MAGSAC++
 @cite barath2020magsac: weigh(), then fit().
 
-Because the weights decrease with the error, a fit to all weighted points never increases the loss
-of which they are the derivative. */
+The weights are the derivative of a loss. As they decrease with the error, a fit to all weighted
+points never increases this loss. */
 class MarginalizedFit
 {
 public:
     MarginalizedFit() : errors(0), indices(0), weights(0), count(0) {}
 
-    //! Takes memory for so many points; has to be called first.
+    //! Takes memory for this many points; has to be called first.
     void allocate(Arena::Scope& scope, int points)
     {
         errors = scope.take<float>(points);
@@ -28,7 +28,7 @@ public:
         weights = scope.take<double>(points);
         count = 0;
     }
-    //! Weighs the points within the threshold of the model. @return loss of all points
+    //! Computes weights of the points within the threshold of the model. @return loss of all points
     double weigh(const Context& context, double threshold, const Model& model);
     //! Number of points with a weight.
     int size() const { return count; }

@@ -11,21 +11,22 @@ namespace usacv20 {
 
 namespace {
 
-// Halved and doubled values: doc/constants.md.
+// Effects of halving or doubling each constant: doc/constants.md.
 
-//! Initial values of the EM algorithm, variance in squared thresholds and inlier ratio, and its
-//! number of steps. Half: errors of H on structured scenes +3 to +8 %, on real pairs +-1 %.
+//! The EM algorithm starts with this variance (in squared thresholds) and this inlier ratio, and
+//! takes STEPS steps. Halving one of the three raises errors of H by 3 to 8 % on the scenes of
+//! doc/structured.md, and changes them by at most 1 % on real pairs.
 constexpr double FIRST_VARIANCE = 0.15, FIRST_PART = 0.7;
 constexpr int STEPS = 4;
-//! The tail begins at CORE standard deviations of the noise. It is significant if the points in it
-//! exceed those that outliers explain by DEVIATIONS standard deviations of that number and
-//! PART_OF_CORE of the points in the core. Halving or doubling changes errors on real pairs by at
-//! most 1 %.
+//! The tail of the inliers' errors begins at CORE standard deviations of the noise. It is
+//! significant if it has more points than outliers explain, plus DEVIATIONS standard deviations of
+//! this number, plus PART_OF_CORE times the number of points with smaller errors. Halving or
+//! doubling one of the three changes errors on real pairs by at most 1 %.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
 
-//! Density of e^degrees at 0, where e is the error of an inlier with so many degrees of freedom.
+//! Density of e^degrees at 0, where e is the error of an inlier with `degrees` degrees of freedom.
 double peakOf(double variance, int degrees)
 {
     if (degrees == 2)

@@ -17,25 +17,26 @@ in the plane, in space) @cite torr2000mlesac. Only the first #MOST errors are us
 equal width, each represented by the mean square of its errors. With fewer than #LEAST errors, the
 result is the noise for which the threshold was chosen, 1 / thresholdInSigmas(degrees).
 
-A sigma below #leastSigma needs evidence: between 4 sigma and the threshold there must be almost no
-errors except those that outliers explain, whose density is measured beyond the threshold. Otherwise
-the noise has long tails, or the model does not fit all points equally well (a surface that is not
-quite a plane): a fit to the closest points would fit only a part of the scene, and #leastSigma is
+A sigma below #leastSigma needs evidence: between 4 sigma and the threshold there must be hardly
+more errors than outliers explain; their density is measured beyond the threshold. Otherwise the
+noise has long tails, or the model does not fit all points equally well (a surface that is not quite
+a plane): a fit to the closest points would fit only a part of the scene, and #leastSigma is
 returned. */
 class NoiseScale
 {
 public:
-    /** Range of the errors used, in thresholds. 2: errors of H +17 % on structured scenes; 8: -4 %.
-    See doc/constants.md, also for the others. */
+    /** Errors up to this many thresholds are used. With 2, errors of H on the scenes of
+    doc/structured.md are 17 % larger; with 8, 4 % smaller. Other effects: doc/constants.md. */
     enum { REACH = 4 };
-    //! Minimum and maximum number of errors. Halving or doubling changes time by at most 3 % and
-    //! errors by at most 1 %.
+    //! Minimum and maximum number of errors used. Halving or doubling one changes time by at most
+    //! 3 % and errors by at most 1 %.
     enum { LEAST = 20, MOST = 200 };
-    //! Halving or doubling does not change the errors.
+    //! Number of bins. Halving or doubling it does not change the accuracy.
     enum { BINS = 48 };
 
-    //! In thresholds. Without the test for evidence, smaller values increase errors of H on
-    //! photographs, by 8 % at 0.1. Halving or doubling changes errors of H on real pairs by +1 %.
+    //! Smallest sigma that needs no evidence, in thresholds. Without the test for evidence, smaller
+    //! values would increase errors of H on photographs, by 8 % with 0.1. With the test, halving or
+    //! doubling increases errors of H on real pairs by 1 %.
     static double leastSigma() { return 0.27; }
 
     //! @param squaredErrors `count` of them @param threshold not squared @param degrees 1 to 3

@@ -11,8 +11,9 @@ namespace usacv20 {
 
 namespace {
 
-/** Normal equations of the error of a projection by a 3 x N matrix, from its sums: products of the
-point with itself (upper triangle) times 1, u, v, u^2 + v^2; the gradient; the cost. */
+/** Normal equations of the error of a projection by a 3 x N matrix, from the sums of its kernel:
+the upper triangle of p p^T for the homogeneous point p, times 1, u, v, u^2 + v^2; the gradient; the
+cost. */
 template <int N>
 void fromProjectionSums(const double* sums, NormalEquationsOf<3 * N>& equations)
 {
@@ -33,8 +34,8 @@ void fromProjectionSums(const double* sums, NormalEquationsOf<3 * N>& equations)
     equations.cost = sums[4 * PRODUCTS + 3 * N];
 }
 
-//! Normal equations of the Sampson or the symmetric epipolar distance, from its sums. The residual
-//! is taken as the tenth column of J, so the last row of the triangle has gradient and cost.
+//! Normal equations of the Sampson or the symmetric epipolar distance, from the sums of its kernel.
+//! The residual is the tenth column of J, so the last row of the triangle is gradient and cost.
 void fromEpipolarSums(const double* sums, NormalEquations& equations)
 {
     for (int row = 0, n = 0; row < 9; ++row)
@@ -46,9 +47,9 @@ void fromEpipolarSums(const double* sums, NormalEquations& equations)
     equations.cost = sums[54];
 }
 
-/** Adds the sums of the transfer error in image 1. Their derivatives are with respect to G = H^-1.
-As dG = -G dH G, the derivatives with respect to H, entries in row-major order, are those times the
-Kronecker product -G (x) G^T. */
+/** Adds the normal equations of the transfer error in image 1, which are in the entries of
+G = H^-1. As dG = -G dH G, the derivatives with respect to H (entries in row-major order) are the
+derivatives with respect to G times the Kronecker product -G (x) G^T. */
 void addInverse(const NormalEquations& inverse, const Matx33d& G, NormalEquations& equations)
 {
     Eigen::Matrix<double, 9, 9, Eigen::RowMajor> L;

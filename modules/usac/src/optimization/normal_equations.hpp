@@ -21,7 +21,8 @@ struct NormalEquationsOf
     Eigen::Matrix<double, SIZE, 1> Jtr;
     double cost;
 
-    //! Sums over the points, by a kernel or, for custom residuals, by Residual::linearize().
+    //! Computes the sums over the points by a kernel; if the residual has none, by
+    //! Residual::linearize().
     void accumulate(const Residual& residual, const PointChunks& points, const Model& model);
 
     //! The cost alone, in a fraction of the time.

@@ -61,7 +61,7 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool sw
     static const double zeros[EPIPOLAR_SUMS][SUMS_LANES] = {{0}};
     double lanes[EPIPOLAR_SUMS][SUMS_LANES];
     std::memcpy(lanes, zeros,
-                count * sizeof(lanes[0]));  // a fill would become a slow instruction
+                count * sizeof(lanes[0]));  // std::fill would compile to a slow instruction
     for (int c = 0; c < chunks; ++c)
     {
         const Row* chunk = rows + c * (columns + 1);

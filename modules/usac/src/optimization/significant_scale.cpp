@@ -14,7 +14,8 @@ namespace {
 //! + 1)) from e = LOWEST on.
 constexpr int LOWEST = -4, BINS = 128;
 //! Median error within the radius r that is found, in standard deviations of the noise, for one to
-//! three degrees of freedom. Derived, see the class. Halving them doubles REACH of reach.cpp.
+//! three degrees of freedom. Derived, see the class. Halving all is like doubling REACH of
+//! reach.cpp.
 constexpr double MEDIANS[] = {0.64, 1.15, 1.52};
 
 //! Bin by exponent and first bit of the mantissa; #BINS or more if too large or NaN.
@@ -48,7 +49,7 @@ void countInBins(const float* squaredErrors, int count, float scale, int* member
     }
 }
 
-//! r^degrees.
+//! r^degrees for r^2 = `square`.
 double volumeOf(double square, int degrees)
 {
     return degrees == 2 ? square : degrees == 1 ? std::sqrt(square) : square * std::sqrt(square);

@@ -12,19 +12,20 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of ranks, and prior count of the points that share only one cell. Half (2 points) or
-//! double: errors of H and F within 1 %, of E within 4 %, the noise of the search.
+//! BUCKETS: number of ranks. ORDERING_OTHERS: prior number of points that share only one cell.
+//! Halving (ORDERING_OTHERS: to 2) or doubling changes errors of H and F by at most 1 %, of E by at
+//! most 4 %, no more than the noise of the search.
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
 
 /** @brief Local density of the points in the joint space, relative to their density in the images
-(paper, section "Other features").
+(@cite ivashechkin2021usacv20, section "Other features").
 
 Inliers come in groups: most of the points that share an inlier's cell in image 1 or image 2 also
 share its cell in the other image. Points are ordered by this fraction, s / (s + n +
-#ORDERING_OTHERS), where s other points share both cells and n more share one of them, averaged over
-the images. The absolute density alone would put the most crowded place of the images first, whether
-its matches are right or wrong. Counting and a bucket sort, O(N); points of equal rank keep their
-pseudo-random order, repeated matches come last. */
+#ORDERING_OTHERS), where s other points share both cells and n share only one of them (n is the mean
+of the two images). The absolute density would put the most crowded place of the images first,
+whether its matches are right or wrong. Counting and a bucket sort, O(N); points of equal rank keep
+their pseudo-random order, repeated matches come last. */
 class DensityOrdering : public Ordering
 {
 public:

@@ -21,8 +21,8 @@ struct ByValue
     const float* values;
 };
 
-/** By given scores, best first; points of equal score keep their pseudo-random order, repeated
-matches come last. O(N log N). */
+/** Orders points by the given scores, best first; points of equal score keep their pseudo-random
+order, repeated matches come last. O(N log N). */
 class ScoreOrdering : public Ordering
 {
 public:

@@ -15,7 +15,7 @@ namespace usacv20 {
 
 namespace {
 
-// Halved and doubled values: doc/constants.md.
+// Effects of halving or doubling each constant: doc/constants.md.
 
 //! Part of the inliers that is fitted first: those with the lowest leverage.
 constexpr double BULK = 0.85;
@@ -24,17 +24,19 @@ constexpr double HIGH = 0.4;
 //! A point is taken back if its error is at most DEVIATIONS standard deviations of its prediction
 //! and, in the first of two rounds, its leverage is at most PREDICTED.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
-/** Minimum decrease of the sum of squared errors, in noise variances: HOPE by the first fit (else
-the attempt ends), GAIN by the result. By chance, two parameters gain 6 in one of 20 cases; the
-result is then as good as the model. */
+/** Minimum decrease (gain) of the sum of squared errors, in noise variances: HOPE for the first
+fit, else the attempt ends; GAIN for the result. Changing two parameters gains 6 by chance in one of
+20 cases; the result is then as good as the model. */
 constexpr double HOPE = 3, GAIN = 6;
-/** The same if nearly all inliers leave parameters free, as points on a plane leave the epipole.
-Another epipole then changes the direction in which all errors are measured, and the difference of
-two sums of n squares has a standard deviation of at most 2 sqrt(n) noise variances: the gain must
-be TURNED sqrt(n) or more. Only inliers off the plane determine the epipole, so the lost inliers
-must count for at most gain / FREE_AGAINST (surpriseOf()). With GAIN alone, 4 % of F with 95 % of
-the right matches on a plane lose those off it. An ambiguous model, E, is not changed there: fits
-mix up its two solutions, and led to neither in 10 of 200 scenes of only a plane. */
+/** Stricter conditions if nearly all inliers leave parameters free (Problem::leavesFree), as points
+on a plane leave the epipole. The gain must be FREE_GAIN or more. It must also be TURNED sqrt(n) or
+more for n points: another epipole changes the direction in which all errors are measured, and the
+difference of two sums of n squares has a standard deviation of at most 2 sqrt(n) noise variances.
+The evidence of the lost inliers (surpriseOf()) must be at most gain / FREE_AGAINST, because only
+inliers off the plane determine the epipole. With GAIN alone, 4 % of F with 95 % of the right
+matches on a plane lose the right matches off the plane. An ambiguous model (E) is not changed if
+parameters are free: fits mix up its two solutions, and led to neither in 10 of 200 scenes with
+nothing off a plane. */
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! Lower bound of the noise, in thresholds: the accuracy of errors in float.
 constexpr double LEAST_NOISE = 1e-3;
@@ -98,7 +100,7 @@ bool Leverage::convinces(const Model& fitted, const Model& model, const Points& 
     if (!(gain >= GAIN))
         return false;
     const double against = surpriseOf(all - inliersOf(fitted));
-    if (against > gain / 2 ||  // gain of log-likelihood
+    if (against > gain / 2 ||  // half the gain is the gain of log-likelihood
         against > byChance())
         return false;
     const Problem& problem = *context.points.problem;
@@ -155,7 +157,7 @@ bool Leverage::findBulk(const Model& model)
     std::nth_element(order, order + bulk.count, order + count, [&own](int a, int b) {
         return own[a] < own[b] || (own[a] == own[b] && a < b);
     });
-    std::sort(order, order + bulk.count);  // nth_element leaves any order
+    std::sort(order, order + bulk.count);  // nth_element leaves them in no specified order
     for (int k = 0; k < bulk.count; ++k)
         bulk.indices[k] = inliers.indices[order[k]];
     return true;
@@ -216,7 +218,7 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
     double* const own = scope.take<double>(looked);
     const double widest = std::min(limit, noise * (1 + most));
     result.count = 0;
-    for (int i = 0; i < looked; ++i)  // errors are those of sumOf
+    for (int i = 0; i < looked; ++i)  // sumOf() has computed `errors`
     {
         if (most == DBL_MAX && errors[i] <= noise)
         {
@@ -235,7 +237,8 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
            result.count > parts.minimalSolver->sampleSize();
 }
 
-//! Computed in all entries of the model; that it has fewer parameters affects all points alike.
+//! Uses derivatives by all entries of the model. It has fewer parameters, but this affects all
+//! points alike.
 template <int ENTRIES>
 bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points,
                            double* result) const

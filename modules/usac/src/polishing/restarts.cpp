@@ -12,29 +12,32 @@ namespace usacv20 {
 
 namespace {
 
-// Halved and doubled values: doc/constants.md. A failure is a scene, of 8400 with few points and a
-// wide threshold, whose error is more than 1.1 times that of least squares; the worst flag counts.
+// Effects of halving or doubling each constant: doc/constants.md. "Failures" are scenes, out of
+// 8400 with few points and a wide threshold, with an error of more than 1.1 times that of least
+// squares; the flag with the most failures is given. Except for RESTARTS, they are for 8 RESTARTS.
 
-//! Number of samples of the inliers, and of samples of the inliers and each tried outlier, from
-//! which fits start. 8 and 8: 2 failures instead of 0; 4 and 4: 7.
+//! Number of samples that fits start from: of the inliers; and, for each tried outlier, of this
+//! outlier and inliers. 8 and 8: 2 failures instead of 0; 4 and 4: 7 failures.
 constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
 //! The threshold is wide if a point is an inlier of a wrong model with at least this probability.
-//! Of 200 H with 25 to 300 points 3 fail, with half of it 3, with double 7, without it 45.
+//! Of 200 H with 25 to 300 points, 3 fail; with half the value 3, with double 7, and if no
+//! threshold counts as wide, 45.
 constexpr double WIDE = 0.2;
-//! Another minimum must be below this part of the loss. 0.95: no change; 0.8: 10 failures.
+//! The loss of another minimum must be below this part of the model's loss. 0.95: no change; 0.8:
+//! 10 failures instead of 2.
 constexpr double CLEAR = 0.9;
-/** The same for models that the checks reject, as a probability that the better fit is chance: the
-part of the loss to the power of half the remaining degrees of freedom. Halving or doubling changes
-nothing. */
+/** For models that the checks reject, this part must also be so small that the decrease is chance
+with at most this probability, which is the part to the power of half the remaining degrees of
+freedom. Halving or doubling changes nothing. */
 constexpr double UNLIKELY = 0.1;
-//! Largest probability that random points fit as well, for a model of points of which no sample has
-//! passed the checks. Halving or doubling changes nothing.
+//! For begin(): largest probability that random points fit the model as well. Halving or doubling
+//! changes nothing.
 constexpr double CHANCE = 1e-6;
-//! Largest loss that another point may add per degree of freedom, in units of that of the inliers:
-//! one right point in a hundred exceeds 8 if ten degrees are left. Half: OpenCV's test EKcase gets
-//! 9 of its 10 inliers; double: no change.
+//! Largest loss that another point may add per component of its error, in units of the inliers'
+//! loss per degree of freedom: one right point in a hundred exceeds 8 if ten degrees of freedom are
+//! left. Half: OpenCV's test EKcase gets 9 of its 10 inliers; double: no change.
 constexpr double GROWN = 8;
-//! Points whose errors are computed together. Without effect on the result.
+//! Number of points whose errors are computed together. It has no effect on the result.
 constexpr int BLOCK = 1024;
 
 }  // namespace

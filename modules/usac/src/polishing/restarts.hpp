@@ -14,32 +14,33 @@ namespace usacv20 {
 few or the threshold is wide.
 
 The sum of squared errors has local minima. A search that has rated thousands of models has found
-the best one, but a search that ends with its first sample may not: for example, if ten points have
-errors below the threshold for any model. Orientation checks that do not apply make it worse: for an
-H whose horizon lies between the points, they reject all samples except those on one side of it,
-which may all lead to one wrong minimum.
+the best one. A search that ends with its first sample may not have: for example, if the errors of
+ten points are below the threshold for any model. Orientation checks make this worse where they do
+not apply: for an H whose horizon lies between the points, they reject all samples except those on
+one side of the horizon, which may all lead to one wrong minimum.
 
-Least squares over the inliers (at most #MOST) starts from the models of random samples of them,
-without rejecting any. A clearly lower minimum is polished and replaces the model if it costs no
-more. One that the checks reject has to be much lower, because there are more such models.
+Least squares over the inliers (at most #MOST) starts from the models of random samples of inliers,
+including models that the checks reject. A clearly lower minimum is polished and replaces the model
+if its cost is not higher. From a rejected model the minimum must be much lower, because there are
+more such models.
 
 A few inliers close to each other determine the model poorly far from them. The outliers with the
-smallest errors are therefore tried: a fit to the inliers and one of these replaces the model if all
-become its inliers, with hardly larger errors. */
+smallest errors are therefore tried: a fit to the inliers and one such outlier replaces the model if
+all of these points are its inliers, with hardly larger errors. */
 class Restarts
 {
 public:
     /** @param search context of the search: its points, solver and checks
     @param polish context in which models are polished and rated; its points are those of `search`,
     possibly before undistortion
-    @param state that of the run */
+    @param state state of the run */
     Restarts(const Context& search, const Context& polish, State& state);
 
     //! Replaces a polished model by a better one, if any. @param quality its quality in `polish`
     void improve(Model& model, Quality& quality);
 
-    /** For a few points whose samples the checks have all rejected: finds a model that fits all of
-    them better than a model of random points would. @return false if there is none */
+    /** For a few points whose samples the checks have all rejected: finds a model that fits all
+    points better than a model of random points would. @return false if there is none */
     bool begin(Model& model, Quality& quality);
 
 private:
@@ -47,23 +48,23 @@ private:
         //! Maximum number of inliers that are used; with more, there are no restarts unless the
         //! threshold is wide. Half: 6 instead of 2 failures in 8400 scenes; double: no change.
         MOST = 30,
-        //! Number of outliers that are tried, and steps of a fit. Halving or doubling one changes
-        //! at most one scene.
+        //! Number of outliers that are tried.
         NEXT = 4,
+        //! Steps of a fit. Halving or doubling NEXT or STEPS changes at most one scene.
         STEPS = 20
     };
 
-    //! Finds the inliers, and the outliers with the smallest errors. @return false if there is
-    //! nothing to do
+    //! Finds the inliers, and the outliers with the smallest errors. @return false if there are too
+    //! few inliers, or more than #MOST and the threshold is not wide
     bool look(const Model& model);
     //! Fits to the inliers, from samples of them and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! Fits to the inliers and one of few outliers, from samples that contain it.
+    //! Fits to the inliers and one outlier at a time, from samples that contain this outlier.
     void restartOutside(Model& model, Quality& quality);
-    //! Fits to the inliers and an outlier, from the model.
+    //! Fits to the inliers and one outlier at a time, from the model.
     void extendInliers(Model& model, Quality& quality);
-    //! Least squares over the first `size` members, from the models of a sample of them, which
-    //! contains the last one if that is an outlier. @return true if the model was replaced
+    //! Least squares over the first `size` members, from the models of a sample of these; it
+    //! contains the last member if that is an outlier. @return true if the model was replaced
     bool restart(int index, int size, Model& model, Quality& quality);
     //! Do the checks accept a sample and its model?
     bool isValid(const int* sample, const Model& model) const;
@@ -71,11 +72,12 @@ private:
     bool extend(int outside, Model& model, Quality& quality);
     //! Degrees of freedom that are left after a fit to `size` points.
     int freedom(int size) const;
-    //! Sum of the squared errors of the first `size` members in squared thresholds, at most 1 each.
+    //! Sum of the squared errors of the first `size` members in squared thresholds, each capped at
+    //! 1.
     double lossOf(const Model& model, int size) const;
     bool fit(int size, Model& model) const;
-    //! Replaces the model by a fit if its loss, also after polishing, is below a limit, and if its
-    //! cost is not higher.
+    //! Polishes a fit. It replaces the model if its loss, before and after polishing, is below
+    //! `limit`, the checks accept it, and its cost is not higher than the model's.
     bool accept(const Model& fitted, int size, double limit, Model& model, Quality& quality);
     //! Updates model and quality by the checks; false if they reject the model.
     bool check(Model& model, Quality& quality);
@@ -89,7 +91,7 @@ private:
     int next[NEXT];         //!< outliers with the smallest errors, in this order
     int count, all;         //!< numbers of members and of inliers
     int outside;            //!< number of outliers in `next`
-    double loss;            //!< loss of the model
+    double loss;            //!< lossOf() the model
 };
 
 }  // namespace usacv20

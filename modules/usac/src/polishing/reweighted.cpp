@@ -16,8 +16,8 @@ namespace {
 constexpr double SETTLED = 1e-5;
 
 /** Iteratively re-weighted least squares over all points within the threshold of the score, with
-the weights of MAGSAC++ @cite barath2020magsac. Fits are accepted while they lower the loss of these
-weights, which is what they minimize; the cost by the score of the run does not matter. */
+the weights of MAGSAC++ @cite barath2020magsac. Fits are accepted while they lower the loss that
+belongs to these weights; the cost by the score of the run does not matter. */
 class ReweightedPolisher : public Polisher
 {
 public:

@@ -12,24 +12,26 @@ namespace usacv20 {
 
 namespace {
 
-// Halved and doubled values: doc/constants.md.
+// Effects of halving or doubling each constant: doc/constants.md.
 
-/** Support of the biweight in standard deviations of the noise; 1.6 % (F, E) and 2.3 % (H) less
-accurate than least squares under Gaussian noise. Half: errors on structured scenes +24 to +61 %;
-double: +8 %, H -7 %. */
+/** Support of the biweight in standard deviations of the noise; fits are 1.6 % (F, E) or 2.3 % (H)
+less accurate than least squares under Gaussian noise. On the scenes of doc/structured.md, errors
+are 24 to 61 % larger with half the support; with double, 8 to 9 % larger for F and E, 7 % smaller
+for H. */
 constexpr double SUPPORT = 5.3;
-/** All steps except the last two use only the first points, until FEW of them, or a PART-th of many
-points, are within REACH thresholds. Halving or doubling changes errors by at most 1 % and time by
-at most 2 %. */
+/** All steps except the last two use only the first points: so many that FEW of them, or 1 / PART
+of all points if this is more, are within REACH thresholds. Halving or doubling REACH or FEW changes
+errors by at most 1 % and time by at most 2 %. */
 constexpr int REACH = 3, FEW = 500, PART = 8;
-//! Points per call of the kernel, and steps of the last fit, enough to converge. Halving or
-//! doubling does not change the errors.
+//! BLOCK points are passed to each call of the kernel; the last fit has LAST steps, enough to
+//! converge. Halving or doubling either does not change the accuracy.
 constexpr int BLOCK = 256, LAST = 10;
-//! Minimum decrease of the loss, in mean losses of a point within the support, and minimum relative
-//! change of the scale for another step. Halving or doubling changes errors by at most 0.4 %.
+//! There is another step if the loss has decreased by at least SETTLED times the mean loss of a
+//! point within the support, or if the scale changes by at least the part SAME_SCALE. Halving or
+//! doubling either changes errors by at most 0.4 %.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
-//! Decrease of the loss, as a part of that of the points within the support, after which the noise
-//! is estimated again. Halving or doubling changes errors by at most 0.1 %.
+//! The noise is estimated again if the loss has decreased by more than this part of the loss of the
+//! points within the support. Halving or doubling changes errors by at most 0.1 %.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,
@@ -39,8 +41,8 @@ under Gaussian noise. Points beyond the support have no influence: a wrong match
 in the images (for example near the epipole) would distort F even with a hundredth of its weight.
 
 It ends when the last step has lowered the loss by less than a tenth of the mean loss of a point
-within the support, which does not depend on the threshold; or after Params::polishingSteps, of
-which the last is a fit to convergence. */
+within the support (which does not depend on the threshold) and the scale of the noise is settled;
+or after Params::polishingSteps steps, of which the last is a fit to convergence. */
 class RobustPolisher : public Polisher
 {
 public:
@@ -101,7 +103,7 @@ private:
     }
 
     /** Finds the points within the support among the first `looked` ones, and their weights.
-    @return the loss of the first `looked` points, at most 1 each */
+    @return sum of the losses of the first `looked` points, each at most 1 */
     double weigh(const Correspondences& p, double sigma, int looked)
     {
         const double support = SUPPORT * sigma * p.threshold, scale = 1 / (support * support);

@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief Reads a camera matrix.
-@param array 3x3, any depth; a multiple is the same camera
+@param array 3x3, any depth; multiples of a camera matrix describe the same camera
 @param name of the argument, for messages
 @return the matrix with the last row 0 0 1. Raises cv::Exception if it is no camera matrix. */
 Matx33d readCamera(InputArray array, const char* name);

@@ -16,7 +16,7 @@ enum { K1, K2, P1, P2, K3, K4, K5, K6, S1, S2, S3, S4, TAU_X, TAU_Y };
 
 //! Maximum number of steps of Newton's method; an ordinary lens takes 3 to 6.
 constexpr int STEPS = 50;
-//! Number of bisections that reduce an interval of radii to rounding.
+//! Number of bisections that reduce an interval of radii to rounding error.
 constexpr int HALVES = 60;
 //! Error of the equations that is due to rounding, relative to 1 + the distorted radius.
 constexpr double EXACT = 1e-14;

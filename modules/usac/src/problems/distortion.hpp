@@ -26,13 +26,13 @@ public:
     bool none() const { return identity; }
     /** @brief Distorts a point.
     @param p the point
-    @param d output, where it is seen
+    @param d output, distorted point
     @param derivative output, of `d` with respect to `p`; may be null
-    @return false if it is not seen. */
+    @return false if `p` is not seen */
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
-    //! The point that is seen at `d`, to double precision. False if there is none.
+    //! Finds the point `p` that distort() maps to `d`, to double precision. False if there is none.
     bool undistort(const Vec2d& d, Vec2d& p) const;
-    //! The same for many points, in place; NaN if there is none.
+    //! The same for many points, in place; NaN where there is no such point.
     void undistort(double* x, double* y, int count) const;
 
 private:

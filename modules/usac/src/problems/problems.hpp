@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief Creates the problem of a type. A new problem needs its folder, its enumerator and one
-line here. Cameras as for Usac::create. */
+line in this function. Camera arguments as for Usac::create. */
 Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2,
                            InputArray distCoeffs1, InputArray distCoeffs2);
 

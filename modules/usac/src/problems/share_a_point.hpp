@@ -84,8 +84,8 @@ inline bool anyShareAPoint(const Correspondences& p, const int* sample, int m)
            anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
 }
 
-//! True if a sample of m contains a match twice, and no two different matches share a point, of
-//! which one would be wrong.
+//! True if a sample of m contains a match twice, and no two different matches share a point (one of
+//! the two would be wrong).
 inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 {
     return mayShareAPoint(p, 0, sample, m) &&
@@ -94,8 +94,8 @@ inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
                     [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
 }
 
-//! Upper bound of the scale between two images of a small surface, relative to that of the images.
-//! With 20 instead of 10, 3 of 704 F are wrong instead of 1, see doc/constants.md.
+//! Upper bound of the scale between two images of a small surface, divided by the ratio of the
+//! image sizes. With 20 instead of 10, 3 of 704 F are wrong instead of 1, see doc/constants.md.
 constexpr int FAR_APART = 10;
 //! Points that are at most NEAR_THRESHOLDS thresholds apart, and at most 1 / NEAR_PART of the
 //! image, may be the same point up to noise.
@@ -111,8 +111,8 @@ T square(T x)
 //! above which they are far apart.
 struct TargetLimits
 {
-    /** Two thresholds are near, but at most a fiftieth of the image, because a threshold may be as
-    large as an image.
+    /** Points are near if they are within two thresholds and within a fiftieth of the image: a
+    threshold may be as large as an image.
     @param threshold of the errors
     @param sizes extents of the points in the two images, above 0 */
     TargetLimits(double threshold, const float* sizes)

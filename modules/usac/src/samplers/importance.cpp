@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Attempts to draw a point that is new to the sample, before a pass over all weights.
+//! Maximum number of attempts to draw a point that is new to the sample, before a pass over all
+//! weights.
 constexpr int TRIES = 64;
 
 /** @brief Draws points with probabilities proportional to their weights w_i (Params::scores).

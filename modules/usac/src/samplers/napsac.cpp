@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of first points. Halving or doubling it changes no benchmark run.
+//! Maximum number of first points tried for a sample. Halving or doubling it changes no benchmark
+//! run.
 constexpr int TRIES = 100;
 
 /** @brief NAPSAC: a random point and some of its neighbors @cite nasuto2002napsac.

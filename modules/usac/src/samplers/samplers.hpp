@@ -18,9 +18,10 @@ inline void drawUniform(const Context& context, State& state, int* sample)
     state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
 }
 
-/** @brief True if the sampler has to draw this sample in its own way (Params::orderedEvery); it
-then counts for the termination criteria only if all samples are such. If false, a uniform sample
-has been drawn. */
+/** @brief Decides by Params::orderedEvery how the current sample is drawn.
+
+True: the sampler has to draw it in its own way; the sample counts for the termination criteria only
+if all samples are drawn in this way. False: a uniform sample has been drawn. */
 inline bool isOrdered(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -33,7 +34,7 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! The same for a known order (orderIsKnown()); how often it is true depends on State::wanted.
+//! isOrdered() for a known order (orderIsKnown()); State::wanted may make it true more often.
 inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;

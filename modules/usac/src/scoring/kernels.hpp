@@ -24,12 +24,12 @@ alone; see sums.inl.hpp.
 views, 6 for a pose */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model,
                            double (*sums)[SUMS_LANES]);
-//! Length of `sums` for the transfer error, the reprojection error and the epipolar distances; the
-//! last one is the largest.
+//! Number of sums for the transfer error, the reprojection error and the epipolar distances.
+//! EPIPOLAR_SUMS is the largest.
 constexpr int TRANSFER_SUMS = 34, REPROJECTION_SUMS = 53, EPIPOLAR_SUMS = 55;
 
-//! For ArcsKernel: the number of points is a multiple of ARCS_BLOCK; numbers per point,
-//! coefficients of the line, bins of the line.
+//! For ArcsKernel: ARCS_BLOCK divides the number of points; a point has ARCS_ROWS numbers, a line
+//! has ARCS_WEIGHTS coefficients and is divided into ARCS_BINS bins.
 constexpr int ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256;
 /** For each of `stride` points, the arc of a line on which an epipole keeps the point within the
 threshold, see PlaneParallax and arcs.inl.hpp.
@@ -65,7 +65,7 @@ Kernels avx512Kernels();
 const Kernels& kernels();
 
 //! Converts the Model::size() numbers of a model to float without overflow: a homogeneous model is
-//! divided by its largest entry, another one is clamped.
+//! divided by its largest entry; the entries of any other model are clamped.
 void toFloat(const Model& model, float* m, bool homogeneous = true);
 
 }  // namespace usacv20

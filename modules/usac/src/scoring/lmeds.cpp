@@ -13,8 +13,8 @@ namespace usacv20 {
 
 namespace {
 
-//! From @cite rousseeuw1984least: inliers are within DEVIATIONS standard deviations; for small sets
-//! the scale is multiplied by 1 + SMALL_SETS / (n - m).
+//! From @cite rousseeuw1984least: inliers are within DEVIATIONS standard deviations of the noise;
+//! its scale is multiplied by 1 + SMALL_SETS / (n - m) for n points and samples of m points.
 constexpr double DEVIATIONS = 2.5, SMALL_SETS = 5;
 
 /** Least median of squares @cite rousseeuw1984least. Needs no threshold, but at least half of the
@@ -27,9 +27,9 @@ method presumes to be inliers. A multiple of the median would not do: a wrong mo
 median, most points lie within its multiples, and the termination criterion would rely on them.
 
 The threshold of the final inliers is q c (1 + 5 / (n - m)) s: c converts s to the standard
-deviation of Gaussian noise (1.4826 for F and E), the next factor is Rousseeuw's for small sets, and
-q is 2.5 for one degree of freedom (F, E) and the value of the same probability for two (H). The
-threshold is at least the rounding error of the residuals. Linear time. */
+deviation of Gaussian noise (1.4826 for F and E); the factor in parentheses is Rousseeuw's for small
+sets of points; q is 2.5 for one degree of freedom (F, E), and for two (H) the quantile of the same
+probability. The threshold is at least the rounding error of the residuals. Linear time. */
 class LmedsScore : public Score
 {
 public:
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    //! q c of the comment above.
+    //! The factor q c, see the class.
     static double sigmasInMedian(int degrees)
     {
         const double certainty = chiSquareDistribution(DEVIATIONS * DEVIATIONS, 1);

@@ -44,16 +44,17 @@ likelihood, marginalized over sigma: the integral of sigma^-n r^(n-1) exp(-r^2 /
 sigma = r/k .. sigma_max. With a = (n - 1)/2, x = r^2 / (2 sigma_max^2), K = k^2/2 and the upper
 incomplete gamma function G this is proportional to
 
-    G(a, x) - G(a, K),
+    G(a, x) - G(a, K).
 
-and the loss that re-weighted least squares minimize with it, its integral over x, to
+The loss that least squares re-weighted in this way minimize is the integral of the weight over x,
+proportional to
 
     x (G(a, x) - G(a, K)) + g(a + 1, x)
 
 with the lower incomplete gamma function g. Both are functions of u = x/K, the squared error in
 units of the squared threshold. The loss is scaled to 1 at u = 1, and the weight is its derivative
 with respect to u. For n = 1 the weight grows like -log(u) towards u = 0; below u = 1/2048, that is,
-for errors below 1/45 of the threshold, it is constant.
+for errors below 1/45 of the threshold, it is taken as constant.
 
 The tables have 2048 cells of equal length, in u for the loss and in sqrt(u) for the weight, with
 linear interpolation. The interpolation error is below 1e-3, relative for the weight. */

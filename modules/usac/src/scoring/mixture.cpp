@@ -9,8 +9,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Maximum number of steps of expectation maximization, and the change of the inlier ratio that
-//! ends it. Halving or doubling them changes no run, see doc/constants.md.
+//! Expectation maximization takes at most MAX_ITERATIONS steps; it ends when the inlier ratio
+//! changes by less than SETTLED. Halving or doubling them changes no run, see doc/constants.md.
 constexpr int MAX_ITERATIONS = 50;
 constexpr double SETTLED = 1e-4;
 

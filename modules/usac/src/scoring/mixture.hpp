@@ -9,14 +9,14 @@ namespace cv {
 namespace usacv20 {
 
 /** Logarithm of the density of an inlier without error over that of an outlier, divided by the
-degrees of freedom: log(extent / (sqrt(2 pi) sigma)). Not below the value for which both are equally
-likely at the threshold (thresholdInSigmas), as it would be if the threshold is wide and the points
-lie close together. */
+degrees of freedom: log(extent / (sqrt(2 pi) sigma)). If this is too low for an inlier at the
+threshold (thresholdInSigmas) to be as likely as an outlier, because the threshold is wide and the
+points lie close together, the value for which both are equally likely is returned instead. */
 double logDensityRatio(double extent, double sigma, int degrees);
 
 /** Maximum-likelihood inlier ratio of `count` points, by expectation maximization. For the first
-`near` points, `ratios` are the densities as inliers over those as outliers; the others have the
-ratio 0. */
+`near` points, `ratios` are the densities as inliers divided by the densities as outliers; the ratio
+of the other points is 0. */
 double mixingWeight(const float* ratios, int near, int count);
 
 }  // namespace usacv20

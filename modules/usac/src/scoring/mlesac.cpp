@@ -12,26 +12,26 @@ namespace usacv20 {
 
 namespace {
 
-//! Points whose density as inliers is below this multiple of that as outliers count as outliers.
-//! Halving or doubling it changes no run, see doc/constants.md.
+//! Points whose density as inliers is below this multiple of their density as outliers count as
+//! outliers. Halving or doubling it changes no run, see doc/constants.md.
 constexpr double NEGLIGIBLE = 1e-6;
-//! Number of densities multiplied before a logarithm is taken; 4 floats do not overflow a double.
+//! Number of densities multiplied before a logarithm is taken: a product of 4 floats does not
+//! overflow a double.
 constexpr int GROUP = 4;
 
 /** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers, Gaussian with sigma =
 threshold / thresholdInSigmas, and outliers, uniform on the area of the points (outlierExtent). With
-q the ratio of both densities at an error of 0, the log-likelihood of a point, relative to that of
-an outlier, is
+q the density of an inlier at an error of 0 divided by that of an outlier, the log-likelihood of a
+point, relative to that of an outlier, is
 
-    log(gamma q exp(-error^2 / (2 sigma^2)) + 1 - gamma),
+    l = log(gamma q exp(-error^2 / (2 sigma^2)) + 1 - gamma),
 
 where the inlier ratio gamma is found for each model by expectation maximization. The cost is the
-sum over the points of 1 - this / log(q): 0 if all errors are 0, and at most the number of points,
-which is the cost for gamma = 0. Points whose density as inliers is below #NEGLIGIBLE times that as
-outliers count as outliers.
+sum of 1 - l / log(q) over the points: 0 if all errors are 0, and at most the number of points,
+which is the cost for gamma = 0.
 
-One pass over the points, with an exponential for those near the model, and several short passes
-over the latter. */
+One pass over the points, with an exponential for each point near the model, and several passes over
+the points near the model. */
 class MlesacScore : public Score
 {
 public:

@@ -21,7 +21,7 @@ inline float placeOf(float s, float c)
     return small ? ratio : 2.f - ratio;
 }
 
-//! Bin of such a position; the first one for NaN.
+//! Bin of a result of placeOf(); the first bin for NaN.
 inline int binOf(float place)
 {
     const float bin = (place + 1) * (0.25f * ARCS_BINS);

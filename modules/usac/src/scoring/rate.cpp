@@ -17,7 +17,7 @@ namespace {
 constexpr int BLOCK = 256;
 
 /** Evaluates one model on blocks of points: by the fused kernel if score and residual have one,
-else first the errors, then their score. */
+else by computing first the errors, then their score. */
 class BlockScorer
 {
 public:
@@ -79,7 +79,8 @@ bool rateBlocks(const BlockScorer& scorer, int size, const Verifier* verifier, d
     return true;
 }
 
-//! For scores that need all errors at once. A verifier, if any, tests the numbers of inliers first.
+//! For scores that need all errors at once. The verifier, if any, first tests the model by its
+//! numbers of inliers.
 void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound,
                int start, Rating& rating, float* errors)
 {
@@ -88,7 +89,7 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
     if (verifier && !rateBlocks(BlockScorer(context, counter, model), points.size, verifier,
                                 DBL_MAX, start, rating))
     {
-        rating.costBefore = 0;  // it was a number of outliers, not a cost of this score
+        rating.costBefore = 0;  // InlierScore has set it to a number of outliers
         return;
     }
     context.components.residual->squaredErrors(points, model, 0, points.size, errors);

@@ -31,7 +31,7 @@ inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRI
         lanes[k] = sum[k];
 }
 
-//! The same for a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1]; reads each value once.
+//! Adds a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1] to their lanes; reads each value once.
 inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
                         const double (*USAC_RESTRICT b)[SUMS_CHUNK], double* USAC_RESTRICT lanes00,
                         double* USAC_RESTRICT lanes01, double* USAC_RESTRICT lanes10,
@@ -220,7 +220,7 @@ void epipolarSums(const double (*chunk)[SUMS_CHUNK], const double* m, double (*s
         const double a = FIRST ? l0 : 0, b = FIRST ? l1 : 0;
         const double d = SECOND ? m[0] * x2[i] + m[3] * y2[i] + m[6] : 0;
         const double e = SECOND ? m[1] * x2[i] + m[4] * y2[i] + m[7] : 0;
-        // without 1e-200, D is 0 if both points are epipoles, and so is N
+        // if both points are epipoles, N is 0, and without 1e-200 so would be D
         const double D = a * a + b * b + d * d + e * e + 1e-200;
         const double s = 1 / std::sqrt(D), q = N * s * s;
         const double left0 = s * (x2[i] - q * a), left1 = s * (y2[i] - q * b);

@@ -14,9 +14,9 @@ namespace {
 //! Minimum number of wrong matches per point. 2 or 8 change no benchmark run.
 constexpr int PARTNERS = 4;
 
-/** Points whose coordinates can be paired wrongly: those of array 1 with those of other matches in
-array 2. T is double for a custom residual, which may know no other Correspondences than those of
-the estimation, and float otherwise. */
+/** Makes wrong matches: pairs points of array 1 with points of other matches in array 2. T is
+float; for a custom residual it is double: such a residual may depend on the Correspondences of the
+run, so it gets columns only. */
 template <typename T>
 class WrongPairs
 {
@@ -43,7 +43,8 @@ public:
     }
 
     //! Removes the marked points and appends a copy of array 2 to itself, so that the last points
-    //! have partners, too. With a single array it is the last column. @return number of points left
+    //! have partners, too. If there is only one array, its last column serves as array 2. @return
+    //! number of points left
     int drop(const uchar* repeated)
     {
         int kept = 0;
@@ -61,7 +62,7 @@ public:
     }
 
     //! Number of wrong matches within the threshold, if each point of array 1 is paired with the
-    //! point `partner` places further in array 2. After drop().
+    //! point `partner` places further in array 2. To be called after drop().
     int agreeing(int partner)
     {
         computeErrors(partner);
@@ -83,7 +84,7 @@ private:
     const T limit;
     int size;
     const int stride;
-    T* const memory;  //!< columns, errors
+    T* const memory;  //!< rows of `stride` numbers: the columns, then the errors
 };
 
 template <>

@@ -10,14 +10,13 @@
 namespace cv {
 namespace usacv20 {
 
-//! How many matches are within the threshold of a model, and how many wrong matches.
+//! Numbers of matches and of wrong matches, and of those within the threshold of a model.
 struct Agreement
 {
-    int points;   //!< matches that are independent of each other
-    int inliers;  //!< of them within the threshold
-    int pairs;  //!< wrong matches: the point of one match in image 1 with that of another in image
-                //!< 2
-    int agreeing;  //!< of them within the threshold
+    int points;    //!< matches that are independent of each other
+    int inliers;   //!< number of these matches within the threshold
+    int pairs;     //!< wrong matches: the points of two different matches in images 1 and 2
+    int agreeing;  //!< number of the wrong matches within the threshold
 };
 
 /** @brief Compares the errors of the first `count` matches with those of wrong matches of the same
@@ -28,15 +27,15 @@ wrong matches thus tell how often a random match agrees with this very model, fo
 the points and any model (even if it maps everything to one place, or has an epipole amid the
 points), and right matches do not affect the result.
 
-Inliers in one place of an image, see #markRepeated, count once: the others are left out. Each point
-is paired with 4 others, or with more to get `pairs` wrong matches, as far as there are others.
+Of inliers in one place of an image (see #markRepeated), all but one are left out. Each point is
+paired with 4 others, or with more to get `pairs` wrong matches, but at most with all others.
 O(count + pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model,
                          const Correspondences& points, int count, double threshold, int pairs,
                          Arena& arena);
 
-/** Squared errors of wrong matches: the point of each of the first `count` matches in array 1,
-paired with that of another of these matches in array 2.
+/** Squared errors of wrong matches, each of them the points of two of the first `count` matches: of
+one match in array 1, of another one in array 2.
 @param errors output, at most #WRONG_PARTNERS numbers per match
 @return number of errors */
 int wrongErrors(const Residual& residual, const Model& model, const Correspondences& points,

@@ -15,15 +15,16 @@ namespace {
 
 // Halving or doubling these rejects no right model of the benchmark, except one E with 2048 PAIRS.
 
-//! Inliers beside the sample expected among the points that are tested first; factor of the number
-//! of points if these do not decide; wrong matches in a test of all points, which give their inlier
-//! probability with a standard deviation of 1 %.
+//! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
+//! among them. While a test does not decide, the next has MORE times as many points. A test of all
+//! points has PAIRS wrong matches, which give their inlier probability with a standard deviation of
+//! at most 0.01.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
-//! Wider thresholds that are tried, in units of the given one.
+//! Wider thresholds that are tried, as multiples of the given one.
 constexpr double WIDE[] = {4, 16};
 //! Work of look() per point in point tests, the unit of Watch: 90 ns with a million points.
 constexpr double LOOK_WORK = 45;
-//! Passes over all points, including that of decisive().
+//! Number of passes over all points, including the pass of decisive().
 constexpr int LOOKS = 4;
 
 //! T, see Significance.
@@ -79,8 +80,9 @@ double Significance::chance(int inliers, double clear)
 
 bool Significance::decisive(double inlierRatio, double limit) const
 {
-    // if inliers are repeated, other matches are assumed to be so, too; but a model that maps
-    // everything to one place has few independent inliers of many independent points
+    // The share of independent matches is taken from the inliers, or from all matches if it is
+    // larger there: a model that maps everything to one place has few independent inliers, even if
+    // many matches are independent.
     const double inliers = size - last.points + last.inliers,
                  different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);

@@ -25,53 +25,54 @@ random matches?
 
 The m points of the sample are inliers in any case. Each other point is an inlier of a model of
 random matches with the same, unknown probability as a wrong match; some wrong matches are tested to
-estimate it, see Agreement. The probability p of at least as many inliers for one such model is thus
-a beta-binomial tail. For the best of T models it is at most 1 - (1 - p)^T.
+estimate this probability, see Agreement. The probability p that one such model has at least as many
+inliers is thus a beta-binomial tail. For the best of T models it is at most 1 - (1 - p)^T.
 
-T is the number of models that were compared with the points, at most that of all C(n, m) samples,
-times a factor for local optimization and polishing, which move a model to where it has more inliers
-than the model of any sample. Such an optimum is determined by one point more than a sample has (the
-narrowest strip around points of a plane by three, a line by two), and there are C(n, m + 1) / C(n,
-m) = (n - m) / (m + 1) times as many sets of m + 1 points as samples. That is the factor if the
-local optimization maximizes the number of inliers, else its square root: T = models min(1, C(n, m)
-/ samples) factor. The probability was checked on random points (doc/design.md): with n = 1000,
-LO-RANSAC needs a factor of 30 (F) and 40 (E) and has 124 and 166; USACV20 needs 10 and has 11
-and 13. The bound of @cite moisan2004probabilistic counts all samples, drawn or not.
+T is the number of models that were compared with the points (scaled down if more samples were drawn
+than there are, C(n, m)), times a factor for local optimization and polishing, which move a model to
+where it has more inliers than the model of any sample. Such an optimum is determined by one point
+more than a sample has (the narrowest strip around points of a plane by three, a line by two), and
+there are C(n, m + 1) / C(n, m) = (n - m) / (m + 1) times as many sets of m + 1 points as samples.
+The factor is this quotient if the local optimization maximizes the number of inliers, else its
+square root: T = models min(1, C(n, m) / samples) factor. The probability was checked on random
+points (doc/design.md): with n = 1000, LO-RANSAC needs a factor of 30 (F) and 40 (E), and the
+formula gives 124 and 166; USACV20 needs 10, and the formula gives 11 and 13. The bound of @cite
+moisan2004probabilistic counts all samples, drawn or not.
 
-With a threshold far below the noise a right model has few inliers; 4 and 16 times the threshold are
-therefore tried, too, each with a tenth of the allowed error probability. If the threshold was
+With a threshold far below the noise a right model has few inliers. Therefore 4 and 16 times the
+threshold are tried, too, each with a tenth of the allowed error probability. If the threshold was
 chosen from the errors, T is n - m times as large @cite moisan2004probabilistic.
 
-O(n), or O(1) if a few points are enough to decide: they are a random sample of all, so their result
-is a bound. */
+O(n), or O(1) if a few points are enough to decide: these are a random subset of all points, so
+their result is a bound. */
 class Significance
 {
 public:
     /** @param threshold in the coordinates of `points`
     @param arena memory
-    @param context that of the run; if it has to end meanwhile, only some of the points are tested.
-    Null: it never has to */
+    @param context context of the run; if the run has to end meanwhile, only some of the points are
+    tested. Null: it need not end */
     Significance(const Residual& residual, const Model& model, const Correspondences& points,
                  double threshold, const SearchEffort& effort, Arena& arena,
                  const Context* context = 0);
 
     /** Probability that the search finds such a model in random matches.
     @param inliers approximate number of inliers of the model
-    @param clear smaller values need not be exact: the first bound that is smaller is the result. */
+    @param clear the first upper bound that does not exceed this is returned, and tests end */
     double chance(int inliers, double clear);
 
-    /** After chance(): are there so many points that a model with `inlierRatio` of them as inliers
-    would have a chance of at most `limit`? Points that repeat another one count once. */
+    /** To be called after chance(). Are there so many points that chance() would be at most `limit`
+    for a model with this inlier ratio? A point and its repetitions count once. */
     bool decisive(double inlierRatio, double limit) const;
 
 private:
     Agreement look(int count, double scale, int pairs) const;
     //! True if there is no time to test so many points: all later tests use fewer.
     bool shorten(double count);
-    //! @param share part of the allowed error probability that this one of several thresholds has
+    //! @param share the threshold's part of the allowed error probability, as several are tried
     double chanceOf(const Agreement& found, double share = MAIN_SHARE) const;
 
-    //! Parts of the allowed error probability: of the threshold itself, and of each wider one.
+    //! Parts of the allowed error probability: for the threshold itself, and for each wider one.
     static const double MAIN_SHARE, WIDE_SHARE;
 
     const Residual& residual;

@@ -12,24 +12,31 @@
 namespace cv {
 namespace usacv20 {
 
-//! Number of first samples of which every second one follows the order; see doc/constants.md.
+//! Of this many first samples, every second one follows the order; see doc/constants.md.
 constexpr int FIRST_ORDERED = 480;
-//! Minimum evidence for the order, in standard deviations of the rank sum; a random order reaches
-//! it once in 1000 times.
+//! Minimum evidence for the order, in standard deviations of the rank sum; one random order in 1000
+//! reaches it.
 constexpr double CONFIRMED = 3.1;
-//! The last of so many equal parts of the order tells how many inliers are spread over all of it.
+//! The order is divided into this many equal parts; the inliers in the last one tell how many are
+//! spread over the whole order.
 constexpr int LATE_PART = 4;
-/** The coherence (CellPairs::coherence) of another motion is assumed to be at least this part of
-the best model's, ... */
+
+// The other constants decide whether another motion is ruled out, see otherMotionWouldShow().
+
+//! The coherence (CellPairs::coherence) of another motion is assumed to be this part of the best
+//! model's.
 constexpr double OTHER_COHERENCE = 0.75;
-//! ... which needs at least so many pairs of inliers in one cell to be estimated ...
+//! The best model's coherence is estimated from at least this many pairs of inliers in one cell.
 constexpr double LEAST_PAIRS = 50;
-//! ... and it is ruled out if the pairs in common cells are too few by so many standard deviations:
-//! 0.5 % of motions are missed for each of two cell sizes.
+//! The other motion is ruled out if there are fewer pairs in common cells than expected with it, by
+//! more than this many standard deviations. For each of two cell sizes, this misses 0.5 % of
+//! motions.
 constexpr double MISSED_DEVIATIONS = 2.58;
-//! Sides of the larger cells, in those of the smaller ones, which have few pairs of few matches.
+//! Side of the larger cells, in sides of the smaller ones; with few matches, the smaller cells have
+//! few pairs.
 constexpr int COARSE = 2;
-//! Largest part of the inliers that may repeat others; repeated matches share cells in any case.
+//! If a larger part of the inliers repeat others, no motion is ruled out: repeated matches share
+//! cells in any case.
 constexpr double MOST_REPEATED = 0.1;
 
 bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left)
@@ -76,20 +83,21 @@ namespace {
 /** @brief PROSAC's criterion for scores that may be misleading: it ends the search only if the data
 confirm the order, and if no other model can be hidden among the outliers of the best one.
 
-1. Every second one of the first #FIRST_ORDERED samples follows the order, of the later ones one in
-Params::orderedEvery.
+1. Of the first #FIRST_ORDERED samples, every second one follows the order; later, one in
+Params::orderedEvery does.
 2. The order is confirmed if the inliers of a new best model come early in it (orderEvidence()).
 Then all samples follow the order until PROSAC's criterion is fulfilled, see prosacSamples().
-3. The inliers may still be a wrong group with the best scores, for example another motion. The
-search therefore ends only after samples of the best model's outliers, where another model has a
-higher inlier ratio than among all points, have led to none with significantly more inliers
-(State::unexplainedSamples, significantInliers()). It may share with the best one the inliers that
-are spread over the whole order (otherInliers()). No such samples are needed if its neighboring
-matches would show among the outliers and do not (otherMotionWouldShow()).
+3. The inliers may still be a wrong group with the best scores, for example those of another motion.
+The search therefore ends only after samples of the best model's outliers have led to no model with
+significantly more inliers (State::unexplainedSamples, significantInliers()); among these outliers,
+such a model has a higher inlier ratio than among all points. It may share with the best model the
+inliers that are spread over the whole order (otherInliers()). No such samples are needed if
+neighboring matches of the other model would show among the outliers and do not
+(otherMotionWouldShow()).
 
-If uniform samples are enough earlier, or not all all-inlier samples lead to the best model
-(State::successProbability; a plane has two motions), the other criteria decide. At most O(N) per
-batch of samples. */
+The other criteria decide if they need fewer samples, or if an all-inlier sample may lead to another
+model than the best one (State::successProbability; two motions are compatible with a plane). At
+most O(N) per batch of samples. */
 class ConfirmedOrderTermination : public Termination
 {
 public:
@@ -150,7 +158,7 @@ private:
             inliers[i] = errors[i] <= limit;  // false for NaN
     }
 
-    //! How many samples that follow the order the best model needs, if the order is confirmed.
+    //! Computes `orderedNeeded` for a new best model, if its inliers confirm the order.
     void look(const Context& context, const State& state)
     {
         const Correspondences& p = context.points;
@@ -197,8 +205,9 @@ private:
         return (double)needed - state.countedSamples;
     }
 
-    //! Enough samples have followed the order: ends the search, after samples of the outliers
-    //! unless no other motion can be among these.
+    //! To be called when enough samples have followed the order. Ends the search after samples of
+    //! the outliers, or without these if the outliers cannot contain another motion. If uniform
+    //! samples are enough earlier, the search goes on with these.
     void end(const Context& context, State& state)
     {
         const int size = context.points.size, m = context.components.minimalSolver->sampleSize();
@@ -220,8 +229,8 @@ private:
         enough = state.iteration;
     }
 
-    //! True if another motion with so many inliers would show among the best model's outliers, but
-    //! does not.
+    //! True if another motion with `other` inliers would show among the `left` outliers of the best
+    //! model, but does not.
     bool seesNoOther(const Context& context, const uchar* inliers, double other, int left) const
     {
         bool shows = false;
@@ -233,8 +242,9 @@ private:
     }
 
     /** Number of inliers that another model needs among the `left` outliers of the best one to have
-    significantly more. If the best model is that of a wrong group early in the order, the two share
-    the inliers spread over the whole order, which are counted in its last part. */
+    significantly more inliers than that. If the best model is that of a wrong group early in the
+    order, the two models share the inliers that are spread over the whole order; their number is
+    estimated from the last part of the order. */
     double otherInliers(const Context& context, const State& state, int left) const
     {
         const double shared = (late + std::sqrt((double)late)) * left * LATE_PART /
@@ -243,7 +253,8 @@ private:
                std::min(shared, (double)state.bestQuality.inliers);
     }
 
-    //! Number of samples of the `left` outliers that find a model with `other` inliers among them.
+    //! Number of samples of the `left` outliers needed to find, with the given confidence, a model
+    //! with `other` inliers among these outliers.
     static int otherModelSamples(const Context& context, const State& state, double other, int left,
                                  int m)
     {

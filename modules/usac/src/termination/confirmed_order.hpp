@@ -16,21 +16,22 @@ inliers against outliers, as its deviation from the mean over random orders, in 
 positive if the inliers come early.
 
 The first m inliers do not count, because the model may have been computed from them; nor do
-repeated ones.
+inliers that repeat an earlier one.
 @param inliers which of the `size` points are inliers, best point first
 @param repeated which of the inliers repeat an earlier one
 @param size number of points
 @param m size of a sample */
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m);
 
-/** @brief Would another motion be visible because neighbors remain neighbors? If its motion is as
-smooth as the best model's, its matches share cells of both arrays as often as those of the best
-model.
+/** @brief Can the outliers of the best model contain no other motion, because neighbors would
+remain neighbors? Matches of a motion about as smooth as the best model's share cells of both arrays
+about as often as inliers of the best model.
 @param own pairs of inliers of the best model
-@param rest pairs of the outliers of the best model
+@param rest pairs of outliers of the best model
 @param other number of matches of the other motion among these outliers
 @param left number of these outliers
-@return true if there are fewer pairs in common cells than there would be with the other motion */
+@return true if there are fewer pairs in common cells than there would be with the other motion, or
+if `other` exceeds `left`; false if the best model has too few pairs */
 bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left);
 
 }  // namespace usacv20

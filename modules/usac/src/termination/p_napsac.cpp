@@ -10,11 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-/** Number of distinct inliers beside the sample at which r is half of Params::relaxation. Search
-failures for F with Params::relaxation 0.5 and 15 to 1000 points, all distinct / each five times:
-1.7 / 2.8 % with 30, 3.9 / 6.0 % with 0 (and relaxation 0.4), 0.7 / 1.9 % with 40 (and relaxation
-0.4). Halving or doubling it changes almost nothing on real pairs; with USACV20_FAST on scenes of 30
-to 300 points, 60 takes 8 to 19 % more samples, 15 takes 6 to 12 % fewer. */
+/** Number of distinct inliers outside the sample at which r is half of Params::relaxation. Search
+failures of F with 15 to 1000 points, all distinct / each five times: 1.7 / 2.8 % with 30 and
+Params::relaxation 0.5; with relaxation 0.4, 3.9 / 6.0 % with 0 and 0.7 / 1.9 % with 40. Halving or
+doubling it changes almost nothing on real pairs; with USACV20_FAST on scenes of 30 to 300 points,
+60 takes 8 to 19 % more samples, 15 takes 6 to 12 % fewer. */
 constexpr int HALF = 30;
 
 }  // namespace
@@ -33,11 +33,11 @@ namespace {
 
 /** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one
 @cite barath2019progressive, that is, with (1 + r) times as many. In the paper r is a constant. Here
-the inliers of the sample do not count, because any model has them: with few points, a wrong model
-has only slightly fewer inliers than the right one. For the same reason r is Params::relaxation k /
-(k + #HALF) for k distinct inliers beside the sample. It is 0 if all-inlier samples may lead to a
-wrong model (State::successProbability), because that has nearly as many inliers as the right one.
-*/
+the factor does not apply to the points of the sample, because any model has these as inliers: with
+few points, a wrong model has only slightly fewer inliers than the right one. For the same reason r
+is Params::relaxation k / (k + #HALF) for k distinct inliers outside the sample. r is 0 if
+all-inlier samples may lead to a wrong model (State::successProbability), because such a model has
+nearly as many inliers as the right one. */
 class PNapsacTermination : public Termination
 {
 public:

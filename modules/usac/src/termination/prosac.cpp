@@ -11,11 +11,12 @@
 namespace cv {
 namespace usacv20 {
 
-//! Upper bound of the probability of a support by chance, as in @cite chum2005matching (halving or
-//! doubling it changes no benchmark run); factor for rounding errors of a T_n that is an integer.
+//! Upper bound of the probability that a support arises by chance, as in @cite chum2005matching.
+//! Halving or doubling it changes no benchmark run. ROUNDING allows for rounding errors of T_n.
 constexpr double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;
-//! Lengths n between two checks whether the run has to end; work per length in point tests, the
-//! unit of Watch: up to 0.4 us. They affect only how late a time limit ends a run.
+//! Whether the run has to end is checked every PART lengths n. LENGTH_WORK is the work per length
+//! in point tests, the unit of Watch: up to 0.4 us. Both affect only how late a time limit ends a
+//! run.
 constexpr int PART = 1024;
 constexpr double LENGTH_WORK = 200;
 
@@ -57,23 +58,24 @@ If both hold for a length n*, see prosacSamples, the search ends when T'_n* samp
 Three things differ from the paper:
 
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
-is chosen. Here the set keeps growing, for other criteria. Only the first T'_n* samples count, which
-come from the n* best points (except local and uniform ones of P-NAPSAC), and the n* reached first
-is chosen. Only n* = N has samples without limit.
-- In the paper, each sample counts. But the first samples must contain the newest of a few points:
-for any order of the inliers, they are worth T_n* uniform samples, and more only by good luck. When
-each sample counted, two or three samples of the very best points ended real runs with whatever
-model they gave.
-- In the paper, 5 % is the probability of such a support for one wrong model. But the best of
+is chosen. Here the set keeps growing, because other criteria need this, and the smallest n* is
+chosen. Only the first T'_n* samples count, which come from the n* best points (except local and
+uniform samples of P-NAPSAC). Only for n* = N does the number of samples have no limit.
+- In the paper, each sample counts as much as a uniform one. But the first samples must contain the
+newest of a few points: for any order of the inliers, the first T'_n* samples are worth only T_n*
+uniform ones, and more only by good luck. When each sample counted, two or three samples of the very
+best points ended runs on real pairs with whatever model these samples gave.
+- In the paper, 5 % bounds the probability that one wrong model has such a support. But the best of
 thousands of wrong models has it more often than not; in small scenes a tenth of the runs ended with
-one. Here 5 % is the probability for all T'_n* samples together.
+a wrong model. Here 5 % bounds the probability for all T'_n* samples together.
 
-Inliers that lie within a threshold of a better one in either image do not count for non-randomness,
-because the best points are often one match found several times. The criterion needs an order that
-is independent of the positions of the points, such as that of scores: many wrong models fit all
-points in the densest place of the images, which come first with #ORDERING_DENSITY.
+Inliers that share a cell of the size of the threshold with a better inlier in either image (see
+markRepeated) do not count for non-randomness, because the best points are often one match found
+several times. The order must be independent of the positions of the points, like an order by
+scores: many wrong models fit all points in the densest place of the images, and these points come
+first with #ORDERING_DENSITY.
 
-O(N) per update, O(N log N) if both conditions hold before repeated inliers are left out. */
+O(N) per update; O(N log N) if both conditions hold while repeated inliers still count. */
 class ProsacTermination : public Termination
 {
 public:
@@ -118,7 +120,8 @@ private:
         return context.params.orderedEvery > 1 && state.orderedSamples > 0;
     }
 
-    //! Number of all samples with `samples` that follow the order, if one in `every` to come does.
+    //! Number of all samples when `samples` of them follow the order, if from now on one in `every`
+    //! does.
     static int ofAll(int samples, int every, const State& state)
     {
         if (samples == INT_MAX || every == 1)

@@ -11,9 +11,9 @@ namespace usacv20 {
 namespace {
 
 /** SPRT: like the standard criterion, but the test may have rejected a good model. Under the l-th
-test this happens with a probability of at most A_l^-h, with h the root of epsilon (delta_l /
-epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1 for the inlier ratio epsilon of
-the best model @cite chum2008optimal. */
+test this happens with a probability of at most A_l^-h, where h is the positive root of epsilon
+(delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1, and epsilon the
+inlier ratio of the best model @cite chum2008optimal. For the current test, h is taken as 1. */
 class SprtTermination : public Termination
 {
 public:
@@ -42,9 +42,9 @@ public:
     int reason() const CV_OVERRIDE { return STOP_SPRT; }
 
 private:
-    /** The positive root h, by Newton's method from above: the left side is convex, so that it
-    never steps over the root. 0 if the test is more likely than not to reject a model with this
-    epsilon. */
+    /** The positive root h, by Newton's method from above: the left side of the equation is convex,
+    so that no step goes beyond the root. 0 if there is no positive root: then the points of a model
+    with this epsilon bring it closer to rejection on average. */
     static double exponent(const SequentialTest& test, double epsilon)
     {
         const double inlier = std::log(test.delta / test.epsilon);

@@ -8,11 +8,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! Probability that a sample has not been drawn when all are assumed to have been; matters only
-//! with a handful of points. Halving or doubling changes no benchmark run.
+//! After exhaustiveSamples(), the probability that a certain sample has not been drawn. It matters
+//! only with a handful of points. Halving or doubling it changes no benchmark run.
 constexpr double MISSED = 1e-6;
-//! Minimum number of samples before the run ends for that reason; they take almost no time. Halving
-//! or doubling changes no benchmark run.
+//! Minimum of exhaustiveSamples(); so few samples take almost no time. Halving or doubling it
+//! changes no benchmark run.
 constexpr int LEAST_EXHAUSTIVE = 100;
 
 double keptProbability(const Context& context, double inliers)

@@ -24,29 +24,29 @@ Ptr<Termination> createProsacTermination();
 //! See ConfirmedOrderTermination.
 Ptr<Termination> createConfirmedOrderTermination();
 
-/** Probability that the verifier does not reject the model of a good sample, if it has `inliers` of
-all points, see Verifier::keptProbability(). T(d,d) thus needs epsilon^-d times as many samples
-@cite matas2004randomized. (SPRT has a criterion of its own.) */
+/** Probability that the verifier does not reject a good model with this number of inliers, see
+Verifier::keptProbability(). With epsilon the inlier ratio, T(d,d) thus needs epsilon^-d times as
+many samples @cite matas2004randomized. (SPRT has a criterion of its own.) */
 double keptProbability(const Context& context, double inliers);
-/** Estimated number of copies of each distinct match, if it is the same for all: each of the m (m -
-1) / 2 pairs of a sample consists of copies of one match with a probability of (copies - 1) / (n -
-1), and samples with such a pair are rejected. */
+/** Estimated number of copies of each match, assumed to be the same for all: each of the m (m - 1)
+/ 2 pairs of a sample consists of copies of one match with a probability of (copies - 1) / (n - 1),
+and samples with such a pair are rejected. */
 double copiesOf(const State& state, int n, int m);
-/** Probability that a sample that counts gives a good model that is not rejected, if that has
-`inliers` of all points. Samples that were rejected because they contain a match twice do not count;
-their number tells how many distinct matches there are. */
+/** Probability that a sample gives a good model, with this number of inliers, and that the verifier
+does not reject it. Samples rejected because they contain a match twice are left out here; from
+their number, copiesOf() estimates how many distinct matches there are. */
 double goodModelProbability(const Context& context, const State& state, double inliers);
-/** Probability that a sample leads to a model with `inliers` of all points: that all its points are
-inliers, drawn with repetition or, with #TERMINATION_EXACT, without and among the distinct matches;
-times State::successProbability. */
+/** Probability that a sample leads to a good model with this number of inliers: that of an
+all-inlier sample, times State::successProbability. Points are assumed to be drawn with repetition
+or, with #TERMINATION_EXACT, without repetition from the distinct matches. */
 double goodSampleProbability(const Context& context, const State& state, double inliers);
 
 /** Minimum number of inliers of a significantly better model, see PNapsacTermination. The best
 model must have more inliers than the points of a sample. */
 double significantInliers(const Context& context, const State& state);
 
-/** Number of samples after which practically all different samples have been drawn. The criteria
-may ask for more, or never be fulfilled, if no model has more inliers than its own sample. */
+/** Number of samples after which practically all different samples have been drawn. If no model has
+more inliers than its own sample, the criteria may ask for more samples, or never be fulfilled. */
 int exhaustiveSamples(const Context& context);
 
 /** @brief PROSAC's criterion for a model, see ProsacTermination. @return the smallest T'_n, see
@@ -57,10 +57,10 @@ most exp(`logFailure`);
 - non-randomness: the probability that one of T'_n* wrong models has as many independent inliers
 among the n* points is less than 5 %.
 
-Once the set contains all points, sampling goes on, so for n* = N the samples that are missing from
-T_N are added to T'_N.
+Once the set contains all points, sampling goes on: for n* = N, as many samples as T_N lacks for
+maximality are added to T'_N.
 @param inliers which of the `size` points are inliers, best point first
-@param repeated which of the inliers repeat an earlier one, so that they are no evidence; null: none
+@param repeated which of the inliers are no evidence as they repeat an earlier one; null: none
 @param size number of points
 @param m size of a sample
 @param kept probability that a sample comes from the growing set and a good model is kept
@@ -68,8 +68,8 @@ T_N are added to T'_N.
 @param logFailure logarithm of 1 - confidence
 @param exact points are drawn without repetition, see goodSampleProbability
 @param length output: n*, 0 if there is none; the result is then INT_MAX
-@param context that of the run; the result is INT_MAX if the run has to end meanwhile. Null: it
-never has to */
+@param context context of the run; the result is INT_MAX if the run has to end meanwhile. Null: it
+need not end */
 int prosacSamples(const uchar* inliers, const uchar* repeated, int size, int m, double kept,
                   double randomRatio, double logFailure, bool exact, int& length,
                   const Context* context = 0);

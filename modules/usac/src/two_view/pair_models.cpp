@@ -23,22 +23,24 @@ namespace {
 
 const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 
-//! F has seven degrees of freedom, E five: with each more, F can fit another match, right or wrong.
+//! F has seven degrees of freedom, E five: with each additional one, F can fit one more match,
+//! right or wrong.
 constexpr double FREEDOM_MORE = 2;
-/* If E was rejected although the cameras are known, an F means that the focal lengths are wrong. It
-therefore needs the significance to this power, 10^-8 by default, and is searched for in only
+/* If E was rejected although the cameras are known, an F means that the focal lengths are wrong.
+The search for F then uses the significance raised to this power, 10^-8 by default, and draws only
 LEAST_SAMPLES samples. */
 constexpr double ALONE = 2;
-//! Standard deviations of a count; by chance, one in a thousand deviates more.
+//! F is preferred to E if its surplus of inliers exceeds this many standard deviations of the
+//! number expected by chance; by chance, one in a thousand does.
 constexpr double DEVIATIONS = 3;
-//! Samples of a search for F that starts from E, or the reverse: hardly any, because local
+//! Samples of a search for F that starts from E, or for E that starts from F: few, because local
 //! optimization does the work.
 constexpr int SAMPLES_FROM_E = 10;
-//! Samples of the search for H among inliers. An H of 80 % of these is found within 17 samples with
-//! probability 1 - 10^-4 (0.8^4 of the samples are all-inlier).
+//! Samples of the search for H among inliers of E or F. An H that fits 80 % of them is found within
+//! 17 samples with probability 1 - 10^-4 (0.8^4 of the samples are all-inlier).
 constexpr int SAMPLES_IN_INLIERS = 100;
-//! Largest Report::chance of a model, a probability, if Params::significance is 0: a hundredth of
-//! that of a single estimation, because most pairs of a collection have no overlap.
+//! Largest Report::chance (a probability) of an accepted model if Params::significance is 0: a
+//! hundredth of the limit for one estimation, because most pairs of a collection do not overlap.
 constexpr double SIGNIFICANCE = 1e-4;
 
 Points pointsOf(const Mat& given, const char* name, const Mat& camera, const Mat& distCoeffs)
@@ -77,7 +79,7 @@ String whyNot(const Report& report)
         return format("random matches would give as good a model with a chance of %.2g",
                       report.chance);
     case STOP_TOO_FEW_POINTS: return "too few points";
-    case STOP_TIME: return "time";
+    case STOP_TIME: return "the time limit was reached";
     case STOP_CANCELLED: return "cancelled";
     default: return "no model";
     }
@@ -217,11 +219,11 @@ void PairModels::searchHomography()
 void PairModels::homographyOfInliers(const PairModel& explained)
 {
     const Points first = chosen(points1, explained.mask), second = chosen(points2, explained.mask);
-    // The error of H is measured in its second image: the one with the points closer together.
+    // The error of H is measured in its second image; the image with the closer points becomes it.
     const bool swapped = squaredArea(second) > squaredArea(first);
     Params given = options(SAMPLES_IN_INLIERS);
     given.threshold *= planarReach();
-    given.significance = 1;  // only its part of the inliers matters
+    given.significance = 1;  // only the share of the inliers that H explains matters
     if (!scores.empty())
     {
         given.scores.clear();
@@ -230,7 +232,8 @@ void PairModels::homographyOfInliers(const PairModel& explained)
                 given.scores.push_back(scores[i]);
     }
     Report report;
-    // Its significance, which takes time, is not needed: a report only if the run may be cancelled.
+    // A report takes time for the significance, which is not needed here; it is requested only if
+    // the run may be cancelled.
     Report* const asked = BatchProgress::isWatched() ? &report : 0;
     const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second,
                                    given)
@@ -275,7 +278,7 @@ void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask,
     model.report = report;
 }
 
-//! Keeps reason and report of the rejected model with the lowest chance.
+//! Keeps the reason and the report of the rejected model with the lowest Report::chance.
 void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report)
 {
     if (why.empty() || report.chance < refused.chance)
@@ -310,7 +313,8 @@ const PairModel* PairModels::base() const
     if (surplus <= 0)
         return &E;
     const std::vector<double> errors = sampsonDistances(fundamental(E.matrix), points1, points2);
-    // The band from one to three thresholds is twice as wide as that of the inliers.
+    // The band from one to three thresholds is twice as wide as the band of the inliers, so that
+    // beside / 2 matches are expected in the latter by chance.
     const int beside = withinDistances(errors, 3 * params.threshold) -
                        withinDistances(errors, params.threshold);
     return surplus <= DEVIATIONS * std::sqrt(beside / 2.) ? &E : &F;

@@ -14,8 +14,8 @@ namespace usacv20 {
 
 struct ModelKind;
 
-//! Minimum number of samples of a search. Enough samples for one all-inlier sample are not always
-//! enough, because its points may be close to each other. So many take less than 2 ms.
+//! Minimum number of samples of a search; these take less than 2 ms. One all-inlier sample is not
+//! always enough, because its points may be close to each other.
 enum { LEAST_SAMPLES = 500 };
 
 //! A model of a pair and its inliers.
@@ -53,19 +53,19 @@ public:
     void directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const;
     //! Why there is no model.
     String reason() const;
-    //! Finds the rotation of a camera without translation that explains the inliers of `explained`.
-    //! @return false if there is none
+    //! Finds the rotation of a camera that has not translated, from the inliers of H. @return false
+    //! if it does not explain nearly all inliers of `explained`
     bool turn(const PairModel& explained, Matx33d& R) const;
-    //! Does H have so many of these inliers that the pair is planar or panoramic?
+    //! Does H explain so many of these inliers that the pair is planar or panoramic?
     bool mostlyOnPlane(const PairModel& inliers) const
     {
         return H.inliers > rules.planarRatio * inliers.inliers;
     }
 
-    //! Thresholds of H in those of the pair: of its error in one image (planarReach), and of its
-    //! Sampson distance in both (planarDistance). Squared, the latter is the ratio of the 0.95
-    //! quantiles of chi-square with two degrees of freedom and with one @cite hartley2003multiple
-    //! (table 4.2), the former twice that.
+    //! Thresholds of H as multiples of the pair's: planarReach() for its error in one image,
+    //! planarDistance() for its Sampson distance in both. The latter squared is the ratio of the
+    //! 0.95 quantiles of chi-square with two degrees of freedom and with one
+    //! @cite hartley2003multiple (table 4.2); the former squared is twice that.
     static double planarReach() { return std::sqrt(2 * 5.991 / 3.841); }
     static double planarDistance() { return std::sqrt(5.991 / 3.841); }
 
@@ -74,7 +74,7 @@ public:
     Matx33d camera1, camera2;
     const Params params;
     const TwoViewRules& rules;
-    int iterations;  //!< samples of all searches but that of H among inliers
+    int iterations;  //!< samples of all searches except for H among inliers of E or F
     Report refused;  //!< report of the best model that was rejected
     bool cancelled;
 
@@ -82,8 +82,8 @@ private:
     void checkTaken(const Mat& given, const char* name) const;
     void searchEssential();
     void searchFundamental();
-    //! If F would mean that the focal lengths are wrong, the search for E may have missed the model
-    //! that F has found: searches for E again, starting from F.
+    //! Searches for E again, starting from F: if F explains more than E, either the focal lengths
+    //! are wrong, or the search for E has missed the model that the search for F found.
     void improveEssential();
     void searchHomography();
     //! Searches for H among the inliers of E or F.
@@ -101,7 +101,7 @@ private:
     bool isCalibrated;
     std::vector<float> scores;
     String why;      //!< why the best model was rejected
-    String limited;  //!< models whose search Params::maxIterations has ended below its confidence
+    String limited;  //!< confidences of the searches that Params::maxIterations ended too early
 };
 
 }  // namespace usacv20

@@ -19,8 +19,8 @@ std::vector<double> sampsonDistances(const Matx33d& F, const Points& points1,
                                      const Points& points2);
 
 /** Sampson distance in pixels: to first order, the distance of each match, in both images, to the
-nearest match that H maps exactly. Infinite if H maps the point to the other side of the camera than
-most points. */
+nearest match that H maps exactly. Infinite for points that H does not map to the same side of the
+camera as most points. */
 std::vector<double> mapDistances(const Matx33d& H, const Points& points1, const Points& points2);
 
 //! The square of the area that the points cover, up to a factor, computed from some of them.

@@ -11,13 +11,15 @@ namespace usacv20 {
 namespace {
 
 /* Local optimization also corrects models of samples with an outlier, the more often the more
-inliers there are. For E, a sample therefore counts as (inliers / EASY)^2 samples that have to be
-all-inlier, at least 1 and at most EASIEST. Measured with USACV20 on 200 scenes each, from what at
-most a quarter of the samples finds: 1.2 (18 inliers), 1.5 (20), 2.1 (24), more than 12 (40 and 50).
-For F, H and other presets it was not measured; their samples count as 1. */
+inliers there are. In the computed number of samples, a sample of E therefore counts as
+(inliers / EASY)^2 samples, at least 1 and at most EASIEST. Measured for USACV20 on 200 scenes each,
+by the models found with at most a quarter of the samples: 1.2 (18 inliers), 1.5 (20), 2.1 (24),
+more than 12 (40 and 50). For F, H and other presets this was not measured; their samples count as
+1. */
 constexpr double EASY = 15, EASIEST = 4;
-//! Number of inlier ratios that represent those between `inlierRatio` and the lowest one of a
-//! collection. 4: up to 25 % fewer samples; 16: within 11 %, 64: within 16 %.
+//! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
+//! lowest one of TwoViewRules::ratios. With 4 instead of 8, there are up to 25 % fewer samples;
+//! with 16, their number changes by at most 11 %, with 64 by at most 16 %.
 constexpr int TAIL = 8;
 constexpr int E_SAMPLE = 5;
 
@@ -30,8 +32,8 @@ bool isMeasured(const Params& params)
            params.localSamples == usual.localSamples && params.polishing == usual.polishing;
 }
 
-//! The part of the samples, drawn without replacement, that are all-inlier. A model has at least
-//! TwoViewRules::minInliers and a sample.
+//! The share of all-inlier samples; their points are drawn without replacement. The number of
+//! inliers is at least TwoViewRules::minInliers and the sample size.
 double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, double ratio)
 {
     double count = std::ceil(ratio * matches);
@@ -56,7 +58,7 @@ double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, 
            std::log1p(-right);
 }
 
-//! Probabilities that samples miss the models of the pairs of a collection.
+//! The pairs of a collection: with what probability samples miss their models.
 class Collection
 {
 public:
@@ -79,7 +81,7 @@ public:
             weights[i] /= rules.ratios.size() + 1;
     }
 
-    //! The part of the pairs whose model so many samples do not find.
+    //! The expected share of the pairs whose model is not found by `samples` samples.
     double missed(double samples) const
     {
         double sum = 0;
@@ -89,7 +91,7 @@ public:
         return sum;
     }
 
-    double slowest;  //!< the largest logarithm
+    double slowest;  //!< maximum of `logarithms`
 
 private:
     void add(double logarithm, double weight)
@@ -105,7 +107,7 @@ private:
     }
 
     std::vector<double> logarithms,
-        weights;  //!< of the probability that a sample misses a model; part of the pairs
+        weights;  //!< logarithm of the probability that a sample misses a model; share of pairs
 };
 
 void checkRatio(double value, const char* name)

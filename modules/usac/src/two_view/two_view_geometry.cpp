@@ -15,7 +15,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of matches tested for being in front of the cameras, to choose a motion.
+//! Maximum number of matches tested for being in front of both cameras, to choose a motion.
 constexpr int MOST_FOR_SIDES = 500;
 
 //! The one of four motions of an essential matrix with the most matches in front of both cameras.
@@ -60,7 +60,7 @@ void addRotationsOfPlane(const PairModels& models, Mat& rotations)
         addRotation(nearestRotation(determinant(H) > 0 ? H : H * -1.), rotations);
 }
 
-//! All possible rotations of the camera; one of them is right if the pair is.
+//! All possible rotations of the camera; one of them is right if the matches of the pair are.
 Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const PairModel& base)
 {
     Mat result;
@@ -77,7 +77,7 @@ Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const Pa
     return result;
 }
 
-//! Sets the configuration of a pair with most inliers on H. @param known the cameras are
+//! Sets the configuration of a pair if H explains most inliers. @param known the cameras are
 //! calibrated, and E or H determines the inliers
 void readPlane(const PairModels& models, const PairModel& base, bool known, TwoViewGeometry& found)
 {

@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! As in COLMAP: width of the border as a part of the image diagonal, and part of the inliers that
-//! makes a watermark.
+//! As in COLMAP: width of the image border as a part of the diagonal, and share of the inliers that
+//! must lie in the border and move alike.
 constexpr double BORDER = 0.1, WATERMARK = 0.7;
 
 bool inBorder(const double* point, const Size& size)
@@ -50,7 +50,7 @@ bool isWatermark(const TwoViewPair& pair, const Mat& mask, double reach)
     const Mat taken2 = readPoints(pair.taken2.empty() ? pair.points2 : pair.taken2, 2, "taken2",
                                   scope);
     int inliers = 0;
-    std::vector<Vec2d> motions;  // finite, because inliers are
+    std::vector<Vec2d> motions;  // of the inliers in the borders of both images
     for (int i = 0; i < mask.rows; ++i)
     {
         const double *p = taken1.ptr<double>(i), *q = taken2.ptr<double>(i);

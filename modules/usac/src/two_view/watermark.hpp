@@ -10,11 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Are the inliers of a pair those of a watermark: a frame, mark or date that stays at its
+/** @brief Do the inliers of a pair come from a watermark: a frame, mark or date that stays at its
 place in the image for any view?
-@param pair pair with the sizes of both images; without them, it is none
+@param pair the pair; false without the sizes of both images
 @param mask inliers of the pair
-@param reach pixels; motions that are within it of the median motion are equal */
+@param reach motions within this many pixels of the median motion count as equal */
 bool isWatermark(const TwoViewPair& pair, const Mat& mask, double reach);
 
 }  // namespace usacv20

@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-// Halving or doubling changes time by at most 4 % and errors by some thousandths
+// Halving or doubling one of these changes time by at most 4 % and errors by some thousandths
 // (doc/constants.md).
 
 //! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, SECOND_BLOCK until
@@ -22,9 +22,10 @@ constexpr double PRIOR_DELTA = 0.01, PRIOR_POINTS = 100;
 //! Upper bounds of epsilon, and of delta as a part of epsilon: they keep the logarithms of the
 //! likelihood ratios finite and away from 0.
 constexpr double MOST_EPSILON = 0.99, MOST_DELTA = 0.8;
-//! A new test is designed when delta has changed by more than this part @cite matas2005randomized.
+//! A new test is designed when epsilon has increased, or when delta has changed by more than this
+//! part of its value @cite matas2005randomized.
 constexpr double CHANGED = 0.05;
-//! Steps of the fixed-point iteration for A; each divides the error by A, which is 10 or more.
+//! Steps of the fixed-point iteration for A; each divides the error of A by A, which is 10 or more.
 constexpr int DESIGN_STEPS = 10;
 
 /** @brief Wald's sequential probability ratio test on blocks of points @cite matas2005randomized
@@ -33,11 +34,11 @@ constexpr int DESIGN_STEPS = 10;
 A point is an inlier of a good model with probability epsilon, of a bad one with delta. The
 likelihood ratio of bad to good after t points, k of them inliers, is (delta / epsilon)^k ((1 -
 delta) / (1 - epsilon))^(t - k); a model is rejected when the ratio exceeds A. The A that minimizes
-the expected time solves A = K + log A, K = 1 + C t_M / m_S, with C the expected log-ratio of a
+the expected time solves A = K + log A, K = 1 + C t_M / m_S, where C is the expected log-ratio of a
 point under a bad model, t_M the time to compute the models of a sample, in units of the time to
-test a point, and m_S the number of models per sample. Both probabilities are learned: epsilon is
-the inlier ratio of the best model so far that comes directly from a sample, delta the mean inlier
-ratio in the first blocks of all models, which are tested in any case. Before there is a best model,
+test a point, and m_S the number of models per sample. Epsilon and delta are learned: epsilon is the
+inlier ratio of the best model of a sample so far, before optimization; delta is the mean inlier
+ratio in the first block of each model, which is tested in any case. Before there is a best model,
 no model is rejected. The test changes only between batches of samples, so that it does not depend
 on the number of threads. */
 class SprtVerifier : public Verifier

@@ -17,11 +17,12 @@ constexpr int MAX_POINTS = 100;
 /** @brief T(d,d) test: a model is rejected unless d random points are all inliers
 @cite matas2004randomized.
 
-The points are drawn anew for each model, before the blocks are tested. A fixed order of the points,
-which the blocks have, would not do: in a small scene it may contain no d consecutive inliers, and
-then no model at all would pass. A good model passes with probability epsilon^d, a wrong one with
-delta^d; the test of a wrong one takes (1 - delta^d) / (1 - delta) points on average. More samples
-compensate for the good models that are lost, see goodModelProbability. O(d). */
+The d points are drawn anew for each model, before the model is tested on blocks of points. d
+consecutive points of the fixed order of the blocks would not do: in a small scene there may be no d
+consecutive inliers, and then no model at all would pass. With epsilon and delta the inlier ratios
+of a good and of a wrong model, these pass with probability epsilon^d and delta^d; the test of a
+wrong model takes (1 - delta^d) / (1 - delta) points on average. More samples compensate for the
+good models that are lost, see goodModelProbability. O(d). */
 class TddVerifier : public Verifier
 {
 public:

@@ -21,10 +21,10 @@ namespace usacv20 {
 run reuses.
 
 Memory from take() stays valid until the run ends, memory from a Scope until that scope ends. The
-former grows from the low end of the block, the latter from the high end, so that neither blocks the
-other: a component may allocate what it keeps while a scope of its caller is open. When a block is
-full, another one is added; the next reset() merges them into one. Nothing is initialized,
-constructed or destroyed. To be used by one thread at a time. */
+former is taken from the low end of the block, the latter from the high end: so a component may
+allocate what it keeps while a scope of its caller is open. When a block is full, another one is
+added; the next reset() merges them into one of up to 31 MB. Nothing is initialized, constructed or
+destroyed. To be used by one thread at a time. */
 class CV_EXPORTS Arena
 {
     struct Block;
@@ -46,9 +46,9 @@ public:
     //! Starts a new run: frees what was taken since keep(), or everything if keep() was not called.
     //! No Scope may be open.
     void clear();
-    //! Frees everything and replaces all blocks by one, of at least `bytes` and at least the size
-    //! of all former blocks. If that is more than 31 MB, the existing blocks stay instead, and
-    //! others are added as needed.
+    //! Frees everything. If the first block is smaller than `bytes` or than all blocks together,
+    //! and smaller than 31 MB, one block of that size (at most 31 MB) replaces all; otherwise the
+    //! blocks stay.
     void reset(size_t bytes);
 
     //! Number of blocks.
@@ -72,7 +72,7 @@ public:
 
     private:
         Arena& arena;
-        Block* const block;  //!< `top` at construction, and its `high`
+        Block* const block;  //!< `top` at construction; `end` is its Block::high at that time
         char* const end;
 
         Scope(const Scope&);
@@ -83,10 +83,9 @@ private:
     template <class T>
     static size_t bytesOf(size_t count)
     {
-        static_assert(std::is_trivially_destructible<T>::value,
-                      "nobody destroys what is in an arena");
+        static_assert(std::is_trivially_destructible<T>::value, "an arena calls no destructors");
         if (count > ((size_t)-1) / 2 / sizeof(T))
-            CV_Error(Error::StsNoMem, "more memory than there can be");
+            CV_Error(Error::StsNoMem, "count: more memory than can be addressed");
         return count * sizeof(T);
     }
 

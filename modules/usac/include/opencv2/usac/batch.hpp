@@ -63,9 +63,9 @@ CV_EXPORTS std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, i
 class CV_EXPORTS ParamsOfTasks
 {
 public:
-    //! The same for all tasks.
+    //! The same options for all tasks.
     ParamsOfTasks(const Params& params) : list(1, params) {}
-    //! One for each task.
+    //! One Params for each task.
     ParamsOfTasks(const std::vector<Params>& params) : list(params) {}
 
     //! 1, or the number of tasks.
@@ -82,8 +82,8 @@ Each calls #estimateBatch with tasks of one problem.
 @param points1, points2 lists of the same length, one entry per task:
 `std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry like the points of
 #estimateHomography and its kin
-@param params one for all, or a `std::vector<Params>` with one for each task, for example because
-match scores differ from pair to pair
+@param params one Params for all tasks, or a `std::vector<Params>` with one for each, for example
+because match scores differ from pair to pair
 @param threads as in #estimateBatch
 @return one Estimate for each pair, in the same order. An error in the arguments of one task is
 reported in its Estimate::error. Raises cv::Exception for lists of different lengths.

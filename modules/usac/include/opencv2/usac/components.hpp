@@ -25,7 +25,7 @@ The parts of Algorithm 1 of @cite ivashechkin2021usacv20. Each is a small abstra
 Usac::create makes the default set, and any of them can be replaced before Usac::run. A virtual call
 covers a sample, a model or a block of points, never a single point.
 
-If Params::threads is not 1, several threads may call the following methods at the same time: those
+If Params::threads is not 1, several threads may call the following methods at the same time: all
 of Residual and MinimalSolver, Score::accumulate, Verifier::preTest, nextBlock and proceed, and
 Degeneracy::validSample, mayBeGood and validModel. They are `const` and must not take memory from
 Context::arena. All other methods are called by one thread.
@@ -37,7 +37,7 @@ struct SequentialTest
     double epsilon;  //!< probability that a point is an inlier of a good model
     double delta;    //!< probability that a point is an inlier of a bad model
     double A;  //!< decision threshold: a good model is rejected with a probability of at most 1/A
-    int samples;  //!< samples whose models this design has tested, only those with State::counts
+    int samples;  //!< number of samples with State::counts whose models this design has tested
 };
 
 struct Context;
@@ -71,22 +71,23 @@ struct CV_EXPORTS State
     int iteration;  //!< samples drawn so far
     bool counts;    //!< the current sample counts for the termination criteria like one drawn
                     //!< uniformly from all points; true unless the sampler says otherwise
-    double successProbability;  //!< that of a sample of inliers, for the best model, see
-                                //!< Degeneracy::successProbability()
+    double successProbability;  //!< probability that an all-inlier sample leads to the best model,
+                                //!< see Degeneracy::successProbability()
     int countedSamples;   //!< samples so far with `counts`: the confidence is computed from these
-    int repeatedSamples;  //!< samples that do not count only because they contained a match twice
+    int repeatedSamples;  //!< samples that would count if they did not contain a match twice
     int orderedSamples;   //!< samples drawn so far that follow a known order (scores, or the order
                           //!< of the input)
     int wanted;           //!< @ref WantedSamples; used only by samplers that follow a known order
-    //! A criterion that ends the search with #STOP_ORDER sets this: so many samples of the points
-    //! that the best model does not explain are drawn first, and must not lead to a better model.
+    //! Set by a criterion that ends the search with #STOP_ORDER: number of samples of the points
+    //! that the best model does not explain, drawn before the search ends; the search goes on if
+    //! they lead to a better model.
     int unexplainedSamples;
     const int* order;                 //!< result of bestFirst(); null before its first call
     Model best;                       //!< the best model so far
     Quality bestQuality;              //!< its score
     Quality sampleQuality;            //!< the best score of a model of a sample before optimization
-    ArenaList<SequentialTest> tests;  //!< the verifier's, the last one is in use
-    bool degenerate;  //!< a sample or model was degenerate, such as dominated by a plane
+    ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last one is in use
+    bool degenerate;  //!< a sample or model was degenerate, for example dominated by a plane
     Report report;    //!< statistics of the run so far
 
 private:
@@ -109,31 +110,32 @@ struct CV_EXPORTS Context
 
     /** @brief The score of a model over all points.
     @param model the model to score
-    @param bound stop as soon as the cost reaches this; all that is known of the result then is that
-    it is not better.
+    @param bound scoring stops when the cost reaches this value; the returned cost may then be
+    incomplete, but is not lower than `bound`.
 
     To be called by one thread at a time, because it takes memory from the arena. */
     Quality rate(const Model& model, double bound = std::numeric_limits<double>::infinity()) const;
 
     //! Components::neighborhood; raises cv::Exception if there is none.
     Neighborhood& neighborhood() const;
-    const NonMinimalSolver& nonMinimalSolver() const;  //!< the same
+    //! Components::nonMinimalSolver; raises cv::Exception if there is none.
+    const NonMinimalSolver& nonMinimalSolver() const;
 
-    //! Error, not squared, up to which a point is an inlier in Quality::inliers. Without a score:
-    //! the threshold of the points.
+    //! Error, not squared, up to which Quality::inliers counts a point. Without a score: the
+    //! threshold of the points.
     double inlierThreshold() const;
     //! Probability that a point is an inlier by chance, see Problem::randomInlierRatio.
     double randomInlierRatio() const;
 
-    //! True if the run must end now (Params::maxTime, ProgressScope). For component loops with
-    //! iterations over all points: they return the best result so far. To be called by the thread
-    //! that began the run.
+    //! True if the run must end now (Params::maxTime, ProgressScope). For loops of a component with
+    //! iterations over all points; the component then returns its best result so far. To be called
+    //! by the thread that began the run.
     bool stop() const { return watch && mustStop(); }
     //! The same for loops with short iterations.
     //! @param work work done since the last call, in units of one point test, 2 ns each
     bool stop(double work) const { return watch && mustStop(work); }
-    //! The same before a step that cannot be interrupted: also true if Params::maxTime would be
-    //! exceeded after so much more work. The step is then skipped, and the run ends.
+    //! The same before a step that cannot be interrupted: also true if this step, with so much
+    //! work, would exceed Params::maxTime. The step is then skipped, and the run ends.
     bool stopBefore(double work) const { return watch && mustStopBefore(work); }
 
     const Correspondences& points;  //!< points of the run
@@ -154,8 +156,8 @@ class CV_EXPORTS Component
 public:
     virtual ~Component();
     /** @brief Begins a run. Called once per run, before anything else, even if there are too few
-    points for a model; of more than 32768 points only a random part is searched, and after the
-    search it is called again with all of them.
+    points for a model. If there are more than 32768 points, the search uses only a random part;
+    after the search, start() is called again with all points.
 
     A component that stores anything about a run (its points, for example, or what it has learned)
     resets it here: the same object is used for the next run, whose points and number of points may
@@ -205,11 +207,11 @@ public:
     @param context, state the fixed and the changing data of the run
     @param sample output, as many distinct point indices as the minimal solver needs */
     virtual void sample(const Context& context, State& state, int* sample) = 0;
-    //! Number of points, the first of State::bestFirst(), from which samples that are not uniform
-    //! are currently drawn. Default: all.
+    //! Samples that are not uniform are currently drawn from this many points, the first ones of
+    //! State::bestFirst(). Default: all.
     virtual int subsetSize(const Context& context) const;
-    //! Fraction of the samples that are drawn from a growing set as in PROSAC, which its
-    //! termination criterion may count. Default: 0, so that this criterion never ends the search.
+    //! Fraction of the samples that are drawn from a growing set as in PROSAC: only these count for
+    //! PROSAC's termination criterion. Default: 0, so that this criterion never ends the search.
     virtual double growingShare(const Context& context) const;
 };
 
@@ -226,7 +228,7 @@ public:
     @param samples `count` samples
     @param count number of samples
     @param models output: where the models of each sample go, at most #MAX_MODELS
-    @param found output: their number for each sample
+    @param found output: number of models of each sample
 
     The models of a sample must not depend on the other samples. Default: calls solve() for each. */
     virtual void solveMany(const Correspondences& points, const int* const* samples, int count,
@@ -281,9 +283,9 @@ public:
     @param model the model
     @param datum one number of each column
     @param error output, at most #MAX_COMPONENTS numbers
-    @return the number of components. Default: one, the square root of the squared error, which is
-    the unsigned distance to a curve. For an error with two or three components, override this
-    method: the root has no derivative where the error is 0.
+    @return the number of components. Default: one, the square root of the squared error, which
+    suits distances to a curve. For an error with two or three components, override this method: the
+    root has no derivative where the error is 0.
     */
     virtual int error(const Model& model, const double* datum, double* error) const;
     /** @brief The same, with the derivative with respect to the entries of the model, for
@@ -304,7 +306,7 @@ public:
 
 /** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over
 Correspondences::column. `model` has the Model::size() entries as float, see Residual::homogeneous.
-It pays off if the compiler vectorizes it, even for blocks of 32 points. */
+A kernel saves time if the compiler vectorizes it, even for blocks of 32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model,
                             float squaredThreshold, int begin, int end, Quality& sum);
 
@@ -314,8 +316,8 @@ class CV_EXPORTS Score : public Component
 public:
     virtual ~Score();
     /** @brief Adds the costs and inliers of a block of points to `sum`; the cost of a point lies
-    between 0 (perfect) and 1 (outlier). NaN is an outlier. `squaredThreshold` is in the coordinates
-    of the errors. The array of errors may be modified. */
+    between 0 (perfect) and 1 (outlier). NaN is an outlier. `squaredThreshold` has the unit of the
+    squared errors. The array of errors may be modified. */
     virtual void accumulate(float* squaredErrors, int count, float squaredThreshold,
                             Quality& sum) const = 0;
     //! A kernel that does the same without an array of errors, or null.
@@ -325,8 +327,8 @@ public:
     virtual bool wholeModel() const;
     //! True: the cost is the number of points that are no inliers. Default: false.
     virtual bool countsInliers() const;
-    //! False: the score does not use the threshold of the points, and its inliers are a fixed part
-    //! of them, as for least median of squares. Default: true.
+    //! False: the score does not use the threshold of the points, and a fixed part of the points
+    //! are its inliers, as for least median of squares. Default: true.
     virtual bool usesThreshold() const;
     //! Fraction of the threshold of the points, 0 to 1, up to which accumulate() counts a point as
     //! an inlier; points beyond it contribute to the cost only. Default: 1.
@@ -361,8 +363,8 @@ public:
     binomial */
     virtual double keptProbability(const Context& context, double inliers,
                                    bool withoutRepetition) const;
-    //! Called after each sample; its models had `inliers` inliers among the first `tested` points
-    //! with which they were tested (both summed over its models).
+    //! Called after each sample: the first tests of its models (preTest(), or the first block) used
+    //! `tested` points, of which `inliers` were inliers, both summed over the models.
     virtual void sampleTested(State& state, int inliers, int tested) = 0;
     //! Adapts the test; called before the first sample and between batches of samples.
     virtual void adapt(const Context& context, State& state) = 0;
@@ -376,10 +378,10 @@ public:
     virtual ~Degeneracy();
     //! False: the sample is rejected, no model is computed from it. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
-    //! Called for a sample that validSample() has rejected. True: all of it may still be inliers (a
-    //! match is in it twice), so that it does not count as a failed sample. Default: false.
+    //! Called for a sample that validSample() has rejected. True: its points may all be inliers
+    //! (two of them repeat one match), so it is not counted as a failed sample. Default: false.
     virtual bool mayBeGood(const Context& context, const int* sample) const;
-    //! False: the model is rejected without a test. Default: true.
+    //! False: the model is rejected and not scored. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
     /** @brief Examines a new so-far-the-best model and may replace it by a better one.
     @param sample the sample that the model was computed from; null after the local optimization
@@ -389,12 +391,12 @@ public:
     */
     virtual bool recover(const Context& context, State& state, const int* sample, Model& model,
                          Quality& quality);
-    //! Lowers the quality of a model that every recover() has passed, if some of its inliers are no
+    //! Lowers the quality of a model that has passed every recover(), if some of its inliers are no
     //! independent evidence for it. Default: does nothing.
     virtual void discount(const Context& context, const Model& model, Quality& quality);
-    //! Probability that a sample of inliers leads to the model, which has just become the best one,
-    //! and not to a wrong one with nearly as many inliers. It is at most 1, the default, and raises
-    //! the number of samples accordingly.
+    //! Probability that an all-inlier sample leads to this model, which has just become the best
+    //! one, and not to a wrong model with nearly as many inliers. At most 1, the default; below 1,
+    //! more samples are drawn.
     virtual double successProbability(const Context& context, const State& state,
                                       const Model& model);
 };
@@ -419,8 +421,8 @@ public:
     //! and when the verifier adds a design to `state.tests`.
     virtual int iterations(const Context& context, const State& state) const = 0;
     //! True (default): iterations() is a number of samples of any kind. False: only those with
-    //! State::counts are counted, or all if one model has more than half of the points as inliers
-    //! beside its sample.
+    //! State::counts are counted; but all if more than half of the points outside the sample of the
+    //! best model are its inliers.
     virtual bool countsAll() const;
     /** @brief Called between batches of samples: may set State::wanted, so that the sampler draws
     what the criterion needs. Default: does nothing.

@@ -93,7 +93,7 @@ struct Frame
     }
 
     double center[3];  //!< in the caller's unit
-    double scale;  //!< factor applied after the shift: normalized units per unit of the caller's
+    double scale;      //!< factor applied after the shift: normalized units per caller's unit
 };
 
 /** @brief The correspondences as the components see them: normalized, shuffled, structure of
@@ -101,7 +101,7 @@ arrays.
 
 A datum (one correspondence) has coordinates[0] numbers from the caller's first array and
 coordinates[1] from the second; each number has a column: #X1, #Y1, #X2, #Y2 for two views. H, F:
-translated and scaled to about unit size (F, E: with the same scale in both images, so that errors
+translated and scaled to about unit size (F: with the same scale in both images, so that errors
 scale with it). E: coordinates of the normalized image plane. The order is pseudo-random and fixed,
 so that any run of consecutive points is a random sample. Each column has `size` elements.
 */
@@ -118,7 +118,7 @@ struct Correspondences
     const double* exact[MAX_COLUMNS];  //!< double precision for solvers and fits
     const int* inputIndex;             //!< row of each point in the caller's arrays
     const float*
-        scores;   //!< Params::scores in this order, lower is better; null if none were given
+        scores;   //!< Params::scores in the order of the points, lower is better; null: none given
     double unit;  //!< unit of Params::threshold (a pixel, mostly) in the coordinates of array 2
     double threshold;  //!< Params::threshold times Params::reach in these coordinates, not squared
     Frame frame[2];  //!< from the caller's coordinates (E: of the normalized image plane) to these;

@@ -44,15 +44,15 @@ public:
                             InputArray cameraMatrix2 = noArray(),
                             InputArray distCoeffs1 = noArray(), InputArray distCoeffs2 = noArray());
 
-    /** @brief The same for a problem of your own, which the object keeps. The number of coordinates
-    per point is Problem::coordinates; `points2` is noArray() if there is only one array. Points
-    with 1 or 3 coordinates: N rows or N columns of a matrix with 1 channel, or a matrix with 1 or 3
-    channels, any depth. */
+    /** @brief The same for a problem of your own; the object keeps the pointer. The number of
+    coordinates per point is Problem::coordinates; `points2` is noArray() if there is only one
+    array. Points with 1 or 3 coordinates: N rows or N columns of a matrix with 1 channel, or a
+    matrix with 1 or 3 channels, any depth. */
     static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
                             const Params& params = Params());
 
-    /** The components, to be replaced before #run. The default components always fit each other,
-    whatever is replaced: for example, fits minimize a replaced residual. A missing component, a
+    /** The components, to be replaced before #run. The remaining default components adapt to a
+    replaced one: for example, fits minimize the new residual. A missing component, a
     sampler that draws invalid samples, or a score that counts no inliers raises a cv::Exception
     that names the component. */
     virtual Components& components() = 0;
@@ -88,19 +88,19 @@ public:
                     OutputArray mask = noArray(), Report* report = 0) = 0;
     /** @brief Refines a known model.
     @param model as #run returns it, any depth
-    @param chosen a mask of the inliers, N numbers: least-squares fit to these, starting from the
-    model; empty: the last step of #run (Params::polishing), starting from the model, with the
-    inliers that it finds
+    @param chosen mask of the inliers, N numbers, 0 for other points: least-squares fit to the
+    inliers, starting from the model. Empty: the last step of #run (Params::polishing), which
+    selects the inliers itself, starting from the model
     @param mask, report as in #fit
     @return the model; empty if the points determine none. */
     virtual Mat refine(InputArray model, InputArray chosen = noArray(),
                        OutputArray mask = noArray(), Report* report = 0) = 0;
-    /** @brief The error of each point under a model. The mask is 1 exactly where this is at most
-    Report::threshold.
+    /** @brief The error of each point under a model. The mask is 1 exactly where the error is at
+    most Report::threshold.
     @param model as #run returns it, any depth
-    @return N x 1, CV_64F, in the unit of Params::threshold, not squared. Infinite or NaN where it
-    is not defined: for points that are not finite, behind a camera, or outside the field of view of
-    its lens. */
+    @return N x 1, CV_64F, in the unit of Params::threshold, not squared. Infinite or NaN where the
+    error is not defined: for points that are not finite, behind a camera, or outside the field of
+    view of its lens. */
     virtual Mat errors(InputArray model) = 0;
 };
 

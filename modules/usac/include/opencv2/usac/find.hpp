@@ -21,8 +21,8 @@ same meaning, order and defaults of the arguments. Overload resolution picks the
 needs usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat. The
 results are those of usacv20::estimateHomography, usacv20::estimateFundamental and
 usacv20::estimateEssential. Functions with a flag do not tell whether `maxIters` ended the search;
-to find out, call one of these three functions with the flag's options (usacv20::Params::fromMethod)
-and check for usacv20::Report::stop == usacv20::STOP_MAX_ITERATIONS.
+to find out, call an `estimate` function with the flag's options (usacv20::Params::fromMethod) and
+check for usacv20::Report::stop == usacv20::STOP_MAX_ITERATIONS.
 
 An invalid argument raises a cv::Exception whose message begins with the name of the argument in
 these signatures, or with the name of the field of Params.
@@ -119,7 +119,7 @@ the namespace, `usacv20::findHomography(...)`, because calib3d's function matche
 /** @brief cv::findHomography with a flag of this module or of OpenCV.
 @param srcPoints N points of image 1
 @param dstPoints their counterparts in image 2
-@param method value of one of #UsacV20Method, or a flag of OpenCV
+@param method value of a #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold in pixels
 @param mask output, Nx1, CV_8U, 1 for inliers
 @param maxIters maximum number of samples
@@ -137,7 +137,7 @@ CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, Output
 /** @brief cv::findFundamentalMat with a flag of this module or of OpenCV.
 @param points1 N points of image 1
 @param points2 their counterparts in image 2
-@param method value of one of #UsacV20Method, or a flag of OpenCV
+@param method value of a #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold in pixels
 @param confidence confidence of the search, see usacv20::Params::confidence
 @param maxIters maximum number of samples; it has a default in Python so that a None in
@@ -163,7 +163,7 @@ CV_EXPORTS Mat findFundamentalMat(InputArray points1, InputArray points2, Output
 @param points1 N points of image 1 in pixels
 @param points2 their counterparts in image 2
 @param cameraMatrix 3x3 camera matrix of both images
-@param method value of one of #UsacV20Method, or a flag of OpenCV
+@param method value of a #UsacV20Method, or a flag of OpenCV
 @param prob confidence of the search, see usacv20::Params::confidence
 @param threshold inlier threshold in pixels
 @param maxIters maximum number of samples
@@ -183,7 +183,7 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, InputArr
 @param points2 their counterparts in image 2
 @param focal focal length of both cameras in pixels
 @param pp principal point of both cameras in pixels
-@param method value of one of #UsacV20Method, or a flag of OpenCV
+@param method value of a #UsacV20Method, or a flag of OpenCV
 @param prob confidence of the search, see usacv20::Params::confidence
 @param threshold inlier threshold in pixels
 @param maxIters maximum number of samples
@@ -203,7 +203,7 @@ CV_EXPORTS Mat findEssentialMat(InputArray points1, InputArray points2, double f
 @param distCoeffs1 distortion of camera 1, as in cv::undistortPoints; empty: none
 @param cameraMatrix2 3x3 camera matrix of image 2
 @param distCoeffs2 distortion of camera 2; empty: none
-@param method value of one of #UsacV20Method, or a flag of OpenCV
+@param method value of a #UsacV20Method, or a flag of OpenCV
 @param prob confidence of the search, see usacv20::Params::confidence
 @param threshold inlier threshold in pixels
 @param mask output, Nx1, CV_8U, 1 for inliers
@@ -217,10 +217,10 @@ CV_EXPORTS_W Mat findEssentialMat(InputArray points1, InputArray points2, InputA
 Mat findEssentialMat(InputArray points1, InputArray points2, int method) = delete;
 //! @}
 
-/** @name The same with a flag that is known at compile time
+/** @name The same functions with a flag that is known at compile time
 They call cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat with the same
-arguments. They are templates so that a call without a namespace is not ambiguous after both
-using-directives.
+arguments. They are templates so that a call without a namespace is not ambiguous after `using
+namespace cv` and `using namespace cv::usacv20`.
 @{ */
 //! cv::findHomography with the same arguments.
 template <typename... Others>

@@ -16,17 +16,16 @@ namespace cv {
 
 /** @name Maps of the plane by calib3d's functions with a flag of this module
 The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D, with the same meaning, order
-and defaults of the arguments, for a #UsacV20Method; cv::estimateAffinePartial2D with all options in
-one argument exists for this module only. An `int` that may hold a flag of this module needs
-usacv20::estimateAffine2D and usacv20::estimateAffinePartial2D. The results are those of
-usacv20::estimateAffinity2D and usacv20::estimateSimilarity2D.
+and defaults of the arguments, for a #UsacV20Method; OpenCV itself has no
+cv::estimateAffinePartial2D with all options in one argument. An `int` that may hold a flag of this
+module needs usacv20::estimateAffine2D and usacv20::estimateAffinePartial2D. The results are those
+of usacv20::estimateAffinity2D and usacv20::estimateSimilarity2D.
 
 `refineIters` is the maximum number of steps of the final polishing
 (usacv20::Params::polishingSteps); a preset with fewer steps keeps its own number. 0 turns polishing
 off (usacv20::POLISHING_NONE): the model is then the result of the search, which local optimization
-has already fitted to its inliers, whereas OpenCV's flags return the model of the minimal sample
-with 0. A negative number (which becomes a huge `size_t`) raises cv::Exception, as it does for
-`maxIters`.
+has already fitted to its inliers; with OpenCV's flags and 0, it is the model of the minimal sample.
+A negative number (which becomes a huge `size_t`) raises cv::Exception, as it does for `maxIters`.
 @{ */
 //! An affine map; arguments and result as in usacv20::estimateAffine2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers,
@@ -65,13 +64,14 @@ namespace usacv20 {
 The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D that have an `int method`,
 except that an omitted `method` is UsacV20Method::USACV20. As for usacv20::findHomography, a call
 with one of OpenCV's own flags is passed on to calib3d unchanged, a number that is no flag raises a
-cv::Exception that names `method`, and after both using-directives the call must name the namespace.
+cv::Exception that names `method`, and after `using namespace cv` and `using namespace cv::usacv20`
+the call must name the namespace.
 @{ */
 /** @brief cv::estimateAffine2D with a flag of this module or of OpenCV.
 @param from N points of image 1
 @param to their counterparts in image 2
 @param inliers output, Nx1, CV_8U, 1 for inliers
-@param method value of one of #UsacV20Method, or a flag of OpenCV
+@param method value of a #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold, distance in image 2 in pixels
 @param maxIters maximum number of samples
 @param confidence confidence of the search, see usacv20::Params::confidence
@@ -87,7 +87,7 @@ CV_EXPORTS_W Mat estimateAffine2D(InputArray from, InputArray to, OutputArray in
 @param from N points of image 1
 @param to their counterparts in image 2
 @param inliers output, Nx1, CV_8U, 1 for inliers
-@param method value of one of #UsacV20Method, or a flag of OpenCV
+@param method value of a #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold, distance in image 2 in pixels
 @param maxIters maximum number of samples
 @param confidence confidence of the search, see usacv20::Params::confidence
@@ -101,9 +101,8 @@ CV_EXPORTS_W Mat estimateAffinePartial2D(InputArray from, InputArray to,
                                          double confidence = 0.99, size_t refineIters = 10);
 //! @}
 
-/** @name The same with a flag that is known at compile time
-Like the templates of find.hpp: they keep a call without a namespace unambiguous after both
-using-directives.
+/** @name The same functions with a flag that is known at compile time
+Templates for the same reason as those in find.hpp: a call without a namespace is not ambiguous.
 @{ */
 //! cv::estimateAffine2D with the same arguments.
 template <typename... Others>

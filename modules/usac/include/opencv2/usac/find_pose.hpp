@@ -36,7 +36,7 @@ before the first sample
 @param confidence confidence of the search, see usacv20::Params::confidence
 @param inliers output, Mx1, CV_32S, the indices of the inliers in ascending order; empty if there is
 no pose
-@param flags one of #UsacV20Method
+@param flags a #UsacV20Method
 @return false if there is no pose; `rvec` and `tvec` are then unchanged. */
 CV_EXPORTS bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints,
                                InputArray cameraMatrix, InputArray distCoeffs, OutputArray rvec,
@@ -55,9 +55,9 @@ namespace usacv20 {
 /** @brief cv::solvePnPRansac with a flag of this module or of OpenCV, known only at run time.
 
 As for usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d
-unchanged, a number that is no flag raises a cv::Exception that names `flags`, and after both
-using-directives the call must name the namespace. The defaults are those of calib3d, except for the
-flag.
+unchanged, a number that is no flag raises a cv::Exception that names `flags`, and after `using
+namespace cv` and `using namespace cv::usacv20` the call must name the namespace. The defaults are
+those of calib3d, except for the flag.
 @param objectPoints N 3-D points
 @param imagePoints their images in pixels
 @param cameraMatrix 3x3 camera matrix
@@ -69,7 +69,7 @@ flag.
 @param reprojectionError inlier threshold in pixels
 @param confidence confidence of the search, see usacv20::Params::confidence
 @param inliers output, Mx1, CV_32S, the indices of the inliers
-@param flags value of one of #UsacV20Method, or a flag of OpenCV
+@param flags value of a #UsacV20Method, or a flag of OpenCV
 @return false if there is no pose */
 CV_EXPORTS_W bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints,
                                  InputArray cameraMatrix, InputArray distCoeffs, OutputArray rvec,
@@ -78,7 +78,8 @@ CV_EXPORTS_W bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints
                                  double confidence = 0.99, OutputArray inliers = noArray(),
                                  int flags = (int)USACV20);
 
-//! The same with a flag that is known at compile time; a template like those of find.hpp.
+//! The same with a flag that is known at compile time; a template for the same reason as those in
+//! find.hpp.
 template <typename... Others>
 bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                     InputArray distCoeffs, OutputArray rvec, OutputArray tvec,

@@ -50,14 +50,14 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 
 /** @brief Refines a known model.
 
-@param problem what the model is
+@param problem kind of the model
 @param model as #estimateHomography and its kin return it, any depth
 @param points1, points2 as in #fitModel
 @param params options; `threshold`, `residual`, `polishing` and `polishingSteps` are used
 @param mask, report as in #fitModel
 @param chosen mask of the inliers, N numbers, 0 for other points: least-squares fit to the inliers,
-starting from the model. Empty: the last step of an estimation (Params::polishing), starting from
-the model, with the inliers that it finds.
+starting from the model. Empty: the last step of an estimation (Params::polishing), which selects
+the inliers itself, starting from the model.
 @param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as in #fitModel
 @return the model; empty if the points determine none. */
 CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray points1,
@@ -70,7 +70,7 @@ CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray p
 
 /** @brief The error of each point under a model, as used for the mask of an estimation.
 
-@param problem what the model is
+@param problem kind of the model
 @param model as #estimateHomography and its kin return it, any depth
 @param points1, points2 as in #fitModel
 @param params options; `residual` is used

@@ -25,8 +25,8 @@ for E and absolute poses.
 usacv20::estimateHomography takes
 @param cameraMatrix 3x3, any depth
 @param distCoeffs 4, 5, 8, 12 or 14 coefficients as for cv::undistortPoints; empty: none
-@return Nx2, CV_64F, pixels; NaN outside the field of view of the lens, that is beyond the radius
-from which on the radial distortion is not monotonic, and for points that are not finite.
+@return Nx2, CV_64F, pixels; NaN for points that are not finite or are outside the field of view of
+the lens, that is beyond the radius up to which the radial distortion is monotonic.
 
 Raises cv::Exception for points of the wrong shape and for an invalid camera.
 */

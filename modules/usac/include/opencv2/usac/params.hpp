@@ -23,18 +23,18 @@ cv::findFundamentalMat, cv::findEssentialMat, cv::estimateAffine2D and cv::estim
 
 The values differ from all of OpenCV's own flags. The enumeration is scoped, so a flag is not
 silently converted to an `int` and passed to calib3d, which treats any number it does not know as
-LMedS (cv::findFundamentalMat, cv::findEssentialMat). A program that keeps its flag in an `int`,
-reads it from a file, or chooses between a flag of this module and one of OpenCV calls
-usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat, which accept the
-`int` values of both:
+LMedS (cv::findFundamentalMat, cv::findEssentialMat). If a program keeps its flag in an `int`, reads
+it from a file, or chooses between a flag of this module and a flag of OpenCV, it must call
+usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat, which accept
+both kinds of flags as `int`:
 @code{.cpp}
     int method = (int)cv::USACV20;  // without the cast this does not compile
     // from a cv::FileStorage, with 16385: USACV20_FAST; with 8: cv::RANSAC
     cv::read(fs["method"], method, method);
     cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2, method, 1.0, 0.99, mask);
 @endcode
-usacv20::methodFromInt converts a number to a flag; usacv20::isUsacV20Method tells whether it is
-one.
+usacv20::methodFromInt converts a number to a flag; usacv20::isUsacV20Method tells whether a number
+is a flag of this module.
 */
 enum class UsacV20Method : int {
     //! the configuration recommended in @cite ivashechkin2021usacv20, with robust polishing;
@@ -82,16 +82,17 @@ enum ProblemType {
     SIMILARITY_3D = 7   //!< the same with a uniform scale
 };
 
-//! How minimal samples are drawn (paper, section "Sampling"). With all of them, only one in
-//! Params::orderedEvery samples is drawn this way; the others are uniform.
+//! How minimal samples are drawn (paper, section "Sampling"). Only one in Params::orderedEvery
+//! samples is drawn in the way of the sampler; the others are uniform.
 enum SamplerType {
     SAMPLER_UNIFORM = 0,  //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC = 1,   //!< from a growing set of the best points @cite chum2005matching
-    //! A point and its neighbors, best points first, in growing neighborhoods
+    //! P-NAPSAC: a point of PROSAC's set, and others from its growing neighborhood
     //! @cite barath2019progressive. Of the samples that are not uniform (Params::orderedEvery), one
-    //! in four is drawn from a neighborhood, or one in two if the order is the density of the
-    //! points; in the paper all are, until the neighborhood contains all points. A neighborhood
-    //! doubles when its point is chosen again; in the paper it grows like PROSAC's set.
+    //! in four is drawn so, or one in two if the points are ordered by density; the rest are
+    //! PROSAC's. In the paper all are drawn so until the neighborhood contains all points. The size
+    //! of a neighborhood doubles when its point is chosen again; in the paper it grows like the
+    //! size of PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC = 3,     //!< any point and its neighbors @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4  //!< each point with probability proportional to Params::scores, for
@@ -112,8 +113,9 @@ enum ResidualType {
     //! H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose:
     //! reprojection error. 3-D motions: distance between a mapped point and its counterpart
     RESIDUAL_STANDARD = 0,
-    //! H, affine maps: root of the summed squared transfer errors in both images. F, E: of the
-    //! squared distances to both epipolar lines. Absolute pose, 3-D motions: raises cv::Exception
+    //! H, affine maps: root of the sum of the squared transfer errors in both images. F, E: root of
+    //! the sum of the squared distances to both epipolar lines. Absolute pose, 3-D motions: raises
+    //! cv::Exception
     RESIDUAL_SYMMETRIC = 1
 };
 
@@ -148,7 +150,7 @@ enum QualityType {
 
 //! How bad models are rejected early (paper, section "Pre-emptive verification").
 enum VerificationType {
-    VERIFICATION_NONE = 0,  //!< no test; every model sees as many points as the score needs
+    VERIFICATION_NONE = 0,  //!< no test; only a cost that is already too high ends the scoring
     VERIFICATION_SPRT = 1,  //!< Wald's sequential probability ratio test @cite chum2008optimal
     VERIFICATION_TDD = 2    //!< Params::tddPoints random points must be inliers
                             //!< @cite matas2004randomized
@@ -157,9 +159,9 @@ enum VerificationType {
 //! How each so-far-the-best model is improved (paper, section "Local optimization").
 enum LocalOptimizationType {
     LOCAL_OPTIMIZATION_NONE = 0,        //!< nothing
-    LOCAL_OPTIMIZATION_GRAPH_CUT = 1,   //!< the first steps of LO-RANSAC, followed by graph cut and
-                                        //!< inner RANSAC if they improve the model
-                                        //!< @cite barath2018graph
+    LOCAL_OPTIMIZATION_GRAPH_CUT = 1,   //!< least squares with a shrinking threshold; then, if the
+                                        //!< model is clearly better than the best one, graph cut
+                                        //!< and inner RANSAC @cite barath2018graph
     LOCAL_OPTIMIZATION_LO_RANSAC = 2,   //!< inner RANSAC and least squares with a shrinking
                                         //!< threshold @cite chum2003locally
     LOCAL_OPTIMIZATION_FLO_RANSAC = 3,  //!< the same with fits of bounded size
@@ -179,27 +181,28 @@ enum TerminationFlags {
                                //!< @cite fischler1981random
     TERMINATION_SPRT = 2,      //!< the same, accounting for good models that SPRT rejects
                                //!< @cite chum2008optimal
-    TERMINATION_P_NAPSAC = 4,  //!< the same for a significantly better model
-                               //!< @cite barath2019progressive
-    TERMINATION_PROSAC = 8,    //!< maximality and non-randomness on the best subset of the points
+    TERMINATION_P_NAPSAC = 4,  //!< with probability `confidence` there is no significantly better
+                               //!< model, see Params::relaxation @cite barath2019progressive
+    TERMINATION_PROSAC = 8,    //!< PROSAC's maximality and non-randomness on a set of best points
                                //!< @cite chum2005matching
     TERMINATION_MAGSAC = 16,   //!< the standard criterion marginalized over the noise scale
                                //!< @cite barath2019magsac
-    TERMINATION_EXACT = 32,  //!< modifies the others: samples without replacement, all-inlier with
-                             //!< probability C(I, m) / C(N, m), not (I / N)^m
-    //! if the best model confirms a known order: PROSAC's criterion, provided that samples of the
-    //! points not explained by the best model yield nothing better; no effect without `runnersUp`
+    TERMINATION_EXACT = 32,  //!< modifies the others: with I inliers among N points, a sample of m
+                             //!< points, drawn without replacement, is all-inlier with probability
+                             //!< C(I, m) / C(N, m) instead of (I / N)^m
+    //! PROSAC's criterion, if the inliers of the best model come early in a known order, and if
+    //! samples of its outliers yield no better model; no effect if `runnersUp` is 0
     TERMINATION_ORDER = 64
 };
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
 //! checks that the problem has. Affinities, similarities, absolute poses and 3-D motions raise
-//! cv::Exception for #DEGENERACY_DEGENSAC unless all bits are set, and therefore for usac2013().
+//! cv::Exception for #DEGENERACY_DEGENSAC unless all bits are set, and so for Params::usac2013.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar
-    //! F: samples dominated by a plane, plane and parallax @cite chum2005two. E: twice as many
-    //! samples if most inliers are on a plane
+    //! F: if a plane dominates a sample, F is computed by plane and parallax @cite chum2005two. E:
+    //! twice as many samples if most inliers are on a plane
     DEGENERACY_DEGENSAC = 2,
     //! samples of matches that share a point (up to noise, if there are many such matches), and
     //! models supported by such matches
@@ -239,16 +242,17 @@ struct CV_EXPORTS_W_SIMPLE Params
     `termination`, a run also ends when all possible samples have been drawn, or when none of the
     first million yielded a model. */
     CV_PROP_RW int maxIterations;
-    /** Milliseconds after which a run ends with the best model so far; 0..1e9, 0: no limit.
-    Exceeded by 5 ms for 10 000 points and by 0.1 s for a million (reading these takes 0.08 s, the
-    mask 0.007 s; Report says which values are less exact then). The only option that makes the
-    result depend on the machine, see Report::stop and ProgressScope. Default 0. */
+    /** Milliseconds after which a run ends with the best model so far; 0..1e9, 0: no limit. A run
+    takes up to 5 ms longer with 10 000 points, 0.1 s longer with a million (reading a million
+    points takes 0.08 s, their mask 0.007 s). Some values of the Report are then less exact, see
+    there. The only option that makes the result depend on the machine, see Report::stop and
+    ProgressScope. Default 0. */
     CV_PROP_RW double maxTime;
     //! Seed of the pseudo-random sequence; the same seed and input give bit-identical results.
     //! Default 0.
     CV_PROP_RW int seed;
-    //! Threads that test hypotheses, 0: cv::getNumThreads(); 0..1024. The result does not depend on
-    //! it. Default 1.
+    //! Number of threads that compute and score models; 0..1024, 0: cv::getNumThreads(). The result
+    //! does not depend on it. Default 1.
     CV_PROP_RW int threads;
 
     //! @ref SamplerType. Default #SAMPLER_P_NAPSAC.
@@ -258,12 +262,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Score of each correspondence, N values or none; #SAMPLER_IMPORTANCE uses them as weights.
     //! Default none.
     CV_PROP_RW std::vector<float> scores;
-    /** Initial model, for example from the previous frame: numbers row by row, as the estimator
-    returns them, or no model; see setInitialModel(). It is scored and optimized before the first
+    /** Entries, row by row, of an initial model as the estimator returns it, for example of the
+    previous frame; empty: none; see setInitialModel(). It is scored and optimized before the first
     sample, like a model of a sample; a better one replaces it. A wrong number of entries raises a
-    cv::Exception. It saves time if `maxIterations` is small: poses of a smooth sequence with 20 %
-    inliers took 0.20 of the time of the defaults when `maxIterations` was 8, including a second run
-    without an initial model whenever there were fewer than half as many inliers as in the previous
+    cv::Exception. It saves time if `maxIterations` is small: with 8, poses of a smooth sequence
+    with 20 % inliers took 0.20 of the time that they took with the defaults, including a second run
+    without an initial model for each frame with fewer than half as many inliers as the previous
     frame. Default none. */
     CV_PROP_RW std::vector<double> initialModel;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
@@ -273,22 +277,22 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Number of neighbors of a point for #NEIGHBORHOOD_KNN in the finest of four layers; each
     //! further layer has twice as many; 1..1000. Default 10.
     CV_PROP_RW int neighbors;
-    //! Radius for #NEIGHBORHOOD_RADIUS in the finest of four layers, doubled for each further one,
-    //! pixels; >
-    //! 0. Default 40.
+    //! Radius in pixels for #NEIGHBORHOOD_RADIUS in the finest of four layers, doubled for each
+    //! further layer; > 0. Default 40.
     CV_PROP_RW double neighborRadius;
     //! @ref ResidualType. Default #RESIDUAL_STANDARD.
     CV_PROP_RW int residual;
     //! @ref QualityType. Default #QUALITY_MSAC.
     CV_PROP_RW int quality;
     /** Search, local optimization and polishing use this multiple of `threshold`, the mask uses
-    `threshold` itself; 1..10. For scores and fits that are marginalized over the noise scale.
-    Default 1. */
+    `threshold` itself; 1..10. Meant for scores and fits that are marginalized over the noise scale.
+    Default 1; magsac() 3, magsacPlusPlus() 2.4. */
     CV_PROP_RW double reach;
-    /** If the errors of the best model show that the noise is larger than `threshold`, `reach`
-    grows with it, up to this multiple of `threshold`; 1..1e6; values up to `reach` have no effect.
-    The mask still uses `threshold` and may then be empty for a correct model. The noise scale is
-    estimated as in @cite moisan2004probabilistic. Default 1; presets of MAGSAC 1000. */
+    /** Upper bound of the multiple of `threshold` to which `reach` grows if the errors of the best
+    model show that the noise is larger than `threshold`; 1..1e6; values up to `reach` have no
+    effect. The mask still uses `threshold` and may then be empty for a correct model. The noise
+    scale is estimated as in @cite moisan2004probabilistic. Default 1; magsac() and magsacPlusPlus()
+    1000. */
     CV_PROP_RW double widestReach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;
@@ -299,24 +303,24 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Iterations of one local optimization: alternations of labeling and fitting, steps of the
     //! shrinking threshold, or re-weightings; 1..1000. Default 5.
     CV_PROP_RW int localIterations;
-    //! Size of the inner samples of a local optimization as a multiple of the minimal one; 2..100.
-    //! Default 3.
+    //! Size of the inner samples of a local optimization, as a multiple of the minimal sample size;
+    //! 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
     //! Number of inner samples of a local optimization (graph cut: of each alternation); 0..1000.
     //! Default 4.
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
-    //! Maximum number of models that are optimized before the search ends, in addition to those
-    //! that were better than all models before them: those with the most inliers that the best
-    //! model does not have. If above 0, the points that the best model does not explain are also
-    //! sampled. 0..100. Default 16.
+    //! Maximum number of runners-up, models that are optimized when the search is about to end
+    //! although none of them was the best one: those with the most inliers that are outliers of the
+    //! best model. If above 0, samples are also drawn from the points that the best model does not
+    //! explain. 0..100. Default 16.
     CV_PROP_RW int runnersUp;
     /** Samplers that prefer some points (all except #SAMPLER_UNIFORM) draw one in this many samples
     in their own way; the others are uniform among all points. Only the uniform samples count for
     the termination criteria except #TERMINATION_PROSAC, because samples from a subset may never
-    consist of inliers of the best model, and `confidence` would not hold; if one model has more
-    than half of the points as inliers beside its sample, all samples count. With
+    consist of inliers of the best model, and `confidence` would not hold; all samples count if more
+    than half of the points outside the sample of the best model are its inliers. With
     #TERMINATION_ORDER, every second one of the first samples follows a known order, and all samples
     do once the order has been confirmed. 1: all samples are drawn in the sampler's way, and all
     count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
@@ -324,37 +328,38 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Set of @ref TerminationFlags; 0: all `maxIterations` samples are drawn. Default
     //! #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT | #TERMINATION_ORDER.
     CV_PROP_RW int termination;
-    //! How many more inliers a "significantly" better model has for #TERMINATION_P_NAPSAC, as a
-    //! fraction of the k inliers of the best model that are not in its sample; multiplied by k / (k
-    //! + 30), so that it is smaller for few inliers; 0..1. Default 0.05.
+    //! For #TERMINATION_P_NAPSAC: how many more inliers than the best model a "significantly"
+    //! better one has, as a fraction of the k inliers of the best model outside its sample. The
+    //! fraction is multiplied by k / (k + 30), so that it is smaller for few inliers; 0..1. Default
+    //! 0.05.
     CV_PROP_RW double relaxation;
     //! Factor on the number of samples that the termination criteria ask for, as if 1 - confidence
     //! were raised to this power; 1..100. Default 1.
     CV_PROP_RW int persistence;
     //! Set of @ref DegeneracyFlags. Default all.
     CV_PROP_RW int degeneracy;
-    //! @ref PolishingType. Default #POLISHING_ROBUST; the paper's is #POLISHING_LEAST_SQUARES.
+    //! @ref PolishingType. Default #POLISHING_ROBUST; the paper has #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
     //! Maximum number of fits of the polishing, each with the inliers or weights of the previous
     //! one; fewer if these no longer change; 1..100. Default 6.
     CV_PROP_RW int polishingSteps;
     /** Largest Report::chance with which a model is returned, a probability; 0..1, after
-    @cite moisan2004probabilistic. 1: a model is always returned. Default 0: 0.01 if there are
-    enough independent points that a quarter of them, as inliers, would be that significant, else 1.
-  */
+    @cite moisan2004probabilistic. 1: a model is returned whatever its chance is. Default 0: as
+    0.01; but as 1 if there are so few independent points that even a model with a quarter of them
+    as inliers would have a larger chance. */
     CV_PROP_RW double significance;
 
     /** @brief The configuration recommended in the paper, with robust polishing; same as Params().
      */
     CV_WRAP static Params usacV20();
-    /** @brief What UsacV20Method::USACV20_FAST uses: usacV20() that stops when a model with 50 %
-    more inliers (less if there are few, see `relaxation`) would have been found; its local
-    optimization has no graph cut, no inner samples and a single iteration; four runners-up and
-    three polishing steps. */
+    /** @brief What UsacV20Method::USACV20_FAST uses: like usacV20(), but the search ends when a
+    model with 50 % more inliers (less if there are few inliers, see `relaxation`) would have been
+    found; local optimization has no graph cut, no inner samples and a single iteration; there are
+    four runners-up and three polishing steps. */
     CV_WRAP static Params fast();
-    /** @brief What UsacV20Method::USACV20_ACCURATE uses: usacV20() with three times the samples
-    that the standard criterion asks for, up to ten alternations with ten inner samples each in the
-    local optimization, 24 runners-up and 20 polishing steps. */
+    /** @brief What UsacV20Method::USACV20_ACCURATE uses: like usacV20(), but with three times the
+    samples that the standard criterion asks for, up to ten alternations with ten inner samples each
+    in the local optimization, 24 runners-up and 20 polishing steps. */
     CV_WRAP static Params accurate();
     /** @brief Like usacV20(), with PROSAC sampling of points that the caller has sorted, best first
     (if `scores` are given, they determine the order, as in all presets for sorted points). One
@@ -407,29 +412,28 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params usac2013();
     /** @brief MAGSAC: uniform samples, marginalized score, termination and fits (sigma-consensus)
     @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold`
-    divided by the 0.99 quantile of the chi distribution. Errors have one degree of freedom for F
-    and E and two for H, the number of constraints on a match; the paper uses four, the number of
-    coordinates, of which a model constrains only these. The fit divides the range of the noise into
-    five parts. If the data show more noise, the range grows (`widestReach`); the paper requires a
-    bound that is far too large instead. */
+    divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of freedom as
+    a match has constraints, one for F and E and two for H; the paper uses four, the number of
+    coordinates of a match. The fit divides the range of the noise scale into five parts. If the
+    data show more noise, the range grows (`widestReach`); the paper requires a bound that is far
+    too large instead. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, the robust loss of MAGSAC++ and re-weighted fits
-    (sigma-consensus++) @cite barath2020magsac. What UsacV20Method::USACV20_MAGSAC uses. The noise
-    is marginalized up to `reach` times `threshold`, and further if the data show more noise
-    (`widestReach`); degrees of freedom as in magsac(). Termination, runners-up and tests for
-    degeneracy are those of usacV20(). */
+    (sigma-consensus++) @cite barath2020magsac. What UsacV20Method::USACV20_MAGSAC uses. The range
+    of the noise scale is chosen as in magsac(), and so are the degrees of freedom. Termination,
+    runners-up and tests for degeneracy are those of usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
     //! The preset of a flag; an invalid value (from a cast) raises cv::Exception.
     static Params fromMethod(UsacV20Method method);
     /** @brief The preset for the value of a flag.
-    @param method value of one of #UsacV20Method; anything else raises cv::Exception. */
+    @param method value of a #UsacV20Method; anything else raises cv::Exception. */
     CV_WRAP static Params fromMethod(int method);
 
-    //! The configuration closest to one of OpenCV's own USAC; `threshold`, `confidence` and
-    //! `maxIterations` are copied.
+    //! The options closest to those of OpenCV's own USAC; threshold, confidence, maximum number of
+    //! iterations and seed are copied.
     static Params fromUsacParams(const cv::UsacParams& params);
 
-    /** @brief Sets `initialModel`, which saves time if `maxIterations` is small; see there.
+    /** @brief Sets `initialModel`.
     @param model 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for an absolute pose
     and 3-D motions, any depth; empty: none
     */
@@ -445,8 +449,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     void read(const FileNode& node);
 };
 
-//! The same class. With `using namespace cv`, prefer usacv20::Params: the unqualified name
-//! UsacParams is, or may be, calib3d's class.
+//! Another name of Params. After `using namespace cv`, prefer usacv20::Params, because the
+//! unqualified name UsacParams may mean the class of calib3d.
 typedef Params UsacParams;
 
 //! For `fs << "usac" << params`.
@@ -455,7 +459,7 @@ CV_EXPORTS void write(FileStorage& fs, const String& name, const Params& params)
 CV_EXPORTS void read(const FileNode& node, Params& params, const Params& defaults = Params());
 
 /** @brief Converts an integer to a flag of the module.
-@param method value of one of #UsacV20Method; anything else raises cv::Exception.
+@param method value of a #UsacV20Method; anything else raises cv::Exception.
 */
 CV_EXPORTS UsacV20Method methodFromInt(int method);
 

@@ -33,12 +33,12 @@ enum FieldKind {
 struct FieldValues
 {
     FieldKind kind;  //!< kind of value
-    double initial;  //!< the default; FIELD_SCORES, FIELD_MODEL: all three unused
+    double initial;  //!< the default; FIELD_SCORES and FIELD_MODEL use none of the three numbers
     double low;      //!< smallest value; FIELD_PIXELS, FIELD_PROBABILITY: excluded
     double high;     //!< largest value; FIELD_PROBABILITY: excluded
 
-    //! FIELD_SCORES and FIELD_MODEL accept any value here: what is valid depends on other fields
-    //! and on the points.
+    //! True if the value is in the range. Always true for FIELD_SCORES and FIELD_MODEL: what is
+    //! valid depends on other fields and on the points.
     bool contain(double value) const
     {
         if (kind == FIELD_SCORES || kind == FIELD_MODEL)
@@ -82,8 +82,8 @@ private:
 pointer to a member of type `int`, `double`, `std::vector<float>` or `std::vector<double>`,
 FieldValues.
 
-The only list of the fields: their defaults, Params::check, storage, tests, the fuzzer and the
-options of the benchmark are derived from it. Programs can use it to set fields by name. */
+This is the only list of the fields: their defaults, Params::check, storage, tests, the fuzzer and
+the options of the benchmark are derived from it. Programs can use it to set fields by name. */
 template <class Visitor>
 void visitFields(Visitor& visit)
 {

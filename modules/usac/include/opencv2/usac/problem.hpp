@@ -29,8 +29,7 @@ struct SampleCost
 
 The search, the samplers, the scores and the termination criteria know nothing else about what is
 estimated. A program can define its own problem, see Usac::create and samples/custom_problem.cpp.
-All methods are `const`; the method that is called during the search (closest()) is called by one
-thread at a time. */
+All methods are `const`; a run calls them from one thread at a time. */
 class CV_EXPORTS Problem
 {
 public:
@@ -51,17 +50,18 @@ public:
     virtual int coordinates(int array) const;
     //! Name of array 0 or 1 in messages. Default: points1, points2.
     virtual String arrayName(int array) const;
-    //! True (default): both arrays have the unit of the threshold, so that points closer to each
-    //! other than it, in either array, are taken for the same. False: in array 0 only equal points
-    //! are, and #NEIGHBORHOOD_KNN and #NEIGHBORHOOD_RADIUS use array 1 only.
+    //! True (default): both arrays have the unit of the threshold; points of an array that are
+    //! closer to each other than the threshold are taken for the same. False: in array 0 only equal
+    //! points are taken for the same, and #NEIGHBORHOOD_KNN and #NEIGHBORHOOD_RADIUS use array 1
+    //! only.
     virtual bool commonUnit() const;
     //! Cost of a sample, for SPRT and for the size of the batches.
     virtual SampleCost sampleCost() const = 0;
     //! True if two good models can have the same inliers, like the two motions that are compatible
     //! with a plane (E): then each is optimized. Default: false.
     virtual bool ambiguous() const;
-    /** @brief True if nearly all inliers leave some parameters of the model undetermined, like
-    those of F or E if they lie on a plane or the camera only rotates: then their errors say little
+    /** @brief True if nearly all inliers leave some parameters of the model undetermined: for F and
+    E, if these inliers lie on a plane or the camera only rotates. Their errors then say little
     about these parameters.
     @param context the data of the run: points in the coordinates of the model, and the threshold
     @param model in the coordinates of Correspondences
@@ -86,9 +86,9 @@ public:
     /** @brief Converts a model of the search to the coordinates of toModelCoordinates() and to the
     documented normal form.
     @param model as components see it
-    @param points their Correspondences::frame
+    @param points the points of the run, for their Correspondences::frame
     @param result output
-    @return false if it is not finite. */
+    @return false if the result is not finite. */
     virtual bool toInput(const Model& model, const Correspondences& points,
                          Model& result) const = 0;
     //! Converts a model from toInput() to what Usac::run returns. Default: its matrix, CV_64F.
@@ -96,14 +96,14 @@ public:
     /** @brief The inverse of toOutput() and toInput(): converts a model of the caller to the
     coordinates of the search.
     @param output as many finite numbers as toOutput() returns, row by row
-    @param points their Correspondences::frame
+    @param points the points of the run, for their Correspondences::frame
     @param model output
-    @return false if it is not a valid model. Default: false, so that Params::initialModel raises
-    cv::Exception. */
+    @return false if `output` is not a valid model. Default: false, so that Params::initialModel
+    raises cv::Exception. */
     virtual bool fromOutput(const std::vector<double>& output, const Correspondences& points,
                             Model& model) const;
-    /** @brief A model of the caller in the coordinates of toModelCoordinates(), with unchanged
-    entries, for the mask and Usac::errors.
+    /** @brief Converts a model of the caller to the coordinates of toModelCoordinates() without
+    changing its entries, for the mask and Usac::errors.
     @param output a matrix of the shape of toOutput(), CV_64F
 
     Default: an empty model; then fromOutput() and toInput() are used instead, with the same result
@@ -115,11 +115,10 @@ public:
 
     //! Creates the error for a @ref ResidualType.
     virtual Ptr<Residual> createResidual(int type) const = 0;
-    /** @brief The error at the original image points, if the coordinates of the search only
-    approximate it: polishing and the mask use this residual with the points of
-    toImageCoordinates().
+    /** @brief Creates the error at the original image points, if the coordinates of the search only
+    approximate this error: polishing and the mask use it with the points of toImageCoordinates().
     @param residual the residual of the search, with the same unit and models
-    @return default: empty, `residual` is exact. */
+    @return default: empty, because `residual` is exact. */
     virtual Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const;
     //! Creates the minimal solver.
     virtual Ptr<MinimalSolver> createMinimalSolver() const = 0;
@@ -132,15 +131,15 @@ public:
     @param degeneracies output, appended to */
     virtual void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const;
 
-    /** @brief Side of the cube in which outliers are assumed to be uniform, in the coordinates of
-    `points`: the error vector of an outlier, with d dimensions, has the density extent^-d. Default:
-    the geometric mean of the sides of the box that contains nearly all points of the last array (of
-    both arrays for errors of dimension 1). */
+    /** @brief Side of the cube in which the error vectors of outliers are assumed to be uniformly
+    distributed, in the coordinates of `points`: in d dimensions, their density is extent^-d.
+    Default: the geometric mean of the sides of the box that contains nearly all points of the last
+    array (of both arrays for errors of dimension 1). */
     virtual double outlierExtent(const Correspondences& points) const;
     /** @brief Probability that a point is an inlier of a wrong model, if wrong matches are
-    uniformly distributed: the fraction of the box of the last array that is within the threshold of
-    a point or, for errors of dimension 1, of the longest line (in Sampson distance if there are two
-    arrays) or largest plane. At most 1. */
+    uniformly distributed: an upper bound of the fraction of the box of the last array that is
+    within the threshold of a point, line or plane (of codimension errorDimension()). For errors of
+    dimension 1 and two arrays, the threshold is that of the Sampson distance. At most 1. */
     virtual double randomInlierRatio(const Correspondences& points) const;
 };
 

@@ -18,15 +18,15 @@ namespace usacv20 {
 
 /** @brief Callback on the progress of a run. @return true: continue; false: stop, with the best
 model so far and #STOP_CANCELLED in the report. In `report`, `stop` is #STOP_NOT_RUN, `inliers` and
-`cost` are those of the best model before polishing (0 and 1: there is none), and `searchMs` is the
-time since the run began. */
+`cost` are those of the best model before polishing (0 and 1 if there is none), and `searchMs` is
+the time since the run began. */
 typedef std::function<bool(const Report& report)> Progress;
 
-/** @brief During its lifetime, all estimations that its thread begins call a function every 5
+/** @brief While an object exists, all estimations that its thread begins call a function every 5
 milliseconds, which decides whether to continue.
 
-It applies to everything that estimates: the functions with a flag, #estimateHomography and its kin,
-#estimateBatch, Usac::run.
+This applies to everything that estimates: the functions with a flag, #estimateHomography and its
+kin, #estimateBatch, Usac::run.
 @code
     std::atomic<bool> cancelled(false);  // which another thread may set
     const usacv20::ProgressScope scope([&](const usacv20::Report&) { return !cancelled; });
@@ -34,10 +34,10 @@ It applies to everything that estimates: the functions with a flag, #estimateHom
 @endcode
 The function is called by the thread that began the estimation, even if other threads help
 (Params::threads, #estimateBatch), and not before 5 milliseconds have passed; #estimateBatch also
-calls it between two tasks, with an empty report. Between two calls there is at most one step over
-all points: 0.15 s for a million points, 0.4 s with a kd-tree (#NEIGHBORHOOD_KNN,
-#NEIGHBORHOOD_RADIUS); after the function has returned false, the estimation takes up to 0.1 s to
-return. As long as the function returns true, the result is bit-identical to that without it. An
+calls it between two tasks, with a default-constructed Report. Between two calls there is at most
+one step over all points: 0.15 s for a million points, 0.4 s with a kd-tree (#NEIGHBORHOOD_KNN,
+#NEIGHBORHOOD_RADIUS). After the function has returned false, the estimation takes up to 0.1 s to
+return. If it always returns true, the result is bit-identical to one without a ProgressScope. An
 exception from the function ends the run and is passed on to the caller; a Usac can be run again
 afterwards. Scopes may be nested: their functions are called from the innermost outward until one
 returns false. Destroy them in reverse order, in the thread that created them. */

@@ -22,14 +22,15 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
     //! Report on the search for the essential matrix. `inliers` counts only those in front of both
     //! cameras, like the mask.
     CV_PROP_RW Report report;
-    //! The essential matrix [t]x R, 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty: none.
+    //! The essential matrix [t]x R, 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there
+    //! is none.
     CV_PROP_RW Mat essential;
     //! Number of inliers of the essential matrix behind a camera; they are not in the mask.
     CV_PROP_RW int behind;
     //! Number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none.
     CV_PROP_RW int onPlane;
-    //! For a dominant plane: rotation of the second motion that is compatible with its homography,
-    //! 3x3, CV_64F; empty: there is none.
+    //! For a dominant plane: rotation of the second motion that is compatible with the homography
+    //! of the plane, 3x3, CV_64F; empty if there is none.
     CV_PROP_RW Mat otherR;
     //! Translation of the second motion, 3x1, CV_64F, unit length.
     CV_PROP_RW Mat otherT;
@@ -44,9 +45,9 @@ length of t.
 #estimateHomography
 @param points2 their N counterparts in image 2
 @param cameraMatrix1 3x3 camera matrix of image 1
-@param distCoeffs1 4, 5, 8, 12 or 14 coefficients of its distortion; empty: none
+@param distCoeffs1 4, 5, 8, 12 or 14 distortion coefficients of camera 1; empty: none
 @param cameraMatrix2 3x3 camera matrix of image 2; empty: that of image 1
-@param distCoeffs2 its distortion; empty: none
+@param distCoeffs2 distortion of camera 2; empty: none
 @param params options; `threshold` is the Sampson distance in pixels, as in #estimateEssential
 @param R output, 3x3, CV_64F, a rotation; empty if there is no model
 @param t output, 3x1, CV_64F, unit length: two views do not determine the scale
@@ -55,11 +56,11 @@ triangulated point is in front of both cameras; points at infinity count as in f
 @param pose output: the report, the essential matrix, and for a dominant plane the second motion
 @return true if there is a model.
 
-Of the four motions that an essential matrix stands for, the function returns the one with the most
-inliers in front of both cameras (@cite nister2004efficient), at any distance. A plane is compatible
-with two motions (@cite ma2004invitation): the errors of the points off the plane decide between
-them; the other motion is in `pose`. If there are no points off the plane, `pose.otherInliers` is
-about the number of inliers. */
+Of the four motions that are compatible with an essential matrix, the function returns the one with
+the most inliers in front of both cameras, however far away (@cite nister2004efficient). A plane is
+compatible with two motions (@cite ma2004invitation): the errors of the points off the plane decide
+between them; the other motion is in `pose`. If there are no points off the plane, the two motions
+have about the same number of inliers. */
 CV_EXPORTS_W bool estimateRelativePose(InputArray points1, InputArray points2,
                                        InputArray cameraMatrix1, InputArray distCoeffs1,
                                        InputArray cameraMatrix2, InputArray distCoeffs2,

@@ -31,7 +31,7 @@ enum StopReason {
     STOP_NOT_SIGNIFICANT = 10,
     STOP_ORDER = 11,      //!< #TERMINATION_ORDER fired
     STOP_TIME = 12,       //!< Params::maxTime was reached: the model, if any, is the best so far
-    STOP_CANCELLED = 13,  //!< the function of a ProgressScope returned false; likewise
+    STOP_CANCELLED = 13,  //!< a ProgressScope's function returned false: best model so far, if any
     STOP_NO_SEARCH = 14   //!< result of Usac::fit or Usac::refine, which do not search
 };
 
@@ -55,7 +55,7 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int rejectedModels;
     //! Models rejected by the pre-emptive verification.
     CV_PROP_RW int refusedModels;
-    //! Models no better than the best one; up to Params::runnersUp of them are optimized anyway.
+    //! Models no better than the best one; up to Params::runnersUp of these are optimized anyway.
     CV_PROP_RW int droppedModels;
     //! Number of local optimizations.
     CV_PROP_RW int localOptimizations;
@@ -74,12 +74,12 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! repeated matches count once. 0 if the run was stopped (Params::maxTime, ProgressScope) and
     //! has more than 50 000 inliers.
     CV_PROP_RW int independentInliers;
-    /** Probability that the same search finds a model with as many independent inliers (at the
-    threshold, or at 4 or 16 times the threshold) in random matches of the same points, 0..1: an
-    upper bound, after @cite moisan2004probabilistic. Values below 1e-6, and below a hundredth of
-    Params::significance, may be computed from a subset of the points; if the run was stopped, any
-    value may be computed from 50 000 points only. Kept if the model was rejected; 1 if there was
-    none. */
+    /** Upper bound of the probability that the same search finds a model with as many independent
+    inliers (at the threshold, or at 4 or 16 times the threshold) in random matches of the same
+    points, 0..1, after @cite moisan2004probabilistic. A value below 1e-6 and below a hundredth of
+    Params::significance may be computed from a subset of the points; if the run was stopped, any
+    value may be computed from 50 000 points only. Also set if the model was rejected for this
+    value; 1 if no model was found. */
     CV_PROP_RW double chance;
     //! Threshold of the mask in pixels: Params::threshold; #QUALITY_LMEDS: estimated from the data.
     CV_PROP_RW double threshold;

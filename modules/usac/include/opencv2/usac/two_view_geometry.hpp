@@ -25,7 +25,7 @@ enum TwoViewConfiguration {
     TWO_VIEW_PLANAR = 4,        //!< plane seen by calibrated cameras with a baseline
     TWO_VIEW_PANORAMIC = 5,     //!< pure rotation of a calibrated camera
     TWO_VIEW_PLANAR_OR_PANORAMIC = 6,  //!< one of these two, with unknown focal lengths
-    TWO_VIEW_WATERMARK = 7             //!< static matches in the border of both images
+    TWO_VIEW_WATERMARK = 7  //!< most inliers are at the borders of both images, with a common shift
 };
 
 //! The rules of #estimateTwoViewGeometry in addition to the options of a search. The defaults are
@@ -36,19 +36,19 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
 
     //! Minimum number of inliers of an accepted model; >= 1. Default 15.
     CV_PROP_RW int minInliers;
-    //! Smallest expected inlier ratio, 0..1: the number of samples is limited to what finds a pair
-    //! with this ratio with Params::confidence. Pairs with a smaller ratio may be found, too, but
-    //! less reliably. Default 0.25.
+    //! Smallest expected inlier ratio, 0..1: the number of samples is limited to what finds the
+    //! model of a pair with this ratio with probability Params::confidence. Models of pairs with a
+    //! smaller ratio may be found, too, but less reliably. Default 0.25.
     CV_PROP_RW double inlierRatio;
-    /** Inlier ratios of some pairs of the same collection, each above 0 and at most 1: the
-    confidence is then the one averaged over the correct pairs of this collection, see #samples.
-    Default none: not known. */
+    /** Inlier ratios of some pairs of the same collection, each above 0 and at most 1:
+    Params::confidence is then met on average over the correct pairs of this collection, see
+    #samples. Default none: not known. */
     CV_PROP_RW std::vector<double> ratios;
     //! The pair is planar or panoramic if a homography has more than this fraction of the inliers;
     //! 0..1. Default 0.8.
     CV_PROP_RW double planarRatio;
-    //! The focal lengths are taken for wrong if E has less than this fraction of the inliers of F;
-    //! 0..1. Default 0.95.
+    //! The focal lengths are considered wrong if E has fewer inliers than this fraction of those of
+    //! F; 0..1. Default 0.95.
     CV_PROP_RW double calibrationRatio;
 
     /** @brief Number of samples needed to find a pair that is worth keeping, regardless of
@@ -61,14 +61,14 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
 
     Samples are drawn without replacement: with I inliers among N matches, a sample of m points
     consists of inliers with probability C(I, m) / C(N, m). I is `inlierRatio` times N, but at least
-    `minInliers`. With `ratios`, the confidence is met on average over these pairs and one more: its
-    ratio is anywhere between `inlierRatio` and the smallest of `ratios`, because a pair is worse
-    than all of k others with probability 1 / (k + 1). For E with the local optimization of
-    `USACV20`, a sample counts as up to four, because this optimization also succeeds from samples
-    with one outlier. */
+    `minInliers`. With `ratios`, the confidence is met on average over these k pairs and one more,
+    whose ratio is uniformly distributed between `inlierRatio` and the smallest of `ratios`: a pair
+    is worse than all of k others with probability 1 / (k + 1). For E with the local optimization of
+    `USACV20`, a sample counts as up to four samples, because this optimization also succeeds from
+    samples with one outlier. */
     CV_WRAP double samples(const Params& params, int sampleSize, int matches) const;
-    //! Probability that at least one of these samples, but of no more than Params::maxIterations,
-    //! consists of inliers if the inlier ratio is `inlierRatio`; 0..1.
+    //! Probability that at least one of samples() samples, or of Params::maxIterations if these are
+    //! fewer, consists of inliers if the inlier ratio is `inlierRatio`; 0..1.
     CV_WRAP double reached(const Params& params, int sampleSize, int matches) const;
     //! Raises a cv::Exception that names the first invalid field.
     CV_WRAP void check() const;
@@ -136,11 +136,11 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     //! 3x1, unit length; 0 for a pure rotation.
     CV_PROP_RW Mat t;
     //! 3k x 3: for cameras with known focal lengths, the k rotations compatible with the matches,
-    //! stacked; if the pair is correct, one of them is.
+    //! stacked; if the matches are correct, one of the rotations is the true one.
     CV_PROP_RW Mat rotations;
     //! Report on the search for the model of the mask, or for the best rejected model.
     CV_PROP_RW Report report;
-    //! Number of samples drawn, except those for H among inliers.
+    //! Number of samples drawn, except for H among the inliers of E or F.
     CV_PROP_RW int iterations;
     //! Elapsed time in milliseconds.
     CV_PROP_RW double milliseconds;
@@ -161,13 +161,13 @@ to each model separately. `initialModel` must be empty
 @return the configuration with its models, inliers and pose.
 
 If both focal lengths are known, an essential matrix E is estimated, and then a fundamental matrix F
-starting from E; otherwise only F. If E is rejected, F is searched for with 500 samples and must
-pass the square of the significance. If F shows that the focal lengths are wrong, E is estimated
-once more, starting from F. H is estimated from the inliers or, if there are none, from all matches.
-CALIBRATED: E has at least `calibrationRatio` of the inliers of F, not counting what F gains by
-chance, or most inliers are on a plane. The rules are COLMAP's, with differences listed in
-doc/collections.md; the threshold of H is larger than that of E because its error has two
-coordinates.
+starting from E; otherwise only F. If E is rejected, F is searched for with 500 samples and its
+Report::chance may be at most the square of `significance`. If F shows that the focal lengths are
+wrong, E is estimated once more, starting from F. H is estimated from the inliers of E or F or, if
+both were rejected, from all matches. CALIBRATED: E has at least `calibrationRatio` of the inliers
+of F, not counting what F gains by chance, or most inliers are on a plane. The rules are COLMAP's,
+with differences listed in doc/collections.md; the threshold of H is larger than that of E because
+the error of H has two coordinates.
 
 Raises cv::Exception for lists of different lengths, points of the wrong shape, invalid cameras,
 distortion without a camera, and invalid options. */

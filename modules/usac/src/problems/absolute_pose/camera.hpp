@@ -23,15 +23,16 @@ public:
     //! Arguments as for cv::solvePnP. Raises cv::Exception if they are no camera.
     PoseCamera(InputArray cameraMatrix, InputArray distCoeffs);
 
-    //! Converts pixels to these coordinates, in place; NaN where the lens images nothing.
+    //! Converts pixels to the coordinates of the search, in place; NaN for pixels at which the lens
+    //! images no point.
     void toSearch(double* u, double* v, int count) const;
-    //! The same without removing the distortion.
+    //! The same, but does not remove the distortion.
     void toSearchUnits(double* u, double* v, int count) const;
     //! Where the lens images a point of the normalized image plane, in the units of
     //! toSearchUnits(). False if it does not image it.
     bool see(const Vec2d& point, Vec2d& seen, Matx22d* derivative = 0) const;
 
-    const Matx33d matrix, inverse;  //!< last row and column are 0 0 1; its inverse
+    const Matx33d matrix, inverse;  //!< `matrix` has the last row and column 0 0 1
     const double focal;             //!< mean focal length in pixels
     const bool distorted;
 };

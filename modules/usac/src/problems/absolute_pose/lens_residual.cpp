@@ -12,13 +12,13 @@ namespace {
 
 //! Size of a datum.
 enum { COLUMNS = 5 };
-//! Each component of the error of a point that is not seen: its square exceeds any sum of squared
-//! errors of points that are.
+//! Both components of the error of a point that is not seen. The square exceeds any sum of squared
+//! errors of points that are seen.
 constexpr double UNSEEN = 1e100;
 
 }  // namespace
 
-//! `derivative`: with respect to the point before the division by its depth, K (R X + t).
+//! `derivative`: with respect to K (R X + t), the point before the division by its depth.
 bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt,
                            Matx<double, 2, 3>* derivative) const
 {

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-/** A triangle in coordinates of its own: corner 2 is the origin, corner 3 lies at (length, 0),
+/** A triangle in its own coordinate frame: corner 2 is the origin, corner 3 lies at (length, 0),
 corner 1 at (along, height), height >= 0. */
 struct TriangleFrame
 {
@@ -82,8 +82,8 @@ struct PoseSample
     double largest;    //!< largest absolute coordinate of the object points
 };
 
-//! [R t] that takes the triangle of the object to that of the camera. False if they are not
-//! congruent, or if a point is so close to the camera center that its image is undetermined.
+//! [R t] that maps the object's triangle to the triangle in camera coordinates. False if these are
+//! not congruent, or if a point is so close to the camera center that its image is undetermined.
 bool poseOf(const PoseSample& sample, const TriangleFrame& object, const TriangleDepths& depths,
             double sigma, Model& model)
 {

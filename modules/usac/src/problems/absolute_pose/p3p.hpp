@@ -18,18 +18,18 @@ rotation.
 
 The law of cosines gives three quadrics in the distances of the points from the camera. The ratios
 of these distances are the intersections of two conics @cite persson2018lambda, found by means of a
-degenerate conic of their pencil, a pair of lines @cite ding2023revisiting. Unlike there, the
-unknowns are the first distance and the differences of the others from it, in units in which nothing
-cancels for a narrow field of view or a distant scene.
+degenerate conic of their pencil, a pair of lines @cite ding2023revisiting. Unlike in these papers,
+the unknowns are the first distance and the differences of the others from it, in units that avoid
+cancellation for a narrow field of view or a distant scene.
 
 Every model has the three points in front of the camera and reprojects them to their images; no two
-models are the same. There is none if the object points are collinear, if two image points are the
-same, or if a coordinate is not finite. */
+models are the same. There is no model if the object points are collinear, if two image points are
+the same, or if a coordinate is not finite. */
 class P3PSolver : public MinimalSolver
 {
 public:
-    //! `camera`: last row and column 0 0 1. Models are `camera` [R t], and u and v are coordinates
-    //! of `camera` X / Z.
+    //! `camera`: last row and column 0 0 1. Models are then `camera` [R t], and (u, v, 1) is
+    //! `camera` times the image point on the plane z = 1.
     explicit P3PSolver(const Matx33d& camera_) : camera(camera_), inverse(camera_.inv()) {}
 
     int sampleSize() const CV_OVERRIDE;

@@ -11,8 +11,8 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief The pose of a camera and a minimal parameterization around it: the rotation vector of a
-rotation that is applied after the present one, and an increment of the translation. Parameters 0
-are the pose itself. */
+rotation that is applied after the present one, and an increment of the translation. Zero parameters
+give the pose itself. */
 class PoseParameterization
 {
 public:
@@ -21,8 +21,7 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Makes the parameterization around the pose whose rotation and translation are closest to a
-    //! model, the camera matrix K [R t].
+    //! Makes the parameterization around the pose closest to a model, a camera matrix K [R t].
     struct Around
     {
         explicit Around(const Matx33d& K_) : K(K_) {}
@@ -45,7 +44,7 @@ public:
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);
     }
-    //! The parameterization around the model that has these parameters.
+    //! The parameterization around the model with the parameters `step`.
     PoseParameterization plus(const Step& step) const;
     //! K [R t].
     Model model() const;

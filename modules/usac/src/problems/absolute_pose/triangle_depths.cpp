@@ -91,7 +91,7 @@ double loneRoot(const double* c)
         const double A = std::cbrt(std::abs(q) + std::sqrt(excess));
         y = A - p / A;
     }
-    else  // at most 2 sqrt(-p), at least sqrt(-3 p); Newton's method does not overshoot from above
+    else  // |y| is from sqrt(-3 p) to 2 sqrt(-p); from above, Newton's method does not overshoot
         y = 2 * std::sqrt(-p);
     double x = (q > 0 ? -y : y) - shift;
     for (int i = 0; i < 8; ++i)
@@ -101,7 +101,7 @@ double loneRoot(const double* c)
         if (!(std::abs(step) <= 1e300))  // a triple root
             break;
         x -= step;
-        if (std::abs(step) <= 1e-9 * std::abs(x))  // the error is now about its square
+        if (std::abs(step) <= 1e-9 * std::abs(x))  // the relative error is about its square
             break;
     }
     return x;
@@ -113,10 +113,10 @@ struct LinePair
     double common[3], other[2][3];
 };
 
-/** The lines of a degenerate conic. Its adjugate is -p p^T, where p is their intersection. With p_i
-the largest entry of p, they intersect the line x_i = 0 elsewhere, at the roots of a quadratic
-equation.
-@return false if they are not real */
+/** The lines of a degenerate conic. Its adjugate is -p p^T, where p is the intersection of the
+lines. With p_i the largest entry of p, the other points are those on the line x_i = 0, the roots of
+a quadratic equation.
+@return false if the lines are not real */
 bool split(const Conic& D, LinePair& lines)
 {
     const Conic A = adjugate(D);
@@ -142,9 +142,9 @@ bool split(const Conic& D, LinePair& lines)
     return true;
 }
 
-/** A negative radicand counts as 0 if its magnitude is at most this part of the squared
-coefficients: rounding has made the two equal solutions complex. If there is no solution after all,
-the one returned violates the equations by no more than that. */
+/** A negative radicand counts as 0 if its magnitude is at most this part of the largest squared
+coefficient: rounding may have made two equal solutions complex. If there really is no solution, the
+one returned violates the equations by no more than this part. */
 constexpr double TORN = 1e-12;
 
 //! Intersections of the lines with a conic, homogeneous. @return their number
@@ -193,7 +193,7 @@ bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
     return d.w > 0 && w2 * factor > 0 && w3 * factor > 0;
 }
 
-//! Solutions whose relative difference is smaller are one: rounding splits a double solution by
+//! Solutions with a smaller relative difference count as one: rounding splits a double solution by
 //! about the square root of the machine precision.
 constexpr double SAME = 1e-7;
 

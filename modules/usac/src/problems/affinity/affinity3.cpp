@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Points are collinear if twice the area of their triangle is at most this part of the squared
-//! longest side at the first point; the same value as for a homography.
+//! Points are collinear if twice the area of their triangle is at most this part of the square of
+//! the longer side at the first point; the same value as for a homography.
 constexpr double COLLINEAR = 1e-6;
 
 //! The sides of the triangle at its first point, as columns. @return false if the points are

@@ -13,7 +13,7 @@ namespace usacv20 {
 namespace {
 
 //! Points are collinear if the determinant of their second moments in image 1 is at most this part
-//! of the squared trace: what rounding leaves of 0, with a margin for points close together.
+//! of the squared trace, which rounding alone can cause, with a margin for points close together.
 constexpr double ON_A_LINE = 1e-13;
 
 //! Least squares of the transfer error, in closed form: A is the cross-covariance of the images

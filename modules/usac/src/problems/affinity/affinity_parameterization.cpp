@@ -9,7 +9,7 @@ namespace cv {
 namespace usacv20 {
 
 //! The linear part is singular if its determinant is at most this part of the sum of its squared
-//! entries: what rounding leaves of 0.
+//! entries, which rounding alone can cause.
 constexpr double LEAST_DETERMINANT = 1e-9;
 
 AffinityParameterization::AffinityParameterization(const Model& model)

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! @brief An affine map and its parameters: the entries of the first two rows. Zero parameters give
-//! the model itself.
+//! @brief An affine map and a parameterization around it: increments of the entries of the first
+//! two rows. Zero parameters give the model itself.
 class AffinityParameterization
 {
 public:
@@ -20,7 +20,7 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Around the model with the last row 0 0 1.
+    //! Around the model, scaled so that its last row is 0 0 1.
     explicit AffinityParameterization(const Model& model);
 
     //! False for a map of the plane to a line or a point.

@@ -28,7 +28,7 @@ public:
     int dimension() const CV_OVERRIDE { return EssentialParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1500, 2); }  // measured
-    //! A plane has two motions with the same inliers @cite ma2004invitation; only points off the
+    //! Two camera motions explain all points of a plane @cite ma2004invitation; only points off the
     //! plane tell which one is right.
     bool ambiguous() const CV_OVERRIDE { return true; }
     bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE
@@ -88,7 +88,6 @@ public:
             degeneracies.push_back(createOrientedEpipolar());
         if (flags & DEGENERACY_DEGENSAC)
             degeneracies.push_back(createPlanarMotion());
-        // last, because it lowers the quality, which the others compare with that of their models
         if (flags & DEGENERACY_REPEATED)
             degeneracies.push_back(createSharedPoints());
     }

@@ -13,8 +13,8 @@ namespace usacv20 {
 /** @brief An essential matrix and a minimal parameterization around it; zero parameters give the
 model itself.
 
-E = U diag(1, 1, 0) V^T / sqrt(2) has 5 parameters: 3 rotations of U and 2 of V, whose third one
-changes E like one of U @cite helmke2007essential. */
+E = U diag(1, 1, 0) V^T / sqrt(2) has 5 parameters: 3 rotations of U and 2 of V. (The third rotation
+of V would change E like one of U.) @cite helmke2007essential */
 class EssentialParameterization
 {
 public:
@@ -35,7 +35,7 @@ public:
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);
     }
-    //! The parameterization around the model that has these parameters.
+    //! The parameterization around the model with the parameters `step`.
     EssentialParameterization plus(const Step& step) const;
     Model model() const;
 

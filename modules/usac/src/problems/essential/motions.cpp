@@ -14,8 +14,8 @@ namespace usacv20 {
 
 namespace {
 
-//! The camera has translated if the singular values of the homography of a plane differ by more
-//! than this, relatively: rounding leaves 1e-15, a hundredth of a pixel 1e-5.
+//! The camera has translated if the singular values of the homography of a plane, divided by the
+//! middle one, differ by more than this. Rounding causes 1e-15, a hundredth of a pixel 1e-5.
 constexpr double TURNED = 1e-9;
 
 Matx33d toMatx(const Eigen::Matrix3d& A)

@@ -23,8 +23,8 @@ struct Motion
 //! The four motions of an essential matrix: two rotations, each with t and with -t.
 void motionsOf(const Matx33d& E, Motion motions[4]);
 
-/** @brief The two motions of a plane that has its points in front of both cameras
-@cite ma2004invitation.
+/** @brief The two camera motions that explain the homography of a plane whose points are in front
+of both cameras @cite ma2004invitation.
 @param H homography of the plane from image plane 1 to image plane 2
 @param x a point of the plane in image plane 1, homogeneous, in front of both cameras
 @param motions output
@@ -34,8 +34,9 @@ bool motionsOfPlane(const Matx33d& H, const Vec3d& x, Motion motions[2]);
 /** @brief True if the point of a match is in front of both cameras.
 @param motion of the cameras
 @param x1, x2 the match on the image planes, homogeneous
-@param threshold a match within this distance, on image plane 2, of that of a point at infinity
-counts as in front, because noise may put its point behind a camera */
+@param threshold if x2 is within this distance, on image plane 2, of the image of the point at
+infinity on the ray of x1, the match counts as in front, because noise may put its point behind a
+camera */
 bool inFront(const Motion& motion, const Vec3d& x1, const Vec3d& x2, double threshold);
 
 }  // namespace usacv20

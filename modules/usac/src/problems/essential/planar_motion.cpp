@@ -12,20 +12,21 @@ namespace usacv20 {
 
 namespace {
 
-//! If this share of the inliers is on a plane, a second motion of the plane has nearly as many
-//! inliers. With 0.6 searches take 13 % more time, see doc/constants.md.
+//! If this share of the inliers is on a plane, the second motion that explains the plane has nearly
+//! as many inliers. With 0.6 searches take 13 % more time, see doc/constants.md.
 constexpr double DOMINANT = 0.8;
-//! Share of the all-inlier samples that are then expected to lead to the correct motion. With 1, 6
-//! of 432 searches in scenes with planes fail instead of 1, see doc/constants.md.
+//! Share of the all-inlier samples that lead to the correct motion if a plane dominates, as assumed
+//! for termination. With 1, 6 of 432 searches in scenes with planes fail instead of 1, see
+//! doc/constants.md.
 constexpr double SUCCESS = 0.5;
 
 /** @brief Raises the number of samples for E if a plane dominates the scene.
 
-Five points of a plane have two motions @cite ma2004invitation, both of which fit the whole plane;
-only the few points off the plane tell which one is right. With noise, the correct motion of such a
-sample is often too inaccurate to stand out, so that not every all-inlier sample leads to it. If
-most inliers of the best model lie on a plane, the termination criteria assume that only a share of
-SUCCESS of these samples does. */
+Two camera motions explain five points of a plane @cite ma2004invitation, and both fit the whole
+plane; only the few points off the plane tell which one is right. With noise, the correct motion
+computed from such a sample is often too inaccurate to stand out. If most inliers of the best model
+lie on a plane, the termination criteria therefore assume that only the share SUCCESS of the
+all-inlier samples leads to the correct motion. */
 class PlanarMotion : public Degeneracy
 {
 public:

@@ -17,41 +17,42 @@ namespace usacv20 {
 
 namespace {
 
-// Where nothing else is said, halving or doubling these changes errors and time of F by at most 3
-// %, see doc/constants.md.
+// Unless noted otherwise, halving or doubling a constant changes errors and time of F by at most
+// 3 %, see doc/constants.md.
 
-//! Maximum number of points in a fit of a plane, of fits, and of steps of each fit; planes with
-//! fewer than LEAST_POINTS points are not fitted.
+//! Fits of a plane: maximum number of points in a fit, of fits, and of steps of a fit; minimum
+//! number of points on the plane.
 constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
-//! A known plane is handled again if the number of its points has grown by more than this factor.
+//! The known plane, the last one handled, is handled again if the number of its points has grown by
+//! more than this factor.
 constexpr double CLEARLY = 1.05;
-//! A plane is the known one if more than this share of its points are on that one, too.
+//! A plane counts as the known one if more than this share of its points are on the known one, too.
 constexpr double SAME_PLANE = 0.9;
-//! A dominant plane has at least the share DOMINANT of the model's inliers, and before it is fitted
-//! at least the share ROUGHLY of this number. With DOMINANT 0.25 or 0.75 the time of F changes by
-//! +8 or -6 %, see doc/constants.md.
+//! DOMINANT: minimum share of the model's inliers on a dominant plane. ROUGHLY: share of that
+//! minimum that is required before the plane is fitted. With DOMINANT 0.25 the time of F rises by
+//! 8 %, with 0.75 it falls by 6 %, see doc/constants.md.
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
-//! It also has at least this share w of all points. One sample in 5000 has five of its seven points
-//! on such a plane, 21 w^5; planes that seem smaller are due to chance.
+//! Also, a dominant plane has at least this share w of all points: one sample in 5000 has five of
+//! its seven points on it, 21 w^5; smaller planes arise by chance.
 constexpr double SEEN = 0.1;
-//! A model of interest has at least this share of the inliers of the best one; local optimization
-//! may add the rest.
+//! Models are of interest if they have at least this share of the inliers of the best model; local
+//! optimization may add the rest.
 constexpr double OF_INTEREST = 0.9;
-//! Squared distance, in squared thresholds, from which on points are off the plane and determine
-//! the parallax. Closer to it, a match agrees with any epipole.
+//! A match is off the plane and votes for the epipole if its squared transfer error exceeds this
+//! many squared thresholds; a match closer to the plane agrees with any epipole.
 constexpr double OFF_PLANE = 4;
 
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
 
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else.
-One of five triples of the sample then lies on the plane; F and a triple determine the homography of
-their plane, and the degeneracy shows in five points that this homography maps. A locally optimized
-model has no sample; for it, the plane is one with more than half of its inliers. The remedy is
-plane and parallax: that homography H, refined on its points, and two correspondences off the plane
-determine F = [e]x H. The paper samples pairs of them; PlaneParallax describes the method used here.
-The best F is kept if it beats the original, so that other scenes lose nothing. A plane with less
-than half of the model's inliers is ignored, because there ordinary samples find F. A known plane is
-handled again only if clearly more points are on it now. */
+At least one of five triples of the sample then lies on the plane. F and a triple determine a
+homography; the sample is degenerate if one of these maps at least five of its points. A locally
+optimized model has no sample; for it, a plane with more than half of its inliers is searched for.
+The remedy is plane and parallax: the homography H of the plane, refined on the points of the plane,
+and two correspondences off the plane determine F = [e]x H. The paper samples such pairs;
+PlaneParallax describes the method used here. The best F is kept if it beats the original, so that
+other scenes lose nothing. A plane with less than half of the model's inliers is ignored, because
+there ordinary samples find F. */
 class Degensac : public Degeneracy
 {
 public:
@@ -171,8 +172,9 @@ private:
     }
 
     /** Repeats least squares over the points on the plane until their number stops growing: the
-    homography of three noisy points often has only some of them.
-    @return false if they are fewer than `least`; else sets onPlane, offPlane for the parallax */
+    homography of three noisy points often explains only some of the points on the plane.
+    @return false if fewer than `least` points are on it; else sets onPlane, offPlane for the
+    parallax */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;
@@ -201,7 +203,7 @@ private:
         return true;
     }
 
-    //! Replaces the model by the best F = [e]x H of the points off the plane if that is better.
+    //! Replaces the model by the best F = [e]x H if this F is better.
     void planeAndParallax(const Context& context, const State& state, const Matx33d& H,
                           Model& model, Quality& quality)
     {
@@ -217,10 +219,10 @@ private:
 
     Ptr<NonMinimalSolver> fitter;
     Matx33d known;          //!< homography of the last plane
-    double knownThreshold;  //!< threshold at that time
-    int knownPoints;        //!< number of points on it
-    Model knownModel;       //!< the F found with it
-    Quality knownQuality;   //!< infinite cost: it was no better than the model before
+    double knownThreshold;  //!< threshold when that plane was handled
+    int knownPoints;        //!< number of points on that plane
+    Model knownModel;       //!< the F found with that plane
+    Quality knownQuality;   //!< infinite cost: knownModel did not beat the model before
     DominantPlane plane;
     int *onPlane, *offPlane;
     float* errors;            //!< of all points under the homography; null before the first plane

@@ -16,9 +16,9 @@ namespace usacv20 {
 
 namespace {
 
-/** The closest matrix of rank 2, of unit norm. T2^T F T1 has rank 2 up to the rounding of its
-largest terms; if these cancel, as with both epipoles at the origin of large coordinates, this
-rounding is not small relative to the result. */
+/** The closest matrix of rank 2, scaled to unit norm. The product T2^T F T1 has rank 2 up to the
+rounding of its largest terms. If these cancel, as when both epipoles are at the origin and
+coordinates are large, the rounding is not small relative to the product. */
 Matx33d toRankTwo(const Matx33d& F)
 {
     Vec3d w;
@@ -94,7 +94,6 @@ public:
             degeneracies.push_back(createOrientedEpipolar());
         if (flags & DEGENERACY_DEGENSAC)
             degeneracies.push_back(createDegensac());
-        // last, because it lowers the quality, which the others compare with that of their models
         if (flags & DEGENERACY_REPEATED)
             degeneracies.push_back(createSharedPoints());
     }

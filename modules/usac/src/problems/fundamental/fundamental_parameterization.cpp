@@ -21,10 +21,10 @@ Eigen::Matrix3d completion(const Eigen::Vector3d& n)
     return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
 }
 
-/** Orthogonal U and V whose last columns are the left and right null vectors of a matrix of rank 2,
-in a fraction of the time of a singular value decomposition: all columns of its cofactor matrix are
-multiples of the left one, all rows of the right one. False if its rank, up to rounding, is not 2.
-*/
+/** Orthogonal U and V whose last columns are the left and right null vectors of a matrix M of rank
+2, in a fraction of the time of a singular value decomposition: all columns of the cofactor matrix
+are multiples of the left null vector, all rows multiples of the right one. False if the rank of M,
+up to rounding, is not 2. */
 bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
 {
     Eigen::Matrix3d cofactors;
@@ -68,8 +68,8 @@ bool FundamentalParameterization::hasFullRank() const
     return std::abs(corner.determinant()) > LEAST_RATIO;
 }
 
-/** With the corner (a, b; c, d) as a quaternion, times the three imaginary units: three matrices
-orthogonal to it and to each other, all of unit norm. */
+/** Multiplies the corner (a, b; c, d), as a quaternion, by the three imaginary units. This gives
+three matrices of unit norm that are orthogonal to the corner and to each other. */
 void FundamentalParameterization::cornerDirections(Eigen::Matrix2d (&directions)[3]) const
 {
     const double a = corner(0, 0), b = corner(0, 1), c = corner(1, 0), d = corner(1, 1);
@@ -96,9 +96,9 @@ FundamentalParameterization::Basis FundamentalParameterization::tangent() const
     return basis;
 }
 
-/** S plus the step, with the last entry that restores rank 2, is [I; y^T] C [I, x], where C is the
-new corner, C x the last column and y^T C the last row. A reflection each makes its null vectors
-(-x, 1) and (-y, 1) the last columns of V and U. */
+/** In the bases U and V, the model plus the step is [I; y^T] C [I, x]: C is the changed corner, C x
+the last column, y^T C the last row; the last entry y^T C x keeps rank 2. One reflection makes the
+null vector (-x, 1) the last column of V, another one (-y, 1) that of U. */
 FundamentalParameterization FundamentalParameterization::plus(const Step& step) const
 {
     FundamentalParameterization result(*this);
@@ -114,7 +114,7 @@ FundamentalParameterization FundamentalParameterization::plus(const Step& step) 
     const Eigen::Matrix3d right = completion(Eigen::Vector3d(-x[0], -x[1], 1));
     result.U = U * left;
     result.V = V * right;
-    // the new corner is that of (left^T [I; y^T]) C ([I, x] right)
+    // upper left 2x2 block of (left^T [I; y^T]) C ([I, x] right)
     const Eigen::Matrix2d L = left.topLeftCorner<2, 2>() + y * left.block<1, 2>(2, 0);
     const Eigen::Matrix2d R = right.topLeftCorner<2, 2>() + x * right.block<1, 2>(2, 0);
     result.corner = L.transpose() * C * R;

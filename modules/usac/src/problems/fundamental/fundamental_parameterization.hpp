@@ -41,7 +41,7 @@ public:
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);
     }
-    //! The parameterization around the model that has these parameters.
+    //! The parameterization around the model with the parameters `step`.
     FundamentalParameterization plus(const Step& step) const;
     Model model() const;
 
@@ -50,7 +50,7 @@ private:
     void cornerDirections(Eigen::Matrix2d (&directions)[3]) const;
 
     Eigen::Matrix3d U, V;    //!< orthogonal, of either sign
-    Eigen::Matrix2d corner;  //!< of S
+    Eigen::Matrix2d corner;  //!< upper left block of S
 };
 
 }  // namespace usacv20

@@ -13,26 +13,30 @@ namespace usacv20 {
 
 namespace {
 
-//! Bins on the line of a match that are at most this far from its own points, x2 and H x1, do not
-//! count: with an epipole there the match agrees anyway, which is no evidence.
+//! Bins (places of the epipole) on the line of a match do not count within this distance, in bins,
+//! of its points x2 and H x1: an epipole there fits the match anyway, which is no evidence.
 constexpr int NEAR = 2;
 
 /* The following were measured on scenes with 80 to 100 % of the correct matches on a plane, N = 500
 and 1000, 50 to 90 % inliers; see also doc/constants.md. */
 
-//! Share of the correct matches whose line leads to the epipole despite its noise. With 1, failures
-//! rise from 3 to 7 %, with 0.3 they stay; the time of F changes by +9 % (0.25) to -4 % (1).
+//! Share of the correct matches whose line leads to the epipole despite their noise. With 1,
+//! failures rise from 3 to 7 % and the time of F falls by 4 %; with 0.3, failures do not change;
+//! with 0.25, the time rises by 9 %.
 constexpr double GOOD_LINES = 0.5;
-//! An epipole with at least this share of the best support in votes is worth a fit: with the same
-//! number of inliers its cost can be lower. 0.6 changes only the time; 0.9 saves 2 % of the time of
-//! F and misses 2 of 40 epipoles of cameras that move forward.
+//! An epipole is worth a fit if it has at least this share of votes, relative to the inliers that
+//! the best model has off the plane: even with no more inliers, its cost can be lower. With 0.6
+//! only the time changes; 0.9 saves 2 % of the time of F and misses 2 of 40 epipoles of cameras
+//! that move forward.
 constexpr double WORTH_A_FIT = 0.8;
-//! A fit continues (GOES_ON), and a fitted epipole is scored over all points (WORTH_RATING), if its
-//! cost exceeds the lowest one by at most this many outliers: the points on the plane decide
-//! between similar epipoles. Halving them raises errors of F by at most 2 %, see doc/constants.md.
+//! Maximum excess over the lowest cost of the voters, in outliers (each costs 1), at which a fit
+//! continues (GOES_ON) and at which a fitted epipole is scored over all points (WORTH_RATING): the
+//! points on the plane decide between similar epipoles. Halving one of the constants raises errors
+//! of F by at most 2 %, see doc/constants.md.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
-//! Widths of the steps of a fit, in thresholds: the first ones are wider, because a fit starts at
-//! the middle of a bin. With 1 for all, errors stay within 1 %, see doc/constants.md.
+//! Each step of a fit uses the voters within this many thresholds: the first steps use more,
+//! because a fit starts at the middle of a bin. With 1 for all steps, errors change by at most 1 %,
+//! see doc/constants.md.
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
 //! Epipoles (as unit vectors) are the same if the squared sine of the angle between them is
 //! smaller: about two bins. With 0.1, 4 of 432 searches in scenes with planes fail instead of 1,
@@ -77,7 +81,7 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
             *weights++ = (T)(k == j ? a[k] * b[k] : a[k] * b[j] + a[j] * b[k]);
 }
 
-/** The bins that most arcs cover.
+/** The bins covered by the largest number of arcs.
 @param change number of arcs that begin in each bin minus those that ended in the previous one
 @param own bins that do not count, together with those near them
 @param first, last output: the bins
@@ -181,7 +185,7 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
     for (int needed = linesNeeded(failure, wanted); next < needed; ++next)
     {
         Vec3d e;
-        const int votes = vote(next, e) + 1;  // its own included
+        const int votes = vote(next, e) + 1;  // with the vote of the match itself
         if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
             continue;
         if (sameEpipole(e, lastFit))
@@ -192,7 +196,7 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
     return quality.betterThan(before);
 }
 
-//! The epipole on the line of a voter that agrees with most of the others. @return their number
+//! The epipole, on the line of one voter, that most other voters agree with. @return their number
 int PlaneParallax::vote(int line, Vec3d& epipole) const
 {
     const Correspondences& p = voters.view();
@@ -266,7 +270,7 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
 }
 
 //! Least squares over at most `most` voters within `width` thresholds of F = [e]x H; the
-//! denominators of their errors are fixed at those of e.
+//! denominators of their Sampson errors are computed from the input e and kept fixed.
 bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
 {
     const Correspondences& p = voters.view();

@@ -23,9 +23,9 @@ where most arcs overlap is the best e over all pairs with this match, whatever t
 second one. So w^-1 lines suffice.
 
 The lines are drawn as in RANSAC, but without replacement: in the order of the points, until with
-the given confidence one that leads to a better e was among them. Their number follows from the
-support that a model of interest has, see search(). It is at most the number of points, which bounds
-the time if nothing is off the plane. */
+the given confidence one of them leads to a better e. Their number follows from the support that a
+model of interest has, see search(). It is at most the number of points, which bounds the time if
+nothing is off the plane. */
 class PlaneParallax
 {
 public:
@@ -60,7 +60,7 @@ public:
 private:
     //! Number of points of the first two steps of a fit, which decide whether it continues.
     enum { FIRST_FIT = 128 };
-    //! Numbers of each voter: its line n and the matrix G, symmetric; see setPlane().
+    //! Rows of `numbers`: for each voter its line n and the symmetric matrix G, see setPlane().
     enum { N0, N1, N2, G00, G01, G02, G11, G12, G22 };
 
     const float* number(int which) const { return &numbers[(size_t)which * stride]; }
@@ -78,7 +78,7 @@ private:
     GatheredPoints<MAX_POINTS> voters;
     float* numbers;  //!< ARCS_ROWS rows of `stride`; room for MAX_POINTS from the first plane on
     int stride;      //!< size(), rounded up to whole blocks
-    Quality best;    //!< lowest cost of the voters
+    Quality best;    //!< lowest cost over the voters
     Vec3d lastFit;   //!< the last epipole that was fitted
     int next, fitted;
 };

@@ -14,9 +14,9 @@ namespace {
 //! largest squared distance to the last point of the sample.
 constexpr double COLLINEAR = 1e-6;
 
-/** Maps the four points of the standard projective basis to four given points: columns are the
-first three points, scaled so that they sum up to the fourth. False if three of the four are
-collinear. */
+/** The matrix B that maps the standard projective basis to four given points: its columns are the
+first three points in homogeneous coordinates, scaled so that they sum up to the fourth. False if
+three of the four are collinear. */
 bool fromBasis(const double* x, const double* y, const int* s, double* B)
 {
     // the weights are determinants of point triples, that is, twice the areas of the triangles

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A homography and a minimal parameterization around it: unit 9-vectors, 8 directions
-orthogonal to it. Zero parameters give the model itself. */
+/** @brief A homography, as a unit 9-vector, and a minimal parameterization around it: components
+along 8 directions orthogonal to this vector. Zero parameters give the model itself. */
 class HomographyParameterization
 {
 public:
@@ -20,7 +20,7 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Around a multiple of the model, of unit norm.
+    //! Around the model, scaled to unit norm.
     explicit HomographyParameterization(const Model& model);
 
     //! False if H maps the plane to a line or a point.
@@ -30,7 +30,7 @@ public:
     //! Converts normal equations in the entries of the model to normal equations in the
     //! parameters: B^T JtJ B and B^T Jtr with B = tangent().
     void project(const NormalEquations& sums, Matrix& A, Step& b) const;
-    //! The parameterization around the model that has these parameters.
+    //! The parameterization around the model with the parameters `step`.
     HomographyParameterization plus(const Step& step) const;
     Model model() const;
 

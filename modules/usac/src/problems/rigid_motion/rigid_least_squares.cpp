@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Points are collinear if the second singular value of their covariance is at most this part of
-//! the first one: what rounding leaves of 0, see RigidLeastSquares.
+//! Points are collinear if the second singular value of their cross-covariance is at most this part
+//! of the first one, which rounding alone can cause, see RigidLeastSquares.
 constexpr double THINNEST = 1e-14;
 
 Eigen::Vector3d pointOf(const double* const* columns, int i)
@@ -23,11 +23,11 @@ Eigen::Vector3d pointOf(const double* const* columns, int i)
 
 /** Weighted least squares of the distance in space 2, in closed form @cite umeyama1991least: the
 rotation is the one closest to the cross-covariance of both spaces, the scale is the sum of the
-singular values of that matrix (minus the last one if it mirrors) over the variance of space 1, and
-the means are mapped to each other. Collinear points leave the rotation undetermined: the second
-singular value is then 0 up to rounding, #THINNEST times the first. Coordinates are taken relative
-to the first point, to lose little precision if all points are close together far from the origin.
-*/
+singular values of that matrix (the last one negated if the determinant is negative) divided by the
+variance of space 1, and the means are mapped to each other. Collinear points leave the rotation
+undetermined: the second singular value is then at most #THINNEST times the first. Coordinates are
+taken relative to the first point, to lose little precision if all points are close together far
+from the origin. */
 class RigidLeastSquares : public NonMinimalSolver
 {
 public:

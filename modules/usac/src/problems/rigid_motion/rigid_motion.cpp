@@ -51,7 +51,7 @@ public:
     SampleCost sampleCost() const CV_OVERRIDE
     {
         return SampleCost(320, 1);
-    }  // measured together with H, A and S
+    }  // measured together with the costs of H, affinity and similarity
     int normalization(int) const CV_OVERRIDE { return SCALED ? SCALE_EACH : SCALE_COMMON; }
 
     bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
@@ -83,8 +83,8 @@ public:
         if (type == RESIDUAL_SYMMETRIC)
             CV_Error_(
                 Error::StsBadArg,
-                ("residual: RESIDUAL_SYMMETRIC is for images, the problem %s has the distance "
-                 "in space 2",
+                ("residual: RESIDUAL_SYMMETRIC is for two images; the problem %s measures the "
+                 "distance in space 2",
                  name().c_str()));
         return createSpaceTransferResidual();
     }

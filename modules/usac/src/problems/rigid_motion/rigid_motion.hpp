@@ -12,7 +12,7 @@ namespace usacv20 {
 
 //! Rotation and translation of space, see RigidMotionProblem.
 Ptr<Problem> createRigid3DProblem();
-//! With a uniform scale.
+//! Rotation, translation and uniform scale of space, see RigidMotionProblem.
 Ptr<Problem> createSimilarity3DProblem();
 //! From 3 points, see TriangleSolver. `scaled`: with a scale, else it is 1.
 Ptr<MinimalSolver> createTriangleSolver(bool scaled);

@@ -44,7 +44,7 @@ public:
     {
         projectOnTangents<DIMENSION>(sums, tangent(), A, b);
     }
-    //! The parameterization around the model that has these parameters.
+    //! The parameterization around the model with the parameters `step`.
     RigidParameterization plus(const Step& step) const;
     Model model() const { return motionOf(scale * R, t); }
 

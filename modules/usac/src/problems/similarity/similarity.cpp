@@ -22,7 +22,7 @@ public:
     SampleCost sampleCost() const CV_OVERRIDE
     {
         return SampleCost(120, 1);
-    }  // measured together with that of H
+    }  // measured together with the cost of H
     Model closest(const Model& model) const CV_OVERRIDE
     {
         return SimilarityParameterization(model).model();

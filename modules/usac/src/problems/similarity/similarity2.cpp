@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 /** Similarity from two points, exact: as complex numbers, the difference of the points in image 2
-is that in image 1 times a + bi. Two equal points in either image are degenerate. */
+is their difference in image 1 times a + bi. Two equal points in either image are degenerate. */
 class Similarity2Solver : public MinimalSolver
 {
 public:

@@ -12,9 +12,9 @@ namespace usacv20 {
 
 namespace {
 
-/** Least squares of the transfer error, in closed form. With the points as complex numbers it is
-linear regression with one coefficient a + bi: the cross-covariance of the images over the variance
-of image 1. */
+/** Least squares of the transfer error, in closed form. With the points as complex numbers, this is
+linear regression with one coefficient a + bi: the cross-covariance of the images divided by the
+variance of image 1. */
 class SimilarityLeastSquares : public NonMinimalSolver
 {
 public:

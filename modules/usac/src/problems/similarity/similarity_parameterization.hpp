@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! @brief A similarity and its parameters: a, b, x, y of the rows a -b x and b a y. Parameters 0
-//! are the model itself.
+//! @brief A similarity with the rows (a -b x) and (b a y), and a parameterization around it:
+//! increments of a, b, x and y. Zero parameters give the model itself.
 class SimilarityParameterization
 {
 public:

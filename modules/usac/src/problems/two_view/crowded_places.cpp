@@ -13,20 +13,20 @@ namespace usacv20 {
 
 namespace {
 
-// The effect of halving and doubling these is in doc/constants.md.
+// Effects of halving and doubling these constants: doc/constants.md.
 
-//! Number of points that are compared first. At least SEEN of them are near another one of them if
-//! there is a place.
+//! The first LOOKED_AT points are compared with each other. If there is a place, at least SEEN of
+//! the others are near one of them.
 constexpr int LOOKED_AT = 64, SEEN = 3;
-//! To compute the extent, one in TRIMMED of the first points is left out at each end.
+//! The extent of the first points is computed without 1 / TRIMMED of them at each end.
 constexpr int TRIMMED = 32;
-//! A place has at least one in TENTH of all points. An object of only 16 pixels has fewer in any of
-//! its places.
+//! A place has at least 1 / TENTH of all points. Even an object of only 16 pixels has fewer points
+//! within the size of a place.
 constexpr int TENTH = 10;
-//! There cannot be more places with that many points.
+//! No more places than this can have that many points.
 constexpr int MOST_PLACES = TENTH;
-//! A place is a distant object if an affine map of array 1 explains at least this share of its
-//! scatter in array 2. Of the jitter of n points it explains about 2 / n.
+//! An apparent place is a distant object if an affine map of array 1 explains at least this share
+//! of its scatter in array 2. Of the scatter of n points due to noise, it explains about 2 / n.
 constexpr double EXPLAINED = 0.9;
 
 //! Squared distance of two points of an array.
@@ -78,13 +78,14 @@ dead pixel), however noisy, are no independent evidence.
 A map that shrinks everything to that place, or a camera far away, fits them all, wherever their
 points in array 1 are. Therefore
 - samples are rejected in which two matches to a place are far apart in array 1, see TargetLimits;
-- in the quality of a new so-far-the-best model, the inliers of each place count once. The model is
-kept, but no longer beats models with real support. The map of a small object keeps most of its
+- in the quality of a new so-far-the-best model, the inliers of each place count as one. The model
+is kept, but no longer beats models with real support. The map of a small object keeps most of its
 quality, because it does not shrink the object to one place.
 
-In the other direction, from one place of array 1 to many points of array 2, no map fits. Places are
-searched for once, with the threshold of the inliers: the wider one of some scores (Params::reach)
-would take a small object for one place. Scores that are no sum over the points are unchanged. */
+Matches from one place of array 1 to many points of array 2 need no check, because no map fits them.
+Places are searched for once, with the inlier threshold: with the wider reach of some scores
+(Params::reach), a small object would look like one place. The quality is not changed for scores
+that are no sum over the points. */
 class CrowdedPlaces : public Degeneracy
 {
 public:
@@ -146,8 +147,8 @@ public:
     }
 
 private:
-    //! Extent of the first points without those far out. (If nearly all points are at one place,
-    //! the frame of the points covers no more than that place.)
+    //! Extent of the first points without the outermost ones. (If nearly all points are at one
+    //! place, the box Correspondences::lower, upper covers no more than that place.)
     static float extent(const float* column, int count)
     {
         float values[LOOKED_AT];
@@ -180,7 +181,8 @@ private:
         }
     }
 
-    //! Adds the points near `center` as a place if they are enough. No point is in two places.
+    //! Adds the points near `center` as a place if there are enough of them. No point is in two
+    //! places.
     void addPlace(const Context& context, int center, float near)
     {
         const Correspondences& p = context.points;
@@ -206,7 +208,7 @@ private:
     float farApart;             //!< squared distance in array 1
     uchar* placeOf;             //!< place of each point, from 1 on; 0: none
     int* members;               //!< points of the places, one place after the other
-    int ends[MOST_PLACES + 1];  //!< list k is ends[k] .. ends[k + 1] - 1 of `members`
+    int ends[MOST_PLACES + 1];  //!< place k + 1 is ends[k] .. ends[k + 1] - 1 of `members`
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A,
 //! A = [e]x F with the unit epipole e of image 2; false if F has none.
 bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 
-//! Points within three thresholds are on a plane that was found from three points; squared. With 6
-//! thresholds the time of F rises by 8 %, see doc/constants.md.
+//! The square of 3: points are on a plane that was found from three points if their error is at
+//! most three thresholds. With six thresholds the time of F rises by 8 %, see doc/constants.md.
 constexpr int PLANE_LIMIT = 9;
 inline double planeLimit(const Context& context)
 {
@@ -42,14 +42,14 @@ public:
     @return false if there is no such plane */
     bool find(const Context& context, Rng& rng, const Model& F, double least, Matx33d& H);
 
-    //! The inliers that find() tested.
+    //! The inliers that the last find() tested.
     const int* inliers() const { return members; }
     int inlierCount() const { return count; }
 
 private:
-    //! Number of triples drawn: a plane of half of the inliers is missed once in 14. Maximum number
-    //! of tested inliers; fewer than LEAST_INLIERS are no plane. Halving or doubling them changes
-    //! errors by at most 2 % and time by 3 %, see doc/constants.md.
+    //! Number of triples drawn (a plane of half of the inliers is missed once in 14 times); maximum
+    //! number of tested inliers; minimum number of inliers for a search. Halving or doubling one of
+    //! them changes errors by at most 2 % and time by at most 3 %, see doc/constants.md.
     enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, LEAST_INLIERS = 8 };
 
     int members[MAX_INLIERS];

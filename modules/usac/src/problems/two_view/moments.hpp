@@ -16,11 +16,11 @@ once the means are at the origin @cite umeyama1991least. One pass over the match
 operations each. */
 struct Moments
 {
-    /** Of `count` matches. Coordinates are taken relative to the first match, to lose little
-    precision if all are close together far from the origin. Null `weights` are all 1. */
+    /** Moments of `count` matches. Coordinates are relative to the first match, to lose little
+    precision if all are close together far from the origin. If `weights` is null, all are 1. */
     Moments(const Correspondences& points, const int* indices, int count, const double* weights);
 
-    //! The map with the linear part a b, c d that takes the mean of image 1 to that of image 2.
+    //! The map with the linear part (a b; c d) that maps the means of the images to each other.
     Matx33d map(double a, double b, double c, double d) const;
 
     double mean[4];         //!< x1, y1, x2, y2

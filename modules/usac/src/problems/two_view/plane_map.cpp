@@ -73,8 +73,9 @@ Ptr<Residual> PlaneMapProblem::createResidual(int type) const
 }
 
 /** Any orientation is valid here, and there are no dominant planes: only repeated points and
-crowded places are checked. The set of all flags stands for all checks that a problem has; a caller
-who requests DEGENSAC explicitly expects it, so that this is an error. */
+crowded places are checked. The set of all flags stands for all checks that a problem has. Any other
+set with #DEGENERACY_DEGENSAC is an error, because the caller expects a check that does not exist.
+*/
 void PlaneMapProblem::createDegeneracies(int flags,
                                          std::vector<Ptr<Degeneracy>>& degeneracies) const
 {

@@ -12,17 +12,17 @@ namespace usacv20 {
 
 namespace {
 
-//! A match that occurs OFTEN times among the FIRST_POINTS first points, and among all points more
-//! often than once in TENTH, counts as one. With TENTH 20, 4 of 720 searches in scenes with
-//! repetitions fail instead of 1, see doc/constants.md.
+//! All occurrences of a match count as one inlier if there are at least OFTEN among the
+//! FIRST_POINTS first points and they make up more than 1 / TENTH of all points. With TENTH 20, 4
+//! of 720 searches in scenes with repetitions fail instead of 1, see doc/constants.md.
 constexpr int FIRST_POINTS = 64, OFTEN = 3, TENTH = 10;
 
-/** @brief Rejects samples in which two matches share a point of image 1 or of image 2.
+/** @brief Rejects samples in which two matches share a point of array 1 or of array 2.
 
 A point has at most one counterpart: of two such matches one is wrong, or they are the same match
-twice. Compares all pairs of the sample. Repetitions of a match that make up a tenth of all matches
-count as one in the quality of a new so-far-the-best model: any model fitted to this match would
-have that tenth as inliers. */
+twice. Repetitions of a match that make up more than a tenth of all matches count as one in the
+quality of a new so-far-the-best model: any model fitted to this match would have them all as
+inliers. */
 class RepeatedPoints : public Degeneracy
 {
 public:
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    //! Finds the repetitions, except one of each.
+    //! Finds the repetitions of frequent matches: all occurrences of each match except one.
     void search(const Context& context)
     {
         const Correspondences& p = context.points;
@@ -73,7 +73,7 @@ private:
         }
     }
 
-    //! Different matches have different repetitions, so that the array has room for all.
+    //! No point repeats two different matches, so that the array has room for all repetitions.
     void addRepetitions(const Context& context, int of)
     {
         const Correspondences& p = context.points;
@@ -104,7 +104,7 @@ void createChecksOfMaps(int flags, const String& problem,
         CV_Error_(
             Error::StsBadArg,
             ("degeneracy: %d has DEGENERACY_DEGENSAC, which is for F and E; for the problem %s "
-             "take DEGENERACY_REPEATED, 0, or the default %d, all checks that it has",
+             "take DEGENERACY_REPEATED, 0, or the default %d (all checks that it has)",
              flags, problem.c_str(), all));
     if (flags & DEGENERACY_REPEATED)
     {

@@ -13,24 +13,26 @@ namespace usacv20 {
 
 namespace {
 
-// The effect of halving and doubling these is in doc/constants.md.
+// Effects of halving and doubling these constants: doc/constants.md.
 
-//! Quality is lowered only if at least FEW of the LOOKED_AT first points are inliers wherever one
-//! of their ends is. With FEW 16, 14 of 704 F are wrong instead of 1 (23 without this).
+//! The quality is lowered only if at least FEW of the LOOKED_AT first points are inliers wherever
+//! one of their ends is. With FEW 16, 14 of 704 F are wrong instead of 1; if the quality is never
+//! lowered, 23.
 constexpr int LOOKED_AT = 64, FEW = 8;
-//! Many matches share points if SHARED_PAIRS pairs of the FIRST_PAIRS first points do, 3 %. If a
-//! third of the matches go to each of two targets, a fifth of the pairs do. With 64 points and 64
-//! pairs, 5 of 704 F are wrong instead of 1.
+//! Many matches share points if at least SHARED_PAIRS pairs, 3 %, of the FIRST_PAIRS first matches
+//! do. (If each of two targets has a third of the matches, a fifth of the pairs share a point.)
+//! With 64 matches and 64 pairs, 5 of 704 F are wrong instead of 1.
 constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
-//! To estimate the size of an image, one in TRIMMED of the first points is left out at each end.
+//! The size of an image is estimated without 1 / TRIMMED of the first points at each end.
 constexpr int TRIMMED = 10;
 
-//! Shift of one end of a match, in thresholds, that must move the epipolar line across the whole
-//! other image. In images of 640 pixels, #FAR_APART is stricter if the threshold exceeds 1.1 px.
+//! For a match that constrains nothing, a shift of one end by this many thresholds moves the
+//! epipolar line across the whole other image. In images of 640 pixels, the condition with
+//! #FAR_APART is the stricter one if the threshold exceeds 1.1 px.
 constexpr double ANYWHERE = 60;
 
-/** Test whether a match is an inlier of F wherever one of its two ends (points) is, see
-SharedPoints. `sizes` are those of the images. */
+/** Tests whether a match is an inlier of F wherever one of its two ends (points) is, see
+SharedPoints. `sizes`: sizes of the images. */
 class InsensitivityTest
 {
 public:
@@ -57,14 +59,15 @@ private:
     const float most1, most2;
 };
 
-/** @brief F, E: matches of many points to one, however noisy, are no independent evidence.
+/** @brief F, E: matches of many points to one point, however noisy, are no independent evidence.
 
 Matches to one target (repeated patterns, matching without cross-check) are inliers of every
-epipolar geometry whose epipole is the target, wherever their other ends are; matches to two
-targets, or to points on a line, of an F of nearly rank 1 whose epipolar lines all coincide with
-that line. Therefore
-- samples are rejected in which two matches share a point; if many matches do, also up to noise
-(shareATarget; if few do, two of them may be correct matches that one camera sees close together);
+epipolar geometry whose epipole is the target, wherever their other ends are. Matches to two
+targets, or to points on a line, are inliers of an F of nearly rank 1 whose epipolar lines all
+coincide with the line. Therefore
+- samples are rejected in which two matches share a point. If many matches share points, points that
+are the same up to noise count as shared, too, see shareATarget(); if few do, such points may belong
+to correct matches that one camera sees close together;
 - in the quality of a new so-far-the-best model, the inliers that would be inliers wherever one of
 their ends were count as one. The model is kept, because there may be no better one, but it no
 longer beats models with real support.
@@ -72,23 +75,24 @@ longer beats models with real support.
 These inliers are recognized as follows. If the normal of the epipolar line F^T x2 (its first two
 entries) is nearly 0, a shift of x2 within the noise turns the line to any direction, and x1 is not
 constrained. The ratio of the lengths of the normals of F x1 and F^T x2 is the ratio of the
-distances between neighboring epipolar lines in the two images, which for correct geometries is that
-of the local scales. It is too large if it exceeds #FAR_APART times the ratio of the image sizes and
-a shift of one end by #ANYWHERE thresholds moves the epipolar line across the whole other image. (If
-a camera is among the points, the scale in one image may differ by hundreds.) Points near the
-epipole of a camera that moves forward are near both epipoles and pass the test.
+distances between neighboring epipolar lines in the two images, which for correct geometries is the
+ratio of the local scales. It is too large if it exceeds #FAR_APART times the ratio of the image
+sizes and a shift of one end by #ANYWHERE thresholds moves the epipolar line across the whole other
+image. (The first condition alone is not enough: if a camera is among the points, the scale within
+its image varies by factors of hundreds.) Points near the epipole of a camera that moves forward are
+near both epipoles, so that their ratio is not too large.
 
-The first #LOOKED_AT points decide whether the others are tested at all. Scores that are no sum over
-the points are not changed. */
+The first #LOOKED_AT points decide whether the others are tested at all. The quality is not changed
+for scores that are no sum over the points. */
 class SharedPoints : public Degeneracy
 {
 public:
     SharedPoints() : targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
 
-    /** Estimates the sizes of the images, as far as they contain points: by the frame of the
-    points, which is robust against points far out, or by the first points without the extremes,
-    which are robust against many matches to one target. The more equal sizes are taken, because
-    most images of a pair have the same size. */
+    /** Estimates the sizes of the images, as far as they contain points: by the box
+    Correspondences::lower, upper, which is robust against points far out, and by the first points
+    without the extremes, which are robust against many matches to one target. Of the two estimates,
+    the one with more equal sizes is used, because most images of a pair have the same size. */
     void start(const Context& context) CV_OVERRIDE
     {
         const Correspondences& p = context.points;

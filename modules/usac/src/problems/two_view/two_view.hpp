@@ -17,8 +17,8 @@ Ptr<Degeneracy> createOrientedEpipolar();
 Ptr<Degeneracy> createRepeatedPoints();
 //! Maps of points: matches of many points to one place, see CrowdedPlaces.
 Ptr<Degeneracy> createCrowdedPlaces();
-//! Adds those checks of a set of flags that maps of points have, which are these two. Raises
-//! cv::Exception if #DEGENERACY_DEGENSAC is set, unless all flags are.
+//! Adds the checks that maps of points have, which are the two above, if `flags` ask for them.
+//! Raises cv::Exception if #DEGENERACY_DEGENSAC is set, unless all flags are.
 void createChecksOfMaps(int flags, const String& problem,
                         std::vector<Ptr<Degeneracy>>& degeneracies);
 //! F, E: see SharedPoints.
