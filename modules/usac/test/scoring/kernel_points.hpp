@@ -18,7 +18,7 @@
 namespace opencv_test {
 namespace {
 
-enum { COUNT = 600 };
+const int COUNT = 600;
 
 struct NamedKernels
 {

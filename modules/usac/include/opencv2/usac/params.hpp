@@ -262,13 +262,13 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Score of each correspondence, N values or none; #SAMPLER_IMPORTANCE uses them as weights.
     //! Default none.
     CV_PROP_RW std::vector<float> scores;
-    /** Entries, row by row, of an initial model as the estimator returns it, for example of the
-    previous frame; empty: none; see setInitialModel(). It is scored and optimized before the first
-    sample, like a model of a sample; a better one replaces it. A wrong number of entries raises a
-    cv::Exception. It saves time if `maxIterations` is small: with 8, poses of a smooth sequence
-    with 20 % inliers took 0.20 of the time that they took with the defaults, including a second run
-    without an initial model for each frame with fewer than half as many inliers as the previous
-    frame. Default none. */
+    /** Entries, row by row, of an initial model as the estimator returns it (for example that of
+    the previous frame), or no model; see setInitialModel(). It is scored and optimized before the
+    first sample, like a model of a sample; a better one replaces it. A wrong number of entries
+    raises a cv::Exception. It saves time if `maxIterations` is small: with 8, poses of a smooth
+    sequence with 20 % inliers took 0.20 of the time that they took with the defaults, including a
+    second run without an initial model for each frame with fewer than half as many inliers as the
+    previous frame. Default none. */
     CV_PROP_RW std::vector<double> initialModel;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;

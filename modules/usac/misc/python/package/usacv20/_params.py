@@ -90,7 +90,7 @@ class Params:
         itself; 1..10. For qualities and fits that are marginalized over the noise. Default 1.""")
     widestReach = Real("""Where the errors of the best model show that the noise is larger than threshold, reach grows
         with it, up to this multiple of threshold; 1..1e6. The mask stays that of threshold and may then be empty with a
-        right model. Default 1; presets of MAGSAC 1000.""")
+        right model. Default 1; magsac() and magsacPlusPlus() 1000.""")
     verification = Option(e.VerificationType, "VerificationType: how bad models are dropped early. Default VERIFICATION_SPRT.")
     tddPoints = Integer("Points that must be inliers for VERIFICATION_TDD; 1..100. Default 1.")
     localOptimization = Option(e.LocalOptimizationType, """LocalOptimizationType: what improves each so-far-the-best

@@ -109,7 +109,7 @@ class TwoViewGeometry(typing.NamedTuple):
     t: _Double  # 3x1, unit length; 0 where the camera has only turned
     rotations: _Double  # k x 3 x 3, of cameras whose focal lengths are given: those that the matches allow
     report: Report  # of the search for the model that tells the inliers, or for the best one that was refused
-    iterations: int  # samples drawn, but for those of H among inliers
+    iterations: int  # samples drawn, except for H among the inliers of E or F
     milliseconds: float  # of the clock
     reason: str  # why there are no inliers, one line without a period; empty: there are
 

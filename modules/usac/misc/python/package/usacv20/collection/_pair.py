@@ -80,7 +80,7 @@ class TwoView(typing.NamedTuple):
     translation: Optional[npt.NDArray[np.float64]]  # unit length; 0: a rotation
     reason: str  # why the pair is refused, one line; empty: it is not
     matches: int
-    iterations: int  # samples drawn, but for those of H among inliers
+    iterations: int  # samples drawn, except for H among the inliers of E or F
     chance: float  # Report.chance of the model that was taken
     milliseconds: float
     # k x 4, as `quaternion`: those that the matches allow, one of which is right. None: the focal lengths are not known
