@@ -19,7 +19,7 @@ const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_MAGSAC};
 class UsacManyPoints : public testing::TestWithParam<int>
 {
 protected:
-    static Scene sceneOf(int seed)
+    Scene sceneOf(int seed) const
     {
         SceneOptions options;
         options.setSize(MANY, 0.4);
