@@ -19,10 +19,10 @@ time rather than accuracy. With half of it: errors +5 to +9 %; with double: nine
 fifth of F fail, because a wider threshold shows more noise, and the reach grows again. */
 constexpr double REACH = 5;
 
-/** Points of another motion, or of a second plane, may look like wide noise. But the errors of real
-noise of that width fill the threshold. The reach therefore does not grow if the errors within the
-threshold have a core of small noise, with at least this fraction of the inliers found for the wide
-noise. Halving it changes nothing; with double, 8 % of F and 5 % of E with a second motion fail. */
+/** Points of another motion, or of a second plane, may look like wide noise. But real noise of that
+width has errors everywhere within the threshold. So the reach does not grow if the errors within
+the threshold fit small noise, with at least this fraction of the inliers found for the wide noise.
+Halving it changes nothing; with double, 8 % of F and 5 % of E with a second motion fail. */
 constexpr double CORE = 1. / 3;
 
 //! Standard deviation of the noise in the errors of the model; 0 if none is significant.

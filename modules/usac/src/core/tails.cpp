@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Above this number log(n!) is computed by Stirling's series, to 1e-16.
+//! Above this number log(n!) is computed by Stirling's series. The first omitted term is below
+//! 1 / (1188 n^9), 1.3e-14.
 constexpr double LARGE = 15;
 
 //! log(n!) minus Stirling's formula, n > LARGE.

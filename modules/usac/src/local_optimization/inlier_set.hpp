@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A set of points that the local optimizers share, with random subsets of it and fits to
+/** @brief A set of points, used by all local optimizers: selects random subsets and fits models to
 them. */
 class InlierSet
 {

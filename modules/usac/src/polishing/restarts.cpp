@@ -30,7 +30,7 @@ constexpr double CLEAR = 0.9;
 with at most this probability, which is the part to the power of half the remaining degrees of
 freedom. Halving or doubling changes nothing. */
 constexpr double UNLIKELY = 0.1;
-//! For begin(): largest probability that random points fit the model as well. Halving or doubling
+//! For begin(): maximum probability that random points reach as low a loss. Halving or doubling
 //! changes nothing.
 constexpr double CHANCE = 1e-6;
 //! Largest loss that another point may add per component of its error, in units of the inliers'

@@ -219,7 +219,7 @@ void PairModels::searchHomography()
 void PairModels::homographyOfInliers(const PairModel& explained)
 {
     const Points first = chosen(points1, explained.mask), second = chosen(points2, explained.mask);
-    // The error of H is measured in its second image; the image with the closer points becomes it.
+    // The error of H is measured in its second image: that in which the points are closer together.
     const bool swapped = squaredArea(second) > squaredArea(first);
     Params given = options(SAMPLES_IN_INLIERS);
     given.threshold *= planarReach();

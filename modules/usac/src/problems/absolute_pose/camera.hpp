@@ -13,7 +13,8 @@ namespace usacv20 {
 /** @brief The camera of an absolute pose.
 
 The search uses undistorted pixel coordinates relative to the principal point, divided by the mean
-focal length. There errors are proportional to errors in pixels, and models are `matrix` [R t]. */
+focal length: errors are proportional to errors in pixels. Models are `matrix` [R t], with `matrix`
+being K in these units. */
 class PoseCamera
 {
     const Matx33d K;
