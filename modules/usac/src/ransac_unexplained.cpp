@@ -49,7 +49,7 @@ constexpr int MOST_PART = 3;
 //! 0.15, failures of USACV20_FAST rise from 20 to 31 %.
 constexpr double RIVAL = 0.1;
 //! The number of samples is computed for a rival with as many inliers as the best model, of which
-//! the best model explains all but this fraction.
+//! the best model does not explain this fraction.
 constexpr double FOR_ITSELF = 2. / 3;
 
 }  // namespace

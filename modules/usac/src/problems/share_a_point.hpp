@@ -35,7 +35,7 @@ inline bool sameMatch(const Correspondences& p, int i, int j)
     return samePoint(p, 0, i, j) && samePoint(p, 1, i, j);
 }
 
-//! True if `share(i, k)` holds for any two points i and k of a sample of m.
+//! True if `share(i, k)` holds for at least one pair of points i and k of a sample of m.
 template <class Share>
 inline bool anyPair(const int* sample, int m, const Share& share)
 {

@@ -56,9 +56,10 @@ public:
                  double threshold, const SearchEffort& effort, Arena& arena,
                  const Context* context = 0);
 
-    /** Probability that the search finds such a model in random matches.
+    /** Probability that the same search finds a model as good as this one in random matches.
     @param inliers approximate number of inliers of the model
-    @param clear the first upper bound that does not exceed this is returned, and tests end */
+    @param clear subsets of the points give upper bounds; the first that is at most this is returned
+    */
     double chance(int inliers, double clear);
 
     /** To be called after chance(). Are there so many points that chance() would be at most `limit`

@@ -48,7 +48,7 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
     // a lower bound, as points that are not spread evenly share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
-                        own.cells;  // partners of a point, which add to the variance
+                        own.cells;  // other points in the cell of a point add to the variance
     const double deviation = std::sqrt(chance + together * (1 + 2 * each));
     return rest.both < chance + together - MISSED_DEVIATIONS * deviation;
 }
