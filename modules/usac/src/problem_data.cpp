@@ -178,9 +178,8 @@ bool ProblemData::finiteRow(int row) const
     return all;
 }
 
-/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. Of more than
-SEARCHED points, only the first SEARCHED are drawn at random: the others need no random order, and
-are read faster near their old places. */
+/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. Polishing and
+significance, too, take the first points for a random sample of all. */
 void ProblemData::shuffle(const Params& params, Arena& arena)
 {
     const int count = view.inputSize;
@@ -200,19 +199,15 @@ void ProblemData::shuffle(const Params& params, Arena& arena)
                 indices[size++] = i;
     }
     Rng rng(0x5c3a9d1e, (uint64)size);
-    if (size > SEARCHED)
-        for (int i = 0; i < SEARCHED; ++i)
-            std::swap(indices[i], indices[i + rng.uniform(size - i)]);
-    else
-        for (int i = size - 1; i > 0; --i)
-            std::swap(indices[i], indices[rng.uniform(i + 1)]);
+    for (int i = size - 1; i > 0; --i)
+        std::swap(indices[i], indices[rng.uniform(i + 1)]);
 
     const int padded = alignSize(std::max(size, 1), 16);
     for (int k = 0; k < columns; ++k)
     {
         double* const shuffled = doubles[k] = arena.take<double>(padded);
         floats[k] = arena.take<float>(padded);
-        for (int i = 0; i < std::min<int>(size, SEARCHED); ++i)  // the others in scaleColumn()
+        for (int i = 0; i < size; ++i)
             shuffled[i] = input[k][indices[i]];
         std::fill(shuffled + size, shuffled + padded, 0.);
         std::fill(floats[k] + size, floats[k] + padded, 0.f);
@@ -281,15 +276,9 @@ void ProblemData::scaleColumn(int k, double shift, double factor)
 {
     double* const values = doubles[k];
     float* const single = floats[k];
-    const int searched = std::min<int>(view.size, SEARCHED);
-    for (int i = 0; i < searched; ++i)
+    for (int i = 0; i < view.size; ++i)
     {
         values[i] = (values[i] - shift) * factor;
-        single[i] = (float)values[i];
-    }
-    for (int i = searched; i < view.size; ++i)
-    {
-        values[i] = (input[k][view.inputIndex[i]] - shift) * factor;
         single[i] = (float)values[i];
     }
     view.column[k] = single;

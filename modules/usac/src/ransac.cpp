@@ -133,7 +133,6 @@ bool Ransac::run(int pause)
             updateTermination();
     }
     state.report.stop = ending;
-    state.report.degenerate = state.degenerate;
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
     state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 -
                              (state.report.localMs - localBefore);

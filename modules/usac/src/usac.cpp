@@ -327,6 +327,7 @@ private:
                     result.release();
             }
         }
+        learned.degenerate = state.degenerate;  // polishing may have found a plane
         tellStop(context, learned);
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS && learned.stop < STOP_TIME)
             learned.stop = STOP_NO_MODEL;

@@ -82,6 +82,27 @@ TEST_P(UsacManyPoints, sameBitsForAnyNumberOfThreadsAndAgain)
     EXPECT_TRUE(sameBits(first, estimate(scene, params))) << "two threads";
 }
 
+//! Dense matchers give points row by row, and programs sort theirs: each part of the points, not
+//! only the searched one, is a random sample of all.
+TEST(Usac_ManyPoints, areInRandomOrder)
+{
+    const Scene scene = makeScene(HOMOGRAPHY, SceneOptions());
+    const Mat one1 = column(scene.points1), one2 = column(scene.points2);
+    Mat points1, points2;
+    repeat(one1, MANY / one1.rows + 1, 1, points1);
+    repeat(one2, MANY / one2.rows + 1, 1, points2);
+    const Ptr<Usac> usac = Usac::create(HOMOGRAPHY, points1, points2, Params());
+    const Correspondences& p = usac->points();
+    const int PARTS = 16, part = p.size / PARTS;
+    for (int k = 0; k < PARTS; ++k)
+    {
+        double mean = 0;
+        for (int i = k * part; i < (k + 1) * part; ++i)
+            mean += (double)p.inputIndex[i] / p.size / part;
+        EXPECT_NEAR(0.5, mean, 5 * std::sqrt(1. / 12 / part)) << k;  // five standard deviations
+    }
+}
+
 TEST(Usac_ManyPoints, poses)
 {
     PoseSceneOptions options;
