@@ -21,7 +21,8 @@ export CMAKE_GENERATOR=Ninja CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER
 export CCACHE_SLOPPINESS=pch_defines,time_macros  # needed for precompiled headers
 
 passed=0 failed=1  # nothing has been tested yet
-trap 'echo "$passed passed, $failed failed"' EXIT
+failures=  # lines of the logs that name them
+trap '[ -z "$failures" ] || echo "$failures"; echo "$passed passed, $failed failed"' EXIT
 
 as_root()
 {
@@ -104,6 +105,8 @@ run() # name, pattern of passed, pattern of failed, command
     f=$(sed -n "s/$f/\1/p" "$work/$name.log" | tail -n 1)
     p=${p:-0} f=${f:-0}
     if [ "$f" = 0 ] && { [ "$(cat "$work/rc")" != 0 ] || [ "$p" = 0 ]; }; then f=1; fi
+    [ "$f" = 0 ] || failures="$failures
+$name: $(grep -E "^(FAILED|FAIL:|ERROR:|\[  FAILED  \]|on the list, but )" "$work/$name.log" | sort -u | head -n 20)"
     passed=$((passed + p)) failed=$((failed + f))
     times > "$work/$name.after"
     echo "== $name: $p passed, $f failed, $(($(date +%s) - from)) s, $(processor_seconds) s of processor time"

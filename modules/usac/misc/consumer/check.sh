@@ -142,6 +142,7 @@ uninstalled()
 parent() # name, option of CMake
 {
     rm -rf "$work/parent/CMakeCache.txt" "$work/parent/prefix" "$work/parent/parent"
+    rm -rf "$work/parent/_deps"  # FetchContent's own build, perhaps with another generator
     cmake -S "$here/parent" -B "$work/parent" "$2" -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON &&
     { [ -z "${USAC_CONSUMER_QUICK:-}" ] || return 0; } &&
     cmake --build "$work/parent" -j "$(nproc)" &&
