@@ -195,6 +195,16 @@ def measure_threshold(run):
     return head + "\n" + block("threshold/ratios", "| threshold |" + last)
 
 
+def measure_automatic(run):
+    """The threshold that USACV20_AUTO estimates."""
+    text = run.call("threshold.py", "--program=" + os.path.join(run.build, "bin", "usac_benchmark"), run.times(3), "--estimated=USACV20_AUTO",
+                    *["--list=" + path for path in run.lists("HFE")])
+    run.commands = ["threshold.py --data=DATA --repeats=%d --estimated=USACV20_AUTO (lists of H, F and E)" % run.repeats]
+    return ("Right thresholds: H 2 px, F and E 1 px. Given: `USACV20`. Geometric mean over lists of the median error over the smallest one with a given "
+            "threshold, of the mean CPU time over that with the right threshold; mean over lists of failures and AUC.\n" +
+            block("automatic/table", text.strip()))
+
+
 def measure_pose(run):
     methods = ("USACV20", "USACV20_FAST", "USACV20+scores", "USACV20_MAGSAC", FAST, "cv:USAC_MAGSAC", "cv:PNP_P3P", "cv:PNP_ITERATIVE",
                "cv:PNP_EPNP")
@@ -258,6 +268,7 @@ KINDS = collections.OrderedDict((
     ("lists_4.10", Kind("H, F and E on the same lists, OpenCV 4.10", measure_lists_4_10, TWO_VIEW_ROWS, False)),
     ("presets", Kind("The presets of the literature", measure_presets, Rows(TWO_VIEWS), False)),
     ("threshold", Kind("Sensitivity to the threshold", measure_threshold, Rows(TWO_VIEWS, ("usacV20", "magsacPlusPlus")), False)),
+    ("automatic", Kind("The estimated threshold", measure_automatic, Rows(TWO_VIEWS, ("usacV20", "automatic")), False)),
     ("pose", Kind("Absolute pose", measure_pose, Rows(("absolutePose", "absolutePose_lens"), OWN_ROWS), False)),
     ("affine", Kind("Affinities and similarities", measure_affine, Rows(("affinity", "similarity"), ("usacV20", "fast")), False)),
     ("rigid", Kind("Rigid motions of space", measure_rigid, Rows(("rigid3D", "similarity3D"), ("usacV20", "fast")), False)),

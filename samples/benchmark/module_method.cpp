@@ -27,6 +27,7 @@ const Flag FLAGS[] = {
     {"USACV20_PROSAC", cv::USACV20_PROSAC},
     {"USACV20_MAGSAC", cv::USACV20_MAGSAC},
     {"USACV20_PARALLEL", cv::USACV20_PARALLEL},
+    {"USACV20_AUTO", cv::USACV20_AUTO},
 };
 
 struct Preset

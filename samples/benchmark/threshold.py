@@ -4,7 +4,9 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """How much worse a method gets with too wide a threshold: runs usac_benchmark on the same lists with multiples of the right
-threshold and compares the median errors. Tables go to the standard output, in Markdown."""
+threshold and compares the median errors. With --estimated: how good a method is that estimates the threshold, given a multiple of
+the right one as the largest, compared with the best of several given thresholds for each list. Tables go to the standard output, in
+Markdown."""
 
 import argparse
 import csv
@@ -19,6 +21,8 @@ import pairs
 
 RIGHT = {"H": 2.0, "F": 1.0, "E": 1.0, "A": 3.0, "S": 3.0, "P": 4.0, "R": 3.0, "M": 3.0}  # the defaults of usac_benchmark
 METHODS = "USACV20_MAGSAC,USACV20,cv:USAC_MAGSAC"
+FAR, MOST = 1.15, 30  # ratios of errors that are counted; a larger one counts as MOST
+GIVEN, LARGEST = (0.25, 0.5, 1, 2, 4), (3, 10)  # with --estimated: times the right threshold
 
 
 def find_lists(folders, files):
@@ -30,15 +34,20 @@ def find_lists(folders, files):
     return {problem: lists for problem, lists in by_problem.items() if lists}
 
 
-def read_errors(file):
-    """{(list, method): median error} of a file of usac_benchmark --csv, without its averages."""
+def read_rows(file):
+    """{(list, method): row} of a file of usac_benchmark --csv, without its averages."""
     with open(file, newline="") as lines:
-        return {(row["list"], row["method"]): float(row["median_error"]) for row in csv.DictReader(lines)
+        return {(row["list"], row["method"]): row for row in csv.DictReader(lines)
                 if row["list"] != "average" and not row["list"].startswith("average.")}
 
 
-def measure(program, lists, problem, factor, methods, more):
-    """Runs the program with a multiple of the right threshold; the errors as read_errors gives them."""
+def read_errors(file):
+    """{(list, method): median error} of the same."""
+    return {key: float(row["median_error"]) for key, row in read_rows(file).items()}
+
+
+def measure(program, lists, problem, factor, methods, more, read=read_errors):
+    """Runs the program with a multiple of the right threshold; the results as `read` gives them."""
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "tables.csv")
         command = [program] + ["--list=" + name for name in lists] + more + [
@@ -46,7 +55,7 @@ def measure(program, lists, problem, factor, methods, more):
         done = subprocess.run(command, stdout=subprocess.DEVNULL)
         if done.returncode not in (0, 2):  # 2: some pairs could not be read, which it has told
             raise ValueError("%s: exit code %d" % (program, done.returncode))
-        return read_errors(file)
+        return read(file)
 
 
 class Ratios:
@@ -88,6 +97,36 @@ def print_ratios(errors, factors, methods, out):
             print("| x %g | %s | %s |" % (factor / factors[0], ", ".join(chosen), " | ".join(cells)), file=out)
 
 
+def geometric_mean(values):
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def estimated_row(problem, name, rows, best, usual):
+    """rows, usual: {list: row}; best: {list: smallest median error}."""
+    ratios = [min(float(row["median_error"]) / best[key], MOST) for key, row in rows.items()]
+    aucs = [float(row["auc10"]) for row in rows.values() if row.get("auc10")]
+    times = [float(row["mean_cpu_ms"]) / float(usual[key]["mean_cpu_ms"]) for key, row in rows.items()]
+    return "| %s | %s | %.3f | %d | %.1f | %s | %.2f |" % (
+        problem, name, geometric_mean(ratios), sum(r > FAR for r in ratios),
+        sum(float(row["failures_percent"]) for row in rows.values()) / len(rows),
+        "%.1f" % (sum(aucs) / len(aucs)) if len(aucs) == len(rows) else "-", geometric_mean(times))
+
+
+def print_estimated(args, lists, more, out):
+    print("\n| problem | threshold | error over that of the best given one | lists above %g | failures, %% | AUC at 10 degrees "
+          "| mean CPU |\n|---|---|---:|---:|---:|---:|---:|" % FAR, file=out)
+    for problem, files in lists.items():
+        def rows(factor, method):
+            found = measure(args.program, files, problem, factor, method, more, read_rows)
+            return {name: row for (name, _), row in found.items()}
+        given = {factor: rows(factor, "USACV20") for factor in GIVEN}
+        best = {name: min(float(table[name]["median_error"]) for table in given.values()) for name in given[1]}
+        for factor, table in given.items():
+            print(estimated_row(problem, "given, x %g" % factor, table, best, given[1]), file=out)
+        for factor in LARGEST:
+            print(estimated_row(problem, "estimated, at most x %g" % factor, rows(factor, args.estimated), best, given[1]), file=out)
+
+
 def run(args, out):
     lists = find_lists(args.data or [], args.list or [])
     if not lists:
@@ -96,6 +135,9 @@ def run(args, out):
     if len(factors) < 2 or min(factors) <= 0:
         raise ValueError("--factors: expected at least two numbers above 0")
     more = ["--repeats=%d" % args.repeats, "--seed=%d" % args.seed]
+    if args.estimated:
+        print_estimated(args, lists, more, out)
+        return
     errors = {}
     for problem, files in lists.items():
         for factor in factors:
@@ -117,6 +159,7 @@ def main(arguments=None):
     parser.add_argument("--list", action="append", metavar="FILE", help="list of pairs; may be repeated")
     parser.add_argument("--methods", default=METHODS, help="as for usac_benchmark (default: %(default)s)")
     parser.add_argument("--factors", default="1,2,4", help="of the threshold, the right one first (default: %(default)s)")
+    parser.add_argument("--estimated", metavar="METHOD", help="as USACV20_AUTO; --methods and --factors have no effect then")
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--seed", type=int, default=1)
     args = parser.parse_args(arguments)

@@ -219,10 +219,7 @@ void read(const FileNode& node, Params& params, const Params& defaults)
     params.read(node);
 }
 
-bool isUsacV20Method(int method)
-{
-    return method >= (int)USACV20 && method <= (int)USACV20_PARALLEL;
-}
+bool isUsacV20Method(int method) { return method >= (int)USACV20 && method <= (int)USACV20_AUTO; }
 
 UsacV20Method methodFromInt(int method)
 {

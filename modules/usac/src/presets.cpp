@@ -58,6 +58,14 @@ Params Params::parallel()
     return params;
 }
 
+Params Params::automatic()
+{
+    Params params;
+    params.threshold = 5;
+    params.thresholdType = THRESHOLD_ESTIMATED;
+    return params;
+}
+
 Params Params::ransac()
 {
     Params params;
@@ -181,6 +189,7 @@ Params Params::fromMethod(UsacV20Method method)
     case USACV20_PROSAC: return sorted();
     case USACV20_MAGSAC: return magsacPlusPlus();
     case USACV20_PARALLEL: return parallel();
+    case USACV20_AUTO: return automatic();
     }
     return usacV20();
 }

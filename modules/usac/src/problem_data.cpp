@@ -295,6 +295,13 @@ void ProblemData::setThreshold(double threshold)
     pixelThreshold = inputThreshold * pixels;
 }
 
+void ProblemData::scaleThreshold(double factor)
+{
+    setSearchThreshold(std::max(givenThreshold[0] * factor, 1e-6));
+    inputThreshold = givenThreshold[1] * factor;
+    pixelThreshold = givenThreshold[2] * factor;
+}
+
 bool ProblemData::wideThreshold() const
 {
     const int first = view.coordinates[1] ? view.coordinates[0] : 0;

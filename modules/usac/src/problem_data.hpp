@@ -46,6 +46,8 @@ public:
     //! Sets the thresholds of search and mask for the rest of the run, in the coordinates of
     //! points().
     void setThreshold(double threshold);
+    //! Sets both to multiples of those that were given.
+    void scaleThreshold(double factor);
     //! Restores the thresholds and the reach after a run, which may have changed them.
     void restoreThreshold();
     //! The ratio of the search threshold to the mask threshold, at first Params::reach.

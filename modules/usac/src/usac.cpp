@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "automatic_threshold.hpp"
 #include "check_components.hpp"
 #include "factory.hpp"
 #include "given_models.hpp"
@@ -56,6 +57,8 @@ public:
         parts = made = createComponents(*problem, params);
         imageParts = parts;  // so that its lists are allocated before the first run
         fitted = rated = made.residual;
+        if (params.thresholdType == THRESHOLD_ESTIMATED)
+            automatic = makePtr<AutomaticThreshold>(*problem, params);
     }
 
     Components& components() CV_OVERRIDE { return parts; }
@@ -78,14 +81,17 @@ public:
         prepare();
         const Context context(data.searchPoints(), parts, params, arena,
                               watch.isActive() ? &watch : 0);
-        parts.start(context);
-        if (parts.score != made.score)
-            checkScore(*parts.score);
         State state;
         sampled = false;
         watch.begin(state, data.points().size);
-        if (data.points().size >= parts.minimalSolver->sampleSize())
-            search(context, state);
+        const bool enough = data.points().size >= parts.minimalSolver->sampleSize();
+        Model guess;
+        const bool guessed = automatic && enough && automatic->guess(context, data, guess);
+        parts.start(context);
+        if (parts.score != made.score)
+            checkScore(*parts.score);
+        if (enough)
+            search(context, state, guessed ? &guess : 0);
         else
             state.report.stop = STOP_TOO_FEW_POINTS;
         created = 0;
@@ -115,6 +121,11 @@ public:
         State state;
         given.read(model, &state.best);
         state.report.stop = STOP_NO_SEARCH;
+        if (automatic)
+        {
+            automatic->look(context, state.best);
+            state.report.sigma = automatic->settle(data);
+        }
         polishAsSeen(context, state);
         return given.give(state, mask, report);
     }
@@ -143,16 +154,21 @@ private:
         arena.clear();
     }
 
-    void search(const Context& context, State& state)
+    //! @param guess begin with this model; null: none
+    void search(const Context& context, State& state, const Model* guess)
     {
         state.report.setupMs = milliseconds(created);
         Ransac ransac(context, state, parts.sampler != made.sampler);
         if (!params.initialModel.empty())
             begin(context, ransac);
-        if (params.widestReach > params.reach)
+        if (guess)
+            ransac.begin(*guess);
+        if (params.widestReach > params.reach && !automatic)
             searchWithReach(context, state, ransac);
         else
             ransac.run();
+        if (automatic)
+            automatic->adapt(context, data, state, ransac);
         state.report.iterations = state.iteration;
         sampled = ransac.bestSample() != 0;
         if (sampled)
@@ -208,18 +224,20 @@ private:
     //! be rejected
     bool significant(const Context& context, const Model& model, Report& learned)
     {
-        const bool automatic = params.significance == 0;
-        const double limit = automatic ? LIMIT : params.significance;
-        const SearchEffort effort = {parts.minimalSolver->sampleSize(), (double)learned.iterations,
-                                     (double)learned.models - learned.rejectedModels,
-                                     parts.score->countsInliers() && parts.localOptimizer,
-                                     !parts.score->usesThreshold()};
+        const bool unset = params.significance == 0;
+        const double limit = unset ? LIMIT : params.significance;
+        const double samples = automatic ? automatic->samples() : 0,
+                     models = automatic ? automatic->models() : 0;
+        const SearchEffort effort = {
+            parts.minimalSolver->sampleSize(), samples + learned.iterations,
+            models + learned.models - learned.rejectedModels,
+            parts.score->countsInliers() && parts.localOptimizer, !parts.score->usesThreshold()};
         const double grown = std::max(data.reach() / params.reach,
                                       1.);  // factor by which the reach has grown with the noise
         Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown,
                           effort, arena, &context);
         learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
-        return learned.chance <= limit || (automatic && !test.decisive(DECISIVE, limit));
+        return learned.chance <= limit || (unset && !test.decisive(DECISIVE, limit));
     }
 
     /** Polishes the best model. Polishing minimizes a loss other than the score, and may end
@@ -314,7 +332,10 @@ private:
                       sampled;
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
-            data.setThreshold(parts.score->threshold(context, state.best));
+            if (automatic)
+                learned.sigma = automatic->settle(data);
+            else
+                data.setThreshold(parts.score->threshold(context, state.best));
             learned.cost = polishAsSeen(context, state).cost / context.points.size;
             Model model;
             if (problem->toInput(state.best, context.points, model))
@@ -363,6 +384,7 @@ private:
     const Ptr<Problem> problem;
     ProblemData data;
     Components parts;
+    Ptr<AutomaticThreshold> automatic;  //!< null: the threshold is given
     Components made;                 //!< the defaults for `params`, before the caller replaced any
     Ptr<Residual> fitted;            //!< the residual that made.nonMinimalSolver minimizes
     Ptr<Residual> rated;             //!< the residual that imageResidual was created for

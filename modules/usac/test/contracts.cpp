@@ -82,14 +82,15 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
 std::vector<NamedPreset> allPresets()
 {
     const NamedPreset all[] = {
-        {"usacV20", Params::usacV20()},   {"fast", Params::fast()},
-        {"accurate", Params::accurate()}, {"sorted", Params::sorted()},
-        {"parallel", Params::parallel()}, {"ransac", Params::ransac()},
-        {"msac", Params::msac()},         {"lmeds", Params::lmeds()},
-        {"mlesac", Params::mlesac()},     {"prosac", Params::prosac()},
-        {"loRansac", Params::loRansac()}, {"floRansac", Params::floRansac()},
-        {"gcRansac", Params::gcRansac()}, {"usac2013", Params::usac2013()},
-        {"magsac", Params::magsac()},     {"magsacPlusPlus", Params::magsacPlusPlus()}};
+        {"usacV20", Params::usacV20()},    {"fast", Params::fast()},
+        {"accurate", Params::accurate()},  {"sorted", Params::sorted()},
+        {"parallel", Params::parallel()},  {"ransac", Params::ransac()},
+        {"msac", Params::msac()},          {"lmeds", Params::lmeds()},
+        {"mlesac", Params::mlesac()},      {"prosac", Params::prosac()},
+        {"loRansac", Params::loRansac()},  {"floRansac", Params::floRansac()},
+        {"gcRansac", Params::gcRansac()},  {"usac2013", Params::usac2013()},
+        {"magsac", Params::magsac()},      {"magsacPlusPlus", Params::magsacPlusPlus()},
+        {"automatic", Params::automatic()}};
     return std::vector<NamedPreset>(all, all + sizeof(all) / sizeof(all[0]));
 }
 
@@ -152,7 +153,7 @@ std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& 
         Mat mask, other;
         Report report;
         models.push_back(estimatePoints(problem, points1, points2, params, mask, report, K));
-        const bool found = params.quality == QUALITY_LMEDS;
+        const bool found = findsThreshold(params);
         checkResult(problem, points1, points2, found ? report.threshold : pixels, models[i], mask,
                     report, K, params.widestReach);
         EXPECT_TRUE(found || report.threshold == pixels) << report.threshold;
@@ -160,10 +161,11 @@ std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& 
             sameBits(models[i], Usac::create(problem, points1, points2, params, K)->run(other)));
         EXPECT_TRUE(sameBits(mask, other)) << "Usac::create";
         const UsacV20Method flags[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
-                                       USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
-        const char* names[] = {"usacV20", "fast",           "accurate",
-                               "sorted",  "magsacPlusPlus", "parallel"};
-        for (int f = 0; f < 6; ++f)
+                                       USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL,
+                                       USACV20_AUTO};
+        const char* names[] = {"usacV20",        "fast",     "accurate", "sorted",
+                               "magsacPlusPlus", "parallel", "automatic"};
+        for (int f = 0; f < 7; ++f)
             if (std::string(names[f]) == presets[i].name)
                 checkFlag(flags[f], problem, points1, points2, params, K, models[i], mask);
     }

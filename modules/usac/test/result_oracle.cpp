@@ -230,7 +230,7 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
     if (report.stop < STOP_MAX_ITERATIONS ||
         (inliers == 0 && call.params.widestReach <= call.params.reach))
         return "a model and no reason for it: " + report.describe();
-    if (call.params.quality != QUALITY_LMEDS &&
+    if (!findsThreshold(call.params) &&
         std::abs(report.threshold / call.params.threshold - 1) > 1e-12)
         return format("the threshold is %.17g", report.threshold);
     if (pose)

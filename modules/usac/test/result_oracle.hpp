@@ -11,6 +11,13 @@
 
 namespace opencv_test {
 
+//! True if the threshold of the mask is estimated from the data.
+inline bool findsThreshold(const cv::usacv20::Params& params)
+{
+    return params.quality == cv::usacv20::QUALITY_LMEDS ||
+           params.thresholdType == cv::usacv20::THRESHOLD_ESTIMATED;
+}
+
 //! One call of an estimator.
 struct EstimatorCall
 {

@@ -14,8 +14,8 @@ namespace {
 typedef UsacProblem UsacFlags;
 INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
-                               USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
+const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
+                               USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005}, FLAG_COUNT = 6;
 //! So low and so few that they show in the answer.
 const double LOW = 1e-15;
@@ -115,7 +115,7 @@ TEST(Usac_Flags, other_ints_are_refused)
 //! A cast makes a flag of any number, of one of OpenCV's, say, which must not run as USACV20.
 TEST(Usac_Flags, casts_of_other_ints_are_refused)
 {
-    const int others[] = {77, RANSAC, 0, -1, 0x3fff, (int)USACV20_PARALLEL + 1};
+    const int others[] = {77, RANSAC, 0, -1, 0x3fff, (int)USACV20_AUTO + 1};
     const Scene s = makeScene(HOMOGRAPHY, SceneOptions());
     const std::vector<Point3d> space(s.points1.size(), Point3d(1, 2, 3));
     const Mat K = Mat::eye(3, 3, CV_64F);

@@ -10,8 +10,8 @@
 namespace opencv_test {
 namespace {
 
-const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
-                               USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
+const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
+                               USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 
 //! The functions of one problem, by one name each. OpenCV's by its own type: what a call with an
 //! int reached before.
@@ -212,7 +212,7 @@ TEST_P(Usac_FindAffine, wrongArguments)
 {
     const Scene s = makeScene(problem());
     const Functions call = functionsOf(problem());
-    for (int method : {-1, 64, 0x3fff, (int)USACV20_PARALLEL + 1, INT_MAX, INT_MIN})
+    for (int method : {-1, 64, 0x3fff, (int)USACV20_AUTO + 1, INT_MAX, INT_MIN})
         expectException(
             [&]() { call.atRunTime(s.points1, s.points2, noArray(), method, 3, 2000, 0.99, 10); },
             cv::format("%d", method));

@@ -14,8 +14,8 @@
 namespace opencv_test {
 namespace {
 
-const UsacV20Method OURS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
-                              USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
+const UsacV20Method OURS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
+                              USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 const int OUR_COUNT = 6;
 //! OpenCV's flags without USAC_PARALLEL, which differs from call to call.
 const int THEIRS[] = {0,         FM_7POINT,     FM_8POINT,    LMEDS,
@@ -299,7 +299,7 @@ TEST(Usac_FlagsAtRunTime, numbers_of_nobody_are_refused)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);
     const int others[] = {
-        -1, INT_MIN, INT_MAX, 64, 0x3fff, (int)USACV20_PARALLEL + 1, (int)USACV20 << 1};
+        -1, INT_MIN, INT_MAX, 64, 0x3fff, (int)USACV20_AUTO + 1, (int)USACV20 << 1};
     for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); ++i)
     {
         const int method = others[i];

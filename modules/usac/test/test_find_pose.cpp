@@ -11,8 +11,8 @@
 namespace opencv_test {
 namespace {
 
-const UsacV20Method METHODS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
-                                 USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
+const UsacV20Method METHODS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
+                                 USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 
 PoseScene distortedScene()
 {

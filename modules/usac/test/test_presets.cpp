@@ -132,7 +132,8 @@ TEST(Usac_Presets, from_method)
     EXPECT_EQ("", Fields::difference(Params::sorted(), Params::fromMethod(USACV20_PROSAC)));
     EXPECT_EQ("", Fields::difference(Params::magsacPlusPlus(), Params::fromMethod(USACV20_MAGSAC)));
     EXPECT_EQ("", Fields::difference(Params::parallel(), Params::fromMethod(USACV20_PARALLEL)));
-    for (int method = (int)USACV20; method <= (int)USACV20_PARALLEL; ++method)
+    EXPECT_EQ("", Fields::difference(Params::automatic(), Params::fromMethod(USACV20_AUTO)));
+    for (int method = (int)USACV20; method <= (int)USACV20_AUTO; ++method)
         EXPECT_EQ("", Fields::difference(Params::fromMethod((UsacV20Method)method),
                                          Params::fromMethod(method)));
 }

@@ -18,7 +18,8 @@ static const struct
              {"USACV20_ACCURATE", cv::USACV20_ACCURATE},
              {"USACV20_PROSAC", cv::USACV20_PROSAC},
              {"USACV20_MAGSAC", cv::USACV20_MAGSAC},
-             {"USACV20_PARALLEL", cv::USACV20_PARALLEL}};
+             {"USACV20_PARALLEL", cv::USACV20_PARALLEL},
+             {"USACV20_AUTO", cv::USACV20_AUTO}};
 
 static std::string nameOf(const testing::TestInfo& test)
 {

@@ -26,16 +26,15 @@ constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
 
-//! Density of e^degrees at 0, where e is the error of an inlier with `degrees` degrees of freedom.
-double peakOf(double variance, int degrees)
+}  // namespace
+
+double inlierPeak(double variance, int degrees)
 {
     if (degrees == 2)
         return 1 / (2 * variance);
     const double one = std::sqrt(2 / (CV_PI * variance));
     return degrees == 1 ? one : one / (3 * variance);
 }
-
-}  // namespace
 
 double NoiseScale::estimate(const float* squaredErrors, int count, double threshold, int degrees)
 {
@@ -56,11 +55,11 @@ double NoiseScale::estimate(const float* squaredErrors, int count, double thresh
         return 1 / thresholdInSigmas(degrees);
     for (int i = 0; i < BINS; ++i)
         near[i] /= std::max(members[i], 1);
-    const double outlier = 1. / power(REACH, degrees);  // density of e^degrees, see peakOf()
+    const double outlier = 1. / power(REACH, degrees);  // density of e^degrees, see inlierPeak()
     double variance = FIRST_VARIANCE, part = FIRST_PART;
     for (int step = 0; step < STEPS; ++step)
     {
-        const double peak = peakOf(variance, degrees);
+        const double peak = inlierPeak(variance, degrees);
         double sum = 0, squares = 0;
         for (int i = 0; i < BINS; ++i)
         {

@@ -8,6 +8,9 @@
 namespace cv {
 namespace usacv20 {
 
+//! Density of e^degrees at 0, where e is the error of an inlier with `degrees` degrees of freedom.
+double inlierPeak(double variance, int degrees);
+
 /** @brief Standard deviation sigma of the noise of the inliers in units of the threshold, by the EM
 algorithm.
 

@@ -24,6 +24,9 @@ Ptr<Score> createMagsacScore(int errorDimension, double reach);
 //! See MagsacPlusPlusScore. @param reach as above
 Ptr<Score> createMagsacPlusPlusScore(int errorDimension, double reach);
 
+//! See LogarithmicScore.
+Ptr<Score> createLogarithmicScore();
+
 //! Result of the evaluation of one model.
 struct Rating
 {

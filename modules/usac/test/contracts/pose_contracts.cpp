@@ -79,10 +79,11 @@ std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels, int maxIte
         }
         params.threads = threads;
         const UsacV20Method flags[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
-                                       USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
-        const char* names[] = {"usacV20", "fast",           "accurate",
-                               "sorted",  "magsacPlusPlus", "parallel"};
-        for (int f = 0; f < 6; ++f)
+                                       USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL,
+                                       USACV20_AUTO};
+        const char* names[] = {"usacV20",        "fast",     "accurate", "sorted",
+                               "magsacPlusPlus", "parallel", "automatic"};
+        for (int f = 0; f < 7; ++f)
             if (std::string(names[f]) == presets[i].name)
                 checkFlag(scene, flags[f], params, poses[i], mask);
     }

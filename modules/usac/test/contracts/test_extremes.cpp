@@ -62,7 +62,10 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
             Report report;
             const Mat model = estimate(scene, params, mask, &report);
             checkResult(scene, report.threshold, model, mask, report);
-            EXPECT_TRUE(report.iterations >= 1 && report.iterations <= 100) << report.iterations;
+            // an estimated threshold comes with an initial model
+            EXPECT_TRUE(report.iterations >= (findsThreshold(params) ? 0 : 1) &&
+                        report.iterations <= 100)
+                << report.iterations;
         }
     checkEveryWay(problem(), scene.points1, scene.points2, 1.5, 1);
 }

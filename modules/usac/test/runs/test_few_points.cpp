@@ -10,8 +10,8 @@
 namespace opencv_test {
 namespace {
 
-const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
-                               USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL};
+const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
+                               USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 
 //! Points without wrong matches, in coordinates around 1, and the model that made them.
 struct FewPoints

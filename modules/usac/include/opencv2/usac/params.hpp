@@ -48,8 +48,10 @@ enum class UsacV20Method : int {
                                 //!< usacv20::Params::sorted()
     USACV20_MAGSAC = 0x4004,    //!< MAGSAC++: score and fits marginalized over the noise scale;
                                 //!< usacv20::Params::magsacPlusPlus()
-    USACV20_PARALLEL = 0x4005   //!< USACV20 with cv::getNumThreads() threads and the same result;
+    USACV20_PARALLEL = 0x4005,  //!< USACV20 with cv::getNumThreads() threads and the same result;
                                 //!< usacv20::Params::parallel()
+    USACV20_AUTO = 0x4006       //!< the threshold is estimated from the data, the given one is the
+                                //!< largest plausible; usacv20::Params::automatic()
 };
 
 //! UsacV20Method::USACV20
@@ -64,6 +66,8 @@ constexpr UsacV20Method USACV20_PROSAC = UsacV20Method::USACV20_PROSAC;
 constexpr UsacV20Method USACV20_MAGSAC = UsacV20Method::USACV20_MAGSAC;
 //! UsacV20Method::USACV20_PARALLEL
 constexpr UsacV20Method USACV20_PARALLEL = UsacV20Method::USACV20_PARALLEL;
+//! UsacV20Method::USACV20_AUTO
+constexpr UsacV20Method USACV20_AUTO = UsacV20Method::USACV20_AUTO;
 
 #endif
 
@@ -80,6 +84,21 @@ enum ProblemType {
                         //!< correspondences
     RIGID_3D = 6,       //!< 3x4 rotation and translation from 3 or more pairs of 3-D points
     SIMILARITY_3D = 7   //!< the same with a uniform scale
+};
+
+//! What Params::threshold means.
+enum ThresholdType {
+    THRESHOLD_GIVEN = 0,  //!< the inlier threshold
+    /** The largest plausible inlier threshold, for example three to ten times the usual one. The
+    noise of the inliers is estimated from the data, and the threshold is the error that 95 % of the
+    inliers do not exceed, see Report::threshold and Report::sigma. Inliers are the points within
+    the radius that is least likely by chance @cite moisan2004probabilistic, and their noise is
+    found by the EM algorithm @cite torr2000mlesac, before the search and after it. Before it, up to
+    1000 uniform samples (at most Params::maxIterations) are drawn, which Report::iterations does
+    not count. If there are too few points to tell the noise, the threshold is a third of
+    `threshold`. Usac::run and Usac::refine estimate, Usac::fit does not. Params::widestReach has no
+    effect. */
+    THRESHOLD_ESTIMATED = 1
 };
 
 //! How minimal samples are drawn (paper, section "Sampling"). Only one in Params::orderedEvery
@@ -234,6 +253,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! motions: distance between a mapped point and its counterpart, in the unit of the points.
     //! Default 1.5.
     CV_PROP_RW double threshold;
+    //! @ref ThresholdType of `threshold`. Default #THRESHOLD_GIVEN.
+    CV_PROP_RW int thresholdType;
     /** Probability that the search does not miss a better model (#TERMINATION_P_NAPSAC: a
     significantly better one, see `relaxation`), unless `maxIterations` ends it first; in (0, 1).
     Default 0.99. */
@@ -373,6 +394,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief Like usacV20(), with all threads of OpenCV and the same result. What
     UsacV20Method::USACV20_PARALLEL uses. */
     CV_WRAP static Params parallel();
+    /** @brief Like usacV20(), with an estimated threshold (#THRESHOLD_ESTIMATED) of at most 5
+    pixels. What UsacV20Method::USACV20_AUTO uses. */
+    CV_WRAP static Params automatic();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares
     @cite fischler1981random. The number of samples, which that paper derives from a known inlier
     ratio, follows from the inlier ratio of the best model so far, as has become customary. */

@@ -89,6 +89,8 @@ void visitFields(Visitor& visit)
 {
     typedef FieldValues V;
     visit("threshold", &Params::threshold, V::pixels(1.5));
+    visit("thresholdType", &Params::thresholdType,
+          V::option(THRESHOLD_GIVEN, THRESHOLD_GIVEN, THRESHOLD_ESTIMATED));
     visit("confidence", &Params::confidence, V::probability(0.99));
     visit("maxIterations", &Params::maxIterations, V::number(5000, 1, INT_MAX));
     visit("maxTime", &Params::maxTime, V::number(0, 0, 1e9));

@@ -81,8 +81,12 @@ struct CV_EXPORTS_W_SIMPLE Report
     value may be computed from 50 000 points only. Also set if the model was rejected for this
     value; 1 if no model was found. */
     CV_PROP_RW double chance;
-    //! Threshold of the mask in pixels: Params::threshold; #QUALITY_LMEDS: estimated from the data.
+    //! Threshold of the mask in pixels: Params::threshold; #THRESHOLD_ESTIMATED, #QUALITY_LMEDS:
+    //! estimated from the data.
     CV_PROP_RW double threshold;
+    //! #THRESHOLD_ESTIMATED: standard deviation of the noise of the inliers, in each coordinate, in
+    //! pixels; for F and E, of the Sampson distance. 0: not estimated.
+    CV_PROP_RW double sigma;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array: a model that maps everything to one place then has all points as
     inliers, and the number of inliers means nothing. The threshold is probably in the wrong unit,

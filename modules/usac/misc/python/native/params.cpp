@@ -52,6 +52,7 @@ void addParams(py::module_& module)
     type.def_static("sorted", &Params::sorted);
     type.def_static("trustedScores", &Params::trustedScores);
     type.def_static("parallel", &Params::parallel);
+    type.def_static("automatic", &Params::automatic);
     type.def_static("ransac", &Params::ransac);
     type.def_static("msac", &Params::msac);
     type.def_static("lmeds", &Params::lmeds);

@@ -20,11 +20,12 @@ class FlagTest(unittest.TestCase):
 
     def test_names_and_values(self):
         self.assertLessEqual({"USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC", "USACV20_MAGSAC",
-                              "USACV20_PARALLEL"}, set(FLAGS))
+                              "USACV20_PARALLEL", "USACV20_AUTO"}, set(FLAGS))
         self.assertEqual(len(set(FLAGS.values())), len(FLAGS))
         self.assertTrue(all(0x4000 <= value < 0x4100 for value in FLAGS.values()))
         self.assertEqual([FLAGS[name] - 0x4000 for name in ("USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC",
-                                                            "USACV20_MAGSAC", "USACV20_PARALLEL")], list(range(6)))
+                                                            "USACV20_MAGSAC", "USACV20_PARALLEL",
+                                                            "USACV20_AUTO")], list(range(7)))
         for name, value in FLAGS.items():
             self.assertEqual(getattr(usac, name), value)
             self.assertIsInstance(getattr(usac, name), usac.UsacV20Method)

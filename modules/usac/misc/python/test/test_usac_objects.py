@@ -31,7 +31,7 @@ class EnumerationTest(unittest.TestCase):
     def test_names_and_values_are_those_of_cpp(self):
         ours = {name: int(value) for type_ in self.classes() for name, value in type_.__members__.items()}
         self.assertEqual(ours, native.enumerators())
-        self.assertEqual(len(self.classes()), 15)
+        self.assertEqual(len(self.classes()), 16)
         for name, value in ours.items():
             self.assertEqual(getattr(usac, name), value)
             self.assertEqual(getattr(usac, name).name, name)

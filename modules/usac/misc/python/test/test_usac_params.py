@@ -60,7 +60,7 @@ class ParamsTest(unittest.TestCase):
         self.assertIn("scores", str(context.exception))
 
     def test_presets(self):
-        for name in ("usacV20", "fast", "accurate", "sorted", "parallel", "ransac", "msac", "lmeds", "mlesac", "prosac",
+        for name in ("usacV20", "fast", "accurate", "sorted", "parallel", "automatic", "ransac", "msac", "lmeds", "mlesac", "prosac",
                      "loRansac", "floRansac", "gcRansac", "usac2013", "magsac", "magsacPlusPlus"):
             params = getattr(usac.Params, name)()
             self.assertIsInstance(params, usac.Params)
@@ -72,7 +72,7 @@ class ParamsTest(unittest.TestCase):
         trusted.scores = [0.5, 0.25]
         trusted.check(2)
         presets = {"USACV20": "usacV20", "USACV20_FAST": "fast", "USACV20_ACCURATE": "accurate", "USACV20_PROSAC": "sorted",
-                   "USACV20_MAGSAC": "magsacPlusPlus", "USACV20_PARALLEL": "parallel"}
+                   "USACV20_MAGSAC": "magsacPlusPlus", "USACV20_PARALLEL": "parallel", "USACV20_AUTO": "automatic"}
         for flag, preset in presets.items():
             self.assertEqual(values(usac.Params.fromMethod(FLAGS[flag])), values(getattr(usac.Params, preset)()))
         self.assertEqual(values(usac.Params.usacV20()), values(usac.Params()))

@@ -105,8 +105,7 @@ TEST_P(Usac_RigidMotion, every_preset)
             params.scores.clear();
         const Estimate found = estimate(problem(), scene, params);
         expectRight(problem(), scene, found,
-                    params.quality == QUALITY_LMEDS ? found.report.threshold : scene.threshold, 0.4,
-                    0.005);
+                    findsThreshold(params) ? found.report.threshold : scene.threshold, 0.4, 0.005);
         EXPECT_LE(found.report.chance, 1e-6);
     }
 }

@@ -7,7 +7,8 @@ poses, motions of space.
 
 The same package is cv2.usacv20 of an OpenCV that was built with the module, and usacv20 beside any cv2, or none:
 
-1. A flag: USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL, or one of OpenCV's.
+1. A flag: USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_AUTO, USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL, or one of
+   OpenCV's. With USACV20_AUTO, the threshold is only the largest plausible one; that of the data is report.threshold.
 
        H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
@@ -55,9 +56,10 @@ from ._enumerations import (
     SIMILARITY_3D, STOP_CANCELLED, STOP_CUSTOM, STOP_MAGSAC, STOP_MAX_ITERATIONS, STOP_NOT_RUN, STOP_NOT_SIGNIFICANT,
     STOP_NO_MODEL, STOP_NO_SEARCH, STOP_TIME, STOP_ORDER, STOP_PROSAC, STOP_P_NAPSAC, STOP_SPRT, STOP_STANDARD,
     STOP_TOO_FEW_POINTS, TERMINATION_EXACT, TERMINATION_MAGSAC, TERMINATION_ORDER, TERMINATION_PROSAC,
-    TERMINATION_P_NAPSAC, TERMINATION_SPRT, TERMINATION_STANDARD, TWO_VIEW_CALIBRATED, TWO_VIEW_DEGENERATE,
+    TERMINATION_P_NAPSAC, TERMINATION_SPRT, TERMINATION_STANDARD, THRESHOLD_ESTIMATED, THRESHOLD_GIVEN,
+    TWO_VIEW_CALIBRATED, TWO_VIEW_DEGENERATE,
     TWO_VIEW_PANORAMIC, TWO_VIEW_PLANAR, TWO_VIEW_PLANAR_OR_PANORAMIC, TWO_VIEW_UNCALIBRATED, TWO_VIEW_UNDEFINED,
-    TWO_VIEW_WATERMARK, USACV20, USACV20_ACCURATE, USACV20_FAST, USACV20_MAGSAC, USACV20_PARALLEL, USACV20_PROSAC,
+    TWO_VIEW_WATERMARK, USACV20, USACV20_ACCURATE, USACV20_AUTO, USACV20_FAST, USACV20_MAGSAC, USACV20_PARALLEL, USACV20_PROSAC,
     VERIFICATION_NONE, VERIFICATION_SPRT, VERIFICATION_TDD)
 from ._errors import errorClass as _errorClass
 from ._essential import findEssentialMat
@@ -77,7 +79,8 @@ from ._enumerations import (
     DegeneracyFlags as DegeneracyFlags, LocalOptimizationType as LocalOptimizationType,
     NeighborhoodType as NeighborhoodType, OrderingType as OrderingType, PolishingType as PolishingType,
     ProblemType as ProblemType, QualityType as QualityType, ResidualType as ResidualType, SamplerType as SamplerType,
-    ScoreOrder as ScoreOrder, StopReason as StopReason, TerminationFlags as TerminationFlags, TwoViewConfiguration as TwoViewConfiguration,
+    ScoreOrder as ScoreOrder, StopReason as StopReason, TerminationFlags as TerminationFlags,
+    ThresholdType as ThresholdType, TwoViewConfiguration as TwoViewConfiguration,
     UsacV20Method as UsacV20Method, VerificationType as VerificationType)
 from ._params import UsacParams as UsacParams
 from ._progress import progress as progress
@@ -97,9 +100,10 @@ __all__ = [
     "STOP_CANCELLED", "STOP_NO_SEARCH", "STOP_TIME", "STOP_NOT_RUN", "STOP_NOT_SIGNIFICANT", "STOP_NO_MODEL", "STOP_ORDER", "STOP_PROSAC", "STOP_P_NAPSAC",
     "STOP_SPRT", "STOP_STANDARD", "STOP_TOO_FEW_POINTS", "TERMINATION_EXACT", "TERMINATION_MAGSAC",
     "TERMINATION_ORDER", "TERMINATION_PROSAC", "TERMINATION_P_NAPSAC", "TERMINATION_SPRT", "TERMINATION_STANDARD",
+    "THRESHOLD_ESTIMATED", "THRESHOLD_GIVEN",
     "TWO_VIEW_CALIBRATED", "TWO_VIEW_DEGENERATE", "TWO_VIEW_PANORAMIC", "TWO_VIEW_PLANAR",
     "TWO_VIEW_PLANAR_OR_PANORAMIC", "TWO_VIEW_UNCALIBRATED", "TWO_VIEW_UNDEFINED", "TWO_VIEW_WATERMARK",
-    "USACV20", "USACV20_ACCURATE", "USACV20_FAST", "USACV20_MAGSAC", "USACV20_PARALLEL", "USACV20_PROSAC",
+    "USACV20", "USACV20_ACCURATE", "USACV20_AUTO", "USACV20_FAST", "USACV20_MAGSAC", "USACV20_PARALLEL", "USACV20_PROSAC",
     "VERIFICATION_NONE", "VERIFICATION_SPRT", "VERIFICATION_TDD", "RelativePose", "TwoViewGeometry", "TwoViewPair",
     "TwoViewRules", "draw_matches", "estimateRelativePose", "fitModel", "modelErrors", "refineModel", "estimateAbsolutePose",
     "estimateAbsolutePoses", "estimateAffine2D", "estimateAffinePartial2D", "estimateAffinities2D",

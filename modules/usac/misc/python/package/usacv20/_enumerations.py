@@ -16,6 +16,7 @@ class UsacV20Method(enum.IntEnum):
     USACV20_PROSAC = 0x4003  # the points are sorted, best first: Params.sorted()
     USACV20_MAGSAC = 0x4004  # marginalized over the noise: Params.magsacPlusPlus()
     USACV20_PARALLEL = 0x4005  # the default with all threads: Params.parallel()
+    USACV20_AUTO = 0x4006  # the threshold is estimated, the given one is the largest plausible: Params.automatic()
 
 
 class ProblemType(enum.IntEnum):
@@ -29,6 +30,13 @@ class ProblemType(enum.IntEnum):
     ABSOLUTE_POSE = 5  # 3x4, from 3 or more points of space and their images
     RIGID_3D = 6  # 3x4, from 3 or more pairs of points of space
     SIMILARITY_3D = 7  # the same with a uniform scale
+
+
+class ThresholdType(enum.IntEnum):
+    """What Params.threshold means."""
+
+    THRESHOLD_GIVEN = 0  # the inlier threshold
+    THRESHOLD_ESTIMATED = 1  # the largest plausible one; from the noise of the inliers follow Report.threshold and Report.sigma
 
 
 class SamplerType(enum.IntEnum):
@@ -171,6 +179,7 @@ USACV20_ACCURATE = UsacV20Method.USACV20_ACCURATE
 USACV20_PROSAC = UsacV20Method.USACV20_PROSAC
 USACV20_MAGSAC = UsacV20Method.USACV20_MAGSAC
 USACV20_PARALLEL = UsacV20Method.USACV20_PARALLEL
+USACV20_AUTO = UsacV20Method.USACV20_AUTO
 HOMOGRAPHY = ProblemType.HOMOGRAPHY
 FUNDAMENTAL = ProblemType.FUNDAMENTAL
 ESSENTIAL = ProblemType.ESSENTIAL
@@ -179,6 +188,8 @@ SIMILARITY = ProblemType.SIMILARITY
 ABSOLUTE_POSE = ProblemType.ABSOLUTE_POSE
 RIGID_3D = ProblemType.RIGID_3D
 SIMILARITY_3D = ProblemType.SIMILARITY_3D
+THRESHOLD_GIVEN = ThresholdType.THRESHOLD_GIVEN
+THRESHOLD_ESTIMATED = ThresholdType.THRESHOLD_ESTIMATED
 SAMPLER_UNIFORM = SamplerType.SAMPLER_UNIFORM
 SAMPLER_PROSAC = SamplerType.SAMPLER_PROSAC
 SAMPLER_P_NAPSAC = SamplerType.SAMPLER_P_NAPSAC

@@ -22,6 +22,7 @@ class _Class(type): ...  # that pybind11 gives its classes
 
 class Params(metaclass=_Class):
     threshold: float
+    thresholdType: int
     confidence: float
     maxIterations: int
     maxTime: float
@@ -72,6 +73,8 @@ class Params(metaclass=_Class):
     @staticmethod
     def parallel() -> Params: ...
     @staticmethod
+    def automatic() -> Params: ...
+    @staticmethod
     def ransac() -> Params: ...
     @staticmethod
     def msac() -> Params: ...
@@ -112,6 +115,7 @@ class Report(metaclass=_Class):
     independentInliers: int
     chance: float
     threshold: float
+    sigma: float
     wideThreshold: bool
     cost: float
     setupMs: float

@@ -61,6 +61,8 @@ class Params:
     threshold = Real("""Inlier threshold in pixels, not squared; > 0. H, affine maps: distance in image 2. F, E: Sampson
         distance. Absolute pose: reprojection error in the image as it was taken. Motions of space: distance in space 2,
         in the unit of the points. Default 1.5.""")
+    thresholdType = Option(e.ThresholdType, """ThresholdType of threshold: with THRESHOLD_ESTIMATED it is the largest plausible
+        one, and the noise of the inliers gives that of the mask, see Report.threshold. Default THRESHOLD_GIVEN.""")
     confidence = Real("""Probability that the search does not miss a better model (TERMINATION_P_NAPSAC: one that is
         significantly better, see relaxation), unless maxIterations ends it; in (0, 1). Default 0.99.""")
     maxIterations = Integer("Upper bound of the number of minimal samples; >= 1. Default 5000.")
@@ -122,7 +124,7 @@ class Params:
         significant, else 1.""")
 
     def __init__(self, *,
-                 threshold: Optional[float] = None, confidence: Optional[float] = None,
+                 threshold: Optional[float] = None, thresholdType: _Name = None, confidence: Optional[float] = None,
                  maxIterations: Optional[int] = None, maxTime: Optional[float] = None, seed: Optional[int] = None, threads: Optional[int] = None,
                  sampler: _Name = None, ordering: _Name = None, scores: Optional[npt.ArrayLike] = None,
                  initialModel: Optional[npt.ArrayLike] = None, scoreOrder: _Name = None,
@@ -277,6 +279,11 @@ class Params:
     def parallel(cls: Type[P], **fields: Any) -> P:
         """What USACV20_PARALLEL uses: usacV20() with all threads of OpenCV and the same result."""
         return cls._preset("parallel", fields)
+
+    @classmethod
+    def automatic(cls: Type[P], **fields: Any) -> P:
+        """What USACV20_AUTO uses: usacV20() with an estimated threshold of at most 5 pixels, see ThresholdType."""
+        return cls._preset("automatic", fields)
 
     @classmethod
     def ransac(cls: Type[P], **fields: Any) -> P:

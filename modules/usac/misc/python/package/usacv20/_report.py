@@ -55,7 +55,10 @@ class Report:
         repeated matches count once. 0 for more than 50 000 inliers of a run that had to end.""")
     chance = Field[float]("""Probability, an upper bound, that the same search finds a model with as many independent
         inliers in random matches of the same points, 0..1. Kept if the model was refused; 1 if there was none.""")
-    threshold = Field[float]("Threshold of the mask in pixels, that of Params; QUALITY_LMEDS: found from the data.")
+    threshold = Field[float]("""Threshold of the mask in pixels, that of Params; THRESHOLD_ESTIMATED, QUALITY_LMEDS: estimated from
+        the data.""")
+    sigma = Field[float]("""THRESHOLD_ESTIMATED: standard deviation of the noise of the inliers, in each coordinate, in pixels; F, E:
+        of the Sampson distance. 0: not estimated.""")
     wideThreshold = Field[bool]("""True if the threshold is at least half of the longest side of the box in which nearly all points
         of the second array lie: then a model that maps everything to one place has them all as inliers. It is probably in another
         unit: pixels, say, beside points of the normalized image plane.""")

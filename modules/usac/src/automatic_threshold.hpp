@@ -1,0 +1,60 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_AUTOMATIC_THRESHOLD_HPP
+#define OPENCV_USACV20_AUTOMATIC_THRESHOLD_HPP
+
+#include "problem_data.hpp"
+#include "ransac.hpp"
+#include "significance/inlier_noise.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief Finds the threshold of a run in the data, for #THRESHOLD_ESTIMATED.
+
+1. guess(): the models of some uniform samples are compared by LogarithmicScore, which prefers no
+   scale of the noise. The best one is polished, and its errors give the first threshold. If no
+   model is better than chance, it is a third of the widest.
+2. The search has this threshold and begins with this model.
+3. adapt(): when the search has ended, the errors of the best model give the threshold anew. If it
+   differs much, the search continues with it.
+4. settle(): polishing and mask have the threshold that was found last. */
+class AutomaticThreshold
+{
+public:
+    AutomaticThreshold(const Problem& problem, const Params& params);
+
+    /** @brief Step 1. To be called before the components of the search are started.
+    @param context of the search
+    @param data its points, whose threshold is set
+    @param model output: initial model of the search
+    @return false if there is none */
+    bool guess(const Context& context, ProblemData& data, Model& model);
+    //! Step 3. @param ransac the search, which has ended
+    void adapt(const Context& context, ProblemData& data, const State& state, Ransac& ransac);
+    //! Instead of steps 1 to 3 if a model is given.
+    void look(const Context& context, const Model& model);
+    //! Step 4. @return standard deviation of the noise in pixels; 0: unknown
+    double settle(ProblemData& data) const;
+    //! Numbers of samples and of valid models of guess().
+    int samples() const { return drawn; }
+    int models() const { return computed; }
+
+private:
+    void begin(const Context& context);
+    void setThreshold(ProblemData& data, double threshold) const;
+    Model polished(const Context& context, const Model& model) const;
+
+    const Params params;  //!< of guess()
+    Components parts;     //!< of guess()
+    double widest;        //!< threshold of the mask at the begin of the run
+    InlierNoise latest;   //!< of the best model
+    int drawn, computed;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,52 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "scoring/scores.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** For a search without a known threshold: the cost of a point is, up to rounding, log(1 + e^2 /
+s^2) / log(1 + t^2 / s^2), where t is the threshold and s is t / #FINEST. This is the mean of the
+costs of MSAC over thresholds from s to t whose logarithms are uniformly distributed: no noise
+between s and t is preferred. The logarithm is read from the bits of the floating-point number,
+linear between powers of two. */
+class LogarithmicScore : public Score
+{
+public:
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE
+    {
+        const float least = squaredThreshold / (FINEST * FINEST);
+        const int zero = bitsOf(least), range = bitsOf(squaredThreshold + least) - zero;
+        int64 cost = 0;
+        for (int i = 0; i < count; ++i)
+        {
+            const bool inside = squaredErrors[i] <= squaredThreshold;  // false for NaN
+            sum.inliers += inside;
+            cost += inside ? bitsOf(squaredErrors[i] + least) - zero : range;
+        }
+        sum.cost += (double)cost / range;
+    }
+
+private:
+    enum { FINEST = 256 };
+
+    static int bitsOf(float value)
+    {
+        int bits;
+        std::memcpy(&bits, &value, sizeof(bits));
+        return bits;
+    }
+};
+
+}  // namespace
+
+Ptr<Score> createLogarithmicScore() { return makePtr<LogarithmicScore>(); }
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,48 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_INLIER_NOISE_HPP
+#define OPENCV_USACV20_INLIER_NOISE_HPP
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief The noise of the inliers of a model, estimated from its errors alone.
+
+SignificantScale separates inliers from wrong matches: inliers are the points within the radius that
+is least likely by chance @cite moisan2004probabilistic. Chance is measured by the errors of wrong
+matches made of the same points, see wrongErrors(). The model was fitted to these inliers, or
+computed from some of them: their errors are smaller than the noise by a factor of sqrt(1 - m /
+inliers), where m is the size of a sample, and sigma is corrected for it.
+
+All lengths are in the unit of the threshold of the points. */
+struct InlierNoise
+{
+    double sigma;      //!< standard deviation of the noise of a coordinate; 0: unknown, as the
+                       //!< model fits the points no better than chance would
+    double threshold;  //!< error that an inlier hardly exceeds
+    double part;       //!< fraction of inliers among the points
+};
+
+/** @brief sigma by the median of the inliers' errors; threshold: 2.2 sigma.
+@param context, model points and residual, and a model
+@param widest upper bound of the radius and of the threshold
+@param most use only the first `most` points */
+InlierNoise roughNoise(const Context& context, const Model& model, double widest, int most);
+
+/** @brief sigma of a mixture that is fitted by the EM algorithm to the errors within a window
+around the inliers: inliers, badly located inliers (noise of #TAIL sigma) and wrong matches
+(uniform)
+@cite torr2000mlesac.
+
+Keypoints on photographs need the second component: its weight is 0.2 to 0.4 there, and 0 with
+Gaussian noise. The threshold is the error that 95 % of the inliers of both kinds do not exceed. */
+InlierNoise preciseNoise(const Context& context, const Model& model, double widest);
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

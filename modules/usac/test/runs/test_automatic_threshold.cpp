@@ -1,0 +1,371 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_contracts.hpp"
+#include "problems/absolute_pose/pose_scenes.hpp"
+#include "problems/rigid_motion/rigid_scenes.hpp"
+#include "run_context.hpp"
+#include "significance/inlier_noise.hpp"
+
+namespace opencv_test {
+namespace {
+
+const double NOISES[] = {0.1, 0.5, 2};
+
+Scene sceneOf(int problem, double noise, int seed, int size = 300, double ratio = 0.6)
+{
+    SceneOptions options;
+    options.setSize(size, ratio);
+    options.noise = noise;
+    options.seed = seed;
+    return makeScene((ProblemType)problem, options);
+}
+
+Params widest(double pixels)
+{
+    Params params = Params::automatic();
+    params.threshold = pixels;
+    return params;
+}
+
+//! Standard deviation, per component, of the errors of the true matches under the true model.
+double sigmaOf(const Scene& scene)
+{
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Mat errors = usac->errors(usac->fit(noArray(), scene.truth));
+    double sum = 0;
+    for (int i = 0; i < scene.size(); ++i)
+        sum += scene.truth[i] ? errors.at<double>(i) * errors.at<double>(i) : 0;
+    const int degrees = usac->points().problem->errorDimension();
+    return std::sqrt(sum / degrees / std::max(countNonZero(scene.truth), 1));
+}
+
+double median(std::vector<double> values)
+{
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+}
+
+typedef testing::TestWithParam<int> UsacAutomaticThreshold;
+INSTANTIATE_TEST_CASE_P(/**/, UsacAutomaticThreshold, testing::ValuesIn(TWO_VIEW_PROBLEMS));
+
+//! The noise is found to 10 % in the median and to 35 % always, and what is promised of a given
+//! threshold holds for the estimated one.
+TEST_P(UsacAutomaticThreshold, noiseOfScenes)
+{
+    for (double noise : NOISES)
+        for (double given : {5., 15.})
+        {
+            SCOPED_TRACE(cv::format("noise %g, threshold at most %g", noise, given));
+            std::vector<double> ratios;
+            for (int seed = 1; seed <= 9; ++seed)
+            {
+                const Scene scene = sceneOf(GetParam(), noise, seed);
+                Mat mask;
+                Report report;
+                const Mat model = estimate(scene, widest(given), mask, &report);
+                ASSERT_FALSE(model.empty());
+                checkResult(scene, report.threshold, model, mask, report);
+                ratios.push_back(report.sigma / sigmaOf(scene));
+                EXPECT_NEAR(1, ratios.back(), 0.35) << seed;
+                EXPECT_LE(report.threshold, given * (1 + 1e-9)) << seed;
+                EXPECT_GE(report.threshold, std::min(1.7 * report.sigma, given)) << seed;
+                EXPECT_LE(report.threshold, 6 * report.sigma) << seed;
+            }
+            EXPECT_NEAR(1, median(ratios), 0.1);
+        }
+}
+
+//! With three and ten times the threshold that suits the noise, errors are as with that one.
+TEST_P(UsacAutomaticThreshold, asAccurateAsTheRightThreshold)
+{
+    double right = 0, estimated = 0;
+    for (double noise : NOISES)
+        for (int seed = 1; seed <= 12; ++seed)
+        {
+            const Scene scene = sceneOf(GetParam(), noise, seed, 300, 0.5);
+            Params params;
+            params.threshold = 3 * noise;
+            right += modelError(scene, estimate(scene, params)) / noise;
+            for (int factor : {3, 10})
+                estimated += modelError(scene, estimate(scene, widest(factor * params.threshold))) /
+                             noise / 2;
+        }
+    EXPECT_LE(estimated, 1.1 * right);
+}
+
+TEST_P(UsacAutomaticThreshold, sameBits)
+{
+    const Scene scene = sceneOf(GetParam(), 0.5, 1);
+    Params params = widest(10);
+    const Ptr<Usac> usac = createUsac(scene, params);
+    Report reports[3];
+    Mat masks[3], models[3];
+    models[0] = usac->run(masks[0], &reports[0]);
+    models[1] = usac->run(masks[1], &reports[1]);
+    params.threads = 3;
+    models[2] = estimate(scene, params, masks[2], &reports[2]);
+    for (int k = 1; k < 3; ++k)
+    {
+        EXPECT_TRUE(sameBits(models[0], models[k])) << k;
+        EXPECT_TRUE(sameBits(masks[0], masks[k])) << k;
+        EXPECT_EQ(reports[0].sigma, reports[k].sigma) << k;
+        EXPECT_EQ(reports[0].threshold, reports[k].threshold) << k;
+        EXPECT_EQ(reports[0].iterations, reports[k].iterations) << k;
+    }
+    EXPECT_FALSE(sameBits(models[0], createUsac(scene, Params())->run()));
+}
+
+//! Random matches give no model, whatever their distribution is.
+TEST_P(UsacAutomaticThreshold, randomMatches)
+{
+    const int SIZE = 300, RUNS = 10;
+    for (int clusters = 0; clusters < 2; ++clusters)
+        for (int run = 0; run < RUNS; ++run)
+        {
+            RNG rng(run + 1);
+            std::vector<Point2d> points[2];
+            for (int i = 0; i < SIZE; ++i)
+                for (int k = 0; k < 2; ++k)
+                {
+                    const Point2d center(100 + 100 * rng.uniform(0, 5),
+                                         100 + 60 * rng.uniform(0, 5)),
+                        moved(rng.gaussian(20), rng.gaussian(20)),
+                        anywhere(rng.uniform(0., 640.), rng.uniform(0., 480.));
+                    points[k].push_back(clusters ? center + moved : anywhere);
+                }
+            Report report;
+            Mat mask;
+            const Mat model = estimatePoints((ProblemType)GetParam(), points[0], points[1],
+                                             widest(4.5), mask, report);
+            EXPECT_TRUE(model.empty()) << run << ": " << report.describe();
+            EXPECT_EQ(0, countNonZero(mask));
+        }
+}
+
+//! If nothing tells the noise, the threshold is a third of the given one.
+TEST_P(UsacAutomaticThreshold, tooFewPoints)
+{
+    Scene scene = sceneOf(GetParam(), 0.5, 1, 8, 1);
+    std::reverse(scene.points2.begin(), scene.points2.end());  // wrong matches
+    Params params = widest(6);
+    params.significance = 1;
+    Report report;
+    Mat mask;
+    const Mat model = estimate(scene, params, mask, &report);
+    EXPECT_EQ(0, report.sigma);
+    EXPECT_NEAR(2, report.threshold, 1e-9);
+    if (!model.empty())
+        checkResult(scene, 2, model, mask, report);
+}
+
+//! Without noise, the threshold is the smallest: a thousandth of the given one.
+TEST_P(UsacAutomaticThreshold, exactPoints)
+{
+    const Scene scene = sceneOf(GetParam(), 0, 1);
+    Report report;
+    Mat mask;
+    const Mat model = estimate(scene, widest(5), mask, &report);
+    ASSERT_FALSE(model.empty());
+    EXPECT_LE(report.threshold, 5 / 200.);
+    EXPECT_GE(report.threshold, 5 / 1025.);
+    for (int i = 0; i < scene.size(); ++i)
+        EXPECT_LE((int)scene.truth[i], (int)mask.at<uchar>(i)) << i;
+}
+
+//! refine() estimates the threshold under the given model; fit() does not.
+TEST_P(UsacAutomaticThreshold, givenModels)
+{
+    const Scene scene = sceneOf(GetParam(), 0.5, 1);
+    const Ptr<Usac> usac = createUsac(scene, widest(10));
+    Report report, other;
+    Mat mask;
+    const Mat fitted = usac->fit(noArray(), scene.truth, mask, &report);
+    EXPECT_NEAR(10, report.threshold, 1e-9);
+    EXPECT_EQ(0, report.sigma);
+    const Mat refined = usac->refine(fitted, noArray(), mask, &report);
+    EXPECT_NEAR(1, report.sigma / sigmaOf(scene), 0.2);
+    EXPECT_LE(report.threshold, 4);
+    checkResult(scene, report.threshold, refined, mask, report);
+    usac->run(mask, &other);
+    EXPECT_NEAR(1, other.threshold / report.threshold, 0.3);
+}
+
+//! An initial model may tell the noise: then there are few samples.
+TEST_P(UsacAutomaticThreshold, initialModel)
+{
+    const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.4);
+    Report report;
+    Mat mask;
+    const Mat first = estimate(scene, widest(10), mask, &report);
+    Params params = widest(10);
+    params.setInitialModel(first);
+    params.maxIterations = 8;
+    Report again;
+    const Mat model = estimate(scene, params, mask, &again);
+    ASSERT_FALSE(model.empty());
+    EXPECT_LE(again.iterations, 8);
+    EXPECT_NEAR(1, again.threshold / report.threshold, 0.1);
+    EXPECT_LE(modelError(scene, model), 1.5 * modelError(scene, first));
+}
+
+//! Scores with a threshold of their own, and those that are marginalized over it.
+TEST_P(UsacAutomaticThreshold, otherScores)
+{
+    const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.7);
+    for (Params params : {Params::magsacPlusPlus(), Params::magsac(), Params::lmeds(),
+                          Params::mlesac(), Params::ransac(), Params::fast(), Params::accurate()})
+    {
+        params.threshold = 10;
+        params.thresholdType = THRESHOLD_ESTIMATED;
+        Report report;
+        Mat mask;
+        const Mat model = estimate(scene, params, mask, &report);
+        ASSERT_FALSE(model.empty());
+        EXPECT_NEAR(1, report.sigma / sigmaOf(scene), 0.25) << params.quality;
+        EXPECT_LE(report.threshold, 4) << params.quality;
+        checkResult(scene, report.threshold, model, mask, report, params.widestReach);
+    }
+}
+
+//! A second motion with fewer matches is not taken for wide noise.
+TEST_P(UsacAutomaticThreshold, besideAnotherMotion)
+{
+    int right = 0;
+    const int SCENES = 10;
+    for (int seed = 1; seed <= SCENES; ++seed)
+    {
+        SceneOptions options;
+        options.inliers = 200;
+        options.outliers = 150;
+        options.outlierModel = OUTLIERS_UNIFORM;
+        options.second = 100;
+        options.seed = seed;
+        const Scene scene = makeScene((ProblemType)GetParam(), options);
+        Report report;
+        Mat mask;
+        const Mat model = estimate(scene, widest(5), mask, &report);
+        right += !model.empty() && modelError(scene, model) < 1.5;
+    }
+    EXPECT_GE(right, SCENES - 1);
+}
+
+TEST(Usac_AutomaticThreshold, poses)
+{
+    for (double noise : NOISES)
+    {
+        PoseSceneOptions options;
+        options.size = 300;
+        options.noise = noise;
+        options.inlierRatio = 0.5;
+        const PoseScene scene = makePoseScene(options);
+        Mat mask;
+        Report report;
+        const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
+                                              widest(10), mask, report);
+        ASSERT_FALSE(pose.empty());
+        EXPECT_NEAR(1, report.sigma / noise, 0.25);
+        EXPECT_LE(report.threshold, 6 * noise);
+        EXPECT_EQ(report.inliers, countNonZero(mask));
+    }
+}
+
+TEST(Usac_AutomaticThreshold, motionsOfSpace)
+{
+    RigidSceneOptions options;
+    options.size = 300;
+    options.inlierRatio = 0.5;
+    const RigidScene scene = makeRigidScene(options);
+    Mat mask;
+    Report report;
+    const Mat motion = estimateRigid3D(scene.points1, scene.points2, widest(10 * scene.threshold),
+                                       mask, report);
+    ASSERT_FALSE(motion.empty());
+    EXPECT_LE(rotationError(scene, Matx34d(motion)), 0.2) << "degrees";
+    EXPECT_GT(report.sigma, 0);
+    EXPECT_LE(report.threshold, 2 * scene.threshold);
+    EXPECT_EQ(report.inliers, countNonZero(mask));
+}
+
+/** Errors of known distribution: points of the plane against the map that leaves them in place. */
+class NoiseOfErrors
+{
+public:
+    //! `tail`: part of the inliers with three times the noise.
+    InlierNoise estimate(double sigma, double tail, double inliers, int seed, bool precise) const
+    {
+        const int SIZE = 2000;
+        RNG rng(seed);
+        std::vector<Point2d> from, to;
+        for (int i = 0; i < SIZE; ++i)
+        {
+            const Point2d point(rng.uniform(0., 640.), rng.uniform(0., 480.));
+            const double scale = sigma * (rng.uniform(0., 1.) < tail ? 3 : 1);
+            const Point2d moved(point.x + rng.gaussian(scale), point.y + rng.gaussian(scale)),
+                other(rng.uniform(0., 640.), rng.uniform(0., 480.));
+            from.push_back(point);
+            to.push_back(rng.uniform(0., 1.) < inliers ? moved : other);
+        }
+        Params params;
+        params.threshold = 10;
+        const Ptr<Usac> usac = Usac::create(SIMILARITY, from, to, params);
+        const RunContext context(usac->points(), usac->components(), params);
+        const double scale = usac->points().frame[1].scale;
+        Model model;
+        EXPECT_TRUE(usac->points().problem->fromOutput(std::vector<double>({1, 0, 0, 0, 1, 0}),
+                                                       usac->points(), model));
+        InlierNoise noise = precise ? preciseNoise(context, model, 10 * scale)
+                                    : roughNoise(context, model, 10 * scale, 300);
+        noise.sigma /= scale;
+        noise.threshold /= scale;
+        return noise;
+    }
+};
+
+TEST(Usac_InlierNoise, ofGaussianErrors)
+{
+    for (double sigma : {0.1, 0.5, 2.})
+        for (double inliers : {0.2, 0.5, 0.95})
+            for (int precise = 0; precise < 2; ++precise)
+            {
+                std::vector<double> sigmas, thresholds, parts;
+                for (int seed = 1; seed <= 15; ++seed)
+                {
+                    const InlierNoise noise = NoiseOfErrors().estimate(sigma, 0, inliers, seed,
+                                                                       precise != 0);
+                    sigmas.push_back(noise.sigma / sigma);
+                    thresholds.push_back(noise.threshold / sigma);
+                    parts.push_back(noise.part / inliers);
+                }
+                SCOPED_TRACE(cv::format("sigma %g, inliers %g, %d", sigma, inliers, precise));
+                EXPECT_NEAR(1, median(sigmas), precise ? 0.05 : 0.1);
+                EXPECT_NEAR(precise ? 2.6 : 2.2, median(thresholds), precise ? 0.4 : 0.25);
+                EXPECT_NEAR(1, median(parts), 0.12);
+            }
+}
+
+//! The threshold is that of 95 % of the inliers, also if a third of them have three times the
+//! noise.
+TEST(Usac_InlierNoise, ofBadlyLocatedInliers)
+{
+    std::vector<double> sigmas, thresholds;
+    for (int seed = 1; seed <= 15; ++seed)
+    {
+        const InlierNoise noise = NoiseOfErrors().estimate(0.4, 1. / 3, 0.7, seed, true);
+        sigmas.push_back(noise.sigma / 0.4);
+        thresholds.push_back(noise.threshold / 0.4);
+    }
+    // 2 / 3 exp(-x^2 / 2) + 1 / 3 exp(-x^2 / 18) = 0.05
+    EXPECT_NEAR(5.84, median(thresholds), 0.6);
+    EXPECT_NEAR(1, median(sigmas), 0.1);
+}
+
+TEST(Usac_InlierNoise, ofRandomMatchesIsUnknown)
+{
+    for (int seed = 1; seed <= 20; ++seed)
+        EXPECT_EQ(0, NoiseOfErrors().estimate(1, 0, 0, seed, true).sigma) << seed;
+}
+
+}  // namespace
+}  // namespace opencv_test
