@@ -29,6 +29,7 @@ import tempfile
 
 import figure_tables as tables
 import gate_logs
+import threshold
 from figures import FOLDER, HASHES, FiguresError, Measurement, Project, Rows, block, inline_block, read_text
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
@@ -37,7 +38,9 @@ OWN = ("USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_MAGSAC", "USACV20
 OWN_ROWS = ("usacV20", "fast", "accurate", "magsacPlusPlus", "scores")
 RIVALS = ("cv:USAC_DEFAULT", "cv:USAC_FAST", "cv:USAC_ACCURATE", "cv:USAC_MAGSAC")
 FAST = "cv:USAC_FAST"
-NAMES = {"USACV20+scores": "`USACV20` with match scores"}
+AUTO = "USACV20_AUTO"
+THRESHOLD_PICTURE = "modules/usac/tutorials/threshold/images/threshold.png"
+NAMES = {"USACV20+scores": "`USACV20` with match scores", AUTO: "`USACV20_AUTO`, given 3 times the threshold"}
 NAMES.update({"cv:" + flag: "`cv::%s`" % flag for flag in ("RANSAC", "USAC_DEFAULT", "USAC_FAST", "USAC_ACCURATE", "USAC_MAGSAC")})
 PRESETS = tuple("preset:" + p for p in ("usacV20", "fast", "accurate", "ransac", "msac", "lmeds", "mlesac", "prosac+scores", "loRansac",
                                         "floRansac", "gcRansac", "usac2013+scores", "magsac", "magsacPlusPlus"))
@@ -127,11 +130,13 @@ class Run:
         return tables.read_tables(csv), runs, re.sub("^#", "##", re.sub(r"\A# .*\n+", "", text), flags=re.M)
 
     def two_views(self, methods, *options):
-        """The same of all lists of H, F and E, a call for each."""
+        """The same of all lists of H, F and E, a call for each. AUTO gets 3 times the threshold of the others."""
         found, runs, text = collections.OrderedDict(), [], ""
         for p in "HFE":
-            rows, file, more = self.benchmark(p, "--data=" + self.data, "--problem=" + p, "--methods=" + ",".join(methods), *options)
-            found.update(rows)
+            named = ["%s{threshold=%g}" % (m, 3 * threshold.RIGHT[p]) if m == AUTO else m for m in methods]
+            rows, file, more = self.benchmark(p, "--data=" + self.data, "--problem=" + p, "--methods=" + ",".join(named), *options)
+            for key, table in rows.items():
+                found[key] = collections.OrderedDict((m, table[name]) for m, name in zip(methods, named) if name in table)
             runs.append(file)
             text += "\n## All tables: %s\n\n%s" % (p, more)
         return found, runs, text
@@ -148,10 +153,10 @@ def pair_by_pair(files):
 
 
 def measure_lists(run, more=("cv:RANSAC",)):
-    methods = OWN + ("USACV20_ACCURATE+scores",) + more + ("cv:RHO",) + RIVALS + ("cv:USAC_PROSAC+scores",)
+    methods = OWN + (AUTO, "USACV20_ACCURATE+scores") + more + ("cv:RHO",) + RIVALS + ("cv:USAC_PROSAC+scores",)
     found, files, text = run.two_views(methods, run.times(5), "--baseline=" + FAST)
     name, counts = run.name, [sum(t["USACV20"]["pairs"] for t in found.values()), len(found)]
-    shown = [m for m in OWN + more + RIVALS]
+    shown = [m for m in OWN + (AUTO,) + more + RIVALS]
     caption = tables.CAPTION.format(auc=" / for E the AUC of the pose error at 10 degrees")
     body = block(name + "/setting", "%d problems in %d lists, %d repeats" % (counts[0], counts[1], run.repeats))
     body += "\n## Averages\n\n%s\n\n" % caption
@@ -197,8 +202,8 @@ def measure_threshold(run):
 
 def measure_automatic(run):
     """The threshold that USACV20_AUTO estimates."""
-    text = run.call("threshold.py", "--program=" + os.path.join(run.build, "bin", "usac_benchmark"), run.times(3), "--estimated=USACV20_AUTO",
-                    *["--list=" + path for path in run.lists("HFE")])
+    text = run.call("threshold.py", "--program=" + os.path.join(run.build, "bin", "usac_benchmark"), run.times(3), "--estimated=" + AUTO,
+                    "--plot=" + os.path.join(ROOT, THRESHOLD_PICTURE), *["--list=" + path for path in run.lists("HFE")])
     run.commands = ["threshold.py --data=DATA --repeats=%d --estimated=USACV20_AUTO (lists of H, F and E)" % run.repeats]
     return ("Right thresholds: H 2 px, F and E 1 px. Given: `USACV20`. Geometric mean over lists of the median error over the smallest one with a given "
             "threshold, of the mean CPU time over that with the right threshold; mean over lists of failures and AUC.\n" +

@@ -34,13 +34,16 @@ import sys
 options = dict(a.lstrip("-").split("=", 1) for a in sys.argv[1:])
 lists = [a.split("=", 1)[1] for a in sys.argv[1:] if a.startswith("--list=")]
 with open(options["csv"], "w") as out:
-    out.write("list,problem,pairs,method,median_error\\n")
+    out.write("list,problem,pairs,method,median_error,failures_percent,mean_cpu_ms,auc10\\n")
     for file in lists:
         name, problem = file.split("/")[-1].split(".")[:2]
         factor = float(options["threshold"]) / {"H": 2, "F": 1, "S": 3, "P": 4}[problem]
         for power, method in enumerate(options["methods"].split(",")):
             fails = power and name == "hard" and factor > 2
-            out.write('"%%s",%%s,3,"%%s",%%s\\n' %% (name, problem, method, "inf" if fails else 0.5 * factor ** power))
+            error = 0.5 * max(factor, 1 / factor) if method == "USACV20" else "inf" if fails else 0.5 * factor ** power
+            auto = method == "USACV20_AUTO"
+            out.write('"%%s",%%s,3,"%%s",%%s,%%s,%%s,%%s\\n' %% (
+                name, problem, method, 0.6 if auto and name == "hard" else error, 1.5, 3 if auto else 2, 90 if problem == "F" else ""))
     out.write('"average",,3,"a",1\\n"average.H",H,3,"a",1\\n')
 """
 
@@ -156,6 +159,20 @@ class ThresholdTest(FolderTest):
         self.assertIn("| x 2 | H, F | 1.000 (3) | 2.000 (3) |\n", text)
         self.assertIn("| x 4 | H | 1.000 (2) | 4.000 (1, 1 broken) |\n", text)
         self.assertIn("| x 4 | F | 1.000 (1) | 4.000 (1) |\n", text)
+
+    def test_estimated(self):
+        for name in ("easy.H", "hard.H", "easy.F"):
+            self.put("lists/%s.list" % name)
+        picture = self.path("picture.png")
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            self.assertEqual(threshold.main(["--program", self.program(), "--data", self.folder, "--estimated=USACV20_AUTO"] +
+                                            (["--plot=" + picture] if plot_scale else [])), 0)
+        text = out.getvalue()
+        self.assertIn("| H | given, x 0.25 | 4.000 | 2 | 1.5 | - | 1.00 |\n", text)
+        self.assertIn("| H | given, x 1 | 1.000 | 0 | 1.5 | - | 1.00 |\n", text)
+        self.assertIn("| H | estimated, at most x 3 | %.3f | 1 | 1.5 | - | 1.50 |\n" % math.sqrt(1.2), text)
+        self.assertIn("| F | estimated, at most x 10 | 1.000 | 0 | 1.5 | 90.0 | 1.50 |\n", text)
+        self.assertEqual(os.path.isfile(picture), plot_scale is not None)
 
     def test_mistakes(self):
         self.put("lists/a.H.list")

@@ -101,9 +101,14 @@ def geometric_mean(values):
     return math.exp(sum(map(math.log, values)) / len(values))
 
 
+def ratios_to(best, rows):
+    """rows: {list: row}; best: {list: smallest median error}."""
+    return [min(float(row["median_error"]) / best[key], MOST) for key, row in rows.items()]
+
+
 def estimated_row(problem, name, rows, best, usual):
-    """rows, usual: {list: row}; best: {list: smallest median error}."""
-    ratios = [min(float(row["median_error"]) / best[key], MOST) for key, row in rows.items()]
+    """usual: rows of the right threshold."""
+    ratios = ratios_to(best, rows)
     aucs = [float(row["auc10"]) for row in rows.values() if row.get("auc10")]
     times = [float(row["mean_cpu_ms"]) / float(usual[key]["mean_cpu_ms"]) for key, row in rows.items()]
     return "| %s | %s | %.3f | %d | %.1f | %s | %.2f |" % (
@@ -112,7 +117,29 @@ def estimated_row(problem, name, rows, best, usual):
         "%.1f" % (sum(aucs) / len(aucs)) if len(aucs) == len(rows) else "-", geometric_mean(times))
 
 
+def draw(curves, file):
+    """curves: {problem: {"given" or "estimated": {factor: ratio}}}."""
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(1, len(curves), figsize=(3.2 * len(curves), 2.8), sharey=True, squeeze=False)
+    for axis, (problem, lines) in zip(axes[0], curves.items()):
+        for name, style in (("given", "o-"), ("estimated", "s--")):
+            axis.plot(list(lines[name]), list(lines[name].values()), style, label="USACV20" if name == "given" else "USACV20_AUTO")
+        axis.set(xscale="log", yscale="log", title=problem, xlabel="(largest) threshold / usual one", xticks=[0.25, 1, 3, 10],
+                 yticks=[1, 1.2, 1.5, 2, 3])
+        axis.set_xticklabels(["1/4", "1", "3", "10"])
+        axis.set_yticklabels(["1", "1.2", "1.5", "2", "3"])
+        axis.minorticks_off()
+        axis.grid(alpha=0.3)
+    axes[0][0].set_ylabel("error / that of the best threshold")
+    axes[0][-1].legend(fontsize="small")
+    figure.tight_layout()
+    figure.savefig(file, dpi=110, metadata={"Software": None})
+
+
 def print_estimated(args, lists, more, out):
+    curves = {}
     print("\n| problem | threshold | error over that of the best given one | lists above %g | failures, %% | AUC at 10 degrees "
           "| mean CPU |\n|---|---|---:|---:|---:|---:|---:|" % FAR, file=out)
     for problem, files in lists.items():
@@ -123,8 +150,13 @@ def print_estimated(args, lists, more, out):
         best = {name: min(float(table[name]["median_error"]) for table in given.values()) for name in given[1]}
         for factor, table in given.items():
             print(estimated_row(problem, "given, x %g" % factor, table, best, given[1]), file=out)
-        for factor in LARGEST:
-            print(estimated_row(problem, "estimated, at most x %g" % factor, rows(factor, args.estimated), best, given[1]), file=out)
+        estimated = {factor: rows(factor, args.estimated) for factor in LARGEST}
+        for factor, table in estimated.items():
+            print(estimated_row(problem, "estimated, at most x %g" % factor, table, best, given[1]), file=out)
+        curves[problem] = {name: {factor: geometric_mean(ratios_to(best, table)) for factor, table in tables.items()}
+                           for name, tables in (("given", given), ("estimated", estimated))}
+    if args.plot:
+        draw(curves, args.plot)
 
 
 def run(args, out):
@@ -160,6 +192,7 @@ def main(arguments=None):
     parser.add_argument("--methods", default=METHODS, help="as for usac_benchmark (default: %(default)s)")
     parser.add_argument("--factors", default="1,2,4", help="of the threshold, the right one first (default: %(default)s)")
     parser.add_argument("--estimated", metavar="METHOD", help="as USACV20_AUTO; --methods and --factors have no effect then")
+    parser.add_argument("--plot", metavar="FILE", help="draw the result of --estimated (needs matplotlib)")
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--seed", type=int, default=1)
     args = parser.parse_args(arguments)

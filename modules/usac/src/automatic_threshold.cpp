@@ -15,13 +15,15 @@ namespace {
 
 // Effects of halving and doubling each constant: doc/constants.md.
 
+//! Maximum number of points of the guess.
+constexpr int POINTS = 512;
 //! Maximum number of samples of the guess; at most Params::maxIterations.
 constexpr int SAMPLES = 1000;
 //! The guess ends if one of its samples has consisted of inliers of the best model with this
 //! probability.
 constexpr double CONFIDENCE = 0.9;
-//! Number of points that tell the noise of a model of the guess.
-constexpr int FEW = 300;
+//! Number of points that tell the noise of the models of the guess, and of the best one.
+constexpr int FEW = 150, SOME = 300;
 //! Steps of polishing of the best model of the guess.
 constexpr int STEPS = 3;
 //! If the noise is unknown, the threshold is the widest divided by this number.
@@ -37,7 +39,8 @@ class NoiseTermination : public Termination
 public:
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
-        const InlierNoise noise = roughNoise(context, state.best, context.points.threshold, FEW);
+        const InlierNoise noise = roughNoise(context, state.best, context.points.threshold, FEW,
+                                             false);
         if (!(noise.sigma > 0))
             return INT_MAX;
         const int m = context.components.minimalSolver->sampleSize();
@@ -55,7 +58,7 @@ Params paramsOfGuess(const Params& params)
     result.localOptimization = LOCAL_OPTIMIZATION_NONE;
     result.runnersUp = 0;
     result.termination = 0;
-    result.degeneracy = params.degeneracy & DEGENERACY_ORIENTATION;
+    result.degeneracy = params.degeneracy & ~DEGENERACY_DEGENSAC;
     result.polishing = POLISHING_ROBUST;
     result.polishingSteps = STEPS;
     result.maxIterations = std::min(SAMPLES, params.maxIterations);
@@ -98,7 +101,9 @@ Model AutomaticThreshold::polished(const Context& context, const Model& model) c
 bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& model)
 {
     begin(given);
-    const Context context(given.points, parts, params, given.arena, given.watch);
+    Correspondences points = given.points;  // which are in random order
+    points.size = std::min<int>(points.size, POINTS);
+    const Context context(points, parts, params, given.arena, given.watch);
     parts.start(context);
     State state;
     Ransac ransac(context, state);
@@ -111,15 +116,16 @@ bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& m
     computed = state.report.models - state.report.rejectedModels;
     InlierNoise noise = InlierNoise();
     if (state.bestQuality.cost <= DBL_MAX)
-        noise = roughNoise(context, state.best, widest, FEW);
+        noise = roughNoise(context, state.best, widest, SOME, true);
     if (!(noise.sigma > 0))
     {
         data.scaleThreshold(1 / UNKNOWN);
         return false;
     }
     setThreshold(data, noise.threshold);
+    points.threshold = given.points.threshold;
     model = polished(context, state.best);
-    noise = roughNoise(context, model, widest, FEW);
+    noise = roughNoise(context, model, widest, SOME, true);
     if (noise.sigma > 0)
         setThreshold(data, noise.threshold);
     else
@@ -133,11 +139,12 @@ void AutomaticThreshold::adapt(const Context& context, ProblemData& data, const 
     for (int round = 0; state.bestQuality.cost <= DBL_MAX; ++round)
     {
         latest = preciseNoise(context, polished(context, state.best), widest);
-        const double ratio = latest.threshold * params.reach / context.points.threshold;
-        if (!(latest.sigma > 0) || std::max(ratio, 1 / ratio) <= SAME || round == ROUNDS ||
+        const double wanted = latest.sigma > 0 ? latest.threshold : widest / UNKNOWN,
+                     ratio = wanted * params.reach / context.points.threshold;
+        if (std::max(ratio, 1 / ratio) <= SAME || round == ROUNDS ||
             (context.watch && context.watch->stopped()))
             return;
-        setThreshold(data, latest.threshold);
+        setThreshold(data, wanted);
         ransac.thresholdChanged();
         ransac.run();
     }

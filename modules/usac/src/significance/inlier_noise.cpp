@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "core/chi_square.hpp"
+#include "core/repetitions.hpp"
 #include "optimization/noise_scale.hpp"
 #include "optimization/significant_scale.hpp"
 #include "significance/agreement.hpp"
@@ -123,7 +124,7 @@ private:
 class Errors
 {
 public:
-    Errors(const Context& context, const Model& model, double widest, int most)
+    Errors(const Context& context, const Model& model, double widest, int most, bool once)
         : scope(context.arena), size(std::min<int>(context.points.size, most)),
           squared(scope.take<float>(size)), degrees(context.points.problem->errorDimension()),
           sampleSize(context.components.minimalSolver->sampleSize())
@@ -131,12 +132,14 @@ public:
         const Correspondences& p = context.points;
         const Residual& residual = *context.components.residual;
         residual.squaredErrors(p, model, 0, size, squared);
-        float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);
-        const int count = wrongErrors(residual, model, p, size, wrong, context.arena);
-        const double unit = 4 * widest / FINEST;  // SignificantScale begins with a quarter of it
-        const double chance = p.problem->randomInlierRatio(p) * power(unit / p.threshold, degrees);
-        found = SignificantScale::estimate(squared, size, wrong, count, unit, chance, degrees,
-                                           sampleSize, FINEST / 4);
+        float* const memory = scope.take<float>((size_t)WRONG_PARTNERS * size);
+        wrong = memory;
+        wrongCount = wrongErrors(residual, model, p, size, memory, context.arena);
+        unit = 4 * widest / FINEST;  // SignificantScale begins with a quarter of it
+        chance = p.problem->randomInlierRatio(p) * power(unit / p.threshold, degrees);
+        find();
+        if (once && found.sigma > 0 && dropRepeated(p, IN_SIGMAS * found.sigma, context.arena))
+            find();
     }
 
     //! Noise over errors, as the model was fitted to the inliers.
@@ -157,23 +160,54 @@ public:
     }
 
     Arena::Scope scope;
-    const int size;
+    int size;
     float* const squared;
     const int degrees, sampleSize;
     SignificantScale::Found found;
+
+private:
+    void find()
+    {
+        found = SignificantScale::estimate(squared, size, wrong, wrongCount, unit, chance, degrees,
+                                           sampleSize, FINEST / 4);
+    }
+
+    //! Of inliers in one place of an array, leaves one: copies of a match have the same error,
+    //! which may look like small noise. @return false if there are none
+    bool dropRepeated(const Correspondences& p, double threshold, Arena& arena)
+    {
+        Arena::Scope local(arena);
+        uchar *const mask = local.take<uchar>(size), *const repeated = local.take<uchar>(size);
+        for (int i = 0; i < size; ++i)
+            mask[i] = squared[i] <= threshold * threshold;
+        std::fill(repeated, repeated + size, (uchar)0);
+        if (markRepeated(p, 0, mask, size, threshold, repeated, arena) == 0)
+            return false;
+        int kept = 0;
+        for (int i = 0; i < size; ++i)
+            if (!repeated[i])
+                squared[kept++] = squared[i];
+        size = kept;
+        return true;
+    }
+
+    const float* wrong;
+    int wrongCount;
+    double unit, chance;  //!< probability that a point is within one unit of a wrong model
 };
 
 }  // namespace
 
-InlierNoise roughNoise(const Context& context, const Model& model, double widest, int most)
+InlierNoise roughNoise(const Context& context, const Model& model, double widest, int most,
+                       bool once)
 {
-    const Errors errors(context, model, widest, most);
+    const Errors errors(context, model, widest, most, once);
     return errors.noise(errors.found.sigma, IN_SIGMAS * errors.found.sigma, widest);
 }
 
 InlierNoise preciseNoise(const Context& context, const Model& model, double widest)
 {
-    const Errors errors(context, model, widest, SignificantScale::MOST);
+    const Errors errors(context, model, widest, SignificantScale::MOST, true);
     const double unit = errors.found.sigma;
     if (!(unit > 0) || errors.found.inliers < LEAST)
         return errors.noise(unit, std::sqrt(chiSquareQuantile(WITHIN, errors.degrees)) * unit,

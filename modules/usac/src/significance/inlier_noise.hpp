@@ -14,9 +14,10 @@ namespace usacv20 {
 
 SignificantScale separates inliers from wrong matches: inliers are the points within the radius that
 is least likely by chance @cite moisan2004probabilistic. Chance is measured by the errors of wrong
-matches made of the same points, see wrongErrors(). The model was fitted to these inliers, or
-computed from some of them: their errors are smaller than the noise by a factor of sqrt(1 - m /
-inliers), where m is the size of a sample, and sigma is corrected for it.
+matches made of the same points, see wrongErrors(); inliers in one place of an array count once. The
+model was fitted to these inliers, or computed from some of them: their errors are smaller than the
+noise by a factor of sqrt(1 - m / inliers), where m is the size of a sample, and sigma is corrected
+for it.
 
 All lengths are in the unit of the threshold of the points. */
 struct InlierNoise
@@ -30,8 +31,11 @@ struct InlierNoise
 /** @brief sigma by the median of the inliers' errors; threshold: 2.2 sigma.
 @param context, model points and residual, and a model
 @param widest upper bound of the radius and of the threshold
-@param most use only the first `most` points */
-InlierNoise roughNoise(const Context& context, const Model& model, double widest, int most);
+@param most use only the first `most` points
+@param once inliers in one place of an array count once: copies of a match have the same error,
+which may look like small noise */
+InlierNoise roughNoise(const Context& context, const Model& model, double widest, int most,
+                       bool once);
 
 /** @brief sigma of a mixture that is fitted by the EM algorithm to the errors within a window
 around the inliers: inliers, badly located inliers (noise of #TAIL sigma) and wrong matches

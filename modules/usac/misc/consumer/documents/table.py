@@ -14,7 +14,8 @@ from actions import CMake, Cpp, Elsewhere, Impossible, Numbers, Printed, Python,
 README, MODULE, CONTRIBUTING, BENCHMARK = "README.md", "modules/usac/README.md", "doc/contributing.md", "doc/benchmark.md"
 FLAGS = "modules/usac/tutorials/ransac_to_usacv20/ransac_to_usacv20.markdown"
 COLLECTIONS = "modules/usac/tutorials/collections/collections.markdown"
-DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, COLLECTIONS, CONTRIBUTING, BENCHMARK)
+THRESHOLD = "modules/usac/tutorials/threshold/threshold.markdown"
+DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, THRESHOLD, COLLECTIONS, CONTRIBUTING, BENCHMARK)
 
 CHECK = "modules/usac/misc/consumer/check.sh"
 RUN_TESTS, MATRIX = "modules/usac/misc/run_tests.sh", "modules/usac/misc/matrix.sh"
@@ -139,6 +140,9 @@ require(found and pose_near(rvec, tvec) and len(inliers) >= 230)""")),
 require(near(H, TRUTH["H"]) and mask.sum() >= 80)""")),
     (FLAGS, "Options, scores and a report", "cpp 2", Cpp(after="""cv::Mat mask;
 REQUIRE(frame::near(cv::usacv20::estimateHomography(points1, points2, params, mask), truth::H));""")),
+    (THRESHOLD, "A flag", "cpp 1", Cpp(after="REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);")),
+    (THRESHOLD, "A flag", "cpp 2", Cpp(before=MASK, after="REQUIRE(report.sigma > 0 && report.threshold < 10 && cv::countNonZero(mask) >= 80);")),
+    (THRESHOLD, "A flag", "python 1", Python(before="import usacv20", after="require(0 < report.sigma < report.threshold < 10)")),
     (FLAGS, "To stop a run", "cpp 1", Cpp(before=MASK + " const auto show = [](int, int) {};", after="REQUIRE(frame::near(H, truth::H));")),
     (FLAGS, "To stop a run", "python 1", Python(before="import threading, usacv20", after='require(near(H, TRUTH["H"]))')),
     (FLAGS, "What comes next", "python 1", Python(cv2=True, before="""
