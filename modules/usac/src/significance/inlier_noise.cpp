@@ -19,6 +19,9 @@ namespace {
 
 //! The smallest threshold is the widest one divided by FINEST: the noise of data without noise.
 constexpr int FINEST = 1024;
+//! Number of inliers beyond those of a sample that are needed to tell the noise: models of samples
+//! fit some wrong matches exactly.
+constexpr int BEYOND = 10;
 //! Threshold of the rough estimate, in standard deviations of the noise.
 constexpr double IN_SIGMAS = 2.2;
 //! The mixture needs at least LEAST inliers. It is fitted in STEPS steps to the errors within
@@ -150,7 +153,7 @@ public:
 
     InlierNoise noise(double sigma, double threshold, double widest) const
     {
-        if (!(sigma > 0 && sigma <= DBL_MAX))
+        if (!(sigma > 0 && sigma <= DBL_MAX) || found.inliers < sampleSize + BEYOND)
             return InlierNoise();
         const InlierNoise result = {
             sigma * correction(),

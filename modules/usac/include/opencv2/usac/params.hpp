@@ -95,9 +95,9 @@ enum ThresholdType {
     the radius that is least likely by chance @cite moisan2004probabilistic, and their noise is
     found by the EM algorithm @cite torr2000mlesac, before the search and after it. Before it, up to
     1000 uniform samples (at most Params::maxIterations) are drawn, which Report::iterations does
-    not count. If there are too few points to tell the noise, the threshold is a third of
-    `threshold`. Usac::run and Usac::refine estimate, Usac::fit does not. Params::widestReach has no
-    effect. */
+    not count. With fewer than ten inliers beyond those of a sample, the noise is not estimated, and
+    the threshold is a third of `threshold`. Usac::run and Usac::refine estimate, Usac::fit does
+    not. Params::widestReach has no effect. */
     THRESHOLD_ESTIMATED = 1
 };
 

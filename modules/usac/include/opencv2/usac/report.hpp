@@ -84,8 +84,9 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Threshold of the mask in pixels: Params::threshold; #THRESHOLD_ESTIMATED, #QUALITY_LMEDS:
     //! estimated from the data.
     CV_PROP_RW double threshold;
-    //! #THRESHOLD_ESTIMATED: standard deviation of the noise of the inliers, in each coordinate, in
-    //! pixels; for F and E, of the Sampson distance. 0: not estimated.
+    //! #THRESHOLD_ESTIMATED: standard deviation of the inliers' errors, in each component, in the
+    //! unit of Params::threshold; for F and E about that of the points' coordinates, for maps that
+    //! of the noise of both arrays. 0: not estimated.
     CV_PROP_RW double sigma;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array: a model that maps everything to one place then has all points as
