@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 def quaternion(R: _Array) -> _Array:
     """(w, x, y, z) with w >= 0 of a rotation: of the four columns of the quaternion's square the one with the largest norm. Without
     NumPy, whose calls take ten times as long for so few numbers."""
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R.tolist()
+    rows: Any = R.tolist()
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rows
     columns = ((1 + xx + yy + zz, zy - yz, xz - zx, yx - xy), (zy - yz, 1 + xx - yy - zz, xy + yx, xz + zx),
                (xz - zx, xy + yx, 1 - xx + yy - zz, yz + zy), (yx - xy, xz + zx, yz + zy, 1 - xx - yy + zz))
     sizes = [columns[k][k] for k in range(4)]
