@@ -39,8 +39,10 @@ class NoiseTermination : public Termination
 public:
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
-        const InlierNoise noise = roughNoise(context, state.best, context.points.threshold, FEW,
-                                             false);
+        if (!(state.bestQuality.cost <= DBL_MAX))
+            return INT_MAX;
+        const double widest = context.points.threshold / context.params.reach;
+        const InlierNoise noise = roughNoise(context, state.best, widest, FEW, false);
         if (!(noise.sigma > 0))
             return INT_MAX;
         const int m = context.components.minimalSolver->sampleSize();
@@ -52,7 +54,7 @@ public:
 Params paramsOfGuess(const Params& params)
 {
     Params result = params;
-    result.seed = params.seed + 1;
+    result.seed = (int)((unsigned)params.seed + 1);
     result.sampler = SAMPLER_UNIFORM;
     result.verification = VERIFICATION_NONE;
     result.localOptimization = LOCAL_OPTIMIZATION_NONE;
@@ -159,10 +161,11 @@ void AutomaticThreshold::look(const Context& context, const Model& model)
 
 double AutomaticThreshold::settle(ProblemData& data) const
 {
-    if (!(latest.sigma > 0))
-        return 0;
-    setThreshold(data, latest.threshold);
-    return latest.sigma / latest.threshold * data.threshold();
+    if (latest.sigma > 0)
+        setThreshold(data, latest.threshold);
+    else
+        data.scaleThreshold(1 / UNKNOWN);
+    return latest.sigma > 0 ? latest.sigma / latest.threshold * data.threshold() : 0;
 }
 
 }  // namespace usacv20

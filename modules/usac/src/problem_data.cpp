@@ -297,7 +297,7 @@ void ProblemData::setThreshold(double threshold)
 
 void ProblemData::scaleThreshold(double factor)
 {
-    setSearchThreshold(std::max(givenThreshold[0] * factor, 1e-6));
+    setSearchThreshold(std::max(givenThreshold[0] * factor, std::min(givenThreshold[0], 1e-6)));
     inputThreshold = givenThreshold[1] * factor;
     pixelThreshold = givenThreshold[2] * factor;
 }

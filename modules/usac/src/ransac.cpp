@@ -150,7 +150,8 @@ void Ransac::begin(const Model& initial)
         return;
     if (parts.localOptimizer)
         optimize(model, quality);
-    setBest(model, quality, 0);
+    if (quality.betterThan(state.bestQuality))
+        setBest(model, quality, 0);
 }
 
 void Ransac::thresholdChanged()

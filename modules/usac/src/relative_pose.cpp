@@ -28,7 +28,7 @@ public:
              const Params& params_)
         : params(params_), usac(Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1,
                                              cameraMatrix2, distCoeffs1, distCoeffs2)),
-          threshold(usac->points().unit * params.threshold)
+          unit(usac->points().unit)
     {
         const Correspondences& p = usac->points();
         x1.assign(p.inputSize, Vec3d(NAN, NAN, NAN));
@@ -89,7 +89,7 @@ public:
         for (int i = 0; i < solution.mask.rows; ++i)
         {
             uchar& inlier = solution.mask.at<uchar>(i);
-            const bool hidden = inlier && !inFront(solution.motion, x1[i], x2[i], threshold);
+            const bool hidden = inlier && !inFront(solution.motion, x1[i], x2[i], limit(solution));
             behind += hidden;
             inlier = inlier && !hidden;
         }
@@ -107,7 +107,7 @@ private:
         int most = -1;
         for (int k = 0; k < 4; ++k)
         {
-            const int count = countInFront(motions[k], solution.mask);
+            const int count = countInFront(motions[k], solution);
             if (count <= most)
                 continue;
             most = count;
@@ -119,24 +119,28 @@ private:
         for (int i = 0; i < errors.rows; ++i)
         {
             const double part = errors.at<double>(i) / pixels;
-            const bool counts = part <= 1 && inFront(solution.motion, x1[i], x2[i], threshold);
+            const bool counts = part <= 1 &&
+                                inFront(solution.motion, x1[i], x2[i], limit(solution));
             solution.cost += counts ? part * part : 1;
         }
     }
 
-    int countInFront(const Motion& motion, const Mat& mask) const
+    int countInFront(const Motion& motion, const Solution& solution) const
     {
         int count = 0;
-        for (int i = 0; i < mask.rows; ++i)
-            count += mask.at<uchar>(i) && inFront(motion, x1[i], x2[i], threshold);
+        for (int i = 0; i < solution.mask.rows; ++i)
+            count += solution.mask.at<uchar>(i) && inFront(motion, x1[i], x2[i], limit(solution));
         return count;
     }
+
+    //! Inlier threshold on the normalized image planes.
+    double limit(const Solution& solution) const { return unit * solution.report.threshold; }
 
     //! Homography of the plane with the most inliers, and one point of this plane. @return number
     //! of inliers on it
     int plane(const Solution& found, Matx33d& H, Vec3d& point) const
     {
-        const double pixels = found.report.threshold / threshold;
+        const double pixels = found.report.threshold / limit(found);
         std::vector<Point2d> first, second;
         std::vector<int> rows;
         for (int i = 0; i < found.mask.rows; ++i)
@@ -171,7 +175,7 @@ private:
 
     const Params params;
     const Ptr<Usac> usac;
-    const double threshold;     //!< inlier threshold, on the normalized image planes
+    const double unit;          //!< length of a pixel on the normalized image planes
     std::vector<Vec3d> x1, x2;  //!< undistorted points on these planes; NaN: not finite
 };
 

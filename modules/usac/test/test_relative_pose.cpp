@@ -111,7 +111,7 @@ TEST(Usac_RelativePose, two_cameras_with_lenses)
 }
 
 //! Most points are on a plane: those off it choose, and the other motion is reported.
-TEST(Usac_RelativePose, planes)
+void checkPlanes(const Params& params)
 {
     int right = 0, other = 0, scenes = 0;
     for (uint64 seed = 1; seed <= 40; ++seed)
@@ -124,7 +124,7 @@ TEST(Usac_RelativePose, planes)
         Mat R, t, mask;
         RelativePose pose;
         ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), Params(), R, t, mask, pose));
+                                         noArray(), noArray(), params, R, t, mask, pose));
         ++scenes;
         right += angleOf(R, scene.R) < 2 * DEGREE && angleOf(t, scene.t) < 15 * DEGREE;
         if (pose.otherR.empty())
@@ -139,6 +139,16 @@ TEST(Usac_RelativePose, planes)
     }
     EXPECT_GE(right, 0.9 * scenes);
     EXPECT_GE(other, 0.8 * scenes);
+}
+
+TEST(Usac_RelativePose, planes) { checkPlanes(Params()); }
+
+//! The plane is looked for with the threshold that was found.
+TEST(Usac_RelativePose, planesWithEstimatedThreshold)
+{
+    Params params = Params::automatic();
+    params.threshold = 15;
+    checkPlanes(params);
 }
 
 //! All points on the plane: the right motion is one of the two.

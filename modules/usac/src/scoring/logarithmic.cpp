@@ -10,11 +10,10 @@ namespace usacv20 {
 
 namespace {
 
-/** For a search without a known threshold: the cost of a point is, up to rounding, log(1 + e^2 /
-s^2) / log(1 + t^2 / s^2), where t is the threshold and s is t / #FINEST. This is the mean of the
-costs of MSAC over thresholds from s to t whose logarithms are uniformly distributed: no noise
-between s and t is preferred. The logarithm is read from the bits of the floating-point number,
-linear between powers of two. */
+/** For a search without a known threshold: the cost of a point is log(1 + e^2 / s^2) / log(1 + t^2
+/ s^2), where t is the threshold and s is t / #FINEST. No noise between s and t is preferred: twice
+the error costs the same everywhere. The logarithm is read from the bits of the floating-point
+number, linear between powers of two; the cost differs by at most 0.0055. */
 class LogarithmicScore : public Score
 {
 public:
@@ -28,7 +27,7 @@ public:
         {
             const bool inside = squaredErrors[i] <= squaredThreshold;  // false for NaN
             sum.inliers += inside;
-            cost += inside ? bitsOf(squaredErrors[i] + least) - zero : range;
+            cost += inside ? bitsOf(std::max(squaredErrors[i], 0.f) + least) - zero : range;
         }
         sum.cost += (double)cost / range;
     }

@@ -139,7 +139,9 @@ public:
         wrong = memory;
         wrongCount = wrongErrors(residual, model, p, size, memory, context.arena);
         unit = 4 * widest / FINEST;  // SignificantScale begins with a quarter of it
-        chance = p.problem->randomInlierRatio(p) * power(unit / p.threshold, degrees);
+        Correspondences narrow = p;
+        narrow.threshold = unit;
+        chance = p.problem->randomInlierRatio(narrow);
         find();
         if (once && found.sigma > 0 && dropRepeated(p, IN_SIGMAS * found.sigma, context.arena))
             find();

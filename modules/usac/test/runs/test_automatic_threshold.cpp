@@ -117,6 +117,36 @@ TEST_P(UsacAutomaticThreshold, sameBits)
     EXPECT_FALSE(sameBits(models[0], createUsac(scene, Params())->run()));
 }
 
+//! Other points of the same object give what a new object gives; any seed is allowed.
+TEST_P(UsacAutomaticThreshold, otherPointsAndSeeds)
+{
+    const Scene first = sceneOf(GetParam(), 2, 1, 500), second = sceneOf(GetParam(), 0.1, 2);
+    Params params = widest(10);
+    params.seed = INT_MAX;
+    const Ptr<Usac> usac = createUsac(first, params);
+    Report before, after, expected;
+    Mat mask, other;
+    usac->run(mask, &before);
+    usac->setPoints(second.points1, second.points2);
+    const Mat model = usac->run(mask, &after);
+    EXPECT_TRUE(sameBits(estimate(second, params, other, &expected), model));
+    EXPECT_TRUE(sameBits(other, mask));
+    EXPECT_EQ(expected.sigma, after.sigma);
+    EXPECT_GT(before.sigma, 5 * after.sigma);
+}
+
+//! Of many points a part is searched; the threshold is that of all.
+TEST_P(UsacAutomaticThreshold, manyPoints)
+{
+    const Scene scene = sceneOf(GetParam(), 0.5, 1, 50000);
+    Report report;
+    Mat mask;
+    const Mat model = estimate(scene, widest(10), mask, &report);
+    ASSERT_FALSE(model.empty());
+    EXPECT_NEAR(1, report.sigma / sigmaOf(scene), 0.1);
+    EXPECT_NEAR(0.6, (double)countNonZero(mask) / scene.size(), 0.05);
+}
+
 //! Random matches give no model, whatever their distribution is.
 TEST_P(UsacAutomaticThreshold, randomMatches)
 {
@@ -158,9 +188,13 @@ TEST_P(UsacAutomaticThreshold, tooFewPoints)
     EXPECT_NEAR(2, report.threshold, 1e-9);
     if (!model.empty())
         checkResult(scene, 2, model, mask, report);
+    const Ptr<Usac> usac = createUsac(scene, params);
+    usac->refine(usac->fit(), noArray(), mask, &report);
+    EXPECT_EQ(0, report.sigma);
+    EXPECT_NEAR(2, report.threshold, 1e-9);
 }
 
-//! Without noise, the threshold is the smallest: a thousandth of the given one.
+//! Without noise, the threshold is between the smallest, 1/1024 of the given one, and 1/200 of it.
 TEST_P(UsacAutomaticThreshold, exactPoints)
 {
     const Scene scene = sceneOf(GetParam(), 0, 1);

@@ -89,15 +89,15 @@ enum ProblemType {
 //! What Params::threshold means.
 enum ThresholdType {
     THRESHOLD_GIVEN = 0,  //!< the inlier threshold
-    /** The largest plausible inlier threshold, for example three to ten times the usual one. The
-    noise of the inliers is estimated from the data, and the threshold is the error that 95 % of the
-    inliers do not exceed, see Report::threshold and Report::sigma. Inliers are the points within
-    the radius that is least likely by chance @cite moisan2004probabilistic, and their noise is
-    found by the EM algorithm @cite torr2000mlesac, before the search and after it. Before it, up to
-    1000 uniform samples (at most Params::maxIterations) are drawn, which Report::iterations does
-    not count. With fewer than ten inliers beyond those of a sample, the noise is not estimated, and
-    the threshold is a third of `threshold`. Usac::run and Usac::refine estimate, Usac::fit does
-    not. Params::widestReach has no effect. */
+    /** The largest plausible inlier threshold, for example three to ten times the usual one. From
+    the noise of the inliers @cite moisan2004probabilistic @cite torr2000mlesac follows the
+    threshold that 95 % of them do not exceed, see Report::threshold and Report::sigma; at least
+    1/1024 of `threshold`. Before the search, up to 1000 uniform samples (at most
+    Params::maxIterations) are drawn, which Report does not count; their models are checked for
+    orientation and repeated matches as Params::degeneracy says, also if a program has replaced
+    these checks. If no model is better than chance, or has fewer than ten inliers beyond a sample,
+    the noise is not estimated, and the threshold is a third of `threshold`. Usac::run and
+    Usac::refine (of all points) estimate, Usac::fit does not. Params::widestReach has no effect. */
     THRESHOLD_ESTIMATED = 1
 };
 

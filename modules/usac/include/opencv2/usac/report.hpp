@@ -65,8 +65,8 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW bool degenerate;
     //! Number of inliers: rows of the mask that are 1.
     CV_PROP_RW int inliers;
-    //! The minimal sample that led to the model, as row indices of the caller's points. Empty:
-    //! there is no model, or it came from Params::initialModel or from a fit to all points.
+    //! The minimal sample of the search that led to the model, as row indices of the caller's
+    //! points. Empty: there is no model, or it came from Params::initialModel or from elsewhere.
     CV_PROP_RW std::vector<int> sample;
     //! `inliers` as a fraction of all rows of the mask, 0..1.
     CV_PROP_RW double inlierRatio;
@@ -96,7 +96,7 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of min(error^2 /
     //! threshold^2, 1).
     CV_PROP_RW double cost;
-    //! Milliseconds for reading, normalizing and ordering the points.
+    //! Milliseconds before the search: reading and ordering points, #THRESHOLD_ESTIMATED's samples.
     CV_PROP_RW double setupMs;
     //! Milliseconds in the hypothesize-and-verify loop without the local optimization.
     CV_PROP_RW double searchMs;

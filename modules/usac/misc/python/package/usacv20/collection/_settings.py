@@ -15,9 +15,9 @@ from .._two_view import TwoViewRules
 from ._pair import CollectionError
 
 # Not USACV20_PARALLEL, as the pairs are what is parallel; not USACV20_PROSAC, as matches of a collection come in no order: scores
-# are for all other methods.
+# are for all other methods; not USACV20_AUTO, as all pairs have the same threshold (`--threshold auto`).
 METHODS = {flag.name: flag for flag in UsacV20Method
-           if flag not in (UsacV20Method.USACV20_PARALLEL, UsacV20Method.USACV20_PROSAC)}
+           if flag not in (UsacV20Method.USACV20_PARALLEL, UsacV20Method.USACV20_PROSAC, UsacV20Method.USACV20_AUTO)}
 
 
 @dataclasses.dataclass(frozen=True)
