@@ -228,11 +228,10 @@ private:
         const double limit = unset ? LIMIT : params.significance;
         const double samples = automatic ? automatic->samples() : 0,
                      models = automatic ? automatic->models() : 0;
-        const SearchEffort effort = {parts.minimalSolver->sampleSize(),
-                                     samples + learned.iterations,
-                                     models + learned.models - learned.rejectedModels,
-                                     parts.score->countsInliers() && parts.localOptimizer,
-                                     automatic || !parts.score->usesThreshold()};
+        const SearchEffort effort = {
+            parts.minimalSolver->sampleSize(), samples + learned.iterations,
+            models + learned.models - learned.rejectedModels,
+            parts.score->countsInliers() && parts.localOptimizer, !parts.score->usesThreshold()};
         const double grown = std::max(data.reach() / params.reach,
                                       1.);  // factor by which the reach has grown with the noise
         Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown,

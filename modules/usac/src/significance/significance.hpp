@@ -17,7 +17,7 @@ struct SearchEffort
     double samples;      //!< number of samples drawn
     double models;       //!< number of their models that were compared with the points
     bool countsInliers;  //!< the local optimization maximizes the number of inliers
-    bool ownThreshold;   //!< the threshold was chosen from the errors
+    bool ownThreshold;   //!< the threshold was chosen from the errors, #QUALITY_LMEDS
 };
 
 /** @brief Is the best model of a search better than the best one that the same search would find in
