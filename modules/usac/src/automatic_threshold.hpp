@@ -20,7 +20,8 @@ namespace usacv20 {
 2. The search has this threshold and begins with this model.
 3. adapt(): when the search has ended, the errors of the best model give the threshold anew. If it
    differs much, the search continues with it.
-4. settle(): polishing and mask have the threshold that was found last. */
+4. settle(): polishing and mask have the threshold that was found last; if the noise is unknown, a
+   third of the widest. */
 class AutomaticThreshold
 {
 public:
@@ -51,7 +52,7 @@ private:
     Components parts;     //!< of guess()
     double widest;        //!< threshold of the mask at the begin of the run
     InlierNoise latest;   //!< of the best model
-    int drawn, computed;
+    int drawn, computed;  //!< samples() and models()
 };
 
 }  // namespace usacv20

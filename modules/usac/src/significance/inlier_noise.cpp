@@ -196,9 +196,10 @@ private:
         return true;
     }
 
-    const float* wrong;
+    const float* wrong;  //!< squared errors of wrong matches
     int wrongCount;
-    double unit, chance;  //!< probability that a point is within one unit of a wrong model
+    double unit;    //!< unit of SignificantScale
+    double chance;  //!< probability that a point is within one unit of a wrong model
 };
 
 }  // namespace

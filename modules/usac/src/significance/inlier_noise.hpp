@@ -14,16 +14,15 @@ namespace usacv20 {
 
 SignificantScale separates inliers from wrong matches: inliers are the points within the radius that
 is least likely by chance @cite moisan2004probabilistic. Chance is measured by the errors of wrong
-matches made of the same points, see wrongErrors(); inliers in one place of an array count once. The
-model was fitted to these inliers, or computed from some of them: their errors are smaller than the
-noise by a factor of sqrt(1 - m / inliers), where m is the size of a sample, and sigma is corrected
-for it.
+matches made of the same points, see wrongErrors(). The model was fitted to these inliers, or
+computed from some of them: their errors are smaller than the noise by a factor of sqrt(1 - m /
+inliers), where m is the size of a sample, and sigma is corrected for it.
 
 All lengths are in the unit of the threshold of the points. */
 struct InlierNoise
 {
-    double sigma;      //!< standard deviation of the noise of a coordinate; 0: unknown, as the
-                       //!< model fits the points no better than chance would
+    double sigma;      //!< standard deviation of an inlier's error in each component; 0: unknown,
+                       //!< as the model is no better than chance or has too few inliers
     double threshold;  //!< error that an inlier hardly exceeds
     double part;       //!< fraction of inliers among the points
 };

@@ -79,7 +79,7 @@ struct CV_EXPORTS_W_SIMPLE Report
     points, 0..1, after @cite moisan2004probabilistic. A value below 1e-6 and below a hundredth of
     Params::significance may be computed from a subset of the points; if the run was stopped, any
     value may be computed from 50 000 points only. Also set if the model was rejected for this
-    value; 1 if no model was found. */
+    value; 1 if no model was found. #THRESHOLD_ESTIMATED: as if the threshold had been given. */
     CV_PROP_RW double chance;
     //! Threshold of the mask in pixels: Params::threshold; #THRESHOLD_ESTIMATED, #QUALITY_LMEDS:
     //! estimated from the data.
