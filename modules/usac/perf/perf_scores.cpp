@@ -12,7 +12,7 @@ namespace {
 //! to the cost of the right one.
 enum Way { FUSED, NOT_FUSED, EARLY_EXIT };
 
-enum { TRANSFER = Residual::TRANSFER, SAMPSON = Residual::SAMPSON };
+enum { TRANSFER = Formula::TRANSFER, SAMPSON = Formula::SAMPSON };
 
 CV_ENUM(ResidualKind, TRANSFER, SAMPSON)
 CV_ENUM(ScoreKind, QUALITY_INLIERS, QUALITY_MSAC)

@@ -132,7 +132,7 @@ const NonMinimalSolver& Context::nonMinimalSolver() const
     return *components.nonMinimalSolver;
 }
 
-Residual::Kind Residual::kind() const { return CUSTOM; }
+const ResidualKernels* Residual::kernels() const { return 0; }
 bool Residual::homogeneous() const { return true; }
 
 int Residual::error(const Model& model, const double* datum, double* error) const

@@ -61,6 +61,14 @@ double Problem::toModelCoordinates(double* const*, int) const { return 1; }
 void Problem::toImageCoordinates(double* const*, int) const {}
 Ptr<Residual> Problem::createImageResidual(const Ptr<Residual>&) const { return Ptr<Residual>(); }
 int Problem::normalization(int) const { return SCALE_NONE; }
+Ptr<Parameterization> Problem::createParameterization() const { return Ptr<Parameterization>(); }
+Ptr<NonMinimalSolver> Problem::createNonMinimalSolver(const Ptr<Residual>& residual) const
+{
+    const Ptr<Parameterization> parameterization = createParameterization();
+    if (!parameterization)
+        return Ptr<NonMinimalSolver>();
+    return createLeastSquares(residual, errorDimension(), parameterization);
+}
 Mat Problem::toOutput(const Model& model) const
 {
     return Mat(model.rows, model.cols, CV_64F, (void*)model.val).clone();

@@ -4,12 +4,7 @@
 
 #include "problem_objects.hpp"
 
-#include "problems/affinity/affinity_parameterization.hpp"
-#include "problems/essential/essential_parameterization.hpp"
-#include "problems/fundamental/fundamental_parameterization.hpp"
-#include "problems/homography/homography_parameterization.hpp"
-#include "problems/similarity/similarity_parameterization.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 
 namespace opencv_test {
 
@@ -25,108 +20,56 @@ const Problem& problemObject(ProblemType type)
     return *objects[type];
 }
 
-Ptr<Residual> residualOf(Residual::Kind kind)
+Ptr<Residual> residualOf(Formula::Kind kind)
 {
     switch (kind)
     {
-    case Residual::TRANSFER: return createTransferResidual();
-    case Residual::SYMMETRIC_TRANSFER: return createSymmetricTransferResidual();
-    case Residual::SAMPSON: return createSampsonResidual();
-    default: return createSymmetricEpipolarResidual();
+    case Formula::TRANSFER: return createResidualOf<TransferError>();
+    case Formula::SYMMETRIC_TRANSFER: return createResidualOf<SymmetricTransferError>();
+    case Formula::SAMPSON: return createResidualOf<SampsonError>();
+    default: return createResidualOf<SymmetricEpipolarError>();
     }
 }
 
-Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType type, Residual::Kind kind)
+Ptr<NonMinimalSolver> createLeastSquaresSolver(ProblemType type, Formula::Kind kind)
 {
     return problemObject(type).createNonMinimalSolver(residualOf(kind));
 }
 
-static ProblemType typeOf(const Problem* problem)
-{
-    int type = HOMOGRAPHY;
-    while (problemObject((ProblemType)type).name() != problem->name())
-        ++type;
-    return (ProblemType)type;
-}
-
-Parameterization::Parameterization(ProblemType type_, const Model& model)
-    : type(type_), given(model)
+Parameterization::Parameterization(ProblemType type, const Model& model)
+    : rule(problemObject(type).createParameterization()), given(model)
 {}
 Parameterization::Parameterization(const Problem* problem, const Model& model)
-    : type(typeOf(problem)), given(model)
+    : rule(problem->createParameterization()), given(model)
 {}
 
-namespace {
-
-//! What is asked of a parameterization, of any problem.
-template <class Asked>
-typename Asked::Result ask(ProblemType type, const Model& model, const Asked& asked)
+bool Parameterization::hasFullRank() const
 {
-    switch (type)
-    {
-    case HOMOGRAPHY: return asked(HomographyParameterization(model));
-    case FUNDAMENTAL: return asked(FundamentalParameterization(model));
-    case AFFINITY: return asked(AffinityParameterization(model));
-    case SIMILARITY: return asked(SimilarityParameterization(model));
-    default: return asked(EssentialParameterization(model));
-    }
+    double basis[MAX_MODEL_SIZE * MAX_MODEL_SIZE];
+    return rule->tangent(given, basis);
 }
 
-struct HasFullRank
+int Parameterization::dimension() const { return rule->dimension(); }
+
+Parameterization::Basis Parameterization::tangent() const
 {
-    typedef bool Result;
-    template <class T>
-    bool operator()(const T& here) const
-    {
-        return here.hasFullRank();
-    }
-};
-
-struct Tangent
-{
-    typedef Parameterization::Basis Result;
-    template <class T>
-    Result operator()(const T& here) const
-    {
-        return here.tangent();
-    }
-};
-
-struct Plus
-{
-    typedef Model Result;
-    template <class T>
-    Model operator()(const T& here) const
-    {
-        return here.plus(step).model();
-    }
-    const Parameterization::Step& step;
-};
-
-struct ModelOf
-{
-    typedef Model Result;
-    template <class T>
-    Model operator()(const T& here) const
-    {
-        return here.model();
-    }
-};
-
-}  // namespace
-
-bool Parameterization::hasFullRank() const { return ask(type, given, HasFullRank()); }
-
-int Parameterization::dimension() const { return problemObject(type).dimension(); }
-
-Parameterization::Basis Parameterization::tangent() const { return ask(type, given, Tangent()); }
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> basis(given.size(),
+                                                                                 dimension());
+    rule->tangent(given, basis.data());
+    return basis;
+}
 
 Parameterization Parameterization::plus(const Step& step) const
 {
-    const Plus plus = {step};
-    return Parameterization(type, ask(type, given, plus));
+    Parameterization result(*this);
+    result.given = rule->plus(given, step.data());
+    return result;
 }
 
-Model Parameterization::model() const { return ask(type, given, ModelOf()); }
+Model Parameterization::model() const
+{
+    const Step zero = Step::Zero(dimension());
+    return rule->plus(given, zero.data());
+}
 
 }  // namespace opencv_test

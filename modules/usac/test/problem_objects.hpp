@@ -19,12 +19,25 @@ namespace opencv_test {
 //! which lives to the end.
 const cv::usacv20::Problem& problemObject(cv::usacv20::ProblemType type);
 
-//! The built-in residual of a kind.
-cv::Ptr<cv::usacv20::Residual> residualOf(cv::usacv20::Residual::Kind kind);
+//! The formulas of errors, in the order of their list in problems/errors.hpp.
+struct Formula
+{
+    enum Kind {
+        TRANSFER,
+        SYMMETRIC_TRANSFER,
+        SAMPSON,
+        SYMMETRIC_EPIPOLAR,
+        REPROJECTION,
+        SPACE_TRANSFER
+    };
+};
 
-//! What the problem fits with a residual of a kind.
+//! The built-in residual of a formula, one of the first four.
+cv::Ptr<cv::usacv20::Residual> residualOf(Formula::Kind kind);
+
+//! What the problem fits with the residual of a formula.
 cv::Ptr<cv::usacv20::NonMinimalSolver> createLeastSquaresSolver(cv::usacv20::ProblemType type,
-                                                                cv::usacv20::Residual::Kind kind);
+                                                                Formula::Kind kind);
 
 //! The parameterization of any problem around a model, with matrices of any size.
 class Parameterization
@@ -43,7 +56,7 @@ public:
     cv::usacv20::Model model() const;
 
 private:
-    cv::usacv20::ProblemType type;
+    cv::Ptr<cv::usacv20::Parameterization> rule;
     cv::usacv20::Model given;
 };
 

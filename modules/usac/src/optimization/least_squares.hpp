@@ -7,7 +7,7 @@
 
 #include <Eigen/Cholesky>
 #include "optimization/inner_product.hpp"
-#include "optimization/normal_equations.hpp"
+#include "residual/normal_equations.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -23,7 +23,7 @@ struct AroundModel
 damping @cite more1978levenberg after a step that does not lower the cost.
 
 Minimizes the sum of (weighted) squared errors of a Residual, starting from a given model. The
-parameterization is minimal: DIMENSION parameters for the NUMBERS entries of a model, with
+parameterization is minimal: dimension() parameters for the NUMBERS entries of a model, with
 project(), plus(), model() and hasFullRank(). As it starts from a model, the method needs no linear
 estimate and works on planar scenes, where the eight-point method fails. About 40 (H) or 100 (F, E)
 operations per point and iteration, twice as many for the symmetric errors.
@@ -46,9 +46,9 @@ public:
     bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
              Model& model, int iterations) const CV_OVERRIDE
     {
-        if (errorDimension * count < DIMENSION)
-            return false;
         Parameterization here = around(model);
+        if (errorDimension * count < here.dimension())
+            return false;
         const PointChunks chunks(points, indices, count, weights, arena);
         Equations sums;
         sums.accumulate(*residual, chunks, here.model());
@@ -83,7 +83,6 @@ public:
     }
 
 private:
-    enum { DIMENSION = Parameterization::DIMENSION };
     typedef typename Parameterization::Step Step;
     typedef typename Parameterization::Matrix Matrix;
     typedef NormalEquationsOf<Parameterization::NUMBERS> Equations;
@@ -116,7 +115,7 @@ private:
         Step b, added;
         here.project(sums, A, b);
         added = damping * A.diagonal();
-        added.array() += SINGULAR * A.trace() / (int)DIMENSION;
+        added.array() += SINGULAR * A.trace() / (double)A.rows();
         A.diagonal() += added;
         const Eigen::LLT<Matrix> llt(A);
         if (llt.info() != Eigen::Success)

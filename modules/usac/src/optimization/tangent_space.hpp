@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 #include "optimization/inner_product.hpp"
-#include "optimization/normal_equations.hpp"
+#include "residual/normal_equations.hpp"
 
 namespace cv {
 namespace usacv20 {

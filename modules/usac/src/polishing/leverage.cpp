@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "opencv2/usac/problem.hpp"
 #include "core/streams.hpp"
-#include "optimization/normal_equations.hpp"
+#include "residual/normal_equations.hpp"
 #include "polishing/leverage.hpp"
 
 #include <Eigen/Cholesky>

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "scoring/kernels.hpp"
+#include "residual/kernels.hpp"
 #include "scoring/inliers.hpp"
 #include "scoring/scores.hpp"
 
@@ -23,7 +23,7 @@ void InlierScore::accumulate(float* squaredErrors, int count, float squaredThres
 
 FusedKernel InlierScore::fused(const Residual& residual) const
 {
-    return residual.kind() == Residual::CUSTOM ? 0 : kernels().inliers[residual.kind()];
+    return residual.kernels() ? residual.kernels()->inliers : 0;
 }
 
 Ptr<Score> createInlierScore() { return makePtr<InlierScore>(); }

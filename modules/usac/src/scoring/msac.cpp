@@ -3,8 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "scoring/formulas.hpp"
-#include "scoring/kernels.hpp"
+#include "residual/kernels.hpp"
 #include "scoring/scores.hpp"
 
 namespace cv {
@@ -30,7 +29,7 @@ public:
 
     FusedKernel fused(const Residual& residual) const CV_OVERRIDE
     {
-        return residual.kind() == Residual::CUSTOM ? 0 : kernels().msac[residual.kind()];
+        return residual.kernels() ? residual.kernels()->msac : 0;
     }
 };
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "scoring/kernels.hpp"
+#include "residual/kernels.hpp"
 #include "scoring/inliers.hpp"
 #include "scoring/scores.hpp"
 

@@ -134,7 +134,7 @@ Agreement countAgreement(const Residual& residual, const Model& model, const Cor
                          int size, double threshold, int pairs, Arena& arena)
 {
     Arena::Scope scope(arena);
-    if (residual.kind() == Residual::CUSTOM)
+    if (!residual.kernels())
     {
         WrongPairs<double> wrongPairs(residual, model, p, p.exact, size, threshold, scope);
         return count(wrongPairs, p, size, threshold, pairs, arena);
@@ -147,7 +147,7 @@ int wrongErrors(const Residual& residual, const Model& model, const Corresponden
                 float* errors, Arena& arena)
 {
     Arena::Scope scope(arena);
-    const bool custom = residual.kind() == Residual::CUSTOM;
+    const bool custom = !residual.kernels();
     const int columns = p.columns(), firstMoved = p.coordinates[1] ? p.coordinates[0] : columns - 1;
     double* const exact = custom ? scope.take<double>(count) : 0;
     int done = 0;

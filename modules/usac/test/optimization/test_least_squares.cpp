@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "problem_objects.hpp"
-#include "optimization/normal_equations.hpp"
+#include "residual/normal_equations.hpp"
 
 #include <Eigen/SVD>
 
@@ -34,21 +34,21 @@ std::vector<double> randomWeights(int count, RNG& rng)
 //! The three problems with the standard, then with the symmetric residual.
 ProblemType problemOf(int param) { return (ProblemType)(param % 3); }
 
-Residual::Kind kindOf(int param)
+Formula::Kind kindOf(int param)
 {
     if (problemOf(param) == HOMOGRAPHY)
-        return param < 3 ? Residual::TRANSFER : Residual::SYMMETRIC_TRANSFER;
-    return param < 3 ? Residual::SAMPSON : Residual::SYMMETRIC_EPIPOLAR;
+        return param < 3 ? Formula::TRANSFER : Formula::SYMMETRIC_TRANSFER;
+    return param < 3 ? Formula::SAMPSON : Formula::SYMMETRIC_EPIPOLAR;
 }
 
 //! Square roots of the weights times the residuals, written down independently of the solver.
-Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p,
+Eigen::VectorXd residuals(Formula::Kind kind, const Correspondences& p,
                           const std::vector<int>& indices, const double* weights, const Matx33d& M)
 {
-    const int rows = kind == Residual::TRANSFER             ? 2
-                     : kind == Residual::SYMMETRIC_TRANSFER ? 4
-                     : kind == Residual::SAMPSON            ? 1
-                                                            : 2;
+    const int rows = kind == Formula::TRANSFER             ? 2
+                     : kind == Formula::SYMMETRIC_TRANSFER ? 4
+                     : kind == Formula::SAMPSON            ? 1
+                                                           : 2;
     Eigen::VectorXd r(rows * indices.size());
     for (size_t k = 0; k < indices.size(); ++k)
     {
@@ -63,16 +63,16 @@ Eigen::VectorXd residuals(Residual::Kind kind, const Correspondences& p,
                                     w * (back[1] / back[2] - x1[1])};
         const double lines[2] = {n / std::sqrt(first), n / std::sqrt(second)},
                      sampson = n / std::sqrt(first + second);
-        const double* values = kind == Residual::SAMPSON              ? &sampson
-                               : kind == Residual::SYMMETRIC_EPIPOLAR ? lines
-                                                                      : transfer;
+        const double* values = kind == Formula::SAMPSON              ? &sampson
+                               : kind == Formula::SYMMETRIC_EPIPOLAR ? lines
+                                                                     : transfer;
         for (int j = 0; j < rows; ++j)
             r[rows * k + j] = values[j];
     }
     return r;
 }
 
-double costOf(Residual::Kind kind, const Correspondences& p, const std::vector<int>& indices,
+double costOf(Formula::Kind kind, const Correspondences& p, const std::vector<int>& indices,
               const double* weights, const Model& M)
 {
     return residuals(kind, p, indices, weights, M).squaredNorm();
@@ -102,7 +102,7 @@ typedef testing::TestWithParam<int> Usac_LeastSquares;
 TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
 {
     const ProblemType problem = problemOf(GetParam());
-    const Residual::Kind kind = kindOf(GetParam());
+    const Formula::Kind kind = kindOf(GetParam());
     const Scene scene = sceneOf(problem, 3);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Correspondences& points = usac->points();
@@ -142,7 +142,7 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
 TEST_P(Usac_LeastSquares, normalEquationsOfSomePoints)
 {
     const ProblemType problem = problemOf(GetParam());
-    const Residual::Kind kind = kindOf(GetParam());
+    const Formula::Kind kind = kindOf(GetParam());
     const Scene scene = sceneOf(problem, 3);
     const Ptr<Usac> usac = createUsac(scene, Params());
     const Correspondences& points = usac->points();
@@ -225,7 +225,7 @@ TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
 }
 
 //! Largest correlation of the residuals with a direction of the manifold; 0 at a minimum.
-double slope(Residual::Kind kind, const Correspondences& points, const std::vector<int>& indices,
+double slope(Formula::Kind kind, const Correspondences& points, const std::vector<int>& indices,
              const double* weights, const Model& model)
 {
     NormalEquations sums;
@@ -244,7 +244,7 @@ double slope(Residual::Kind kind, const Correspondences& points, const std::vect
 TEST_P(Usac_LeastSquares, reachesTheMinimum)
 {
     const ProblemType problem = problemOf(GetParam());
-    const Residual::Kind kind = kindOf(GetParam());
+    const Formula::Kind kind = kindOf(GetParam());
     const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     RNG rng(4);
     int steep = 0;
@@ -275,7 +275,7 @@ TEST_P(Usac_LeastSquares, reachesTheMinimum)
 TEST_P(Usac_LeastSquares, exactWithoutNoise)
 {
     const ProblemType problem = problemOf(GetParam());
-    const Residual::Kind kind = kindOf(GetParam());
+    const Formula::Kind kind = kindOf(GetParam());
     const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     RNG rng(5);
     for (int repeat = 0; repeat < 20; ++repeat)
@@ -295,7 +295,7 @@ TEST_P(Usac_LeastSquares, exactWithoutNoise)
 TEST_P(Usac_LeastSquares, neverRaisesTheCost)
 {
     const ProblemType problem = problemOf(GetParam());
-    const Residual::Kind kind = kindOf(GetParam());
+    const Formula::Kind kind = kindOf(GetParam());
     const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     const Scene scene = sceneOf(problem, 5);
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -332,7 +332,7 @@ TEST_P(Usac_LeastSquares, neverRaisesTheCost)
 TEST_P(Usac_LeastSquares, zeroWeightsAreLikeAbsentPoints)
 {
     const ProblemType problem = problemOf(GetParam());
-    const Residual::Kind kind = kindOf(GetParam());
+    const Formula::Kind kind = kindOf(GetParam());
     const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     const Scene scene = sceneOf(problem, 1);
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -351,7 +351,7 @@ TEST_P(Usac_LeastSquares, zeroWeightsAreLikeAbsentPoints)
 TEST_P(Usac_LeastSquares, tooFewPoints)
 {
     const ProblemType problem = problemOf(GetParam());
-    const Residual::Kind kind = kindOf(GetParam());
+    const Formula::Kind kind = kindOf(GetParam());
     const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     const Scene scene = sceneOf(problem, 1);
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -369,7 +369,7 @@ TEST_P(Usac_LeastSquares, tooFewPoints)
 TEST_P(Usac_LeastSquares, equalPoints)
 {
     const ProblemType problem = problemOf(GetParam());
-    const Residual::Kind kind = kindOf(GetParam());
+    const Formula::Kind kind = kindOf(GetParam());
     const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
     const OwnPoints points(problem, std::vector<Point2d>(20, Point2d(0.1, 0.2)),
                            std::vector<Point2d>(20, Point2d(0.3, -0.1)));

@@ -27,7 +27,7 @@ struct Matches
     bool fit(Model& model, const double* weights = 0, int iterations = 10) const
     {
         const OwnPoints points(HOMOGRAPHY, points1, points2);
-        return createLeastSquaresSolver(HOMOGRAPHY, Residual::TRANSFER)
+        return createLeastSquaresSolver(HOMOGRAPHY, Formula::TRANSFER)
             ->fit(points.view(), indices.data(), (int)indices.size(), weights, model, iterations);
     }
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 
 // Models that are bent to wrong matches, where the right ones leave some of their parameters nearly
 // free.
@@ -85,7 +85,7 @@ TEST(Usac_Leverage, few_matches_off_a_plane_stay)
 TEST(Usac_Leverage, derivative_of_Sampsons_distance)
 {
     const double STEP = 1e-9;
-    const Ptr<Residual> residual = createSampsonResidual();
+    const Ptr<Residual> residual = createResidualOf<SampsonError>();
     const Scene scene = smallBaseline(50, 1, 1);
     const Model model(scene.F * (1 / cv::norm(scene.F)));
     for (int i = 0; i < scene.size(); ++i)

@@ -6,7 +6,7 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 #include "real_set.hpp"
-#include "scoring/kernels.hpp"
+#include "problems/kernels.hpp"
 
 #include <cstdlib>
 #include <fstream>
@@ -96,11 +96,11 @@ uint64 platformHash()
 std::string kernelsInUse()
 {
 #ifdef USACV20_HAVE_AVX512
-    if (kernels().msac[0] == avx512Kernels().msac[0])
+    if (kernels().arcs == avx512Kernels().arcs)
         return "avx512";
 #endif
 #ifdef USACV20_HAVE_AVX2
-    if (kernels().msac[0] == avx2Kernels().msac[0])
+    if (kernels().arcs == avx2Kernels().arcs)
         return "avx2";
 #endif
     return "baseline";

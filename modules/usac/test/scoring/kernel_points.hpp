@@ -6,11 +6,11 @@
 #define OPENCV_USACV20_TEST_KERNEL_POINTS_HPP
 
 #include "test_precomp.hpp"
+#include "problem_objects.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 #include "run_context.hpp"
-#include "scoring/kernels.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 #include "scoring/scores.hpp"
 
 // Points, models and direct formulas for the tests of the kernels; one test file includes this.
@@ -55,14 +55,14 @@ std::vector<NamedKernels> availableKernels()
 //! Points and models of all qualities.
 struct Fixture
 {
-    explicit Fixture(Residual::Kind kind_, uint64 seed = 1) : kind(kind_)
+    explicit Fixture(Formula::Kind kind_, uint64 seed = 1) : kind(kind_)
     {
-        if (kind == Residual::REPROJECTION)
+        if (kind == Formula::REPROJECTION)
         {
             createPoses(seed);
             return;
         }
-        if (kind == Residual::SPACE_TRANSFER)
+        if (kind == Formula::SPACE_TRANSFER)
         {
             createMotions(seed);
             return;
@@ -71,8 +71,8 @@ struct Fixture
         options.inliers = COUNT / 2;
         options.outliers = COUNT - COUNT / 2;
         options.seed = seed;
-        const bool homography = kind == Residual::TRANSFER || kind == Residual::SYMMETRIC_TRANSFER;
-        params.residual = kind == Residual::TRANSFER || kind == Residual::SAMPSON
+        const bool homography = kind == Formula::TRANSFER || kind == Formula::SYMMETRIC_TRANSFER;
+        params.residual = kind == Formula::TRANSFER || kind == Formula::SAMPSON
                               ? RESIDUAL_STANDARD
                               : RESIDUAL_SYMMETRIC;
         scene = makeScene(homography ? HOMOGRAPHY : FUNDAMENTAL, options);
@@ -137,7 +137,7 @@ struct Fixture
     bool homogeneous() const { return usac->components().residual->homogeneous(); }
     float limit() const { return (float)(points().threshold * points().threshold); }
 
-    Residual::Kind kind;
+    Formula::Kind kind;
     Params params;
     Scene scene;
     Ptr<Usac> usac;
@@ -160,11 +160,11 @@ double directSpaceTransfer(const Correspondences& p, const Matx34d& motion, int 
 }
 
 //! Squared error of a point in double, in the coordinates of the kernels.
-double directError(const Correspondences& p, Residual::Kind kind, const Model& model, int i)
+double directError(const Correspondences& p, Formula::Kind kind, const Model& model, int i)
 {
-    if (kind == Residual::REPROJECTION)
+    if (kind == Formula::REPROJECTION)
         return directReprojection(p, model, i);
-    if (kind == Residual::SPACE_TRANSFER)
+    if (kind == Formula::SPACE_TRANSFER)
         return directSpaceTransfer(p, model, i);
     const Matx33d M = model;
     const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1),
@@ -176,9 +176,9 @@ double directError(const Correspondences& p, Residual::Kind kind, const Model& m
         backward(back[0] / back[2] - x1[0], back[1] / back[2] - x1[1]);
     switch (kind)
     {
-    case Residual::TRANSFER: return forward.dot(forward);
-    case Residual::SAMPSON: return n / (first + second);
-    case Residual::SYMMETRIC_TRANSFER: return forward.dot(forward) + backward.dot(backward);
+    case Formula::TRANSFER: return forward.dot(forward);
+    case Formula::SAMPSON: return n / (first + second);
+    case Formula::SYMMETRIC_TRANSFER: return forward.dot(forward) + backward.dot(backward);
     default: return n / first + n / second;
     }
 }

@@ -12,7 +12,7 @@ typedef testing::TestWithParam<int> Usac_Scores_Kernels;
 
 TEST_P(Usac_Scores_Kernels, againstDirectEvaluation)
 {
-    const Fixture f((Residual::Kind)GetParam());
+    const Fixture f((Formula::Kind)GetParam());
     const std::vector<NamedKernels> all = availableKernels();
     int inliersSeen = 0;
     for (int end = 0; end <= COUNT; ++end)
@@ -26,8 +26,8 @@ TEST_P(Usac_Scores_Kernels, againstDirectEvaluation)
         for (size_t k = 0; k < all.size(); ++k)
         {
             Quality msac(2, 3), inliers(5, 7);  // what is there stays there
-            all[k].kernels.msac[f.kind](f.points(), m, f.limit(), begin, end, msac);
-            all[k].kernels.inliers[f.kind](f.points(), m, f.limit(), begin, end, inliers);
+            all[k].kernels.residuals[f.kind].msac(f.points(), m, f.limit(), begin, end, msac);
+            all[k].kernels.residuals[f.kind].inliers(f.points(), m, f.limit(), begin, end, inliers);
             EXPECT_NEAR(expected.msac, msac.cost - 2, 1e-3 + 1e-4 * (end - begin))
                 << all[k].name << " " << end;
             EXPECT_NEAR(expected.inliers, msac.inliers - 3, expected.doubtful);
@@ -40,7 +40,7 @@ TEST_P(Usac_Scores_Kernels, againstDirectEvaluation)
 
 TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
 {
-    const Fixture f((Residual::Kind)GetParam(), 2);
+    const Fixture f((Formula::Kind)GetParam(), 2);
     const std::vector<NamedKernels> all = availableKernels();
     for (int end = 1; end <= COUNT; ++end)
         for (int begin = 0; begin < end; begin = 2 * begin + 1 + end % 5)
@@ -52,8 +52,8 @@ TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
                 std::vector<Quality> sums(all.size(), Quality(0, 0));
                 for (size_t k = 0; k < all.size(); ++k)
                 {
-                    const FusedKernel kernel = (score ? all[k].kernels.msac
-                                                      : all[k].kernels.inliers)[f.kind];
+                    const ResidualKernels& loops = all[k].kernels.residuals[f.kind];
+                    const FusedKernel kernel = score ? loops.msac : loops.inliers;
                     kernel(f.points(), m, f.limit(), begin, end, sums[k]);
                     ASSERT_EQ(0, memcmp(&sums[0].cost, &sums[k].cost, sizeof(double)))
                         << all[k].name << " " << end;
@@ -61,10 +61,10 @@ TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
                 }
             }
             std::vector<float> first(COUNT, -1.f), errors(COUNT, -1.f);
-            all[0].kernels.errors[f.kind](f.points(), m, begin, end, first.data());
+            all[0].kernels.residuals[f.kind].errors(f.points(), m, begin, end, first.data());
             for (size_t k = 1; k < all.size(); ++k)
             {
-                all[k].kernels.errors[f.kind](f.points(), m, begin, end, errors.data());
+                all[k].kernels.residuals[f.kind].errors(f.points(), m, begin, end, errors.data());
                 ASSERT_EQ(0, memcmp(first.data(), errors.data(), COUNT * sizeof(float)))
                     << all[k].name << " " << end;
             }
@@ -73,9 +73,9 @@ TEST_P(Usac_Scores_Kernels, sameBitsWithEveryInstructionSet)
 
 TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
 {
-    const Fixture f((Residual::Kind)GetParam(), 3);
+    const Fixture f((Formula::Kind)GetParam(), 3);
     const Ptr<Residual> residual = f.usac->components().residual;
-    ASSERT_EQ(f.kind, residual->kind());
+    ASSERT_EQ(&kernels().residuals[f.kind], residual->kernels());
     const Correspondences& p = f.points();
     for (size_t k = 0; k < f.models.size(); ++k)
     {
@@ -100,7 +100,7 @@ TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
 //! Score::accumulate, for residuals without a kernel, says the same as the kernels.
 TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
 {
-    const Fixture f((Residual::Kind)GetParam(), 4);
+    const Fixture f((Formula::Kind)GetParam(), 4);
     const Ptr<Residual> residual = f.usac->components().residual;
     const Ptr<Score> scores[] = {createMsacScore(), createInlierScore()};
     std::vector<float> errors(COUNT);
@@ -120,7 +120,7 @@ TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
         }
 }
 
-INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Kernels, testing::Range(0, (int)Residual::CUSTOM));
+INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Kernels, testing::Range(0, (int)Errors::COUNT));
 
 //! Where the error is not defined the point is an outlier.
 TEST(Usac_Scores, undefinedErrorsAreOutliers)
@@ -133,14 +133,15 @@ TEST(Usac_Scores, undefinedErrorsAreOutliers)
     const std::vector<NamedKernels> all = availableKernels();
     for (int k = 0; k < 3; ++k)
         for (size_t a = 0; a < all.size(); ++a)
-            for (int kind = 0; kind < (k == 2 ? 2 : 1);
-                 ++kind)  // Sampson's distance is undefined for the zero matrix
+            for (int kind = Formula::TRANSFER;
+                 kind <= (k == 2 ? Formula::SAMPSON : Formula::TRANSFER);
+                 kind += Formula::SAMPSON)  // Sampson's distance is undefined for the zero matrix
             {
                 float m[MAX_MODEL_SIZE];
                 toFloat(*models[k], m);
                 Quality msac(0, 0), inliers(0, 0);
-                all[a].kernels.msac[kind](own.view(), m, 1, 0, 40, msac);
-                all[a].kernels.inliers[kind](own.view(), m, 1, 0, 40, inliers);
+                all[a].kernels.residuals[kind].msac(own.view(), m, 1, 0, 40, msac);
+                all[a].kernels.residuals[kind].inliers(own.view(), m, 1, 0, 40, inliers);
                 EXPECT_EQ(40, msac.cost) << all[a].name << " model " << k;
                 EXPECT_EQ(0, msac.inliers);
                 EXPECT_EQ(40, inliers.cost);
@@ -272,8 +273,8 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
 //! Context::rate is the sum over all points.
 TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
 {
-    const Residual::Kind kind = mapsPoints((ProblemType)GetParam()) ? Residual::TRANSFER
-                                                                    : Residual::SAMPSON;
+    const Formula::Kind kind = mapsPoints((ProblemType)GetParam()) ? Formula::TRANSFER
+                                                                   : Formula::SAMPSON;
     const Fixture f(kind, 5);
     const RunContext run(f.points(), f.usac->components(), f.params);
     const Context& context = run;

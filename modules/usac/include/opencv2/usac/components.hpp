@@ -256,20 +256,12 @@ public:
                      const double* weights, Model& model, int iterations = 10) const = 0;
 };
 
+struct ResidualKernels;
+
 //! Error of points under a model.
 class CV_EXPORTS Residual : public Component
 {
 public:
-    //! Formulas of the built-in errors, see kind().
-    enum Kind {
-        TRANSFER,
-        SAMPSON,
-        SYMMETRIC_TRANSFER,
-        SYMMETRIC_EPIPOLAR,
-        REPROJECTION,
-        SPACE_TRANSFER,
-        CUSTOM
-    };
     enum { MAX_COMPONENTS = 4 /*!< most components of an error */ };
 
     virtual ~Residual();
@@ -296,9 +288,9 @@ public:
     Default: central differences, 2 Model::size() + 1 calls of error(). */
     virtual int linearize(const Model& model, const double* datum, double* error,
                           double* derivative) const;
-    //! Identifies the formula, so that a Score can offer a fused kernel for it. Default: CUSTOM,
-    //! which has none.
-    virtual Kind kind() const;
+    //! The loops that the module has compiled from the formula of the error, if it has. Default:
+    //! null; then the scores and fits call the methods above.
+    virtual const ResidualKernels* kernels() const;
     //! True (default): models are homogeneous, and a FusedKernel gets them scaled so that the
     //! largest entry is 1. False: it gets the entries as they are.
     virtual bool homogeneous() const;

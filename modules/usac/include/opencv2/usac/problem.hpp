@@ -7,7 +7,7 @@
 
 #ifndef OPENCV_BINDING_PARSER  // C++ only, no bindings
 
-#include "opencv2/usac/components.hpp"
+#include "opencv2/usac/least_squares.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -122,9 +122,13 @@ public:
     virtual Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const;
     //! Creates the minimal solver.
     virtual Ptr<MinimalSolver> createMinimalSolver() const = 0;
+    //! Creates the rule by which least squares varies the models, in the coordinates of
+    //! Correspondences. Default: empty, there is none.
+    virtual Ptr<Parameterization> createParameterization() const;
     //! Creates a solver that fits by least squares of a residual. Called again if the caller has
-    //! replaced the residual. Empty: none.
-    virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const = 0;
+    //! replaced the residual. Empty: none. Default: #createLeastSquares with
+    //! createParameterization(), if there is one.
+    virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const;
     /** @brief Appends the checks for a set of @ref DegeneracyFlags, in the order in which they are
     called. Default: none.
     @param flags set of @ref DegeneracyFlags

@@ -3,13 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "optimization/least_squares.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "problems/absolute_pose/absolute_pose.hpp"
 #include "problems/absolute_pose/camera.hpp"
 #include "problems/absolute_pose/lens_residual.hpp"
 #include "problems/absolute_pose/pose_parameterization.hpp"
+#include "problems/kernels.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/residuals.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -100,18 +100,25 @@ public:
         if (type == RESIDUAL_SYMMETRIC)
             CV_Error(Error::StsBadArg,
                      "residual: RESIDUAL_SYMMETRIC needs two images, an absolute pose has one");
-        return createReprojectionResidual();
+        return createResidualOf<ReprojectionError>();
     }
 
     Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const CV_OVERRIDE
     {
-        const bool exact = !camera.distorted || residual->kind() != Residual::REPROJECTION;
+        const bool exact = !camera.distorted || !hasFormula<ReprojectionError>(*residual);
         return exact ? Ptr<Residual>() : Ptr<Residual>(makePtr<LensResidual>(camera));
     }
 
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
     {
         return createP3PSolver(camera.matrix);
+    }
+
+    Ptr<Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        typedef PoseParameterization::Around Around;
+        return makePtr<BuiltInParameterization<PoseParameterization, Around>>(
+            Around(camera.matrix));
     }
 
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE

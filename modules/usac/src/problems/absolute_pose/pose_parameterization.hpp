@@ -36,6 +36,7 @@ public:
     PoseParameterization(const Matx33d& K, const Model& model);
     PoseParameterization(const Matx33d& K, const Matx33d& rotation, const Vec3d& translation);
 
+    static int dimension() { return DIMENSION; }
     bool hasFullRank() const { return true; }
     //! Derivatives of the model, as a 12-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;

@@ -3,9 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "optimization/least_squares.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "problems/affinity/affinity.hpp"
 #include "problems/affinity/affinity_parameterization.hpp"
+#include "problems/kernels.hpp"
 #include "problems/two_view/plane_map.hpp"
 
 namespace cv {
@@ -28,6 +29,11 @@ public:
         return AffinityParameterization(model).model();
     }
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createAffinity3Solver(); }
+    Ptr<Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<BuiltInParameterization<AffinityParameterization>>();
+    }
+
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {
         return createAffinityFit(residual);
@@ -40,7 +46,7 @@ Ptr<Problem> createAffinityProblem() { return makePtr<AffinityProblem>(); }
 
 Ptr<NonMinimalSolver> createAffinityFit(const Ptr<Residual>& residual)
 {
-    if (residual->kind() == Residual::TRANSFER)
+    if (hasFormula<TransferError>(*residual))
         return createAffinityLeastSquares();
     return makePtr<LeastSquaresSolver<AffinityParameterization>>(residual, 2);
 }

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_AFFINITY_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_AFFINITY_PARAMETERIZATION_HPP
 
-#include "optimization/normal_equations.hpp"
+#include "residual/normal_equations.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -23,6 +23,7 @@ public:
     //! Around the model, scaled so that its last row is 0 0 1.
     explicit AffinityParameterization(const Model& model);
 
+    static int dimension() { return DIMENSION; }
     //! False for a map of the plane to a line or a point.
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.

@@ -4,13 +4,13 @@
 
 #include "precomp.hpp"
 #include "core/unit_norm.hpp"
-#include "optimization/least_squares.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "problems/essential/cameras.hpp"
 #include "problems/essential/essential.hpp"
 #include "problems/essential/essential_parameterization.hpp"
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -71,11 +71,16 @@ public:
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
-        return type == RESIDUAL_SYMMETRIC ? createSymmetricEpipolarResidual()
-                                          : createSampsonResidual();
+        return type == RESIDUAL_SYMMETRIC ? createResidualOf<SymmetricEpipolarError>()
+                                          : createResidualOf<SampsonError>();
     }
 
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createEssential5Solver(); }
+
+    Ptr<Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<BuiltInParameterization<EssentialParameterization>>();
+    }
 
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {

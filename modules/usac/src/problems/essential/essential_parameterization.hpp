@@ -26,6 +26,7 @@ public:
     //! Around the closest essential matrix.
     explicit EssentialParameterization(const Model& model);
 
+    static int dimension() { return DIMENSION; }
     bool hasFullRank() const { return true; }
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;

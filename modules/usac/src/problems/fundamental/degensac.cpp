@@ -7,8 +7,7 @@
 #include "problems/share_a_point.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
 #include "problems/two_view/gathered_points.hpp"
-#include "scoring/formulas.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/homography/homography.hpp"
 
@@ -57,7 +56,7 @@ class Degensac : public Degeneracy
 {
 public:
     Degensac()
-        : fitter(createHomographyFit(createTransferResidual())), known(Matx33d::zeros()),
+        : fitter(createHomographyFit(createResidualOf<TransferError>())), known(Matx33d::zeros()),
           knownThreshold(0), knownPoints(0), onPlane(0), offPlane(0), errors(0), onCount(0),
           offCount(0), parallax(0)
     {}
@@ -146,8 +145,9 @@ private:
 
     static double error(const Correspondences& p, const Matx33d& H, int i)
     {
-        return TransferError::squared(H.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i],
-                                      p.exact[Y2][i]);
+        return TransferError::At<double>(H.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i],
+                                         p.exact[Y2][i])
+            .squared();
     }
 
     static int pointsOn(const Context& context, const Matx33d& H)
@@ -155,8 +155,8 @@ private:
         float m[9];
         toFloat(H, m);
         Quality sum(0, 0);
-        kernels().inliers[Residual::TRANSFER](context.points, m, (float)planeLimit(context), 0,
-                                              context.points.size, sum);
+        kernelsOf<TransferError>().inliers(context.points, m, (float)planeLimit(context), 0,
+                                           context.points.size, sum);
         return sum.inliers;
     }
 
@@ -165,7 +165,7 @@ private:
     {
         float m[9];
         toFloat(H, m);
-        kernels().errors[Residual::TRANSFER](p, m, 0, p.size, errors);
+        kernelsOf<TransferError>().errors(p, m, 0, p.size, errors);
         onCount = offCount = 0;
         for (int i = 0; i < p.size; ++i)
             (errors[i] <= (float)most ? onPlane[onCount++] : offPlane[offCount++]) = i;

@@ -4,12 +4,12 @@
 
 #include "precomp.hpp"
 #include "core/unit_norm.hpp"
-#include "optimization/least_squares.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -74,13 +74,18 @@ public:
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
-        return type == RESIDUAL_SYMMETRIC ? createSymmetricEpipolarResidual()
-                                          : createSampsonResidual();
+        return type == RESIDUAL_SYMMETRIC ? createResidualOf<SymmetricEpipolarError>()
+                                          : createResidualOf<SampsonError>();
     }
 
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
     {
         return createFundamental7Solver();
+    }
+
+    Ptr<Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<BuiltInParameterization<FundamentalParameterization>>();
     }
 
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE

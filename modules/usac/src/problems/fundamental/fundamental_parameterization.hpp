@@ -31,6 +31,7 @@ public:
     //! Around the closest model of rank 2 and unit norm.
     explicit FundamentalParameterization(const Model& model);
 
+    static int dimension() { return DIMENSION; }
     //! False for F of rank 1.
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.

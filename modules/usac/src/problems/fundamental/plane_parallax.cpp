@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "core/unit_norm.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
-#include "scoring/places.inl.hpp"
+#include "problems/kernels.hpp"
 #include "core/sample_counts.hpp"
 
 namespace cv {
@@ -276,7 +276,7 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
     const Correspondences& p = voters.view();
     float m[9], errors[MAX_POINTS];
     toFloat(F, m);
-    kernels().errors[Residual::SAMPSON](p, m, 0, p.size, errors);
+    kernelsOf<SampsonError>().errors(p, m, 0, p.size, errors);
     const float widest = (float)(width * width * limit);
     int near[MAX_POINTS + 1], count = 0;
     for (int i = 0; i < p.size && count < most; ++i)  // no branch that would be mispredicted

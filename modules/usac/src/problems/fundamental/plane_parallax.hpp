@@ -64,10 +64,7 @@ private:
     enum { N0, N1, N2, G00, G01, G02, G11, G12, G22 };
 
     const float* number(int which) const { return &numbers[(size_t)which * stride]; }
-    Quality support(const Model& model) const
-    {
-        return voters.msac(Residual::SAMPSON, model, limit);
-    }
+    Quality support(const Model& model) const { return voters.msac<SampsonError>(model, limit); }
     int linesNeeded(double failure, double wanted) const;
     int vote(int line, Vec3d& epipole) const;
     void refine(const Context& context, Vec3d epipole, Model& model, Quality& quality);

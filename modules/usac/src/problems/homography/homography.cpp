@@ -4,11 +4,11 @@
 
 #include "precomp.hpp"
 #include "core/unit_norm.hpp"
-#include "optimization/least_squares.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "problems/homography/homography.hpp"
 #include "problems/homography/homography_parameterization.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -69,11 +69,16 @@ public:
 
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE
     {
-        return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual()
-                                          : createTransferResidual();
+        return type == RESIDUAL_SYMMETRIC ? createResidualOf<SymmetricTransferError>()
+                                          : createResidualOf<TransferError>();
     }
 
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createHomography4Solver(); }
+
+    Ptr<Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<BuiltInParameterization<HomographyParameterization>>();
+    }
 
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {

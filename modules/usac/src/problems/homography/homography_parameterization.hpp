@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_HOMOGRAPHY_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_HOMOGRAPHY_PARAMETERIZATION_HPP
 
-#include "optimization/normal_equations.hpp"
+#include "residual/normal_equations.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -23,6 +23,7 @@ public:
     //! Around the model, scaled to unit norm.
     explicit HomographyParameterization(const Model& model);
 
+    static int dimension() { return DIMENSION; }
     //! False if H maps the plane to a line or a point.
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.

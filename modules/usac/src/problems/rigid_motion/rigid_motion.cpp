@@ -3,11 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "optimization/least_squares.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "problems/rigid_motion/rigid_motion.hpp"
 #include "problems/rigid_motion/rigid_parameterization.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -86,12 +86,17 @@ public:
                 ("residual: RESIDUAL_SYMMETRIC is for two images; the problem %s measures the "
                  "distance in space 2",
                  name().c_str()));
-        return createSpaceTransferResidual();
+        return createResidualOf<SpaceTransferError>();
     }
 
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
     {
         return createTriangleSolver(SCALED);
+    }
+
+    Ptr<Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<BuiltInParameterization<RigidParameterization<SCALED>>>();
     }
 
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
@@ -113,7 +118,7 @@ Ptr<Problem> createSimilarity3DProblem() { return makePtr<RigidMotionProblem<tru
 
 Ptr<NonMinimalSolver> createRigidFit(const Ptr<Residual>& residual, bool scaled)
 {
-    if (residual->kind() == Residual::SPACE_TRANSFER)
+    if (hasFormula<SpaceTransferError>(*residual))
         return createRigidLeastSquares(scaled);
     if (scaled)
         return makePtr<LeastSquaresSolver<RigidParameterization<true>>>(residual, 3);

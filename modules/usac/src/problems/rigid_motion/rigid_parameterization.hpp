@@ -35,6 +35,7 @@ public:
     //! Around the motion whose linear part is the closest to that of the model.
     explicit RigidParameterization(const Model& model);
 
+    static int dimension() { return DIMENSION; }
     //! False if all points are mapped to one.
     bool hasFullRank() const { return scale > 0; }
     //! Derivatives of the model, as a 12-vector row by row, with respect to the parameters at 0.

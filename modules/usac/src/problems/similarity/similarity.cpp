@@ -3,9 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "optimization/least_squares.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "problems/similarity/similarity.hpp"
 #include "problems/similarity/similarity_parameterization.hpp"
+#include "problems/kernels.hpp"
 #include "problems/two_view/plane_map.hpp"
 
 namespace cv {
@@ -28,6 +29,11 @@ public:
         return SimilarityParameterization(model).model();
     }
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return createSimilarity2Solver(); }
+    Ptr<Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<BuiltInParameterization<SimilarityParameterization>>();
+    }
+
     Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
     {
         return createSimilarityFit(residual);
@@ -40,7 +46,7 @@ Ptr<Problem> createSimilarityProblem() { return makePtr<SimilarityProblem>(); }
 
 Ptr<NonMinimalSolver> createSimilarityFit(const Ptr<Residual>& residual)
 {
-    if (residual->kind() == Residual::TRANSFER)
+    if (hasFormula<TransferError>(*residual))
         return createSimilarityLeastSquares();
     return makePtr<LeastSquaresSolver<SimilarityParameterization>>(residual, 2);
 }

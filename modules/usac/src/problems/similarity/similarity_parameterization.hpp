@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_SIMILARITY_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_SIMILARITY_PARAMETERIZATION_HPP
 
-#include "optimization/normal_equations.hpp"
+#include "residual/normal_equations.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -24,6 +24,7 @@ public:
     explicit SimilarityParameterization(const Model& model);
 
     //! False for a map of the plane to a line or a point.
+    static int dimension() { return DIMENSION; }
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.
     Basis tangent() const;

@@ -7,7 +7,7 @@
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/epipole.hpp"
 #include "problems/share_a_point.hpp"
-#include "scoring/formulas.hpp"
+#include "problems/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -60,8 +60,9 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
     count = 0;
     const double limit = context.inlierThreshold() * context.inlierThreshold();
     for (int i = 0; i < p.size && count < MAX_INLIERS; ++i)
-        if (SampsonError::squared(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i],
-                                  p.exact[Y2][i]) <= limit)
+        if (SampsonError::At<double>(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i],
+                                     p.exact[Y2][i])
+                .squared() <= limit)
             members[count++] = i;
     if (count < LEAST_INLIERS || !epipolar(F, e, A))
         return false;
@@ -77,7 +78,7 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
         Matx33d candidate;
         if (!planeOfThree(p, triple, A, e, candidate))
             continue;
-        const int support = someInliers.count(Residual::TRANSFER, candidate, planeLimit(context));
+        const int support = someInliers.count<TransferError>(candidate, planeLimit(context));
         if (support > most)
         {
             most = support;

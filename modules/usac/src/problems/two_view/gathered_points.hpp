@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include "opencv2/usac/components.hpp"
-#include "scoring/kernels.hpp"
+#include "problems/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -38,15 +38,17 @@ public:
     const Correspondences& view() const { return points; }
 
     //! Number of points whose squared error is at most `limit`.
-    int count(Residual::Kind kind, const Model& model, double limit) const
+    template <class Error>
+    int count(const Model& model, double limit) const
     {
-        return sum(kernels().inliers[kind], model, limit).inliers;
+        return sum(kernelsOf<Error>().inliers, model, limit).inliers;
     }
 
     //! The same number, and the MSAC cost: the sum of squared errors over `limit`, each at most 1.
-    Quality msac(Residual::Kind kind, const Model& model, double limit) const
+    template <class Error>
+    Quality msac(const Model& model, double limit) const
     {
-        return sum(kernels().msac[kind], model, limit);
+        return sum(kernelsOf<Error>().msac, model, limit);
     }
 
 private:

@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "problems/two_view/plane_map.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -68,8 +68,8 @@ Model PlaneMapProblem::ofOutput(const Mat& output) const
 
 Ptr<Residual> PlaneMapProblem::createResidual(int type) const
 {
-    return type == RESIDUAL_SYMMETRIC ? createSymmetricTransferResidual()
-                                      : createTransferResidual();
+    return type == RESIDUAL_SYMMETRIC ? createResidualOf<SymmetricTransferError>()
+                                      : createResidualOf<TransferError>();
 }
 
 /** Any orientation is valid here, and there are no dominant planes: only repeated points and

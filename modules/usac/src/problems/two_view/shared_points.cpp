@@ -6,7 +6,7 @@
 #include "problems/two_view/two_view.hpp"
 #include "scoring/counted_once.hpp"
 #include "problems/share_a_point.hpp"
-#include "scoring/kernels.hpp"
+#include "residual/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -7,7 +7,7 @@
 #include "problems/absolute_pose/camera.hpp"
 #include "problems/absolute_pose/lens_residual.hpp"
 #include "problems/absolute_pose/pose_parameterization.hpp"
-#include "scoring/residuals.hpp"
+#include "problems/kernels.hpp"
 
 // The lens against cv::projectPoints, the errors and their derivatives against differences.
 

@@ -70,7 +70,7 @@ struct Parallax
         }
         H = cv::Matx33d((const double*)cv::findHomography(plane1, plane2, 0).ptr());
         truth = toInternal(p, scene.model);
-        createLeastSquaresSolver(FUNDAMENTAL, Residual::SAMPSON)
+        createLeastSquaresSolver(FUNDAMENTAL, Formula::SAMPSON)
             ->fit(p, right.data(), (int)right.size(), 0, truth, 20);
     }
 

@@ -6,23 +6,24 @@
 #define OPENCV_USACV20_NORMAL_EQUATIONS_HPP
 
 #include <Eigen/Core>
-#include "optimization/point_chunks.hpp"
+#include "residual/point_chunks.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-/** Normal equations of the Gauss-Newton method in the `SIZE` entries of the model: JtJ, Jtr and the
-cost r^T r. A parameterization then projects them onto its tangent space, so that the work per point
-is the same for all parameterizations. */
+/** Normal equations of the Gauss-Newton method in the `SIZE` entries of the model (Eigen::Dynamic:
+any number of them): JtJ, Jtr and the cost r^T r. A parameterization then projects them onto its
+tangent space, so that the work per point is the same for all parameterizations. */
 template <int SIZE>
 struct NormalEquationsOf
 {
-    Eigen::Matrix<double, SIZE, SIZE, Eigen::RowMajor> JtJ;
-    Eigen::Matrix<double, SIZE, 1> Jtr;
+    enum { MOST = SIZE == Eigen::Dynamic ? (int)MAX_MODEL_SIZE : SIZE };
+    Eigen::Matrix<double, SIZE, SIZE, Eigen::RowMajor, MOST, MOST> JtJ;
+    Eigen::Matrix<double, SIZE, 1, Eigen::ColMajor, MOST, 1> Jtr;
     double cost;
 
     //! Computes the sums over the points by a kernel; if the residual has none, by
-    //! Residual::linearize().
+    //! Residual::linearize(). The model has `SIZE` numbers.
     void accumulate(const Residual& residual, const PointChunks& points, const Model& model);
 
     //! The cost alone, in a fraction of the time.

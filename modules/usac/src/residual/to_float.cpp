@@ -3,34 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/instruction_set.hpp"
-#include "scoring/kernels.inl.hpp"
+#include "residual/kernels.hpp"
+#include "core/simd.hpp"
 
 namespace cv {
 namespace usacv20 {
-
-Kernels baselineKernels() { return allKernels(); }
-
-static Kernels bestKernels()
-{
-    const InstructionSet instructions = fastestInstructions();
-#ifdef USACV20_HAVE_AVX512
-    if (instructions == INSTRUCTIONS_AVX512)
-        return avx512Kernels();
-#endif
-#ifdef USACV20_HAVE_AVX2
-    if (instructions == INSTRUCTIONS_AVX2)
-        return avx2Kernels();
-#endif
-    CV_UNUSED(instructions);
-    return baselineKernels();
-}
-
-const Kernels& kernels()
-{
-    static const Kernels best = bestKernels();
-    return best;
-}
 
 void toFloat(const Model& model, float* m, bool homogeneous)
 {

@@ -4,7 +4,7 @@
 
 #ifdef __AVX512F__
 
-#include "scoring/kernels.inl.hpp"
+#include "problems/kernels.inl.hpp"
 
 #ifdef USACV20_HAVE_AVX512
 

@@ -2,14 +2,26 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Included by arcs.inl.hpp, once for each instruction set, and by PlaneParallax.
+#ifndef OPENCV_USACV20_ARCS_HPP
+#define OPENCV_USACV20_ARCS_HPP
 
 #include <cmath>
-#include "scoring/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
-namespace {
+
+//! ARCS_BLOCK divides the number of points; a point has ARCS_ROWS numbers, a line has ARCS_WEIGHTS
+//! coefficients and is divided into ARCS_BINS bins.
+constexpr int ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256;
+/** For each of `stride` points, the arc of a line on which an epipole keeps the point within the
+threshold, see PlaneParallax and arcs.inl.hpp.
+@param rows #ARCS_ROWS rows of `stride` numbers: n (3 of them) and the upper triangle of G (6)
+@param stride number of points, a multiple of #ARCS_BLOCK
+@param weights #ARCS_WEIGHTS coefficients of the line
+@param from, to output: first and last bin of each arc; 0 and -1 if the arc is the whole line */
+typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
+
+namespace {  // compiled for different instruction sets
 
 /* Position of the point u + t v on a line, t = s / c, as a number that increases with t and needs
 no arc tangent: t itself if |t| <= 1, else 2 - 1 / t. -1 and 3 are the same point: the projective
@@ -30,5 +42,8 @@ inline int binOf(float place)
 }
 
 }  // namespace
+
 }  // namespace usacv20
 }  // namespace cv
+
+#endif

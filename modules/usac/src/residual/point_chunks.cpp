@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "optimization/point_chunks.hpp"
+#include "residual/point_chunks.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -55,26 +55,14 @@ bool PointChunks::get(int index, double* datum, double& weight) const
     return true;
 }
 
-void PointChunks::sum(SumsKernel kernel, int count, const double* model, bool swapped,
-                      double* sums) const
+void PointChunks::sum(SumsKernel kernel, int count, const double* model, double* sums) const
 {
-    static const double zeros[EPIPOLAR_SUMS][SUMS_LANES] = {{0}};
-    double lanes[EPIPOLAR_SUMS][SUMS_LANES];
+    static const double zeros[MAX_SUMS][SUMS_LANES] = {{0}};
+    double lanes[MAX_SUMS][SUMS_LANES];
     std::memcpy(lanes, zeros,
                 count * sizeof(lanes[0]));  // std::fill would compile to a slow instruction
     for (int c = 0; c < chunks; ++c)
-    {
-        const Row* chunk = rows + c * (columns + 1);
-        Row exchanged[TWO_VIEW_ROWS];
-        if (swapped)
-        {
-            std::memcpy(exchanged, chunk + 2, 2 * sizeof(Row));
-            std::memcpy(exchanged + 2, chunk, 2 * sizeof(Row));
-            std::memcpy(exchanged + 4, chunk + 4, sizeof(Row));
-            chunk = exchanged;
-        }
-        kernel(chunk, model, lanes);
-    }
+        kernel(rows + c * (columns + 1), model, lanes);
     for (int i = 0; i < count; ++i)
     {
         double* l = lanes[i];

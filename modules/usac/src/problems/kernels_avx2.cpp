@@ -4,7 +4,7 @@
 
 #ifdef __AVX2__
 
-#include "scoring/kernels.inl.hpp"
+#include "problems/kernels.inl.hpp"
 
 #ifdef USACV20_HAVE_AVX2
 

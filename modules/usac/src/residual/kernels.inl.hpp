@@ -8,12 +8,11 @@ those compiled for other instruction sets. */
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include "core/indices.hpp"
-#include "scoring/arcs.inl.hpp"
-#include "scoring/formulas.hpp"
-#include "scoring/kernels.hpp"
 #include "core/simd.hpp"
-#include "scoring/sums.inl.hpp"
+#include "residual/kernels.hpp"
+#include "residual/sums.inl.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -23,13 +22,19 @@ namespace {
 //! so that all return the same bits.
 constexpr int LANES = 16;
 
+template <class Error, typename... Numbers>
+inline float squaredOf(const float* m, Numbers... datum)
+{
+    return typename Error::template At<float>(m, datum...).squared();
+}
+
 template <class Error, typename... Columns>
 inline void errorsOf(const float* m, int count, float* USAC_RESTRICT errors,
                      const Columns* USAC_RESTRICT... column)
 {
     USAC_SIMD
     for (int i = 0; i < count; ++i)
-        errors[i] = Error::squared(m, column[i]...);
+        errors[i] = squaredOf<Error>(m, column[i]...);
 }
 
 template <class Error, int... K>
@@ -69,7 +74,7 @@ inline void addLanes(const float* m, float limit, float scale, float* USAC_RESTR
     USAC_SIMD
     for (int k = 0; k < LANES; ++k)
     {
-        const float e = Error::squared(m, column[k]...);
+        const float e = squaredOf<Error>(m, column[k]...);
         cost[k] += Cost::of(e, limit, scale);
         inliers[k] += e <= limit ? 1 : 0;
     }
@@ -87,7 +92,7 @@ inline void scoreOf(const Correspondences& points, const float* m, float limit, 
         addLanes<Error, Cost>(m, limit, scale, cost, inliers, (points.column[K] + i)...);
     for (int k = 0; i < end; ++i, ++k)
     {
-        const float e = Error::squared(m, points.column[K][i]...);
+        const float e = squaredOf<Error>(m, points.column[K][i]...);
         cost[k] += Cost::of(e, limit, scale);
         inliers[k] += e <= limit ? 1 : 0;
     }
@@ -112,29 +117,19 @@ void scoreKernel(const Correspondences& points, const float* model, float limit,
                          typename IndicesTo<Error::COLUMNS>::Type());
 }
 
+//! All loops of a formula.
 template <class Error>
-void addKernels(Residual::Kind kind, SumsKernel sums, SumsKernel cost, Kernels& all)
+ResidualKernels kernelsFor()
 {
-    all.errors[kind] = errorKernel<Error>;
-    all.msac[kind] = scoreKernel<Error, MsacCost>;
-    all.inliers[kind] = scoreKernel<Error, InlierCost>;
-    all.sums[kind] = sums;
-    all.costs[kind] = cost;
-}
-
-Kernels allKernels()
-{
-    Kernels all;
-    addKernels<TransferError>(Residual::TRANSFER, transferSums, transferCost, all);
-    addKernels<SampsonError>(Residual::SAMPSON, sampsonSums, sampsonCost, all);
-    addKernels<SymmetricTransferError>(Residual::SYMMETRIC_TRANSFER, transferSums, transferCost,
-                                       all);
-    all.arcs = arcsKernel;
-    addKernels<SymmetricEpipolarError>(Residual::SYMMETRIC_EPIPOLAR, symmetricEpipolarSums,
-                                       symmetricEpipolarCost, all);
-    addKernels<ReprojectionError>(Residual::REPROJECTION, reprojectionSums, reprojectionCost, all);
-    addKernels<SpaceTransferError>(Residual::SPACE_TRANSFER, 0, 0, all);
-    return all;
+    typedef typename SumsOf<Error>::Type Sums;
+    const ResidualKernels kernels = {errorKernel<Error>,
+                                     scoreKernel<Error, MsacCost>,
+                                     scoreKernel<Error, InlierCost>,
+                                     sumsKernel<Error>,
+                                     costKernel<Error>,
+                                     Sums::COUNT,
+                                     Sums::toEquations};
+    return kernels;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include <type_traits>
 #include "opencv2/usac/components.hpp"
-#include "scoring/kernels.hpp"
+#include "residual/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -22,8 +22,8 @@ public:
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
-    //! The first `count` sums of a kernel over all chunks. `swapped`: with images 1 and 2 swapped.
-    void sum(SumsKernel kernel, int count, const double* model, bool swapped, double* sums) const;
+    //! The first `count` sums of a kernel over all chunks.
+    void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
     //! Gets a point, at most #MAX_COLUMNS numbers, and its weight; false beyond the last one.
     bool get(int index, double* datum, double& weight) const;

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Included by kernels.inl.hpp, once for each instruction set.
+// Included by problems/kernels.inl.hpp, once for each instruction set.
 
-#include "scoring/places.inl.hpp"
+#include "problems/fundamental/arcs.hpp"
 #include "core/simd.hpp"
 
 namespace cv {

@@ -1,0 +1,80 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PUBLIC_LEAST_SQUARES_HPP
+#define OPENCV_USACV20_PUBLIC_LEAST_SQUARES_HPP
+
+#ifndef OPENCV_BINDING_PARSER  // C++ only, no bindings
+
+#include "opencv2/usac/components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! @addtogroup usacv20
+//! @{
+
+/** @brief How least squares varies the models of a problem: a parameterization of all valid models
+near a given one by as many numbers as they have degrees of freedom.
+
+The entries of a model are mostly more than these and fulfill constraints (an essential matrix has
+9 entries and 5 degrees of freedom). Implementations fulfill these laws for every model M that is
+valid, where 0 are `dimension()` zeros; #checkParameterization tests them:
+
+1. plus(M, 0) is M itself (homogeneous models: with the scale that the implementation chooses), and
+   plus(plus(M, 0), 0) equals plus(M, 0).
+2. plus(M, x) is valid again, whatever x is, and changes continuously with x.
+3. The columns of tangent(M) are the derivatives of plus(M, x) with respect to x at 0. They are
+   linearly independent.
+
+For a model that is not valid, but near a valid one, as solvers return it, both methods use the
+valid one. All methods are `const` and may be called by several threads. */
+class CV_EXPORTS Parameterization
+{
+public:
+    virtual ~Parameterization();
+    //! Degrees of freedom, 1 to #MAX_MODEL_SIZE.
+    virtual int dimension() const = 0;
+    /** @brief Derivatives of the entries of plus(model, x) with respect to the parameters at x = 0.
+    @param model the model
+    @param basis output, Model::size() rows of dimension() numbers
+    @return false if the model is degenerate, so that there is no parameterization around it */
+    virtual bool tangent(const Model& model, double* basis) const = 0;
+    /** @brief The model with other parameters.
+    @param model the model whose parameters are all 0
+    @param x dimension() parameters */
+    virtual Model plus(const Model& model, const double* x) const = 0;
+};
+
+/** @brief Weighted least squares of a residual, by the Gauss-Newton method with Levenberg-Marquardt
+damping @cite more1978levenberg of the steps that would not lower the cost.
+
+This is what a Problem needs for local optimization and polishing; Problem::createNonMinimalSolver
+makes it by default if there is a Problem::createParameterization.
+@param residual its Residual::linearize gives the derivative of the error by the entries of a model
+@param errorDimension Problem::errorDimension: a fit needs at least
+Parameterization::dimension() / errorDimension points
+@param parameterization of the models */
+CV_EXPORTS Ptr<NonMinimalSolver> createLeastSquares(const Ptr<Residual>& residual,
+                                                    int errorDimension,
+                                                    const Ptr<Parameterization>& parameterization);
+
+/** @brief Tests the laws of a parameterization around a model, the derivatives by central
+differences. For tests of programs that implement one.
+@param parameterization to be tested
+@param model any valid model; test several
+@return empty if all laws hold, otherwise the first one that does not, with the deviation. A
+deviation of 1e-9 (law 1 and 2) or 1e-5 (derivatives), relative to the largest entry of the model or
+of the column, is permitted. */
+CV_EXPORTS String checkParameterization(const Parameterization& parameterization,
+                                        const Model& model);
+
+//! @}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
+
+#endif

@@ -1,0 +1,111 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "opencv2/usac/problem.hpp"
+#include "optimization/any_parameterization.hpp"
+#include "optimization/least_squares.hpp"
+
+#include <Eigen/SVD>
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Permitted deviations, relative to the largest entry: of models that should be equal, and of
+//! derivatives from central differences with steps of #STEP. Both are far above rounding, 1e-16 and
+//! 1e-10, and far below those of a formula that is wrong.
+constexpr double SAME = 1e-9, DERIVATIVE = 1e-5, STEP = 1e-5;
+//! Columns are linearly dependent if the least singular value is below this part of the largest.
+constexpr double DEPENDENT = 1e-10;
+//! Size of the parameters for which plus() must lead to a valid model.
+constexpr double FAR = 0.1;
+
+typedef Eigen::Map<const Eigen::VectorXd> Entries;
+
+double difference(const Model& a, const Model& b)
+{
+    const Entries x(a.val, a.size()), y(b.val, b.size());
+    return (x - y).cwiseAbs().maxCoeff() / x.cwiseAbs().maxCoeff();
+}
+
+String broken(const char* law, double deviation)
+{
+    return format("%s (deviation %.3g)", law, deviation);
+}
+
+String checkDerivative(const Parameterization& rule, const Model& here,
+                       const Eigen::MatrixXd& basis)
+{
+    const int dimension = rule.dimension();
+    for (int k = 0; k < dimension; ++k)
+    {
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(dimension);
+        x[k] = STEP;
+        const Model after = rule.plus(here, x.data());
+        x[k] = -STEP;
+        const Model before = rule.plus(here, x.data());
+        const Eigen::VectorXd expected = (Entries(after.val, after.size()) -
+                                          Entries(before.val, before.size())) /
+                                         (2 * STEP);
+        const double deviation = (expected - basis.col(k)).cwiseAbs().maxCoeff() /
+                                 basis.col(k).cwiseAbs().maxCoeff();
+        if (!(deviation <= DERIVATIVE))
+            return format("tangent: column %d is not the derivative of plus() (deviation %.3g)", k,
+                          deviation);
+    }
+    return String();
+}
+
+}  // namespace
+
+Parameterization::~Parameterization() {}
+
+Ptr<NonMinimalSolver> createLeastSquares(const Ptr<Residual>& residual, int errorDimension,
+                                         const Ptr<Parameterization>& parameterization)
+{
+    CV_Assert(residual && parameterization && errorDimension >= 1);
+    typedef LeastSquaresSolver<AnyParameterization, AnyParameterization::Around> Fit;
+    return makePtr<Fit>(residual, errorDimension, AnyParameterization::Around(parameterization));
+}
+
+String checkParameterization(const Parameterization& rule, const Model& model)
+{
+    const int dimension = rule.dimension();
+    if (dimension < 1 || dimension > model.size())
+        return format("dimension: %d, the model has %d entries", dimension, model.size());
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(dimension);
+    const Model here = rule.plus(model, zero.data());
+    if (here.rows != model.rows || here.cols != model.cols)
+        return format("plus: a model of %d x %d entries has become one of %d x %d", model.rows,
+                      model.cols, here.rows, here.cols);
+    double deviation = difference(here, rule.plus(here, zero.data()));
+    if (!(deviation <= SAME))
+        return broken("plus: zero parameters change the model", deviation);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> basis(here.size(),
+                                                                                 dimension);
+    if (!rule.tangent(here, basis.data()))
+        return "tangent: the model is degenerate";
+    const String wrong = checkDerivative(rule, here, basis);
+    if (!wrong.empty())
+        return wrong;
+    const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(basis).singularValues();
+    const double ratio = singular[dimension - 1] / singular[0];
+    if (!(ratio > DEPENDENT))
+        return broken("tangent: the columns are linearly dependent", ratio);
+    for (int k = 0; k < dimension; ++k)
+    {
+        Eigen::VectorXd x = Eigen::VectorXd::Constant(dimension, FAR / 2);
+        x[k] = -FAR;
+        const Model there = rule.plus(here, x.data());
+        deviation = difference(there, rule.plus(there, zero.data()));
+        if (!(deviation <= SAME))
+            return broken("plus: the result is not valid", deviation);
+    }
+    return String();
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,61 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_KERNELS_HPP
+#define OPENCV_USACV20_KERNELS_HPP
+
+#include "problems/errors.hpp"
+#include "problems/fundamental/arcs.hpp"
+#include "residual/formula_residual.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! The loops over points of all problems, compiled once for each instruction set.
+struct Kernels
+{
+    ResidualKernels residuals[Errors::COUNT];  //!< in the order of the list of formulas
+    ArcsKernel arcs;
+};
+
+Kernels baselineKernels();
+#ifdef USACV20_HAVE_AVX2
+Kernels avx2Kernels();
+#endif
+#ifdef USACV20_HAVE_AVX512
+Kernels avx512Kernels();
+#endif
+
+//! The fastest kernels that the processor supports and OPENCV_CPU_DISABLE permits.
+const Kernels& kernels();
+
+namespace {  // because the formulas are
+
+//! The loops of a formula.
+template <class Error>
+inline const ResidualKernels& kernelsOf()
+{
+    return kernels().residuals[PlaceOf<Error, Errors>::VALUE];
+}
+
+//! The residual of a formula.
+template <class Error>
+inline Ptr<Residual> createResidualOf()
+{
+    return makePtr<FormulaResidual<Error>>(kernelsOf<Error>());
+}
+
+//! True if this is the residual of the formula. Such a residual may have a fit in closed form.
+template <class Error>
+inline bool hasFormula(const Residual& residual)
+{
+    return residual.kernels() == &kernelsOf<Error>();
+}
+
+}  // namespace
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,119 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_EPIPOLAR_ERROR_HPP
+#define OPENCV_USACV20_EPIPOLAR_ERROR_HPP
+
+#include <cmath>
+
+namespace cv {
+namespace usacv20 {
+
+// The contract of a formula is in residual/formula_residual.hpp.
+namespace {
+
+//! If both points are epipoles, numerator and denominator of an epipolar distance are 0; for fits
+//! the distance is then 0. Far below any other denominator.
+constexpr double BOTH_EPIPOLES = 1e-200;
+
+//! First two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.
+template <class T>
+struct EpipolarLines
+{
+    EpipolarLines(const T* m, T x1_, T y1_, T x2_, T y2_)
+        : x1(x1_), y1(y1_), x2(x2_), y2(y2_), a(m[0] * x1 + m[1] * y1 + m[2]),
+          b(m[3] * x1 + m[4] * y1 + m[5]), d(m[0] * x2 + m[3] * y2 + m[6]),
+          e(m[1] * x2 + m[4] * y2 + m[7]), r(x2 * a + y2 * b + (m[6] * x1 + m[7] * y1 + m[8]))
+    {}
+
+    /** Error and derivative of a component r / sqrt(D), where D is the sum of the squares of (a, b)
+    if `first` and of (d, e) if `second`: the derivative is
+    (x2 x1^T - r / D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D). */
+    template <class Out>
+    void linearize(int component, bool first, bool second, Out& out) const
+    {
+        const T a0 = first ? a : 0, b0 = first ? b : 0, d0 = second ? d : 0, e0 = second ? e : 0;
+        const T D = a0 * a0 + b0 * b0 + d0 * d0 + e0 * e0 + BOTH_EPIPOLES;
+        const T s = 1 / std::sqrt(D), q = r * s * s;
+        const T left0 = s * (x2 - q * a0), left1 = s * (y2 - q * b0);
+        const T right0 = s * q * d0, right1 = s * q * e0;
+        out.derivative(component, 0) = left0 * x1 - x2 * right0;
+        out.derivative(component, 1) = left0 * y1 - x2 * right1;
+        out.derivative(component, 2) = left0;
+        out.derivative(component, 3) = left1 * x1 - y2 * right0;
+        out.derivative(component, 4) = left1 * y1 - y2 * right1;
+        out.derivative(component, 5) = left1;
+        out.derivative(component, 6) = s * x1 - right0;
+        out.derivative(component, 7) = s * y1 - right1;
+        out.derivative(component, 8) = s;
+        out.error(component) = r * s;
+    }
+
+    const T x1, y1, x2, y2, a, b, d, e, r;
+};
+
+/** Sampson distance, squared: (x2^T F x1)^2 / (|(F x1)_{1,2}|^2 + |(F^T x2)_{1,2}|^2)
+@cite hartley2003multiple. */
+struct SampsonError
+{
+    enum { COLUMNS = 4, NUMBERS = 9, COMPONENTS = 1, HOMOGENEOUS = 1, PROJECTION = 0 };
+
+    template <class T>
+    struct At
+    {
+        At(const T* m, T x1, T y1, T x2, T y2) : l(m, x1, y1, x2, y2) {}
+
+        T squared() const { return l.r * l.r / (l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e); }
+        T cost() const
+        {
+            return l.r * l.r / (l.a * l.a + l.b * l.b + l.d * l.d + l.e * l.e + BOTH_EPIPOLES);
+        }
+        template <class Out>
+        void linearize(Out& out) const
+        {
+            l.linearize(0, true, true, out);
+        }
+
+        const EpipolarLines<T> l;
+    };
+};
+
+/** Symmetric epipolar distance, squared: (x2^T F x1)^2 (1 / |(F x1)_{1,2}|^2 + 1 / |(F^T
+x2)_{1,2}|^2) @cite hartley2003multiple. */
+struct SymmetricEpipolarError
+{
+    enum { COLUMNS = 4, NUMBERS = 9, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 0 };
+
+    template <class T>
+    struct At
+    {
+        At(const T* m, T x1, T y1, T x2, T y2) : l(m, x1, y1, x2, y2) {}
+
+        T squared() const
+        {
+            return l.r * l.r * (T(1) / (l.a * l.a + l.b * l.b) + T(1) / (l.d * l.d + l.e * l.e));
+        }
+        T cost() const
+        {
+            return l.r * l.r *
+                   (T(1) / (l.a * l.a + l.b * l.b + BOTH_EPIPOLES) +
+                    T(1) / (l.d * l.d + l.e * l.e + BOTH_EPIPOLES));
+        }
+        template <class Out>
+        void linearize(Out& out) const
+        {
+            l.linearize(0, true, false, out);
+            l.linearize(1, false, true, out);
+        }
+
+        const EpipolarLines<T> l;
+    };
+};
+
+}  // namespace
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
