@@ -58,6 +58,7 @@ report "folders of the tests that $src does not have"
 # A folder may include only from folders of the lines above it, not from those of its own line.
 layers='core
 lanes
+residual
 scoring
 optimization
 problems

@@ -116,6 +116,64 @@ public:
     }
 };
 
+//! Planes with a normal of unit length: two parameters turn the normal, the third one moves the
+//! plane along it.
+class PlaneParameterization : public cv::usacv20::Parameterization
+{
+public:
+    int dimension() const CV_OVERRIDE { return 3; }
+
+    bool tangent(const Model& plane, double* basis) const CV_OVERRIDE
+    {
+        const Axes turned = axesAround(plane);
+        for (int row = 0; row < 4; ++row)
+        {
+            basis[3 * row] = turned(row, 0);
+            basis[3 * row + 1] = turned(row, 1);
+            basis[3 * row + 2] = row == 3;
+        }
+        return checkRange(Mat(4, 3, CV_64F, basis));
+    }
+
+    Model plus(const Model& plane, const double* x) const CV_OVERRIDE
+    {
+        const Vec4d start = unit(Vec4d(plane.val));
+        const Matx41d moved = Matx41d(start) + axesAround(plane) * Matx21d(x);
+        Vec4d result = unit(Vec4d(moved(0), moved(1), moved(2), 0));
+        result[3] = start[3] + x[2];
+        return Matx14d(result.val);
+    }
+
+private:
+    typedef Matx<double, 4, 2> Axes;
+
+    static Vec4d unit(const Vec4d& v) { return v / std::sqrt(v.dot(v) - v[3] * v[3]); }
+
+    //! Two directions perpendicular to the normal and to each other.
+    static Axes axesAround(const Model& plane)
+    {
+        const Vec4d p = unit(Vec4d(plane.val));
+        const Vec3d n(p[0], p[1], p[2]),
+            other = std::abs(n[0]) < 0.5 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
+        const Vec3d a = normalize(n.cross(other)), b = n.cross(a);
+        return Axes(a[0], b[0], a[1], b[1], a[2], b[2], 0, 0);
+    }
+};
+
+//! Has no fit of its own, but says how planes vary.
+class VaryingPlaneProblem : public PlaneProblem
+{
+public:
+    Ptr<cv::usacv20::Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<PlaneParameterization>();
+    }
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        return Problem::createNonMinimalSolver(residual);
+    }
+};
+
 const Vec4d TRUTH(0.48, -0.6, 0.64, -3);
 
 std::vector<Point3d> scene(int inliers, int outliers, double noise)
@@ -159,6 +217,29 @@ TEST(Usac_CustomPlane, everyPreset)
         {
             EXPECT_NEAR(301, report.inliers, 6) << presets[k].name;
         }
+    }
+}
+
+//! The module's fits take the place of a problem's own, if it says how its models vary.
+TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
+{
+    const PlaneParameterization planes;
+    EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(TRUTH.val))));
+    EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(3, 0.1, -0.2, 5))));
+    const std::vector<Point3d> points = scene(300, 200, 0.01);
+    for (const NamedPreset& preset : allPresets())
+    {
+        SCOPED_TRACE(preset.name);
+        Params params = preset.params;
+        params.threshold = 0.04;
+        params.maxIterations = 5000;
+        Mat models[2], masks[2];
+        models[0] = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)->run(masks[0]);
+        models[1] = Usac::create(makePtr<VaryingPlaneProblem>(), points, noArray(), params)
+                        ->run(masks[1]);
+        ASSERT_EQ(Size(4, 1), models[1].size());
+        EXPECT_LE(errorOf(models[1]), 0.02);
+        EXPECT_LE(std::abs(countNonZero(masks[0]) - countNonZero(masks[1])), 2);
     }
 }
 

@@ -175,7 +175,7 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
     RNG rng(2);
     for (int repeat = 0; repeat < 50; ++repeat)
     {
-        Model start;
+        Model start(3, 3);
         for (int i = 0; i < 9; ++i)
             start.val[i] = rng.gaussian(1);
         const Parameterization here(problem, start);
@@ -208,7 +208,7 @@ TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
     RNG rng(3);
     for (int repeat = 0; repeat < 50; ++repeat)
     {
-        Model start;
+        Model start(3, 3);
         for (int i = 0; i < 9; ++i)
             start.val[i] = rng.gaussian(1);
         const Parameterization here(problem, start);
@@ -305,7 +305,7 @@ TEST_P(Usac_LeastSquares, neverRaisesTheCost)
     int fitted = 0;
     for (int repeat = 0; repeat < 300; ++repeat)
     {
-        Model start;
+        Model start(3, 3);
         for (int i = 0; i < 9; ++i)
             start.val[i] = rng.gaussian(1);
         start = Parameterization(problem, start).model();
