@@ -283,7 +283,7 @@ KINDS = collections.OrderedDict((
     ("scale", Kind("Time over size and hardness; the search and its lower bound", measure_scale, Rows(TWO_VIEWS, ("usacV20", "fast")), False)),
     ("threads", Kind("Two threads", measure_threads, Rows(TWO_VIEWS, ("usacV20", "parallel")), False)),
     ("tests", Kind("Tests, sanitizers, fuzzer, coverage", None, Rows(), False)),
-    ("constants_tables", Kind("Half and double of the chosen numbers", None, Rows(), False)),
+    ("constants_tables", Kind("Half and double of the chosen numbers; choices between variants", None, Rows(), False)),
     ("structured_tables", Kind("Structured scenes", None, Rows(), False)),
     ("collections_tables", Kind("Collections of images", None, Rows(), False))))
 COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # their commands stand in the files
