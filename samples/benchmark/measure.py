@@ -8,6 +8,8 @@
     measure.py --build=BUILD --data=DATA [NAME ...]   runs measurements (default: those that README.md quotes)
     measure.py --logs=USAC_BUILD_DIR                  counts of tests, coverage and times of run_tests.sh and sanitize.sh
     measure.py --fill                                 writes the quotations anew from the files
+    measure.py --copied NAME                          after a table of constants_tables, structured_tables or collections_tables was
+                                                      replaced by the output of its command
     measure.py --check                                fails where a quotation is not what was measured, a file was changed by hand,
                                                       or README.md quotes what is older than the last change of results
 
@@ -280,7 +282,11 @@ KINDS = collections.OrderedDict((
     ("tracking", Kind("A model for the next frame", measure_tracking, Rows(("graf", "absolutePose"), ("usacV20",)), False)),
     ("scale", Kind("Time over size and hardness; the search and its lower bound", measure_scale, Rows(TWO_VIEWS, ("usacV20", "fast")), False)),
     ("threads", Kind("Two threads", measure_threads, Rows(TWO_VIEWS, ("usacV20", "parallel")), False)),
-    ("tests", Kind("Tests, sanitizers, fuzzer, coverage", None, Rows(), False))))
+    ("tests", Kind("Tests, sanitizers, fuzzer, coverage", None, Rows(), False)),
+    ("constants_tables", Kind("Half and double of the chosen numbers; choices between variants", None, Rows(), False)),
+    ("structured_tables", Kind("Structured scenes", None, Rows(), False)),
+    ("collections_tables", Kind("Collections of images", None, Rows(), False))))
+COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # their commands stand in the files
 PROGRAMS = ("usac_benchmark", "usac_scale", "usac_synthetic", "usac_tracking")
 
 
@@ -345,6 +351,15 @@ def write_tests(rows):
     Measurement("tests", KINDS["tests"].title, stamp, body).write(ROOT)
 
 
+def take_copied(root, name):
+    """Today's date and the digest of the text. `results` stays that of the oldest table."""
+    if name not in COPIED:
+        raise FiguresError("%s is none of %s" % (name, ", ".join(COPIED)))
+    m = Measurement.read(root, name)
+    m.stamp["date"] = today()
+    m.write(root)
+
+
 def check(out):
     """The number of mistakes."""
     state_of_all = project()
@@ -364,6 +379,7 @@ def main(arguments=None):
     parser.add_argument("--data", metavar="DIR", help="not needed by affine, rigid, tracking and scale")
     parser.add_argument("--repeats", type=int, help="other than the measurement has")
     parser.add_argument("--logs", metavar="DIR", help="of run_tests.sh or sanitize.sh")
+    parser.add_argument("--copied", metavar="NAME", help=", ".join(COPIED))
     parser.add_argument("--fill", action="store_true")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args(arguments)
@@ -376,7 +392,7 @@ def main(arguments=None):
             raise FiguresError("no measurement %s" % ", ".join(unknown))
         if names and not options.build:
             raise FiguresError("--build is missing")
-        if not names and not options.logs and not options.fill:
+        if not names and not options.logs and not options.fill and not options.copied:
             parser.error("nothing to do")
         if names:
             subprocess.run(["cmake", "--build", options.build, "--target"] + list(PROGRAMS), check=True, stdout=sys.stderr)
@@ -384,6 +400,8 @@ def main(arguments=None):
             measure(name, options.build, options.data, options.repeats)
         if options.logs:
             print("logs: %s" % ", ".join(take_logs(options.logs)))
+        if options.copied:
+            take_copied(ROOT, options.copied)
         for document in project().fill():
             print("written: " + document)
     except (OSError, ValueError, subprocess.CalledProcessError) as error:

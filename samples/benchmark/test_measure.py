@@ -183,6 +183,27 @@ class ProjectTest(FolderTest):
         self.complaints("rigid.md: measure.py has no such measurement")
 
 
+class CopiedTest(FolderTest):
+
+    def test_a_table_that_was_copied(self):
+        stamp = dict(STAMP, results="abc")
+        self.put(figures.FOLDER + "/structured_tables.md")
+        Measurement("structured_tables", "Scenes", stamp, "| t |\n|---|\n| 1 |").write(self.folder)
+        file = self.path(figures.FOLDER, "structured_tables.md")
+        self.put(file, figures.read_text(file).replace("| 1 |", "| 2 |"))
+        self.assertFalse(Measurement.read(self.folder, "structured_tables").as_written())
+        measure.take_copied(self.folder, "structured_tables")
+        m = Measurement.read(self.folder, "structured_tables")
+        self.assertTrue(m.as_written())
+        self.assertIn("| 2 |", m.body)
+        self.assertEqual((m.stamp["date"], m.stamp["results"], m.stamp["commit"]), (measure.today(), "abc", STAMP["commit"]))
+
+    def test_only_those_that_no_function_makes(self):
+        for name in ("lists", "tests", "none"):
+            with self.assertRaisesRegex(FiguresError, name + " is none of constants_tables, "):
+                measure.take_copied(self.folder, name)
+
+
 class TablesTest(FolderTest):
 
     HEAD = "list,problem,pairs,method,median_error,failures_percent,median_cpu_ms,auc10\n"

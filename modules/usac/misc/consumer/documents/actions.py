@@ -255,23 +255,18 @@ class Numbers(NamedTuple):
 
 
 class Cpp(NamedTuple):
-    """A part of a program, or a whole one, compiled with warnings as errors and run.
+    """A part of a program, compiled with warnings as errors and run.
 
     before, after -- around it (frame.hpp); within -- what follows a line of it, as where it declares the points of the reader;
-    top -- above it; whole -- it has a main of its own, and commands run it; folders -- of the project, for headers; libraries -- of the
-    library's build"""
+    top -- above it; folders -- of the project, for headers"""
 
     before: str = ""
     after: str = ""
     within: Dict[str, str] = {}
     top: str = ""
-    whole: bool = False
     folders: Tuple[str, ...] = ()
-    libraries: Tuple[str, ...] = ()
 
     def source(self, block: Block) -> str:
-        if self.whole:
-            return "#line {} \"{}\"\n{}".format(block.line, block.document, block.text)
         lines, top = [], ['#include "frame.hpp"', self.top]
         left = dict(self.within)
         for line in block.text.rstrip("\n").split("\n"):
@@ -287,8 +282,6 @@ class Cpp(NamedTuple):
 
     def run(self, place: Place, block: Block) -> str:
         place.call(["cmake", "--build", place.folder("programs"), "--target", block.name], place.work)
-        if self.whole:
-            return ""
         return place.call([place.folder("programs", "bin", block.name)], place.folder("programs"))
 
 
@@ -373,8 +366,7 @@ def preparePrograms(place: Place, programs: List[Tuple[Block, Cpp]]) -> None:
              "set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)", "add_compile_options(-Wall -Wextra -Werror)"]
     for block, action in programs:
         write(os.path.join(folder, "source", block.name + ".cpp"), action.source(block))
-        lines += ["add_executable({0} {0}.cpp)".format(block.name), "target_link_libraries({} {} opencv_usac::opencv_usac)".format(
-            block.name, " ".join(os.path.join(place.build, name) for name in action.libraries)),
+        lines += ["add_executable({0} {0}.cpp)".format(block.name), "target_link_libraries({} opencv_usac::opencv_usac)".format(block.name),
                   "target_include_directories({} PRIVATE {} {})".format(
                       block.name, HERE, " ".join(os.path.join(place.project, name) for name in action.folders))]
     write(os.path.join(folder, "source", "CMakeLists.txt"), "\n".join(lines) + "\n")

@@ -250,11 +250,8 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
     (BENCHMARK, "Running", "sh 1", Shell("benchmark", before=LISTS, prints=("preset:usacV20.*\\|",), leaves=("tables.csv", "runs.csv"))),
     (BENCHMARK, "Running", "usac_benchmark --help", Shell("benchmark", prints=("--data",))),
     (BENCHMARK, "Your own method", "sh 1", Shell("benchmark", leaves=("tables.md",))),
-    (BENCHMARK, "Your own method", "cpp 1", Cpp(whole=True, folders=("samples/benchmark",), libraries=("libusac_benchmark_lib.a",))),
     (BENCHMARK, "Your own method", "cmake 1", CMake(
         ("-DCMAKE_LINK_LIBRARIES_ONLY_TARGETS=ON",), names={"/path/to/opencv_usac": "{project}"}, whole="mine.cpp", build=False)),
-    (BENCHMARK, "Your own method", "sh 2", Shell(
-        "benchmark", names={"mine ": "{work}/programs/bin/doc_benchmark_md_your_own_method_cpp_1 "}, prints=("custom:estimator.*\\|",))),
     (BENCHMARK, "Comparing pair by pair", "sh 1", Shell(
         "benchmark", names={"compare.py": "samples/benchmark/compare.py", "[": "", "]": "", " --other=...": ""}, before=RUNS, prints=("homogr",))),
     (BENCHMARK, "Drawing", "sh 1", Shell(
