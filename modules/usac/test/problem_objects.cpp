@@ -16,7 +16,7 @@ const Problem& problemObject(ProblemType type)
     static const Ptr<Problem> objects[] = {
         createHomographyProblem(), createFundamentalProblem(),
         createEssentialProblem(Matx33d::eye(), noArray(), noArray(), noArray()),
-        createAffinityProblem(), createSimilarityProblem()};
+        createAffinity2DProblem(), createSimilarity2DProblem()};
     return *objects[type];
 }
 

@@ -20,8 +20,8 @@ void forEachProblem(const std::function<void(const Problem&, const Model&)>& tes
     const Ptr<Problem> problems[] = {createHomographyProblem(),
                                      createFundamentalProblem(),
                                      createEssentialProblem(K, noArray(), noArray(), noArray()),
-                                     createAffinityProblem(),
-                                     createSimilarityProblem(),
+                                     createAffinity2DProblem(),
+                                     createSimilarity2DProblem(),
                                      createAbsolutePoseProblem(K, noArray()),
                                      createRigid3DProblem(),
                                      createSimilarity3DProblem()};

@@ -37,7 +37,7 @@ usacv20::methodFromInt converts a number to a flag; usacv20::isUsacV20Method tel
 is a flag of this module.
 */
 enum class UsacV20Method : int {
-    //! the configuration recommended in @cite ivashechkin2021usacv20, with robust polishing;
+    //! the configuration of the paper @cite ivashechkin2021usacv20, with robust polishing;
     //! usacv20::Params::usacV20()
     USACV20 = 0x4000,
     USACV20_FAST = 0x4001,      //!< early termination and a short local optimization;
