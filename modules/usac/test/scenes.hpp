@@ -18,13 +18,6 @@ namespace opencv_test {
 //! Size of both images.
 enum { SCENE_WIDTH = 640, SCENE_HEIGHT = 480 };
 
-//! Problems of matches between two images.
-const int TWO_VIEW_PROBLEMS[] = {cv::usacv20::HOMOGRAPHY, cv::usacv20::FUNDAMENTAL,
-                                 cv::usacv20::ESSENTIAL, cv::usacv20::AFFINITY,
-                                 cv::usacv20::SIMILARITY};
-//! Points of a minimal sample of each.
-const int SAMPLE_SIZES[] = {4, 7, 5, 3, 2};
-
 //! Where the wrong matches are.
 enum OutlierModel {
     OUTLIERS_UNIFORM,  //!< anywhere in both images

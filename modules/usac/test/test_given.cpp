@@ -11,9 +11,6 @@
 namespace opencv_test {
 namespace {
 
-const int ALL[] = {HOMOGRAPHY, FUNDAMENTAL,   ESSENTIAL, AFFINITY,
-                   SIMILARITY, ABSOLUTE_POSE, RIGID_3D,  SIMILARITY_3D};
-
 //! Matches of any problem, the right ones among them, and the cameras.
 struct Matches
 {
@@ -103,7 +100,7 @@ class UsacGiven : public testing::TestWithParam<int>
 public:
     ProblemType problem() const { return (ProblemType)GetParam(); }
 };
-INSTANTIATE_TEST_CASE_P(/**/, UsacGiven, testing::ValuesIn(ALL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacGiven, testing::ValuesIn(ALL_PROBLEMS));
 
 TEST_P(UsacGiven, exact_points)
 {
@@ -343,7 +340,7 @@ TEST(Usac_Given, homography_of_OpenCV)
 
 TEST(Usac_Given, sample_of_the_report)
 {
-    for (int problem : ALL)
+    for (int problem : ALL_PROBLEMS)
     {
         const Matches matches((ProblemType)problem, 0.5, 0.6);
         Mat mask;

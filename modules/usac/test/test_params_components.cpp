@@ -162,7 +162,7 @@ TEST_P(UsacComponents, localSamples)
     Params params;
     params.localIterations = 1;
     params.localSampleMultiple = 9;
-    const int size = 9 * SAMPLE_SIZES[problem()];
+    const int size = 9 * sampleSizeOf(problem());
     params.localSamples = 0;
     const std::vector<int> none = localFits(scene, params);
     params.localSamples = 10;
@@ -182,13 +182,13 @@ TEST_P(UsacComponents, localSampleMultiple)
         params.localSampleMultiple = multiples[i];
         params.localSamples = 4;
         const std::vector<int> sizes = localFits(scene, params);
-        const int wanted = multiples[i] * SAMPLE_SIZES[problem()];
+        const int wanted = multiples[i] * sampleSizeOf(problem());
         EXPECT_GE(std::count(sizes.begin(), sizes.end(), wanted), 4) << "samples of " << wanted;
         for (int k = 0; k < 3; ++k)
             if (k != i)
             {
                 EXPECT_EQ(0, std::count(sizes.begin(), sizes.end(),
-                                        multiples[k] * SAMPLE_SIZES[problem()]));
+                                        multiples[k] * sampleSizeOf(problem())));
             }
     }
 }

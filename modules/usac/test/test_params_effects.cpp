@@ -122,7 +122,7 @@ std::vector<int> samplesOf(const Scene& scene, Params params, int iterations = 1
     const Ptr<SampleRecorder> recorder = makePtr<SampleRecorder>(usac->components().sampler);
     usac->components().sampler = recorder;
     usac->run();
-    recorder->drawn.resize(iterations * SAMPLE_SIZES[scene.problem]);
+    recorder->drawn.resize(iterations * sampleSizeOf(scene.problem));
     return recorder->drawn;
 }
 
@@ -330,7 +330,7 @@ TEST_P(UsacEffects, scores_beside_the_input_order)
 TEST_P(UsacEffects, orderedEvery)
 {
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
-    const int m = SAMPLE_SIZES[problem()];
+    const int m = sampleSizeOf(problem());
     Params params;
     params.ordering = ORDERING_INPUT_ORDER;
     params.sampler = SAMPLER_PROSAC;

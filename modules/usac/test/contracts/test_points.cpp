@@ -21,7 +21,7 @@ Mat tryPoints(ProblemType problem, const std::vector<Point2d>& points1,
 
 TEST_P(UsacPoints, few)
 {
-    const int m = SAMPLE_SIZES[problem()];
+    const int m = sampleSizeOf(problem());
     for (uint64 seed = 1; seed <= 2; ++seed)
         for (int n = 0; n <= m + 2; ++n)
         {

@@ -302,10 +302,7 @@ TEST(Usac_Significance, repeatedRightMatchesStay)
         for (uint64 seed = 1; seed <= 20; ++seed)
         {
             SceneOptions options;
-            options.inliers = SAMPLE_SIZES[std::find(TWO_VIEW_PROBLEMS, TWO_VIEW_PROBLEMS + 5,
-                                                     problem) -
-                                           TWO_VIEW_PROBLEMS] +
-                              1;
+            options.inliers = sampleSizeOf(problem) + 1;
             options.outliers = 2;
             options.copies = 20;
             options.noise = 0.1;
