@@ -27,8 +27,8 @@ const char* nameOf(ProblemType problem)
 
 bool hasFlags(ProblemType problem)
 {
-    return problem == HOMOGRAPHY || problem == FUNDAMENTAL || problem == ESSENTIAL ||
-           problem == AFFINITY || problem == SIMILARITY;
+    return std::find(std::begin(FLAG_PROBLEMS), std::end(FLAG_PROBLEMS), problem) !=
+           std::end(FLAG_PROBLEMS);
 }
 
 int sampleSizeOf(int problem)

@@ -42,6 +42,12 @@ const int SPACE_PROBLEMS[] = {
 #undef USACV20_SPACES
 };
 
+//! Problems of which a function of OpenCV takes the module's flags.
+const int FLAG_PROBLEMS[] = {cv::usacv20::HOMOGRAPHY, cv::usacv20::FUNDAMENTAL,
+                             cv::usacv20::ESSENTIAL, cv::usacv20::AFFINITY,
+                             cv::usacv20::SIMILARITY};
+bool hasFlags(cv::usacv20::ProblemType problem);
+
 //! Points of a minimal sample.
 int sampleSizeOf(int problem);
 

@@ -16,9 +16,6 @@ namespace opencv_test {
 //! Name of a problem for the trace of a failure.
 const char* nameOf(ProblemType problem);
 
-//! Does a function of OpenCV take the module's flags for the problem?
-bool hasFlags(ProblemType problem);
-
 //! Camera matrix of all scenes of makeScene.
 Matx33d sceneCamera();
 

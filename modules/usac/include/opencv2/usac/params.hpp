@@ -215,8 +215,8 @@ enum TerminationFlags {
 };
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
-//! checks that the problem has. Affinities, similarities, absolute poses and 3-D motions raise
-//! cv::Exception for #DEGENERACY_DEGENSAC unless all bits are set, and so for Params::usac2013.
+//! checks that the problem has. Affine maps, absolute poses and 3-D motions raise cv::Exception for
+//! #DEGENERACY_DEGENSAC unless all bits are set, and so for Params::usac2013.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar
