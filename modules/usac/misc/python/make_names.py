@@ -151,8 +151,8 @@ class Problem:
             return None
         meaning = plain(params[0])[len("param params options; threshold is "):].rstrip(".")
         shape, rest = plain(model[0])[len("return "):].split(", CV_64F, ")
-        return plain(parts[0]), meaning, "{} array of float64, {}".format(shape, rest.replace(
-            "; empty if there is none, and report says why", "; None if there is none").rstrip("."))
+        rest = re.sub(r"[;.] [Ee]mpty if there is none, and report says why", "; None if there is none", rest).rstrip(".")
+        return plain(parts[0]), meaning, "{} array of float64, {}".format(shape, rest)
 
 
 def problems():
