@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
+#include "scene_geometry.hpp"
 
 // Each field of Params changed alone has an effect: verification, local optimization, termination,
 // degeneracy, polishing.
@@ -266,7 +267,7 @@ TEST_P(UsacComponents, degeneracy_orientation)
     {
         EXPECT_GT(with.rejectedSamples, without.rejectedSamples + 50);
     }
-    else if (problem() == AFFINITY || problem() == SIMILARITY)
+    else if (isAffine(problem()))
     {
         EXPECT_EQ(without.rejectedSamples, with.rejectedSamples) << "any orientation is right";
         EXPECT_EQ(0, with.rejectedModels);

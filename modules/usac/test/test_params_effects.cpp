@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
+#include "scene_geometry.hpp"
 
 #include <chrono>
 #include <mutex>
@@ -200,7 +201,7 @@ TEST_P(UsacEffects, threads)
     setNumThreads(before);
     EXPECT_EQ((size_t)1, one);
     EXPECT_EQ((size_t)1, allOfOne);
-    if (problem() == AFFINITY || problem() == SIMILARITY)
+    if (isAffine(problem()))
     {
         EXPECT_EQ((size_t)1, four) << "the samples are too cheap for threads";
         EXPECT_EQ((size_t)1, all);

@@ -270,7 +270,7 @@ TEST(Usac_Significance, repeatedMatches)
 //! other points to tell.
 TEST(Usac_Significance, mapsToOnePlace)
 {
-    for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY})
+    for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})
         for (UsacV20Method flag : {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_MAGSAC})
         {
             int models = 0, refused = 0;

@@ -190,6 +190,25 @@ CV_EXPORTS Mat estimateSimilarity3D(InputArray points1, InputArray points2, cons
 CV_EXPORTS Mat estimateSimilarity3D(InputArray points1, InputArray points2,
                                     const Params& params = Params(), OutputArray mask = noArray());
 
+/** @brief Estimates the translation from image 1 to image 2, x2 = x1 + t.
+
+@param points1 N points of image 1, as in #estimateHomography.
+@param points2 their N counterparts in image 2.
+@param params options; `threshold` is the distance in image 2 in pixels.
+@param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
+threshold, else 0.
+@param report output, statistics of the run.
+@return 2x3, CV_64F, rows (1, 0, x) and (0, 1, y), as used by cv::warpAffine and of the form of
+#estimateAffinity2D; cv::estimateTranslation2D of OpenCV 5 returns its last column. Empty if there
+is none, and `report` says why.
+
+A minimal sample is one point; many are fitted by their mean displacement. */
+CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2, const Params& params,
+                                     OutputArray mask, Report& report);
+//! @overload
+CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2,
+                                     const Params& params = Params(), OutputArray mask = noArray());
+
 #endif  // OPENCV_BINDING_PARSER
 
 /** @brief Estimates a model of any kind: what #estimateHomography and its kin do, for a program

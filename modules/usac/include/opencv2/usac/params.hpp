@@ -83,7 +83,8 @@ enum ProblemType {
     ABSOLUTE_POSE = 5,  //!< 3x4 pose of a calibrated camera from 3 or more 3-D to 2-D
                         //!< correspondences
     RIGID_3D = 6,       //!< 3x4 rotation and translation from 3 or more pairs of 3-D points
-    SIMILARITY_3D = 7   //!< the same with a uniform scale
+    SIMILARITY_3D = 7,  //!< the same with a uniform scale
+    TRANSLATION_2D = 8  //!< 2x3 translation from 1 or more correspondences
 };
 
 //! What Params::threshold means.

@@ -25,7 +25,7 @@ __all__ = [
     "estimateAbsolutePose", "estimateAbsolutePoses", "estimateAffinities2D", "estimateAffinity2D", "estimateEssential",
     "estimateEssentials", "estimateFundamental", "estimateFundamentals", "estimateHomographies", "estimateHomography",
     "estimateRigid3D", "estimateRigids3D", "estimateSimilarities2D", "estimateSimilarities3D", "estimateSimilarity2D",
-    "estimateSimilarity3D"]
+    "estimateSimilarity3D", "estimateTranslation2D", "estimateTranslations2D"]
 
 
 def estimateHomography(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
@@ -312,3 +312,37 @@ def estimateSimilarities3D(points1: Lists, points2: Lists, params: ParamsOfEach 
     Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateSimilarity3D
     returns. The interpreter's lock is released meanwhile."""
     return estimateMany(ProblemType.SIMILARITY_3D, points1, points2, params, threads, returnExceptions)
+
+
+def estimateTranslation2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
+                          mask: Mask = None) -> Estimate:
+    """Estimates the translation from image 1 to image 2, x2 = x1 + t.
+
+    points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type of integer or floating-point number, any
+        layout; with 3 in the place of 2, homogeneous coordinates (x, y, confidence is refused)
+    params -- Params, None for the default; params.threshold is the distance in image 2 in pixels
+    mask -- Nx1 array of uint8 or bool that receives the mask, or None
+
+    Returns (model, mask, report):
+    model -- 2x3 array of float64, rows (1, 0, x) and (0, 1, y), as used by cv2.warpAffine and of the form of
+        estimateAffinity2D; cv2.estimateTranslation2D of OpenCV 5 returns its last column; None if there is none
+    mask -- Nx1 array of uint8, 1 for inliers
+    report -- Report: report.stop says why the search ended or why there is no model
+
+    Points with NaN or infinite coordinates are never inliers. usacv20.error names an argument that is wrong."""
+    return estimate(ProblemType.TRANSLATION_2D, points1, points2, params, mask)
+
+
+def estimateTranslations2D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
+                           returnExceptions: bool = False) -> Estimates:
+    """Many estimations of estimateTranslation2D in one call, side by side.
+
+    points1, points2 -- lists of the same length; each entry is what estimateTranslation2D takes
+    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
+    threads -- how many estimations at once, 0: all cores. The result does not depend on it
+    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
+        place of the result, the others go on; False: it is raised when all are done, and names the entry
+
+    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateTranslation2D
+    returns. The interpreter's lock is released meanwhile."""
+    return estimateMany(ProblemType.TRANSLATION_2D, points1, points2, params, threads, returnExceptions)
