@@ -95,11 +95,9 @@ class Arguments:
         self.pythonMany = ["{}: Lists".format(name) for name in points] + [
             "{}: Arrays{}".format(name, " = None" if one in optional or one == "cameraMatrix2" else "")
             for one, name in zip(rest, many[2:])]
-        self.aboutMany = "{}, {} -- lists of the same length; each entry is what {{}} takes".format(*points)
-        if rest:
-            self.aboutMany += ("\n" + ", ".join(many[2:]) + " -- for all, or a list with an entry for each. A camera matrix is a 3x3 "
-                               "array, that of image 1 holds for both images where that of image 2 is not given; distortions may be "
-                               "None: none")
+        self.aboutMany = ("\n\n" + ", ".join(many[2:]) + " -- for all, or a list with an entry for each. A camera matrix is a 3x3 array, "
+                          "that of image 1 holds for both images where that of image 2 is not given; distortions may be None: none"
+                          ) if rest else ""
         one, two = (cpp[2:4], cpp[4:]) if len(cpp) == 6 else (cpp[2:3], cpp[3:])  # camera matrices, distortions
         self.call = list(points) + ["params", "mask"] + list(one) + (["None"] if len(cpp) == 4 else []) + list(two)
         self.callMany = list(points) + ["params", "threads", "returnExceptions"] + list(many[2:])
@@ -223,9 +221,9 @@ report -- Report: report.stop says why the search ended or why there is no model
 
 Points with NaN or infinite coordinates are never inliers. usacv20.error names an argument that is wrong."""
 
-BATCH = """Many estimations of {one} in one call, side by side.
+BATCH = """Many estimations of {one} in one call, side by side.{about}
 
-{about}
+points1, points2 -- lists of the same length; each entry is what {one} takes
 params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
 threads -- how many estimations at once, 0: all cores. The result does not depend on it
 returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the place of \
@@ -235,7 +233,8 @@ Returns a list of (model, mask, report), one for each entry, in this order: each
 interpreter's lock is released meanwhile."""
 
 
-def functions(problem):
+def functions(problem, first):
+    """The two functions; the batches of others refer to that of the first problem."""
     brief, threshold, model = problem.documented()
     kind = problem.arguments
     options = ["params: Optional[Params] = None", "mask: Mask = None"]
@@ -246,7 +245,10 @@ def functions(problem):
     options = ["params: ParamsOfEach = None", "threads: int = 0", "returnExceptions: bool = False"]
     names = ", names={}S".format(kind.names) if kind.names else ""
     text += "\n\n" + wrapped("def {}(".format(problem.batch), kind.pythonMany + options, ") -> Estimates:")
-    text += docstring(BATCH.format(one=problem.function, about=kind.aboutMany.format(problem.function)))
+    if problem.type == first.type:
+        text += docstring(BATCH.format(one=problem.function, about=kind.aboutMany))
+    else:
+        text += docstring("As {}, by {}.".format(first.batch, problem.function) + kind.aboutMany)
     return text + wrapped("    return estimateMany(", ["ProblemType." + problem.type] + kind.callMany, names + ")")
 
 
@@ -259,7 +261,7 @@ def problemsFile():
     text += "if TYPE_CHECKING:\n    import numpy.typing as npt\n\n    from ._batch import Arrays, Estimates, Lists, ParamsOfEach\n"
     text += "    from ._estimate import Estimate, Mask\n\n"
     text += listed("__all__", sorted([row.function for row in rows] + [row.batch for row in rows]))
-    return text + "".join(functions(row) for row in rows)
+    return text + "".join(functions(row, rows[0]) for row in rows)
 
 
 # --- what must agree --------------------------------------------------------------------------------------------------------------

@@ -81,16 +81,7 @@ def estimateFundamental(points1: npt.ArrayLike, points2: npt.ArrayLike, params: 
 
 def estimateFundamentals(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
                          returnExceptions: bool = False) -> Estimates:
-    """Many estimations of estimateFundamental in one call, side by side.
-
-    points1, points2 -- lists of the same length; each entry is what estimateFundamental takes
-    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-    threads -- how many estimations at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the entry
-
-    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateFundamental
-    returns. The interpreter's lock is released meanwhile."""
+    """As estimateHomographies, by estimateFundamental."""
     return estimateMany(ProblemType.FUNDAMENTAL, points1, points2, params, threads, returnExceptions)
 
 
@@ -125,18 +116,10 @@ def estimateEssential(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatr
 def estimateEssentials(points1: Lists, points2: Lists, cameraMatrices1: Arrays, cameraMatrices2: Arrays = None,
                        distCoeffs1: Arrays = None, distCoeffs2: Arrays = None, params: ParamsOfEach = None, threads: int = 0,
                        returnExceptions: bool = False) -> Estimates:
-    """Many estimations of estimateEssential in one call, side by side.
+    """As estimateHomographies, by estimateEssential.
 
-    points1, points2 -- lists of the same length; each entry is what estimateEssential takes
     cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2 -- for all, or a list with an entry for each. A camera matrix is
-        a 3x3 array, that of image 1 holds for both images where that of image 2 is not given; distortions may be None: none
-    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-    threads -- how many estimations at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the entry
-
-    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateEssential returns.
-    The interpreter's lock is released meanwhile."""
+        a 3x3 array, that of image 1 holds for both images where that of image 2 is not given; distortions may be None: none"""
     return estimateMany(ProblemType.ESSENTIAL, points1, points2, params, threads, returnExceptions, cameraMatrices1,
                         cameraMatrices2, distCoeffs1, distCoeffs2)
 
@@ -161,16 +144,7 @@ def estimateAffinity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
 
 def estimateAffinities2D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
                          returnExceptions: bool = False) -> Estimates:
-    """Many estimations of estimateAffinity2D in one call, side by side.
-
-    points1, points2 -- lists of the same length; each entry is what estimateAffinity2D takes
-    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-    threads -- how many estimations at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the entry
-
-    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateAffinity2D
-    returns. The interpreter's lock is released meanwhile."""
+    """As estimateHomographies, by estimateAffinity2D."""
     return estimateMany(ProblemType.AFFINITY, points1, points2, params, threads, returnExceptions)
 
 
@@ -195,16 +169,7 @@ def estimateSimilarity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
 
 def estimateSimilarities2D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
                            returnExceptions: bool = False) -> Estimates:
-    """Many estimations of estimateSimilarity2D in one call, side by side.
-
-    points1, points2 -- lists of the same length; each entry is what estimateSimilarity2D takes
-    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-    threads -- how many estimations at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the entry
-
-    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateSimilarity2D
-    returns. The interpreter's lock is released meanwhile."""
+    """As estimateHomographies, by estimateSimilarity2D."""
     return estimateMany(ProblemType.SIMILARITY, points1, points2, params, threads, returnExceptions)
 
 
@@ -233,18 +198,10 @@ def estimateAbsolutePose(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike
 
 def estimateAbsolutePoses(objectPoints: Lists, imagePoints: Lists, cameraMatrices: Arrays, distCoeffs: Arrays = None,
                           params: ParamsOfEach = None, threads: int = 0, returnExceptions: bool = False) -> Estimates:
-    """Many estimations of estimateAbsolutePose in one call, side by side.
+    """As estimateHomographies, by estimateAbsolutePose.
 
-    objectPoints, imagePoints -- lists of the same length; each entry is what estimateAbsolutePose takes
     cameraMatrices, distCoeffs -- for all, or a list with an entry for each. A camera matrix is a 3x3 array, that of image 1
-        holds for both images where that of image 2 is not given; distortions may be None: none
-    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-    threads -- how many estimations at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the entry
-
-    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateAbsolutePose
-    returns. The interpreter's lock is released meanwhile."""
+        holds for both images where that of image 2 is not given; distortions may be None: none"""
     return estimateMany(ProblemType.ABSOLUTE_POSE, objectPoints, imagePoints, params, threads, returnExceptions,
                         cameraMatrices, None, distCoeffs, names=POSES)
 
@@ -269,16 +226,7 @@ def estimateRigid3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Opti
 
 def estimateRigids3D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
                      returnExceptions: bool = False) -> Estimates:
-    """Many estimations of estimateRigid3D in one call, side by side.
-
-    points1, points2 -- lists of the same length; each entry is what estimateRigid3D takes
-    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-    threads -- how many estimations at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the entry
-
-    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateRigid3D returns.
-    The interpreter's lock is released meanwhile."""
+    """As estimateHomographies, by estimateRigid3D."""
     return estimateMany(ProblemType.RIGID_3D, points1, points2, params, threads, returnExceptions)
 
 
@@ -301,16 +249,7 @@ def estimateSimilarity3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
 
 def estimateSimilarities3D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
                            returnExceptions: bool = False) -> Estimates:
-    """Many estimations of estimateSimilarity3D in one call, side by side.
-
-    points1, points2 -- lists of the same length; each entry is what estimateSimilarity3D takes
-    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-    threads -- how many estimations at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the entry
-
-    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateSimilarity3D
-    returns. The interpreter's lock is released meanwhile."""
+    """As estimateHomographies, by estimateSimilarity3D."""
     return estimateMany(ProblemType.SIMILARITY_3D, points1, points2, params, threads, returnExceptions)
 
 
@@ -335,14 +274,5 @@ def estimateTranslation2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params
 
 def estimateTranslations2D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
                            returnExceptions: bool = False) -> Estimates:
-    """Many estimations of estimateTranslation2D in one call, side by side.
-
-    points1, points2 -- lists of the same length; each entry is what estimateTranslation2D takes
-    params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-    threads -- how many estimations at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the entry
-
-    Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what estimateTranslation2D
-    returns. The interpreter's lock is released meanwhile."""
+    """As estimateHomographies, by estimateTranslation2D."""
     return estimateMany(ProblemType.TRANSLATION_2D, points1, points2, params, threads, returnExceptions)
