@@ -102,6 +102,41 @@ public:
 };
 INSTANTIATE_TEST_CASE_P(/**/, UsacGiven, testing::ValuesIn(ALL_PROBLEMS));
 
+//! estimateModel() is the function of the problem, with the argument names of any problem in its
+//! messages.
+TEST_P(UsacGiven, estimateModel)
+{
+    const Matches matches(problem(), 1, 0.6);
+    Mat mask, other;
+    Report report;
+    const Mat model = estimateModel(problem(), matches.first, matches.second, matches.params, mask,
+                                    report, matches.K, noArray(), matches.lens);
+    const Mat expected = matches.run(other, report);
+    ASSERT_FALSE(expected.empty());
+    EXPECT_EQ(0, cvtest::norm(expected, model, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(mask, other, NORM_INF));
+    try
+    {
+        estimateModel(problem(), matches.first.rowRange(0, 20), matches.second, matches.params,
+                      mask, report, matches.K, noArray(), matches.lens);
+        FAIL();
+    }
+    catch (const cv::Exception& mistake)
+    {
+        EXPECT_EQ(0u, mistake.err.find("points1 and points2: ")) << mistake.err;
+    }
+}
+
+//! Numbers are stored in files: the rows of the table are in their order.
+TEST(Usac_Given, problemsAreNumberedInTheOrderOfTheTable)
+{
+    for (size_t i = 0; i < sizeof(ALL_PROBLEMS) / sizeof(ALL_PROBLEMS[0]); ++i)
+        EXPECT_EQ((int)i, ALL_PROBLEMS[i]);
+    EXPECT_THROW(Usac::create((ProblemType)(sizeof(ALL_PROBLEMS) / sizeof(ALL_PROBLEMS[0])),
+                              std::vector<Point2f>(), std::vector<Point2f>()),
+                 cv::Exception);
+}
+
 TEST_P(UsacGiven, exact_points)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
