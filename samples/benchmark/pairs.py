@@ -9,7 +9,7 @@ import os
 
 import numpy as np
 
-PROBLEMS = ("H", "F", "E", "A", "S")  # of pairs of images
+PROBLEMS = ("H", "F", "E", "A", "S", "T")  # of pairs of images
 LISTS = PROBLEMS + ("P", "R", "M")  # of which there are lists; views.py has the files of P, spaces.py those of R and M
 KINDS = ("annotated", "labels", "homography", "pose", "exact")
 _MATRICES = ("H", "K1", "K2", "R")

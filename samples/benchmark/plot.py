@@ -31,7 +31,7 @@ from rows import read_rows
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "h")
 TITLES = {"H": "homography", "F": "fundamental matrix", "E": "essential matrix", "A": "affinity",
-          "S": "similarity", "P": "absolute pose", "R": "rigid motion", "M": "rigid motion and scale"}
+          "S": "similarity", "P": "absolute pose", "R": "rigid motion", "M": "rigid motion and scale", "T": "translation"}
 DEGREES = ("P", "R", "M")  # problems whose error is an angle
 COLUMNS = ("list", "problem", "pair", "method", "error", "failed", "cpu_ms", "wall_ms")
 STYLE = {"font.size": 9, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,

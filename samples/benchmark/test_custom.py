@@ -205,7 +205,7 @@ class CustomTest(FolderTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         form = "registerMethod: '%s': expected custom: and letters, digits, '_', '-' or '.'"
         names = ("mine", "custom:", "custom:a,b", "custom:a{b", "custom:a+scores", "Custom:a")
-        problems = "'%s': expected problems, some of the letters HFEASPRM"
+        problems = "'%s': expected problems, some of the letters HFEASPRMT"
         self.assertEqual(done.stdout.splitlines(), [
             "registerMethod: custom:same is registered already"] + [form % name for name in names] + [
             "registerMethod: custom:empty: the factory is empty", "withComponents: the change is empty",

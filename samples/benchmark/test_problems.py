@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Affinities and similarities: scenes that usac_synthetic writes, and what usac_benchmark measures on them.
+"""Affinities, similarities and translations: scenes that usac_synthetic writes, and what usac_benchmark measures on them.
 
 USAC_BENCHMARK: path of the program usac_benchmark; usac_synthetic and usac_test_methods are taken from the same folder."""
 
@@ -18,7 +18,7 @@ import pairs
 from test_benchmark import FolderTest
 
 PROGRAMS = os.path.dirname(os.environ.get("USAC_BENCHMARK", ""))
-RIVALS = {"A": ["cv:RANSAC", "cv:LMEDS", "cv:USAC_DEFAULT", "cv:USAC_PROSAC+scores"], "S": ["cv:RANSAC", "cv:LMEDS"]}
+RIVALS = {"A": ["cv:RANSAC", "cv:LMEDS", "cv:USAC_DEFAULT", "cv:USAC_PROSAC+scores"], "S": ["cv:RANSAC", "cv:LMEDS"], "T": []}
 
 
 def program(name):
@@ -60,7 +60,7 @@ class ProgramTest(FolderTest):
 @unittest.skipUnless(os.path.isfile(program("usac_synthetic")), "there is no usac_synthetic beside USAC_BENCHMARK")
 class PlaneMapTest(ProgramTest):
 
-    SCENES = {"A": "affinity", "S": "similarity"}
+    SCENES = {"A": "affinity", "S": "similarity", "T": "translation"}
 
     def test_scene(self):
         for letter, scene in self.SCENES.items():
@@ -77,7 +77,8 @@ class PlaneMapTest(ProgramTest):
             self.assertLess(pair.scores[right].max(), np.delete(pair.scores, right).min(), "--scores=1 tells all")
             self.assertLess(np.abs(pair.gt_points[:, :2] @ A[:, :2].T + A[:, 2] - pair.gt_points[:, 2:]).max(), 1e-9)
             similar = abs(A[0, 0] - A[1, 1]) + abs(A[0, 1] + A[1, 0])
-            self.assertEqual(similar < 1e-9, letter == "S", A)
+            self.assertEqual(similar < 1e-9, letter != "A", A)
+            self.assertEqual(np.array_equal(A[:, :2], np.eye(2)), letter == "T", A)
 
     def test_outliers(self):
         """From one small square to another, and right matches of another map."""
@@ -126,7 +127,7 @@ class PlaneMapTest(ProgramTest):
         for scene in self.SCENES.values():
             self.write_scenes(scene, "--pairs=1", "--size=50")
         runs = self.benchmark(["custom:identity"], name="usac_test_methods")[0]["custom:identity"]
-        self.assertEqual([row["problem"] for row in runs], ["A", "S"])
+        self.assertEqual([row["problem"] for row in runs], ["A", "S", "T"])
         for row in runs:
             pair = pairs.read_pair(self.path("pairs", row["list"], "0000"))
             shifts = np.linalg.norm(pair.gt_points[:, :2] - pair.gt_points[:, 2:], axis=1)

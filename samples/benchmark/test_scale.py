@@ -141,7 +141,7 @@ class ThresholdTest(FolderTest):
 
     def test_right_thresholds(self):
         """Those of all problems; what it is told of the errors depends on the lists."""
-        for names, more in ((["easy.F"], ""), (["easy.S"], ", A and S 3 px"), (["easy.P"], ", P 4 px (errors in degrees)")):
+        for names, more in ((["easy.F"], ""), (["easy.S"], ", A, S and T 3 px"), (["easy.P"], ", P 4 px (errors in degrees)")):
             lists = ["--list=" + self.put("lists/%s.list" % name) for name in names]
             with contextlib.redirect_stdout(io.StringIO()) as out:
                 self.assertEqual(threshold.main(["--program", self.program(), "--methods=a"] + lists), 0)

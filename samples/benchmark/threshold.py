@@ -19,7 +19,7 @@ import tempfile
 
 import pairs
 
-RIGHT = {"H": 2.0, "F": 1.0, "E": 1.0, "A": 3.0, "S": 3.0, "P": 4.0, "R": 3.0, "M": 3.0}  # the defaults of usac_benchmark
+RIGHT = {"H": 2.0, "F": 1.0, "E": 1.0, "A": 3.0, "S": 3.0, "P": 4.0, "R": 3.0, "M": 3.0, "T": 3.0}  # the defaults of usac_benchmark
 METHODS = "USACV20_MAGSAC,USACV20,cv:USAC_MAGSAC"
 FAR, MOST = 1.15, 30  # ratios of errors that are counted; a larger one counts as MOST
 GIVEN, LARGEST = (0.25, 0.5, 1, 2, 4), (3, 10)  # with --estimated: times the right threshold
@@ -29,7 +29,7 @@ def find_lists(folders, files):
     """{problem: [file, ...]} in the order of RIGHT."""
     found = list(files)
     for folder in folders:
-        found += sorted(glob.glob(os.path.join(folder, "lists", "*.[HFEASPRM].list")))
+        found += sorted(glob.glob(os.path.join(folder, "lists", "*.[HFEASPRMT].list")))
     by_problem = {problem: [f for f in found if pairs.split_name(f)[1] == problem] for problem in RIGHT}
     return {problem: lists for problem, lists in by_problem.items() if lists}
 
@@ -177,7 +177,7 @@ def run(args, out):
                 errors.setdefault((problem, name), {}).setdefault(method, []).append(error)
     methods = list(dict.fromkeys(m for row in errors.values() for m in row))
     print("# Sensitivity to the threshold\n\n%d repeats, seed %d; right thresholds: H 2 px, F and E 1 px%s%s%s." %
-          (args.repeats, args.seed, ", A and S 3 px" if set(lists) & set("AS") else "",
+          (args.repeats, args.seed, ", A, S and T 3 px" if set(lists) & set("AST") else "",
            ", P 4 px (errors in degrees)" if "P" in lists else "",
            ", R and M 3 (errors in degrees)" if set(lists) & set("RM") else ""), file=out)
     print_lists(errors, factors, methods, out)

@@ -19,6 +19,13 @@ struct ArgumentName
     const char *inner, *callers;
 };
 
+//! Names that some problems have for the arguments of the functions of any problem, such as
+//! #fitModel.
+const ArgumentName ANY_PROBLEM[] = {{"objectPoints", "points1"},
+                                    {"imagePoints", "points2"},
+                                    {"cameraMatrix", "cameraMatrix1"},
+                                    {"distCoeffs", "distCoeffs1"}};
+
 //! Throws `mistake` with the argument names before the colon, as in "points1 and points2: lists of
 //! ...", replaced by those of the caller. Returns if none of them differs, or if the text before
 //! the colon is not a list of names.

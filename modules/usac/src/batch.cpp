@@ -90,12 +90,32 @@ std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1,
     return tasks;
 }
 
-std::vector<Estimate> estimatePairs(ProblemType problem, InputArrayOfArrays points1,
-                                    InputArrayOfArrays points2, const ParamsOfTasks& params,
-                                    int threads)
+//! The first or only camera of each task.
+void setCameras(InputArrayOfArrays matrices, const char* nameOfMatrices, InputArrayOfArrays lenses,
+                const char* nameOfLenses, std::vector<Task>& tasks)
 {
-    return estimateBatch(makeTasks(problem, points1, points2, "points1", "points2", params),
-                         threads);
+    const size_t count = tasks.size();
+    const OneOrEach camera(matrices, nameOfMatrices, count, count == 0),
+        lens(lenses, nameOfLenses, count, true);
+    for (size_t i = 0; i < count; ++i)
+    {
+        tasks[i].cameraMatrix1 = camera[i];
+        tasks[i].distCoeffs1 = lens[i];
+    }
+}
+
+//! The camera of the second image of each task, which need not be given.
+void setSecondCameras(InputArrayOfArrays matrices, InputArrayOfArrays lenses,
+                      std::vector<Task>& tasks)
+{
+    const size_t count = tasks.size();
+    const OneOrEach camera(matrices, "cameraMatrices2", count, true),
+        lens(lenses, "distCoeffs2", count, true);
+    for (size_t i = 0; i < count; ++i)
+    {
+        tasks[i].cameraMatrix2 = camera[i];
+        tasks[i].distCoeffs2 = lens[i];
+    }
 }
 
 }  // namespace
@@ -108,83 +128,43 @@ std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads)
     return results;
 }
 
-std::vector<Estimate> estimateHomographies(InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                           const ParamsOfTasks& params, int threads)
-{
-    return estimatePairs(HOMOGRAPHY, points1, points2, params, threads);
-}
-
-std::vector<Estimate> estimateAffinities2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                           const ParamsOfTasks& params, int threads)
-{
-    return estimatePairs(AFFINITY, points1, points2, params, threads);
-}
-
-std::vector<Estimate> estimateSimilarities2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                             const ParamsOfTasks& params, int threads)
-{
-    return estimatePairs(SIMILARITY, points1, points2, params, threads);
-}
-
-std::vector<Estimate> estimateFundamentals(InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                           const ParamsOfTasks& params, int threads)
-{
-    return estimatePairs(FUNDAMENTAL, points1, points2, params, threads);
-}
-
-std::vector<Estimate> estimateRigids3D(InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                       const ParamsOfTasks& params, int threads)
-{
-    return estimatePairs(RIGID_3D, points1, points2, params, threads);
-}
-
-std::vector<Estimate> estimateSimilarities3D(InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                             const ParamsOfTasks& params, int threads)
-{
-    return estimatePairs(SIMILARITY_3D, points1, points2, params, threads);
-}
-
-std::vector<Estimate> estimateEssentials(InputArrayOfArrays points1, InputArrayOfArrays points2,
-                                         InputArrayOfArrays cameraMatrices1,
-                                         InputArrayOfArrays cameraMatrices2,
-                                         InputArrayOfArrays distCoeffs1,
-                                         InputArrayOfArrays distCoeffs2,
-                                         const ParamsOfTasks& params, int threads)
-{
-    std::vector<Task> tasks = makeTasks(ESSENTIAL, points1, points2, "points1", "points2", params);
-    const size_t count = tasks.size();
-    const OneOrEach camera1(cameraMatrices1, "cameraMatrices1", count, count == 0),
-        camera2(cameraMatrices2, "cameraMatrices2", count, true),
-        lens1(distCoeffs1, "distCoeffs1", count, true),
-        lens2(distCoeffs2, "distCoeffs2", count, true);
-    for (size_t i = 0; i < count; ++i)
-    {
-        tasks[i].cameraMatrix1 = camera1[i];
-        tasks[i].cameraMatrix2 = camera2[i];
-        tasks[i].distCoeffs1 = lens1[i];
-        tasks[i].distCoeffs2 = lens2[i];
+#define USACV20_IMAGES(TYPE, PLURAL)                                                               \
+    std::vector<Estimate> estimate##PLURAL(InputArrayOfArrays points1, InputArrayOfArrays points2, \
+                                           const ParamsOfTasks& params, int threads)               \
+    {                                                                                              \
+        return estimateBatch(makeTasks(TYPE, points1, points2, "points1", "points2", params),      \
+                             threads);                                                             \
     }
-    return estimateBatch(tasks, threads);
-}
 
-std::vector<Estimate> estimateAbsolutePoses(InputArrayOfArrays objectPoints,
-                                            InputArrayOfArrays imagePoints,
-                                            InputArrayOfArrays cameraMatrices,
-                                            InputArrayOfArrays distCoeffs,
-                                            const ParamsOfTasks& params, int threads)
-{
-    std::vector<Task> tasks = makeTasks(ABSOLUTE_POSE, objectPoints, imagePoints, "objectPoints",
-                                        "imagePoints", params);
-    const size_t count = tasks.size();
-    const OneOrEach camera(cameraMatrices, "cameraMatrices", count, count == 0),
-        lens(distCoeffs, "distCoeffs", count, true);
-    for (size_t i = 0; i < count; ++i)
-    {
-        tasks[i].cameraMatrix1 = camera[i];
-        tasks[i].distCoeffs1 = lens[i];
+#define USACV20_SPACES(TYPE, PLURAL) USACV20_IMAGES(TYPE, PLURAL)
+
+#define USACV20_CAMERAS(TYPE, PLURAL)                                                              \
+    std::vector<Estimate> estimate##PLURAL(                                                        \
+        InputArrayOfArrays points1, InputArrayOfArrays points2,                                    \
+        InputArrayOfArrays cameraMatrices1, InputArrayOfArrays cameraMatrices2,                    \
+        InputArrayOfArrays distCoeffs1, InputArrayOfArrays distCoeffs2,                            \
+        const ParamsOfTasks& params, int threads)                                                  \
+    {                                                                                              \
+        std::vector<Task> tasks = makeTasks(TYPE, points1, points2, "points1", "points2", params); \
+        setCameras(cameraMatrices1, "cameraMatrices1", distCoeffs1, "distCoeffs1", tasks);         \
+        setSecondCameras(cameraMatrices2, distCoeffs2, tasks);                                     \
+        return estimateBatch(tasks, threads);                                                      \
     }
-    return estimateBatch(tasks, threads);
-}
+
+#define USACV20_POSE(TYPE, PLURAL)                                                                 \
+    std::vector<Estimate> estimate##PLURAL(                                                        \
+        InputArrayOfArrays objectPoints, InputArrayOfArrays imagePoints,                           \
+        InputArrayOfArrays cameraMatrices, InputArrayOfArrays distCoeffs,                          \
+        const ParamsOfTasks& params, int threads)                                                  \
+    {                                                                                              \
+        std::vector<Task> tasks = makeTasks(TYPE, objectPoints, imagePoints, "objectPoints",       \
+                                            "imagePoints", params);                                \
+        setCameras(cameraMatrices, "cameraMatrices", distCoeffs, "distCoeffs", tasks);             \
+        return estimateBatch(tasks, threads);                                                      \
+    }
+
+#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) USACV20_##ARGUMENTS(TYPE, PLURAL)
+#include "problems/registry.inl.hpp"
 
 }  // namespace usacv20
 }  // namespace cv

@@ -10,12 +10,6 @@ namespace usacv20 {
 
 namespace {
 
-//! Names that the problem of absolute poses uses for the arguments of these functions.
-const ArgumentName POSE_NAMES[] = {{"objectPoints", "points1"},
-                                   {"imagePoints", "points2"},
-                                   {"cameraMatrix", "cameraMatrix1"},
-                                   {"distCoeffs", "distCoeffs1"}};
-
 //! Called before the points are read, in case points were passed as the model.
 void checkModel(InputArray model)
 {
@@ -32,7 +26,7 @@ Mat fitModel(ProblemType problem, InputArray points1, InputArray points2, const 
              InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
              InputArray distCoeffs2)
 {
-    return calling(POSE_NAMES, [&] {
+    return calling(ANY_PROBLEM, [&] {
         return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
                             distCoeffs1, distCoeffs2)
             ->fit(weights, chosen, mask, &report);
@@ -45,7 +39,7 @@ Mat refineModel(ProblemType problem, InputArray model, InputArray points1, Input
                 InputArray distCoeffs2)
 {
     checkModel(model);
-    return calling(POSE_NAMES, [&] {
+    return calling(ANY_PROBLEM, [&] {
         return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
                             distCoeffs1, distCoeffs2)
             ->refine(model, chosen, mask, &report);
@@ -57,7 +51,7 @@ Mat modelErrors(ProblemType problem, InputArray model, InputArray points1, Input
                 InputArray distCoeffs1, InputArray distCoeffs2)
 {
     checkModel(model);
-    return calling(POSE_NAMES, [&] {
+    return calling(ANY_PROBLEM, [&] {
         return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
                             distCoeffs1, distCoeffs2)
             ->errors(model);

@@ -285,14 +285,15 @@ void ProblemData::scaleColumn(int k, double shift, double factor)
     view.exact[k] = values;
 }
 
-//! The lower bound is for noise-free data, which may lead to a threshold below the rounding errors.
+//! The lower bound is for noise-free data, which may lead to a threshold below the rounding errors;
+//! the upper one for points so far apart that no double holds their spread, whose scale is 0.
 void ProblemData::setThreshold(double threshold)
 {
     if (threshold == view.threshold)
         return;
     setSearchThreshold(std::max(threshold, 1e-6));
-    inputThreshold = view.threshold / view.frame[1].scale;
-    pixelThreshold = inputThreshold * pixels;
+    inputThreshold = std::min(view.threshold / view.frame[1].scale, DBL_MAX);
+    pixelThreshold = std::min(inputThreshold * pixels, DBL_MAX);
 }
 
 void ProblemData::scaleThreshold(double factor)

@@ -7,7 +7,7 @@
 #include "check_components.hpp"
 #include "factory.hpp"
 #include "given_models.hpp"
-#include "problems/problems.hpp"
+#include "problems/registry.hpp"
 #include "problem_data.hpp"
 #include "ransac.hpp"
 #include "reach.hpp"

@@ -4,13 +4,36 @@
 
 #include "test_contracts.hpp"
 
+#include <map>
+#include "problems/registry.hpp"
+
 namespace opencv_test {
+
+namespace {
+
+Ptr<Problem> problemObjectOf(int problem)
+{
+    return createProblem((ProblemType)problem, Matx33d::eye(), noArray(), noArray(), noArray());
+}
+
+}  // namespace
 
 const char* nameOf(ProblemType problem)
 {
-    static const char* names[] = {"homography", "fundamental",  "essential", "affinity",
-                                  "similarity", "absolutePose", "rigid3D",   "similarity3D"};
-    return names[problem];
+    static std::map<int, String> names;
+    return names.insert(std::make_pair((int)problem, problemObjectOf(problem)->name()))
+        .first->second.c_str();
+}
+
+bool hasFlags(ProblemType problem)
+{
+    return std::find(std::begin(FLAG_PROBLEMS), std::end(FLAG_PROBLEMS), problem) !=
+           std::end(FLAG_PROBLEMS);
+}
+
+int sampleSizeOf(int problem)
+{
+    return problemObjectOf(problem)->createMinimalSolver()->sampleSize();
 }
 
 Matx33d sceneCamera() { return makeScene(ESSENTIAL).K; }
@@ -18,15 +41,17 @@ Matx33d sceneCamera() { return makeScene(ESSENTIAL).K; }
 Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2,
                    const Params& params, OutputArray mask, Report& report, InputArray K)
 {
-    if (problem == HOMOGRAPHY)
-        return estimateHomography(points1, points2, params, mask, report);
-    if (problem == FUNDAMENTAL)
-        return estimateFundamental(points1, points2, params, mask, report);
-    if (problem == AFFINITY)
-        return estimateAffinity2D(points1, points2, params, mask, report);
-    if (problem == SIMILARITY)
-        return estimateSimilarity2D(points1, points2, params, mask, report);
-    return estimateEssential(points1, points2, K, params, mask, report);
+#define USACV20_IMAGES(NAME) estimate##NAME(points1, points2, params, mask, report)
+#define USACV20_SPACES(NAME) estimate##NAME(points1, points2, params, mask, report)
+#define USACV20_CAMERAS(NAME) estimate##NAME(points1, points2, K, params, mask, report)
+#define USACV20_POSE(NAME) estimate##NAME(points1, points2, K, noArray(), params, mask, report)
+#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS)                                             \
+    case TYPE: return USACV20_##ARGUMENTS(NAME);
+    switch (problem)
+    {
+#include "problems/registry.inl.hpp"
+    }
+    return Mat();
 }
 
 bool sameBits(const Mat& a, const Mat& b)
@@ -106,10 +131,13 @@ std::vector<NamedPreset> allPresets(ProblemType problem)
 
 namespace {
 
-//! The find functions with a flag, in all forms; the answer must be that of the estimate function.
+//! The find functions with a flag, in all forms; some problems have none; the answer must be that
+//! of the estimate function.
 void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, InputArray points2,
                const Params& params, const Matx33d& K, const Mat& model, const Mat& mask)
 {
+    if (!hasFlags(problem))
+        return;
     Mat m, other;
     if (problem == HOMOGRAPHY)
         m = findHomography(points1, points2, flag, params.threshold, other, params.maxIterations,

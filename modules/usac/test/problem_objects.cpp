@@ -4,7 +4,9 @@
 
 #include "problem_objects.hpp"
 
+#include <map>
 #include "problems/kernels.hpp"
+#include "problems/registry.hpp"
 
 namespace opencv_test {
 
@@ -13,11 +15,13 @@ using namespace cv::usacv20;
 
 const Problem& problemObject(ProblemType type)
 {
-    static const Ptr<Problem> objects[] = {
-        createHomographyProblem(), createFundamentalProblem(),
-        createEssentialProblem(Matx33d::eye(), noArray(), noArray(), noArray()),
-        createAffinityProblem(), createSimilarityProblem()};
-    return *objects[type];
+    static std::map<ProblemType, Ptr<Problem>> objects;
+    static Mutex mutex;
+    const AutoLock lock(mutex);
+    Ptr<Problem>& object = objects[type];
+    if (!object)
+        object = createProblem(type, Matx33d::eye(), noArray(), noArray(), noArray());
+    return *object;
 }
 
 Ptr<Residual> residualOf(Formula::Kind kind)

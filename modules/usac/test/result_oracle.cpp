@@ -7,6 +7,7 @@
 #include "lens_oracle.hpp"
 #include "pose_oracle.hpp"
 #include "rigid_oracle.hpp"
+#include "scene_geometry.hpp"
 #include "scenes.hpp"
 
 #include <algorithm>
@@ -172,7 +173,9 @@ std::string brokenModel(ProblemType problem, const Matx33d& M)
     if (problem == SIMILARITY && (M(0, 0) != M(1, 1) || M(0, 1) != -M(1, 0)))
         return format("%g %g, %g %g is no rotation with a scale", M(0, 0), M(0, 1), M(1, 0),
                       M(1, 1));
-    if (problem == AFFINITY || problem == SIMILARITY)
+    if (problem == TRANSLATION_2D && (M(0, 0) != 1 || M(0, 1) != 0 || M(1, 0) != 0 || M(1, 1) != 1))
+        return format("%g %g, %g %g is not 1 0, 0 1", M(0, 0), M(0, 1), M(1, 0), M(1, 1));
+    if (isAffine(problem))
         return M(0, 0) != 0 || M(0, 1) != 0 || M(1, 0) != 0 || M(1, 1) != 0
                    ? ""
                    : "the model is of rank 0";
@@ -237,7 +240,7 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
         return brokenPose(call, report.threshold, model, mask);
     if (space)
         return brokenMotion(call, report.threshold, model, mask);
-    const int rows = call.problem == AFFINITY || call.problem == SIMILARITY ? 2 : 3;
+    const int rows = isAffine(call.problem) ? 2 : 3;
     if (model.size() != cv::Size(3, rows) || model.type() != CV_64FC1)
         return format("the model is %d x %d, type %d", model.rows, model.cols, model.type());
     const Matx33d M = squareModel(model);

@@ -73,13 +73,16 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     }
 }
 
-//! The affine map or the similarity next to a homography about the middle of image 1.
+//! The affine map, the similarity or the translation next to a homography about the middle of
+//! image 1.
 Matx33d flattened(ProblemType problem, const Matx33d& H)
 {
     const Vec3d middle(WIDTH / 2, HEIGHT / 2, 1), y = H * middle;
     Matx22d J;
     for (int k = 0; k < 4; ++k)
         J.val[k] = (H(k / 2, k % 2) - y[k / 2] / y[2] * H(2, k % 2)) / y[2];
+    if (problem == TRANSLATION_2D)
+        J = Matx22d::eye();
     if (problem == SIMILARITY)
         J = Matx22d(J(0, 0) + J(1, 1), J(0, 1) - J(1, 0), J(1, 0) - J(0, 1), J(0, 0) + J(1, 1)) *
             0.5;
@@ -89,7 +92,10 @@ Matx33d flattened(ProblemType problem, const Matx33d& H)
 
 }  // namespace
 
-bool isAffine(ProblemType problem) { return problem == AFFINITY || problem == SIMILARITY; }
+bool isAffine(ProblemType problem)
+{
+    return problem == AFFINITY || problem == SIMILARITY || problem == TRANSLATION_2D;
+}
 
 bool inside(const Point2d& p)
 {

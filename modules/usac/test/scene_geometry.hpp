@@ -39,7 +39,7 @@ bool follow(const Geometry& g, bool plane, cv::RNG& rng, const cv::Point2d& p1, 
 //! A point that both cameras see; on the plane if `plane`.
 void seenPoint(const Geometry& g, bool plane, cv::RNG& rng, cv::Point2d& p1, cv::Point2d& p2);
 
-//! True for an affinity or a similarity.
+//! True for an affinity, a similarity or a translation.
 bool isAffine(cv::usacv20::ProblemType problem);
 
 }  // namespace opencv_test

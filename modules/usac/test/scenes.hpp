@@ -18,13 +18,6 @@ namespace opencv_test {
 //! Size of both images.
 enum { SCENE_WIDTH = 640, SCENE_HEIGHT = 480 };
 
-//! Problems of matches between two images.
-const int TWO_VIEW_PROBLEMS[] = {cv::usacv20::HOMOGRAPHY, cv::usacv20::FUNDAMENTAL,
-                                 cv::usacv20::ESSENTIAL, cv::usacv20::AFFINITY,
-                                 cv::usacv20::SIMILARITY};
-//! Points of a minimal sample of each.
-const int SAMPLE_SIZES[] = {4, 7, 5, 3, 2};
-
 //! Where the wrong matches are.
 enum OutlierModel {
     OUTLIERS_UNIFORM,  //!< anywhere in both images
@@ -116,8 +109,8 @@ struct SceneOptions
 Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0
 they are as `points`. Scores lie between 0 and 1, lower is better: those of wrong matches are
 uniform, those of true matches are 1 - u^((1 - q) / q) with u uniform and q the option
-`scoreInformation`. H, F and E have the same cameras, F and E also the same points. Affinities and
-similarities are those nearest to that H in the middle of image 1. */
+`scoreInformation`. H, F and E have the same cameras, F and E also the same points. Affinities,
+similarities and translations are those nearest to that H in the middle of image 1. */
 struct Scene
 {
     cv::usacv20::ProblemType problem;
@@ -134,7 +127,7 @@ struct Scene
     int size() const { return (int)points1.size(); }
 };
 
-//! Problems whose model maps points to points: homography, affinity, similarity.
+//! Problems whose model maps points to points: all but F and E.
 bool mapsPoints(cv::usacv20::ProblemType problem);
 
 Scene makeScene(cv::usacv20::ProblemType problem, const SceneOptions& options = SceneOptions());

@@ -81,10 +81,12 @@ void checkProblem(ProblemType problem, Batch batch, Single single)
 
 TEST(Usac_Batch, sameAsOneByOne)
 {
-    checkProblem(HOMOGRAPHY, estimateHomographies, estimateHomography);
-    checkProblem(AFFINITY, estimateAffinities2D, estimateAffinity2D);
-    checkProblem(SIMILARITY, estimateSimilarities2D, estimateSimilarity2D);
-    checkProblem(FUNDAMENTAL, estimateFundamentals, estimateFundamental);
+#define USACV20_IMAGES(TYPE, NAME, PLURAL) checkProblem(TYPE, estimate##PLURAL, estimate##NAME);
+#define USACV20_SPACES(TYPE, NAME, PLURAL)
+#define USACV20_CAMERAS(TYPE, NAME, PLURAL)
+#define USACV20_POSE(TYPE, NAME, PLURAL)
+#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) USACV20_##ARGUMENTS(TYPE, NAME, PLURAL)
+#include "problems/registry.inl.hpp"
 }
 
 //! A camera for each, one for all as a matrix or a list, a lens as a vector.

@@ -12,7 +12,7 @@ namespace opencv_test {
 namespace {
 
 typedef UsacProblem UsacFlags;
-INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(TWO_VIEW_PROBLEMS));
+INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(FLAG_PROBLEMS));
 
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};

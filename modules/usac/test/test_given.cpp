@@ -11,9 +11,6 @@
 namespace opencv_test {
 namespace {
 
-const int ALL[] = {HOMOGRAPHY, FUNDAMENTAL,   ESSENTIAL, AFFINITY,
-                   SIMILARITY, ABSOLUTE_POSE, RIGID_3D,  SIMILARITY_3D};
-
 //! Matches of any problem, the right ones among them, and the cameras.
 struct Matches
 {
@@ -103,7 +100,42 @@ class UsacGiven : public testing::TestWithParam<int>
 public:
     ProblemType problem() const { return (ProblemType)GetParam(); }
 };
-INSTANTIATE_TEST_CASE_P(/**/, UsacGiven, testing::ValuesIn(ALL));
+INSTANTIATE_TEST_CASE_P(/**/, UsacGiven, testing::ValuesIn(ALL_PROBLEMS));
+
+//! estimateModel() is the function of the problem, with the argument names of any problem in its
+//! messages.
+TEST_P(UsacGiven, estimateModel)
+{
+    const Matches matches(problem(), 1, 0.6);
+    Mat mask, other;
+    Report report;
+    const Mat model = estimateModel(problem(), matches.first, matches.second, matches.params, mask,
+                                    report, matches.K, noArray(), matches.lens);
+    const Mat expected = matches.run(other, report);
+    ASSERT_FALSE(expected.empty());
+    EXPECT_EQ(0, cvtest::norm(expected, model, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(mask, other, NORM_INF));
+    try
+    {
+        estimateModel(problem(), matches.first.rowRange(0, 20), matches.second, matches.params,
+                      mask, report, matches.K, noArray(), matches.lens);
+        FAIL();
+    }
+    catch (const cv::Exception& mistake)
+    {
+        EXPECT_EQ(0u, mistake.err.find("points1 and points2: ")) << mistake.err;
+    }
+}
+
+//! Numbers are stored in files: the rows of the table are in their order.
+TEST(Usac_Given, problemsAreNumberedInTheOrderOfTheTable)
+{
+    for (size_t i = 0; i < sizeof(ALL_PROBLEMS) / sizeof(ALL_PROBLEMS[0]); ++i)
+        EXPECT_EQ((int)i, ALL_PROBLEMS[i]);
+    EXPECT_THROW(Usac::create((ProblemType)(sizeof(ALL_PROBLEMS) / sizeof(ALL_PROBLEMS[0])),
+                              std::vector<Point2f>(), std::vector<Point2f>()),
+                 cv::Exception);
+}
 
 TEST_P(UsacGiven, exact_points)
 {
@@ -343,7 +375,7 @@ TEST(Usac_Given, homography_of_OpenCV)
 
 TEST(Usac_Given, sample_of_the_report)
 {
-    for (int problem : ALL)
+    for (int problem : ALL_PROBLEMS)
     {
         const Matches matches((ProblemType)problem, 0.5, 0.6);
         Mat mask;

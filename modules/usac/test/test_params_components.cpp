@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
+#include "scene_geometry.hpp"
 
 // Each field of Params changed alone has an effect: verification, local optimization, termination,
 // degeneracy, polishing.
@@ -162,7 +163,7 @@ TEST_P(UsacComponents, localSamples)
     Params params;
     params.localIterations = 1;
     params.localSampleMultiple = 9;
-    const int size = 9 * SAMPLE_SIZES[problem()];
+    const int size = 9 * sampleSizeOf(problem());
     params.localSamples = 0;
     const std::vector<int> none = localFits(scene, params);
     params.localSamples = 10;
@@ -182,13 +183,13 @@ TEST_P(UsacComponents, localSampleMultiple)
         params.localSampleMultiple = multiples[i];
         params.localSamples = 4;
         const std::vector<int> sizes = localFits(scene, params);
-        const int wanted = multiples[i] * SAMPLE_SIZES[problem()];
+        const int wanted = multiples[i] * sampleSizeOf(problem());
         EXPECT_GE(std::count(sizes.begin(), sizes.end(), wanted), 4) << "samples of " << wanted;
         for (int k = 0; k < 3; ++k)
             if (k != i)
             {
                 EXPECT_EQ(0, std::count(sizes.begin(), sizes.end(),
-                                        multiples[k] * SAMPLE_SIZES[problem()]));
+                                        multiples[k] * sampleSizeOf(problem())));
             }
     }
 }
@@ -266,7 +267,7 @@ TEST_P(UsacComponents, degeneracy_orientation)
     {
         EXPECT_GT(with.rejectedSamples, without.rejectedSamples + 50);
     }
-    else if (problem() == AFFINITY || problem() == SIMILARITY)
+    else if (isAffine(problem()))
     {
         EXPECT_EQ(without.rejectedSamples, with.rejectedSamples) << "any orientation is right";
         EXPECT_EQ(0, with.rejectedModels);

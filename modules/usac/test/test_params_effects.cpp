@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_contracts.hpp"
+#include "scene_geometry.hpp"
 
 #include <chrono>
 #include <mutex>
@@ -122,7 +123,7 @@ std::vector<int> samplesOf(const Scene& scene, Params params, int iterations = 1
     const Ptr<SampleRecorder> recorder = makePtr<SampleRecorder>(usac->components().sampler);
     usac->components().sampler = recorder;
     usac->run();
-    recorder->drawn.resize(iterations * SAMPLE_SIZES[scene.problem]);
+    recorder->drawn.resize(iterations * sampleSizeOf(scene.problem));
     return recorder->drawn;
 }
 
@@ -200,7 +201,7 @@ TEST_P(UsacEffects, threads)
     setNumThreads(before);
     EXPECT_EQ((size_t)1, one);
     EXPECT_EQ((size_t)1, allOfOne);
-    if (problem() == AFFINITY || problem() == SIMILARITY)
+    if (isAffine(problem()))
     {
         EXPECT_EQ((size_t)1, four) << "the samples are too cheap for threads";
         EXPECT_EQ((size_t)1, all);
@@ -330,7 +331,7 @@ TEST_P(UsacEffects, scores_beside_the_input_order)
 TEST_P(UsacEffects, orderedEvery)
 {
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
-    const int m = SAMPLE_SIZES[problem()];
+    const int m = sampleSizeOf(problem());
     Params params;
     params.ordering = ORDERING_INPUT_ORDER;
     params.sampler = SAMPLER_PROSAC;

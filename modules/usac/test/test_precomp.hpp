@@ -8,6 +8,7 @@
 #include "framework.hpp"
 #include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
+#include "problem_lists.hpp"
 #include "scenes.hpp"
 
 namespace opencv_test {

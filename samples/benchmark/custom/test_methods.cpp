@@ -85,7 +85,7 @@ void registerAll()
     traits.fields["number"] = 3;
     registerMethod("custom:same", withComponents(Params::ransac(), sameSampler, "HF"));
     registerMethod("custom:echo", wholeEstimator(echo, traits));
-    registerMethod("custom:identity", wholeEstimator(identity, EstimatorTraits("ASPRM")));
+    registerMethod("custom:identity", wholeEstimator(identity, EstimatorTraits("ASPRMT")));
     registerMethod("custom:noSampler", withComponents(Params::ransac(), noSampler));
     registerMethod("custom:complain", wholeEstimator(complain));
     registerMethod("custom:shortMask", wholeEstimator(shortMask));

@@ -11,6 +11,7 @@
 #include "homography.hpp"
 #include "rigid_motion.hpp"
 #include "similarity.hpp"
+#include "translation.hpp"
 #include "two_view_files.hpp"
 
 namespace benchmark {
@@ -27,9 +28,10 @@ const std::vector<const ProblemKind*>& kinds()
     static const Similarity similarity;
     static const AbsolutePose absolutePose;
     static const RigidMotion rigid(false), scaled(true);
+    static const Translation translation;
     static const std::vector<const ProblemKind*> all = {&homography, &fundamental, &essential,
                                                         &affinity,   &similarity,  &absolutePose,
-                                                        &rigid,      &scaled};
+                                                        &rigid,      &scaled,      &translation};
     return all;
 }
 

@@ -4,6 +4,8 @@
 
 #include "pair_writer.hpp"
 
+#include "scene_geometry.hpp"
+
 namespace benchmark {
 
 using opencv_test::Scene;
@@ -16,7 +18,7 @@ const int MAX_TRUE_POINTS = 500;
 //! What is known of the map or of the cameras.
 void writeModel(cv::FileStorage& out, const Scene& scene)
 {
-    if (scene.problem == cv::usacv20::AFFINITY || scene.problem == cv::usacv20::SIMILARITY)
+    if (opencv_test::isAffine(scene.problem))
     {
         writeMatrix(out, "A", scene.model, 2);
         return;

@@ -15,7 +15,7 @@ see ListWriter. */
 class PairWriter
 {
 public:
-    //! @param letters the problems that the pairs are for: "H", "FE", "A" or "S".
+    //! @param letters the problems that the pairs are for: "H", "FE", "A", "S" or "T".
     PairWriter(const std::string& folder, const std::string& name, const std::string& letters);
 
     void write(const opencv_test::Scene& scene);

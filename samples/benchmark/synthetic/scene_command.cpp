@@ -18,7 +18,8 @@ const char
              "{out            | | folder of data to write to; made if it is not there }"
              "{scene          |general| general: F and E; plane: F and E, many points on one "
              "plane; planar: H; affinity: A; "
-             "similarity: S; view: P, object points at any depth; viewPlane: P, on a plane; rigid: "
+             "similarity: S; translation: T; view: P, object points at any depth; viewPlane: P, on "
+             "a plane; rigid: "
              "R, points of space; "
              "rigidScaled: M, the same with a scale }"
              "{name           | | of the data set (default: synthetic_<scene>) }"
@@ -63,11 +64,16 @@ struct SceneKind
 };
 
 const SceneKind SCENES[] = {
-    {"general", cv::usacv20::FUNDAMENTAL, "FE"},   {"plane", cv::usacv20::FUNDAMENTAL, "FE"},
-    {"planar", cv::usacv20::HOMOGRAPHY, "H"},      {"affinity", cv::usacv20::AFFINITY, "A"},
-    {"similarity", cv::usacv20::SIMILARITY, "S"},  {"view", cv::usacv20::HOMOGRAPHY, "P"},
-    {"viewPlane", cv::usacv20::HOMOGRAPHY, "P"},   {"rigid", cv::usacv20::HOMOGRAPHY, "R"},
+    {"general", cv::usacv20::FUNDAMENTAL, "FE"},
+    {"plane", cv::usacv20::FUNDAMENTAL, "FE"},
+    {"planar", cv::usacv20::HOMOGRAPHY, "H"},
+    {"affinity", cv::usacv20::AFFINITY, "A"},
+    {"similarity", cv::usacv20::SIMILARITY, "S"},
+    {"view", cv::usacv20::HOMOGRAPHY, "P"},
+    {"viewPlane", cv::usacv20::HOMOGRAPHY, "P"},
+    {"rigid", cv::usacv20::HOMOGRAPHY, "R"},
     {"rigidScaled", cv::usacv20::HOMOGRAPHY, "M"},
+    {"translation", cv::usacv20::TRANSLATION_2D, "T"},
 };
 
 struct OutlierKind

@@ -17,10 +17,9 @@ Three levels of use:
    The same holds for cv::estimateAffine2D, cv::estimateAffinePartial2D, cv::findFundamentalMat,
    cv::findEssentialMat and cv::solvePnPRansac.
 2. A usacv20::Params with all options, including match scores, and a usacv20::Report:
-   usacv20::estimateHomography, usacv20::estimateAffinity2D, usacv20::estimateSimilarity2D,
-   usacv20::estimateFundamental, usacv20::estimateEssential, usacv20::estimateAbsolutePose,
-   usacv20::estimateRigid3D, usacv20::estimateSimilarity3D. Many of these estimations in one call,
-   in parallel: usacv20::estimateBatch, usacv20::estimateHomographies and so on. The relation
+   usacv20::estimateHomography and its kin, a function for each usacv20::ProblemType, and
+   usacv20::estimateModel for any of them. Many of these estimations in one call, in parallel:
+   usacv20::estimateBatch, usacv20::estimateHomographies and so on. The relation
    between two images (calibrated, planar, pure rotation and so on), determined from several of
    these models: usacv20::estimateTwoViewGeometry.
 3. Components of your own: usacv20::Usac::create builds the default set, and each component can be

@@ -78,6 +78,39 @@ private:
     std::atomic<bool> stopped;
 };
 
+/** @brief #estimateBatch for OpenCV's generator, which binds no lists of a class as arguments or
+results: tasks are added, and results asked for, one by one. */
+class CV_EXPORTS_W Batch
+{
+public:
+    CV_WRAP Batch() {}
+
+    //! The arguments of #estimateModel. The points are not copied.
+    CV_WRAP void add(int problem, InputArray points1, InputArray points2, const Params& params,
+                     InputArray cameraMatrix1 = noArray(), InputArray cameraMatrix2 = noArray(),
+                     InputArray distCoeffs1 = noArray(), InputArray distCoeffs2 = noArray())
+    {
+        Task task((ProblemType)problem, points1.getMat(), points2.getMat(), params);
+        task.cameraMatrix1 = cameraMatrix1.getMat();
+        task.cameraMatrix2 = cameraMatrix2.getMat();
+        task.distCoeffs1 = distCoeffs1.getMat();
+        task.distCoeffs2 = distCoeffs2.getMat();
+        tasks.push_back(task);
+    }
+
+    CV_WRAP void run(int threads) { results = estimateBatch(tasks, threads); }
+
+    // The result of a task, after run().
+    CV_WRAP Mat model(int task) const { return results.at(task).model; }
+    CV_WRAP Mat mask(int task) const { return results.at(task).mask; }
+    CV_WRAP Report report(int task) const { return results.at(task).report; }
+    CV_WRAP String error(int task) const { return results.at(task).error; }
+
+private:
+    std::vector<Task> tasks;
+    std::vector<Estimate> results;
+};
+
 // The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in the place of the
 // flag. In C++ they are in the namespace cv alone: a second set would make a call below `using
 // namespace cv` ambiguous, as the class Params leads to the namespace cv::usacv20.

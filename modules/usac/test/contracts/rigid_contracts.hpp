@@ -10,9 +10,6 @@
 
 namespace opencv_test {
 
-//! The problems of motions of space.
-const int SPACE_PROBLEMS[] = {RIGID_3D, SIMILARITY_3D};
-
 //! What an estimation gives.
 struct Estimate
 {

@@ -83,6 +83,8 @@ TEST_P(UsacExtremes, all_iterations_without_a_model)
         points2.push_back(uniformPoint(rng, 0., 640., 0., 480.));
     }
     checkEveryWay(problem(), points1, points2, 1e-3, INT_MAX);
+    if (sampleSizeOf(problem()) == 1)  // equal matches determine a translation
+        return;
     const std::vector<Point2d> same(1000, Point2d(3, 4));
     Params params = Params::prosac();
     params.maxIterations = INT_MAX;

@@ -162,6 +162,8 @@ TEST_P(UsacInput, prefilled_mask_is_cleared_when_there_is_no_model)
     const std::vector<Point2d> few(1, Point2d(1, 2)), same(50, Point2d(10, 20));
     Mat mask(3, 1, CV_8U, Scalar(1)), wrong(80, 2, CV_32S, Scalar(1));
     Report report;
+    if (sampleSizeOf(problem()) == 1)  // one match, and equal ones, determine a translation
+        return;
     EXPECT_TRUE(estimatePoints(problem(), few, few, Params(), mask, report).empty());
     EXPECT_EQ(Size(1, 1), mask.size());
     EXPECT_EQ(0, countNonZero(mask));

@@ -26,6 +26,25 @@ struct Answer
     std::string exception;
 };
 
+//! By the function of the problem.
+Mat callOf(const FuzzInput& input, const Params& params, Mat& mask, Report& report)
+{
+#define USACV20_IMAGES(NAME) estimate##NAME(input.points1, input.points2, params, mask, report)
+#define USACV20_SPACES(NAME) estimate##NAME(input.object, input.space2, params, mask, report)
+#define USACV20_CAMERAS(NAME)                                                                      \
+    estimate##NAME(input.points1, input.points2, input.K1, input.K2, input.d1, input.d2, params,   \
+                   mask, report)
+#define USACV20_POSE(NAME)                                                                         \
+    estimate##NAME(input.object, input.points2, input.K1, input.d1, params, mask, report)
+#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS)                                             \
+    case TYPE: return USACV20_##ARGUMENTS(NAME);
+    switch (input.problem)
+    {
+#include "problems/registry.inl.hpp"
+    }
+    return Mat();
+}
+
 Answer run(const FuzzInput& input, int threads)
 {
     Answer answer;
@@ -34,31 +53,7 @@ Answer run(const FuzzInput& input, int threads)
         params.threads = threads;
     try
     {
-        if (input.problem == HOMOGRAPHY)
-            answer.model = estimateHomography(input.points1, input.points2, params, answer.mask,
-                                              answer.report);
-        else if (input.problem == FUNDAMENTAL)
-            answer.model = estimateFundamental(input.points1, input.points2, params, answer.mask,
-                                               answer.report);
-        else if (input.problem == AFFINITY)
-            answer.model = estimateAffinity2D(input.points1, input.points2, params, answer.mask,
-                                              answer.report);
-        else if (input.problem == SIMILARITY)
-            answer.model = estimateSimilarity2D(input.points1, input.points2, params, answer.mask,
-                                                answer.report);
-        else if (input.problem == ABSOLUTE_POSE)
-            answer.model = estimateAbsolutePose(input.object, input.points2, input.K1, input.d1,
-                                                params, answer.mask, answer.report);
-        else if (input.problem == RIGID_3D)
-            answer.model = estimateRigid3D(input.object, input.space2, params, answer.mask,
-                                           answer.report);
-        else if (input.problem == SIMILARITY_3D)
-            answer.model = estimateSimilarity3D(input.object, input.space2, params, answer.mask,
-                                                answer.report);
-        else
-            answer.model = estimateEssential(input.points1, input.points2, input.K1, input.K2,
-                                             input.d1, input.d2, params, answer.mask,
-                                             answer.report);
+        answer.model = callOf(input, params, answer.mask, answer.report);
     }
     catch (const cv::Exception& e)
     {

@@ -5,8 +5,7 @@
 #include "test_precomp.hpp"
 #include "opencv2/usac/least_squares.hpp"
 #include "problem_objects.hpp"
-#include "problems/absolute_pose/absolute_pose.hpp"
-#include "problems/rigid_motion/rigid_motion.hpp"
+#include "problems/registry.hpp"
 
 namespace opencv_test {
 namespace {
@@ -17,18 +16,12 @@ typedef cv::usacv20::Parameterization Rule;
 void forEachProblem(const std::function<void(const Problem&, const Model&)>& test)
 {
     const Matx33d K(1.2, 0, 0.1, 0, 1.3, -0.2, 0, 0, 1);
-    const Ptr<Problem> problems[] = {createHomographyProblem(),
-                                     createFundamentalProblem(),
-                                     createEssentialProblem(K, noArray(), noArray(), noArray()),
-                                     createAffinityProblem(),
-                                     createSimilarityProblem(),
-                                     createAbsolutePoseProblem(K, noArray()),
-                                     createRigid3DProblem(),
-                                     createSimilarity3DProblem()};
     RNG rng(3);
-    for (const Ptr<Problem>& problem : problems)
+    for (int type : ALL_PROBLEMS)
         for (int repeat = 0; repeat < 5; ++repeat)
         {
+            const Ptr<Problem> problem = createProblem((ProblemType)type, K, noArray(), noArray(),
+                                                       noArray());
             const bool space = problem->coordinates(0) == 3;
             Model model(3, space ? 4 : 3);
             for (int i = 0; i < model.size(); ++i)

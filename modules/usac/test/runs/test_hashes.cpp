@@ -231,6 +231,7 @@ Table makeTable()
     addRows("office01_E", 1, table.rows);
     addRows(AFFINITY, table.rows);
     addRows(SIMILARITY, table.rows);
+    addRows(TRANSLATION_2D, table.rows);
     addPoseRows("absolutePose", 0, table.rows);
     addPoseRows("absolutePose_lens", 5, table.rows);
     addRigidRows(RIGID_3D, table.rows);

@@ -92,7 +92,8 @@ bool isRight(ProblemType problem, const Parts& parts, UsacV20Method flag, uint64
 typedef testing::TestWithParam<int> Usac_Places;
 INSTANTIATE_TEST_CASE_P(/**/, Usac_Places,
                         testing::Values((int)HOMOGRAPHY, (int)AFFINITY, (int)SIMILARITY,
-                                        (int)ABSOLUTE_POSE, (int)RIGID_3D, (int)SIMILARITY_3D));
+                                        (int)ABSOLUTE_POSE, (int)RIGID_3D, (int)SIMILARITY_3D,
+                                        (int)TRANSLATION_2D));
 
 TEST_P(Usac_Places, no_flag_collapses)
 {

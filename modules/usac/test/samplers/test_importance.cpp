@@ -117,7 +117,7 @@ TEST(Usac_Importance, fewPointsOfPositiveWeight)
 {
     const int N = 30, SAMPLES = 20000;
     for (int problem : TWO_VIEW_PROBLEMS)
-        for (int positive = 0; positive <= SAMPLE_SIZES[problem]; ++positive)
+        for (int positive = 0; positive <= sampleSizeOf(problem); ++positive)
         {
             std::vector<float> scores(N, 0.f);
             for (int i = 0; i < positive; ++i)
@@ -200,7 +200,7 @@ TEST(Usac_Importance, findsTheModelSooner)
             }
         }
         EXPECT_EQ(6, found[1]) << "problem " << problem;
-        if (SAMPLE_SIZES[problem] >= 4)  // 60 uniform samples of fewer points do find it
+        if (sampleSizeOf(problem) >= 4)  // 60 uniform samples of fewer points do find it
         {
             EXPECT_LE(found[0], 3) << "problem " << problem;
         }

@@ -118,7 +118,7 @@ TEST(Usac_Napsac, worksWithTheGridAndFewPoints)
     for (int problem : TWO_VIEW_PROBLEMS)
         for (int more = 0; more < 40; more += 4)
         {
-            Draw draw((ProblemType)problem, SAMPLE_SIZES[problem] + more, createNapsacSampler());
+            Draw draw((ProblemType)problem, sampleSizeOf(problem) + more, createNapsacSampler());
             for (int i = 0; i < 200; ++i)
             {
                 draw.next();

@@ -15,7 +15,7 @@ TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
         for (int kind = 0; kind < 3; ++kind)
             for (int more = 0; more < 3; ++more)
             {
-                const int N = SAMPLE_SIZES[problem] + more;
+                const int N = sampleSizeOf(problem) + more;
                 Draw draw((ProblemType)problem, N,
                           kind == 0   ? createUniformSampler()
                           : kind == 1 ? createProsacSampler()

@@ -32,7 +32,7 @@ typedef testing::TestWithParam<int> Usac_Lmeds_Problem;
 TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const int m = SAMPLE_SIZES[problem];
+    const int m = sampleSizeOf(problem);
     // F, E: 1.4826 * 2.5. H: with the quantile sqrt(-2 log(1 - p)) of the length of a Gaussian
     // vector of the plane
     const double outside = std::erfc(2.5 / std::sqrt(2.));

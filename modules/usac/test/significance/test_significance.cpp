@@ -270,7 +270,7 @@ TEST(Usac_Significance, repeatedMatches)
 //! other points to tell.
 TEST(Usac_Significance, mapsToOnePlace)
 {
-    for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY})
+    for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})
         for (UsacV20Method flag : {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_MAGSAC})
         {
             int models = 0, refused = 0;
@@ -302,10 +302,7 @@ TEST(Usac_Significance, repeatedRightMatchesStay)
         for (uint64 seed = 1; seed <= 20; ++seed)
         {
             SceneOptions options;
-            options.inliers = SAMPLE_SIZES[std::find(TWO_VIEW_PROBLEMS, TWO_VIEW_PROBLEMS + 5,
-                                                     problem) -
-                                           TWO_VIEW_PROBLEMS] +
-                              1;
+            options.inliers = sampleSizeOf(problem) + 1;
             options.outliers = 2;
             options.copies = 20;
             options.noise = 0.1;

@@ -118,6 +118,11 @@ CV_EXPORTS std::vector<Estimate> estimateSimilarities3D(InputArrayOfArrays point
                                                         InputArrayOfArrays points2,
                                                         const ParamsOfTasks& params = Params(),
                                                         int threads = 0);
+//! Batch version of #estimateTranslation2D.
+CV_EXPORTS std::vector<Estimate> estimateTranslations2D(InputArrayOfArrays points1,
+                                                        InputArrayOfArrays points2,
+                                                        const ParamsOfTasks& params = Params(),
+                                                        int threads = 0);
 /** Batch version of #estimateEssential. Cameras and distortions are lists, too, with one entry per
 task or a single one for all. Empty `cameraMatrices2`: the same as `cameraMatrices1`; empty
 distortions: none. */

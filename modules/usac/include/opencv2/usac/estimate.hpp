@@ -14,6 +14,8 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
+#ifndef OPENCV_BINDING_PARSER  // other languages make theirs from #estimateModel
+
 /** @brief Estimates the homography that maps image 1 to image 2.
 
 @param points1 N points of image 1 in any layout and depth that some function of OpenCV accepts: a
@@ -35,8 +37,8 @@ threshold, else 0.
 Points with NaN or infinite coordinates are never inliers. Raises cv::Exception for lists of
 different lengths, points of the wrong shape and invalid parameters. @cite ivashechkin2021usacv20
 */
-CV_EXPORTS_W Mat estimateHomography(InputArray points1, InputArray points2, const Params& params,
-                                    OutputArray mask, CV_OUT Report& report);
+CV_EXPORTS Mat estimateHomography(InputArray points1, InputArray points2, const Params& params,
+                                  OutputArray mask, Report& report);
 //! @overload
 CV_EXPORTS Mat estimateHomography(InputArray points1, InputArray points2,
                                   const Params& params = Params(), OutputArray mask = noArray());
@@ -52,8 +54,8 @@ threshold, else 0.
 @return 2x3, CV_64F, [A t], as returned by cv::estimateAffine2D and used by cv::warpAffine; empty if
 there is none, and `report` says why.
 */
-CV_EXPORTS_W Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params,
-                                    OutputArray mask, CV_OUT Report& report);
+CV_EXPORTS Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params,
+                                  OutputArray mask, Report& report);
 //! @overload
 CV_EXPORTS Mat estimateAffinity2D(InputArray points1, InputArray points2,
                                   const Params& params = Params(), OutputArray mask = noArray());
@@ -70,8 +72,8 @@ threshold, else 0.
 @return 2x3, CV_64F, rows (a, -b, x) and (b, a, y), as returned by cv::estimateAffinePartial2D;
 empty if there is none, and `report` says why.
 */
-CV_EXPORTS_W Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params,
-                                      OutputArray mask, CV_OUT Report& report);
+CV_EXPORTS Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params,
+                                    OutputArray mask, Report& report);
 //! @overload
 CV_EXPORTS Mat estimateSimilarity2D(InputArray points1, InputArray points2,
                                     const Params& params = Params(), OutputArray mask = noArray());
@@ -86,8 +88,8 @@ the threshold, else 0.
 @param report output, statistics of the run.
 @return 3x3, CV_64F, rank 2, unit Frobenius norm; empty if there is none, and `report` says why.
 */
-CV_EXPORTS_W Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
-                                     OutputArray mask, CV_OUT Report& report);
+CV_EXPORTS Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
+                                   OutputArray mask, Report& report);
 //! @overload
 CV_EXPORTS Mat estimateFundamental(InputArray points1, InputArray points2,
                                    const Params& params = Params(), OutputArray mask = noArray());
@@ -110,10 +112,10 @@ the returned E is at most threshold / mean focal length, else 0.
 @return 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there is none, and `report` says
 why.
 */
-CV_EXPORTS_W Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix1,
-                                   InputArray cameraMatrix2, InputArray distCoeffs1,
-                                   InputArray distCoeffs2, const Params& params, OutputArray mask,
-                                   CV_OUT Report& report);
+CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+                                 InputArray cameraMatrix2, InputArray distCoeffs1,
+                                 InputArray distCoeffs2, const Params& params, OutputArray mask,
+                                 Report& report);
 //! @overload
 CV_EXPORTS Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
                                  const Params& params = Params(), OutputArray mask = noArray());
@@ -141,10 +143,9 @@ Minimal samples have three points @cite persson2018lambda @cite ding2023revisiti
 that share a 3-D point or an image point are never in the same sample. Coplanar points are not a
 special case. The search uses undistorted points; the final polishing and the mask use the points of
 the original image. */
-CV_EXPORTS_W Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints,
-                                      InputArray cameraMatrix, InputArray distCoeffs,
-                                      const Params& params, OutputArray mask,
-                                      CV_OUT Report& report);
+CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints,
+                                    InputArray cameraMatrix, InputArray distCoeffs,
+                                    const Params& params, OutputArray mask, Report& report);
 //! @overload
 CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints,
                                     InputArray cameraMatrix, InputArray distCoeffs = noArray(),
@@ -164,8 +165,8 @@ the threshold, else 0.
 Minimal samples have three points @cite horn1987closed; many points are fitted in closed form
 @cite umeyama1991least. Collinear points do not determine a rotation. Points with NaN or infinite
 coordinates, which depth cameras produce, are never inliers. */
-CV_EXPORTS_W Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params,
-                                 OutputArray mask, CV_OUT Report& report);
+CV_EXPORTS Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params,
+                               OutputArray mask, Report& report);
 //! @overload
 CV_EXPORTS Mat estimateRigid3D(InputArray points1, InputArray points2,
                                const Params& params = Params(), OutputArray mask = noArray());
@@ -183,11 +184,56 @@ For example, from a reconstruction of unknown scale to measured points.
 threshold, else 0.
 @param report output, statistics of the run.
 @return 3x4, CV_64F, [s R t]; empty if there is none, and `report` says why. */
-CV_EXPORTS_W Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params,
-                                      OutputArray mask, CV_OUT Report& report);
+CV_EXPORTS Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params,
+                                    OutputArray mask, Report& report);
 //! @overload
 CV_EXPORTS Mat estimateSimilarity3D(InputArray points1, InputArray points2,
                                     const Params& params = Params(), OutputArray mask = noArray());
+
+/** @brief Estimates the translation from image 1 to image 2, x2 = x1 + t.
+
+@param points1 N points of image 1, as in #estimateHomography.
+@param points2 their N counterparts in image 2.
+@param params options; `threshold` is the distance in image 2 in pixels.
+@param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
+threshold, else 0.
+@param report output, statistics of the run.
+@return 2x3, CV_64F, rows (1, 0, x) and (0, 1, y), as used by cv::warpAffine and of the form of
+#estimateAffinity2D; cv::estimateTranslation2D of OpenCV 5 returns its last column. Empty if there
+is none, and `report` says why.
+
+A minimal sample is one point; many are fitted by their mean displacement. */
+CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2, const Params& params,
+                                     OutputArray mask, Report& report);
+//! @overload
+CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2,
+                                     const Params& params = Params(), OutputArray mask = noArray());
+
+#endif  // OPENCV_BINDING_PARSER
+
+/** @brief Estimates a model of any kind: what #estimateHomography and its kin do, for a program
+that knows the problem at run time only.
+
+@param problem what to estimate
+@param points1 N points, in the layouts that the function of the problem takes; #ABSOLUTE_POSE: 3-D
+points
+@param points2 their N counterparts; #ABSOLUTE_POSE: image points
+@param params options
+@param mask output, N x 1, CV_8U: 1 exactly where the error of a point under the returned model is
+at most the threshold
+@param report output, statistics of the run.
+@param cameraMatrix1 3x3, for #ESSENTIAL and #ABSOLUTE_POSE
+@param cameraMatrix2 3x3, for #ESSENTIAL; empty: the same as `cameraMatrix1`
+@param distCoeffs1 distortion of camera 1, for #ESSENTIAL and #ABSOLUTE_POSE; empty: none
+@param distCoeffs2 distortion of camera 2, for #ESSENTIAL; empty: none
+@return the model as the function of the problem returns it; empty if there is none, and `report`
+says why. */
+CV_EXPORTS_W Mat estimateModel(ProblemType problem, InputArray points1, InputArray points2,
+                               const Params& params, OutputArray mask, CV_OUT Report& report,
+                               InputArray cameraMatrix1 = noArray(),
+                               InputArray cameraMatrix2 = noArray(),
+                               InputArray distCoeffs1 = noArray(),
+                               InputArray distCoeffs2 = noArray());
 
 //! @}
 

@@ -37,7 +37,7 @@ usacv20::methodFromInt converts a number to a flag; usacv20::isUsacV20Method tel
 is a flag of this module.
 */
 enum class UsacV20Method : int {
-    //! the configuration recommended in @cite ivashechkin2021usacv20, with robust polishing;
+    //! the configuration of the paper @cite ivashechkin2021usacv20, with robust polishing;
     //! usacv20::Params::usacV20()
     USACV20 = 0x4000,
     USACV20_FAST = 0x4001,      //!< early termination and a short local optimization;
@@ -83,7 +83,8 @@ enum ProblemType {
     ABSOLUTE_POSE = 5,  //!< 3x4 pose of a calibrated camera from 3 or more 3-D to 2-D
                         //!< correspondences
     RIGID_3D = 6,       //!< 3x4 rotation and translation from 3 or more pairs of 3-D points
-    SIMILARITY_3D = 7   //!< the same with a uniform scale
+    SIMILARITY_3D = 7,  //!< the same with a uniform scale
+    TRANSLATION_2D = 8  //!< 2x3 translation from 1 or more correspondences
 };
 
 //! What Params::threshold means.
@@ -215,8 +216,8 @@ enum TerminationFlags {
 };
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
-//! checks that the problem has. Affinities, similarities, absolute poses and 3-D motions raise
-//! cv::Exception for #DEGENERACY_DEGENSAC unless all bits are set, and so for Params::usac2013.
+//! checks that the problem has. Affine maps, absolute poses and 3-D motions raise cv::Exception for
+//! #DEGENERACY_DEGENSAC unless all bits are set, and so for Params::usac2013.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar

@@ -25,8 +25,7 @@ static py::list estimateBatch(int problem, const py::list& points1, const py::li
                               const py::list& cameraMatrices2, const py::list& distCoeffs1,
                               const py::list& distCoeffs2, int threads)
 {
-    CV_Assert(problem >= HOMOGRAPHY && problem <= SIMILARITY_3D &&
-              points1.size() == points2.size());
+    CV_Assert(points1.size() == points2.size());
     std::vector<Task> tasks(points1.size());
     for (size_t i = 0; i < tasks.size(); ++i)
     {

@@ -17,7 +17,6 @@ static py::tuple estimate(int problem, const py::object& points1, const py::obje
                           const py::object& cameraMatrix2, const py::object& distCoeffs1,
                           const py::object& distCoeffs2)
 {
-    CV_Assert(problem >= HOMOGRAPHY && problem <= SIMILARITY_3D);
     const Mat first = ArrayMat(points1, "points1").own(),
               second = ArrayMat(points2, "points2").own();
     const Mat K1 = ArrayMat(cameraMatrix1, "cameraMatrix1").own(),
@@ -29,8 +28,8 @@ static py::tuple estimate(int problem, const py::object& points1, const py::obje
     Report report;
     {
         const Unlocked unlocked;
-        model = Usac::create((ProblemType)problem, first, second, options, K1, K2, d1, d2)
-                    ->run(mask, &report);
+        model = estimateModel((ProblemType)problem, first, second, options, mask, report, K1, K2,
+                              d1, d2);
     }
     return py::make_tuple(arrayOf(model), arrayOf(mask), report);
 }

@@ -26,9 +26,7 @@ struct Views
           K2(ArrayMat(cameraMatrix2, "cameraMatrix2").own()),
           d1(ArrayMat(distCoeffs1, "distCoeffs1").own()),
           d2(ArrayMat(distCoeffs2, "distCoeffs2").own())
-    {
-        CV_Assert(problem_ >= HOMOGRAPHY && problem_ <= SIMILARITY_3D);
-    }
+    {}
 
     const ProblemType problem;
     const Mat first, second, K1, K2, d1, d2;

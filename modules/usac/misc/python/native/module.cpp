@@ -30,7 +30,6 @@ PYBIND11_MODULE(_native, module)
                                                           PYBIND11_VERSION_MINOR);
     module.doc() = "The compiled part of the package usacv20.";
     addErrors(module);
-    addEnumerators(module);
     addParams(module);
     addReport(module);
     addEstimate(module);

@@ -20,7 +20,6 @@ namespace py = pybind11;
 
 //! Each adds its part to the module.
 void addErrors(py::module_& module);
-void addEnumerators(py::module_& module);
 void addParams(py::module_& module);
 void addReport(py::module_& module);
 void addEstimate(py::module_& module);

@@ -17,12 +17,6 @@ namespace {
 
 Mat own(const py::object& array, const char* name) { return ArrayMat(array, name).own(); }
 
-ProblemType problemOf(int number)
-{
-    CV_Assert(number >= HOMOGRAPHY && number <= SIMILARITY_3D);
-    return (ProblemType)number;
-}
-
 //! Sets a flag while it lives. It is destroyed with the interpreter's lock held.
 class Running
 {
@@ -42,7 +36,7 @@ PythonUsac::PythonUsac(int problem_, const py::object& points1, const py::object
                        const Params& params_, const py::object& cameraMatrix1,
                        const py::object& cameraMatrix2, const py::object& distCoeffs1,
                        const py::object& distCoeffs2)
-    : problem(problemOf(problem_)), K1(own(cameraMatrix1, "cameraMatrix1")),
+    : problem((ProblemType)problem_), K1(own(cameraMatrix1, "cameraMatrix1")),
       K2(own(cameraMatrix2, "cameraMatrix2")), d1(own(distCoeffs1, "distCoeffs1")),
       d2(own(distCoeffs2, "distCoeffs2")), running(false)
 {

@@ -53,6 +53,7 @@ class BatchTest(unittest.TestCase):
         self.check(usac.estimateHomographies, usac.estimateHomography, *plane)
         self.check(usac.estimateAffinities2D, usac.estimateAffinity2D, *plane, params=usac.Params(threshold=20))
         self.check(usac.estimateSimilarities2D, usac.estimateSimilarity2D, *plane, params=usac.Params(threshold=20))
+        self.check(usac.estimateTranslations2D, usac.estimateTranslation2D, *plane, params=usac.Params(threshold=40))
         self.check(usac.estimateFundamentals, usac.estimateFundamental, *general)
         params = usac.Params(threshold=0.01)
         self.check(usac.estimateRigids3D, usac.estimateRigid3D, *space, params=params)

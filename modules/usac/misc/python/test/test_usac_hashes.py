@@ -39,12 +39,14 @@ def scene(seed, count):
     moved[bad] = rng.uniform(-5, 5, (len(bad), 3))
     plane = views[0].dot([[0.9, -0.2], [0.2, 0.9]]) + [40, -25] + rng.normal(0, 0.4, views[0].shape)
     plane[bad] = views[1][bad]
-    return [np.rint(points * 64) / 64 for points in (X, *views, moved, plane)]
+    shifted = views[0] + [37.25, -12.5] + rng.normal(0, 0.4, views[0].shape)  # drawn last: those before stay as they were
+    shifted[bad] = views[1][bad]
+    return [np.rint(points * 64) / 64 for points in (X, *views, moved, plane, shifted)]
 
 
 def calls(seed, count):
     """(name, function of params)"""
-    X, a, b, distorted, moved, plane = scene(seed, count)
+    X, a, b, distorted, moved, plane, shifted = scene(seed, count)
     none = (None, None, None)
     return [("Homography", lambda p: usac.estimateHomography(a, plane, p)),
             ("Affinity2D", lambda p: usac.estimateAffinity2D(a, plane, p)),
@@ -54,7 +56,8 @@ def calls(seed, count):
             ("Essential, distorted", lambda p: usac.estimateEssential(a, distorted, K, K, None, DISTORTION, p)),
             ("AbsolutePose", lambda p: usac.estimateAbsolutePose(X, distorted, K, DISTORTION, p)),
             ("Rigid3D", lambda p: usac.estimateRigid3D(2 * X, moved, p)),
-            ("Similarity3D", lambda p: usac.estimateSimilarity3D(X, moved, p))]
+            ("Similarity3D", lambda p: usac.estimateSimilarity3D(X, moved, p)),
+            ("Translation2D", lambda p: usac.estimateTranslation2D(a, shifted, p))]
 
 
 def digest(result):
@@ -72,7 +75,7 @@ def results():
                 params = getattr(usac.Params, preset)()
                 params.threshold, params.maxIterations = (0.04 if name.endswith("3D") else 2.0), 500
                 if params.degeneracy == usac.DEGENERACY_ORIENTATION | usac.DEGENERACY_DEGENSAC and name in (
-                        "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D"):
+                        "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D", "Translation2D"):
                     continue  # refused, see DegeneracyFlags
                 found["{} {} {}".format(name, preset, count)] = digest(function(params))
     return found

@@ -9,6 +9,7 @@ import copy
 import enum
 import importlib
 import inspect
+import os
 import pickle
 import pydoc
 import subprocess
@@ -28,11 +29,24 @@ class EnumerationTest(unittest.TestCase):
         return [value for value in vars(usac).values() if isinstance(value, type) and issubclass(value, enum.IntEnum)
                 or isinstance(value, type) and issubclass(value, enum.IntFlag)]
 
-    def test_names_and_values_are_those_of_cpp(self):
-        ours = {name: int(value) for type_ in self.classes() for name, value in type_.__members__.items()}
-        self.assertEqual(ours, native.enumerators())
+    def members(self):
+        return {name: int(value) for type_ in self.classes() for name, value in type_.__members__.items()}
+
+    @inTree
+    def test_names_and_values_are_those_of_the_generator(self):
+        self.assertEqual(self.members(), native.enumerators())
+
+    def test_what_is_written_by_a_script_is_up_to_date(self):
+        script = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "make_names.py")
+        if not os.path.exists(os.path.join(os.path.dirname(script), "..", "..", "src")):
+            self.skipTest("the sources are not here")
+        run = subprocess.run([sys.executable, script, "--check"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             universal_newlines=True)
+        self.assertEqual((run.returncode, run.stdout), (0, ""))
+
+    def test_constants(self):
         self.assertEqual(len(self.classes()), 16)
-        for name, value in ours.items():
+        for name, value in self.members().items():
             self.assertEqual(getattr(usac, name), value)
             self.assertEqual(getattr(usac, name).name, name)
 

@@ -10,13 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! See AffinityProblem.
-Ptr<Problem> createAffinityProblem();
+//! Affine map from image 1 to image 2, as for a plane that is small or far from the camera.
+Ptr<Problem> createAffinity2DProblem();
 //! From 3 points, see Affinity3Solver.
 Ptr<MinimalSolver> createAffinity3Solver();
-//! Least squares of a residual: in closed form for the transfer error, else a LeastSquaresSolver.
-Ptr<NonMinimalSolver> createAffinityFit(const Ptr<Residual>& residual);
-//! Least squares of the transfer error.
+//! Least squares of the transfer error, in closed form.
 Ptr<NonMinimalSolver> createAffinityLeastSquares();
 
 }  // namespace usacv20

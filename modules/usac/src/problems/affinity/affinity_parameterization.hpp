@@ -5,37 +5,29 @@
 #ifndef OPENCV_USACV20_AFFINITY_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_AFFINITY_PARAMETERIZATION_HPP
 
-#include "residual/normal_equations.hpp"
+#include "problems/two_view/plane_parameterization.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-//! @brief An affine map and a parameterization around it: increments of the entries of the first
-//! two rows. Zero parameters give the model itself.
-class AffinityParameterization
+//! The parameters of an affine map: the entries of its first two rows.
+struct AffinityMap
 {
-public:
-    enum { DIMENSION = 6, NUMBERS = 9 };
-    typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
-    typedef Eigen::Matrix<double, DIMENSION, 1> Step;
-    typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
+    enum { DIMENSION = 6 };
 
-    //! Around the model, scaled so that its last row is 0 0 1.
-    explicit AffinityParameterization(const Model& model);
-
-    static int dimension() { return DIMENSION; }
-    //! False for a map of the plane to a line or a point.
-    bool hasFullRank() const;
-    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.
-    Basis tangent() const;
-    //! Converts normal equations in the entries of the model to normal equations in the parameters.
-    void project(const NormalEquations& sums, Matrix& A, Step& b) const;
-    AffinityParameterization plus(const Step& step) const;
-    Model model() const;
-
-private:
-    Step parameters;
+    static void read(const double* m, double* p) { std::copy(m, m + 6, p); }
+    static void write(const double* p, double* m) { std::copy(p, p + 6, m); }
+    static bool isRegular(const double* p)
+    {
+        // A determinant of at most this part of the sum of the squared entries can be due to
+        // rounding alone.
+        const double LEAST_DETERMINANT = 1e-9;
+        const double a = p[0], b = p[1], c = p[3], d = p[4];
+        return std::abs(a * d - b * c) > LEAST_DETERMINANT * (a * a + b * b + c * c + d * d);
+    }
 };
+
+typedef PlaneParameterization<AffinityMap> AffinityParameterization;
 
 }  // namespace usacv20
 }  // namespace cv

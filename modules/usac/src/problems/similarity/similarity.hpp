@@ -10,13 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! See SimilarityProblem.
-Ptr<Problem> createSimilarityProblem();
+//! Rotation, uniform scale and translation from image 1 to image 2.
+Ptr<Problem> createSimilarity2DProblem();
 //! From 2 points, see Similarity2Solver.
 Ptr<MinimalSolver> createSimilarity2Solver();
-//! Least squares of a residual: in closed form for the transfer error, else a LeastSquaresSolver.
-Ptr<NonMinimalSolver> createSimilarityFit(const Ptr<Residual>& residual);
-//! Least squares of the transfer error.
+//! Least squares of the transfer error, in closed form.
 Ptr<NonMinimalSolver> createSimilarityLeastSquares();
 
 }  // namespace usacv20

@@ -5,37 +5,36 @@
 #ifndef OPENCV_USACV20_SIMILARITY_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_SIMILARITY_PARAMETERIZATION_HPP
 
-#include "residual/normal_equations.hpp"
+#include "problems/two_view/plane_parameterization.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-//! @brief A similarity with the rows (a -b x) and (b a y), and a parameterization around it:
-//! increments of a, b, x and y. Zero parameters give the model itself.
-class SimilarityParameterization
+//! The parameters of a similarity with the rows (a -b x) and (b a y): a, b, x, y.
+struct SimilarityMap
 {
-public:
-    enum { DIMENSION = 4, NUMBERS = 9 };
-    typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
-    typedef Eigen::Matrix<double, DIMENSION, 1> Step;
-    typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
+    enum { DIMENSION = 4 };
 
-    //! Around the similarity with the entries of the model, averaged where they should be equal.
-    explicit SimilarityParameterization(const Model& model);
-
-    //! False for a map of the plane to a line or a point.
-    static int dimension() { return DIMENSION; }
-    bool hasFullRank() const;
-    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.
-    Basis tangent() const;
-    //! Converts normal equations in the entries of the model to normal equations in the parameters.
-    void project(const NormalEquations& sums, Matrix& A, Step& b) const;
-    SimilarityParameterization plus(const Step& step) const;
-    Model model() const;
-
-private:
-    Step parameters;
+    //! Entries that should be equal are averaged.
+    static void read(const double* m, double* p)
+    {
+        p[0] = (m[0] + m[4]) / 2;
+        p[1] = (m[3] - m[1]) / 2;
+        p[2] = m[2];
+        p[3] = m[5];
+    }
+    static void write(const double* p, double* m)
+    {
+        m[0] = m[4] = p[0];
+        m[1] = -p[1];
+        m[3] = p[1];
+        m[2] = p[2];
+        m[5] = p[3];
+    }
+    static bool isRegular(const double* p) { return p[0] != 0 || p[1] != 0; }
 };
+
+typedef PlaneParameterization<SimilarityMap> SimilarityParameterization;
 
 }  // namespace usacv20
 }  // namespace cv

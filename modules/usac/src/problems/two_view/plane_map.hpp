@@ -5,7 +5,8 @@
 #ifndef OPENCV_USACV20_PLANE_MAP_HPP
 #define OPENCV_USACV20_PLANE_MAP_HPP
 
-#include "opencv2/usac/problem.hpp"
+#include "optimization/any_parameterization.hpp"
+#include "problems/kernels.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -28,6 +29,49 @@ public:
     Ptr<Residual> createResidual(int type) const CV_OVERRIDE;
     void createDegeneracies(int flags,
                             std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE;
+};
+
+//! What is different from one affine map of the plane to another.
+struct PlaneMapParts
+{
+    const char* name;   //!< see Problem::name
+    double sampleTime;  //!< see SampleCost::time
+    bool keepsScale;    //!< the map has no scale, so that both images must be scaled by the same
+    Ptr<MinimalSolver> (*minimalSolver)();    //!< creates the solver of minimal samples
+    Ptr<NonMinimalSolver> (*leastSquares)();  //!< creates that of many points: least squares of the
+                                              //!< transfer error, in closed form
+};
+
+//! @brief The problem of a kind of affine maps of the plane, with their PlaneParameterization.
+template <class Parameterization_>
+class PlaneMap : public PlaneMapProblem
+{
+public:
+    explicit PlaneMap(const PlaneMapParts& parts_) : parts(parts_) {}
+
+    String name() const CV_OVERRIDE { return parts.name; }
+    int dimension() const CV_OVERRIDE { return Parameterization_::DIMENSION; }
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(parts.sampleTime, 1); }
+    int normalization(int residual) const CV_OVERRIDE
+    {
+        return parts.keepsScale ? (int)SCALE_COMMON : PlaneMapProblem::normalization(residual);
+    }
+    Model closest(const Model& model) const CV_OVERRIDE { return Parameterization_(model).model(); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return parts.minimalSolver(); }
+    Ptr<Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<BuiltInParameterization<Parameterization_>>();
+    }
+
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        if (hasFormula<TransferError>(*residual))
+            return parts.leastSquares();
+        return makePtr<LeastSquaresSolver<Parameterization_>>(residual, 2);
+    }
+
+private:
+    const PlaneMapParts parts;
 };
 
 }  // namespace usacv20

@@ -7,7 +7,7 @@
 #include "own_points.hpp"
 #include "test_contracts.hpp"
 #include "problems/affinity/affinity_parameterization.hpp"
-#include "problems/problems.hpp"
+#include "problems/registry.hpp"
 #include "problems/similarity/similarity_parameterization.hpp"
 
 #include "opencv2/usac/geometry.hpp"

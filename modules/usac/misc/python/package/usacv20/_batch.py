@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Many estimations in one call, side by side in C++: one function for each problem."""
+"""Many estimations in one call, side by side in C++, for the functions of each problem (_problems.py)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ import numpy as np
 
 from . import _arguments
 from ._backend import native
-from ._enumerations import ProblemType
 from ._errors import fail, inWordsOf
 from ._estimate import NAMES, NO_POINTS, inPlane
 from ._params import Params, optionsOf
@@ -22,13 +21,15 @@ from ._report import Report
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    _Estimate = Tuple[Optional[npt.NDArray[np.float64]], npt.NDArray[np.uint8], Report]
-    _Estimates = List[Union[_Estimate, Exception]]
-    _Lists = typing.Iterable[npt.ArrayLike]
-    _ParamsOfEach = Union[Params, typing.Sequence[Optional[Params]], None]
-    _Arrays = Union[npt.ArrayLike, typing.Sequence[Optional[npt.ArrayLike]], None]
+    from ._estimate import Estimate
+
+    Estimates = List[Union[Estimate, Exception]]
+    Lists = typing.Iterable[npt.ArrayLike]
+    ParamsOfEach = Union[Params, typing.Sequence[Optional[Params]], None]
+    Arrays = Union[npt.ArrayLike, typing.Sequence[Optional[npt.ArrayLike]], None]
 
 _ARRAYS = ("points1", "points2", "cameraMatrices1", "cameraMatrices2", "distCoeffs1", "distCoeffs2")
+POSES = ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", "")  # in the place of these
 
 
 class _Mistakes:
@@ -96,9 +97,10 @@ def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> 
             for i, entry in enumerate(given)]
 
 
-def _estimate(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
-              cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
-              distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
+def estimateMany(problem: int, points1: Lists, points2: Lists, params: ParamsOfEach, threads: int, returnExceptions: bool,
+                 cameraMatrices1: Arrays = None, cameraMatrices2: Arrays = None, distCoeffs1: Arrays = None,
+                 distCoeffs2: Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> Estimates:
+    """Any of the problems; `names` are those of the arguments that are lists, as the caller knows them."""
     first, second = _lists(points1, names[0]), _lists(points2, names[1])
     count = len(first)
     if len(second) != count:
@@ -116,7 +118,7 @@ def _estimate(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfE
     found = native.estimateBatch(problem, _pointsOf(first, names[0], plane1, mistakes), _pointsOf(second, names[1], plane2, mistakes),
                                  prepared, camera1, camera2, lens1, lens2, _arguments.integer(threads, "threads", low=0))
     words = dict(zip(NAMES, names))
-    results: _Estimates = []
+    results: Estimates = []
     for i, (model, mask, report, wrong) in enumerate(found):
         mistake = mistakes.found.get(i) or (fail("{}[{}]: {}".format(names[0], i, inWordsOf(words, wrong))) if wrong else None)
         if mistake is None:
@@ -126,67 +128,3 @@ def _estimate(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfE
         else:
             raise mistake
     return results
-
-
-def estimateHomographies(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
-                         returnExceptions: bool = False) -> _Estimates:
-    """_Estimates many homographies, side by side.
-
-    points1, points2 -- lists of the same length; each entry is what estimateHomography takes
-    params -- Params for all, or a list with one (or None) for each pair: match scores differ from pair to pair
-    threads -- how many pairs at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in a pair, one list of points longer than the other, say: True: its exception stands in the
-        place of the result, the others go on; False: it is raised when all are done, and names the pair
-
-    Returns a list of (model, mask, report), one for each pair, in this order: each to the bit what estimateHomography returns.
-    The interpreter's lock is released meanwhile."""
-    return _estimate(ProblemType.HOMOGRAPHY, points1, points2, params, threads, returnExceptions)
-
-
-def estimateAffinities2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
-                         returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateAffinity2D."""
-    return _estimate(ProblemType.AFFINITY, points1, points2, params, threads, returnExceptions)
-
-
-def estimateSimilarities2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
-                           returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateSimilarity2D."""
-    return _estimate(ProblemType.SIMILARITY, points1, points2, params, threads, returnExceptions)
-
-
-def estimateFundamentals(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
-                         returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateFundamental."""
-    return _estimate(ProblemType.FUNDAMENTAL, points1, points2, params, threads, returnExceptions)
-
-
-def estimateEssentials(points1: _Lists, points2: _Lists, cameraMatrices1: _Arrays, cameraMatrices2: _Arrays = None,
-                       distCoeffs1: _Arrays = None, distCoeffs2: _Arrays = None, params: _ParamsOfEach = None, threads: int = 0,
-                       returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateEssential.
-
-    cameraMatrices1, cameraMatrices2 -- a 3x3 array for all pairs, or a list with one for each; without the second the first
-        hold for both images
-    distCoeffs1, distCoeffs2 -- the coefficients for all pairs, or a list with those of each, None: none"""
-    return _estimate(ProblemType.ESSENTIAL, points1, points2, params, threads, returnExceptions, cameraMatrices1,
-                     cameraMatrices2, distCoeffs1, distCoeffs2)
-
-
-def estimateAbsolutePoses(objectPoints: _Lists, imagePoints: _Lists, cameraMatrices: _Arrays, distCoeffs: _Arrays = None,
-                          params: _ParamsOfEach = None, threads: int = 0, returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateAbsolutePose; cameras and distortions as for estimateEssentials."""
-    return _estimate(ProblemType.ABSOLUTE_POSE, objectPoints, imagePoints, params, threads, returnExceptions, cameraMatrices,
-                     None, distCoeffs, None, ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", ""))
-
-
-def estimateRigids3D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
-                     returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateRigid3D."""
-    return _estimate(ProblemType.RIGID_3D, points1, points2, params, threads, returnExceptions)
-
-
-def estimateSimilarities3D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
-                           returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateSimilarity3D."""
-    return _estimate(ProblemType.SIMILARITY_3D, points1, points2, params, threads, returnExceptions)

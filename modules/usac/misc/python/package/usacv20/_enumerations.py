@@ -4,173 +4,213 @@
 
 """The enumerations of the module; each enumerator is also a constant of the package, usacv20.QUALITY_MSAC, say."""
 
+# Written by misc/python/make_names.py; changes are made there or in the headers.
+
 import enum
+from typing import Dict
+
+__all__ = [
+    "ABSOLUTE_POSE", "AFFINITY", "DEGENERACY_DEGENSAC", "DEGENERACY_ORIENTATION", "DEGENERACY_REPEATED", "ESSENTIAL",
+    "FUNDAMENTAL", "HOMOGRAPHY", "LOCAL_OPTIMIZATION_FLO_RANSAC", "LOCAL_OPTIMIZATION_GC_RANSAC",
+    "LOCAL_OPTIMIZATION_GRAPH_CUT", "LOCAL_OPTIMIZATION_LO_RANSAC", "LOCAL_OPTIMIZATION_NONE",
+    "LOCAL_OPTIMIZATION_SIGMA_CONSENSUS", "LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS", "NEIGHBORHOOD_GRID",
+    "NEIGHBORHOOD_KNN", "NEIGHBORHOOD_RADIUS", "ORDERING_AUTO", "ORDERING_DENSITY", "ORDERING_INPUT_ORDER", "ORDERING_NONE",
+    "POLISHING_LEAST_SQUARES", "POLISHING_NONE", "POLISHING_REWEIGHTED", "POLISHING_ROBUST", "QUALITY_INLIERS",
+    "QUALITY_LMEDS", "QUALITY_MAGSAC", "QUALITY_MAGSAC_PLUS_PLUS", "QUALITY_MLESAC", "QUALITY_MSAC", "RESIDUAL_STANDARD",
+    "RESIDUAL_SYMMETRIC", "RIGID_3D", "SAMPLER_IMPORTANCE", "SAMPLER_NAPSAC", "SAMPLER_PROSAC", "SAMPLER_P_NAPSAC",
+    "SAMPLER_UNIFORM", "SCORES_HIGHER_IS_BETTER", "SCORES_LOWER_IS_BETTER", "SIMILARITY", "SIMILARITY_3D", "STOP_CANCELLED",
+    "STOP_CUSTOM", "STOP_MAGSAC", "STOP_MAX_ITERATIONS", "STOP_NOT_RUN", "STOP_NOT_SIGNIFICANT", "STOP_NO_MODEL",
+    "STOP_NO_SEARCH", "STOP_ORDER", "STOP_PROSAC", "STOP_P_NAPSAC", "STOP_SPRT", "STOP_STANDARD", "STOP_TIME",
+    "STOP_TOO_FEW_POINTS", "TERMINATION_EXACT", "TERMINATION_MAGSAC", "TERMINATION_ORDER", "TERMINATION_PROSAC",
+    "TERMINATION_P_NAPSAC", "TERMINATION_SPRT", "TERMINATION_STANDARD", "THRESHOLD_ESTIMATED", "THRESHOLD_GIVEN",
+    "TRANSLATION_2D", "TWO_VIEW_CALIBRATED", "TWO_VIEW_DEGENERATE", "TWO_VIEW_PANORAMIC", "TWO_VIEW_PLANAR",
+    "TWO_VIEW_PLANAR_OR_PANORAMIC", "TWO_VIEW_UNCALIBRATED", "TWO_VIEW_UNDEFINED", "TWO_VIEW_WATERMARK", "USACV20",
+    "USACV20_ACCURATE", "USACV20_AUTO", "USACV20_FAST", "USACV20_MAGSAC", "USACV20_PARALLEL", "USACV20_PROSAC",
+    "VERIFICATION_NONE", "VERIFICATION_SPRT", "VERIFICATION_TDD"]
 
 
 class UsacV20Method(enum.IntEnum):
-    """Presets, selected by a flag in the place of cv2.RANSAC."""
+    """Presets of the module, passed as the method flag of cv2.findHomography, cv2.findFundamentalMat, cv2.findEssentialMat,
+    cv2.estimateAffine2D and cv2.estimateAffinePartial2D."""
 
-    USACV20 = 0x4000  # the default: Params.usacV20()
-    USACV20_FAST = 0x4001  # early stop, short local optimization: Params.fast()
-    USACV20_ACCURATE = 0x4002  # late stop, long local optimization: Params.accurate()
-    USACV20_PROSAC = 0x4003  # the points are sorted, best first: Params.sorted()
-    USACV20_MAGSAC = 0x4004  # marginalized over the noise: Params.magsacPlusPlus()
-    USACV20_PARALLEL = 0x4005  # the default with all threads: Params.parallel()
-    USACV20_AUTO = 0x4006  # the threshold is estimated, the given one is the largest plausible: Params.automatic()
+    USACV20 = 0x4000  # the configuration of the paper, with robust polishing; Params.usacV20()
+    USACV20_FAST = 0x4001  # early termination and a short local optimization; Params.fast()
+    USACV20_ACCURATE = 0x4002  # late termination and a long local optimization; Params.accurate()
+    USACV20_PROSAC = 0x4003  # for points that the caller has sorted, best first; Params.sorted()
+    USACV20_MAGSAC = 0x4004  # MAGSAC++: score and fits marginalized over the noise scale; Params.magsacPlusPlus()
+    USACV20_PARALLEL = 0x4005  # USACV20 with cv2.getNumThreads() threads and the same result; Params.parallel()
+    # the threshold is estimated from the data, the given one is the largest plausible; Params.automatic()
+    USACV20_AUTO = 0x4006
 
 
 class ProblemType(enum.IntEnum):
     """The model that is estimated."""
 
-    HOMOGRAPHY = 0  # 3x3, from 4 or more correspondences
-    FUNDAMENTAL = 1  # 3x3, from 7 or more
-    ESSENTIAL = 2  # 3x3, from 5 or more of calibrated cameras
-    AFFINITY = 3  # 2x3, from 3 or more
-    SIMILARITY = 4  # 2x3, from 2 or more
-    ABSOLUTE_POSE = 5  # 3x4, from 3 or more points of space and their images
-    RIGID_3D = 6  # 3x4, from 3 or more pairs of points of space
+    HOMOGRAPHY = 0  # 3x3 homography from 4 or more correspondences
+    FUNDAMENTAL = 1  # 3x3 fundamental matrix from 7 or more correspondences
+    ESSENTIAL = 2  # 3x3 essential matrix from 5 or more correspondences of calibrated cameras
+    AFFINITY = 3  # 2x3 affine map from 3 or more correspondences
+    SIMILARITY = 4  # 2x3 rotation, uniform scale and translation from 2 or more correspondences
+    ABSOLUTE_POSE = 5  # 3x4 pose of a calibrated camera from 3 or more 3-D to 2-D correspondences
+    RIGID_3D = 6  # 3x4 rotation and translation from 3 or more pairs of 3-D points
     SIMILARITY_3D = 7  # the same with a uniform scale
+    TRANSLATION_2D = 8  # 2x3 translation from 1 or more correspondences
 
 
 class ThresholdType(enum.IntEnum):
     """What Params.threshold means."""
 
     THRESHOLD_GIVEN = 0  # the inlier threshold
-    THRESHOLD_ESTIMATED = 1  # the largest plausible one; from the noise of the inliers follow Report.threshold and Report.sigma
+    THRESHOLD_ESTIMATED = 1  # The largest plausible inlier threshold, for example three to ten times the usual one
 
 
 class SamplerType(enum.IntEnum):
     """How minimal samples are drawn."""
 
     SAMPLER_UNIFORM = 0  # all points are equally likely
-    SAMPLER_PROSAC = 1  # the best points first, then ever more of them
-    SAMPLER_P_NAPSAC = 2  # the best point first and its neighbors, ever wider
+    SAMPLER_PROSAC = 1  # from a growing set of the best points
+    SAMPLER_P_NAPSAC = 2  # P-NAPSAC: a point of PROSAC's set, and others from its growing neighborhood
     SAMPLER_NAPSAC = 3  # any point and its neighbors
-    SAMPLER_IMPORTANCE = 4  # points as often as Params.scores, probabilities of being right, say
+    SAMPLER_IMPORTANCE = 4  # each point with probability proportional to Params.scores, for example inlier probabilities
 
 
 class NeighborhoodType(enum.IntEnum):
     """Which points are neighbors in the joint space (x1, y1, x2, y2)."""
 
-    NEIGHBORHOOD_GRID = 0  # the same cell of a grid
-    NEIGHBORHOOD_KNN = 1  # the Params.neighbors nearest points
-    NEIGHBORHOOD_RADIUS = 2  # the points within Params.neighborRadius pixels
+    NEIGHBORHOOD_GRID = 0  # points in the same cell of a grid with layers of finer and coarser cells
+    NEIGHBORHOOD_KNN = 1  # the Params.neighbors nearest points, through cv2.flann
+    NEIGHBORHOOD_RADIUS = 2  # the points within Params.neighborRadius pixels, through cv2.flann
 
 
 class ResidualType(enum.IntEnum):
-    """Which error of a point is minimized and compared with the threshold."""
+    """Error of a point that is minimized and compared with the threshold."""
 
-    RESIDUAL_STANDARD = 0  # transfer error in image 2 (H, maps, space), Sampson distance (F, E), reprojection error (pose)
-    RESIDUAL_SYMMETRIC = 1  # H, maps: transfer errors in both images; F, E: distances to both epipolar lines
+    # H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose: reprojection error. 3-D motions:
+    # distance between a mapped point and its counterpart
+    RESIDUAL_STANDARD = 0
+    # H, affine maps: root of the sum of the squared transfer errors in both images. F, E: root of the sum of the squared
+    # distances to both epipolar lines. Absolute pose, 3-D motions: raises usacv20.error
+    RESIDUAL_SYMMETRIC = 1
 
 
 class OrderingType(enum.IntEnum):
     """Where the order of the points ("best first") comes from."""
 
-    ORDERING_AUTO = 0  # Params.scores where given, else the local density
-    ORDERING_DENSITY = 1  # densest places first
-    ORDERING_INPUT_ORDER = 2  # the caller has sorted the points, best first; Params.scores, where given, are the order
+    ORDERING_AUTO = 0  # Params.scores if given, else the local density
+    ORDERING_DENSITY = 1  # local density of the points in the 4-D joint space, densest first
+    # the caller has sorted the points, best first; if Params.scores are given, they determine the order instead
+    ORDERING_INPUT_ORDER = 2
     ORDERING_NONE = 3  # a fixed pseudo-random order
 
 
 class ScoreOrder(enum.IntEnum):
-    """Which end of Params.scores is the good one."""
+    """Whether low or high Params.scores are good."""
 
-    SCORES_LOWER_IS_BETTER = 0  # descriptor distances, ratios of distances
+    SCORES_LOWER_IS_BETTER = 0  # descriptor distances, distance ratios
     SCORES_HIGHER_IS_BETTER = 1  # similarities, probabilities
 
 
 class QualityType(enum.IntEnum):
-    """How a model is rated."""
+    """How a model is scored."""
 
     QUALITY_INLIERS = 0  # number of inliers
     QUALITY_MSAC = 1  # sum of truncated squared errors
-    QUALITY_MLESAC = 2  # likelihood of Gaussian inliers and uniform outliers
-    QUALITY_LMEDS = 3  # median of the squared errors; finds the threshold itself
-    QUALITY_MAGSAC = 4  # likelihood marginalized over the scale of the noise
-    QUALITY_MAGSAC_PLUS_PLUS = 5  # robust loss of the marginalized weights
+    QUALITY_MLESAC = 2  # likelihood under a mixture of Gaussian inliers and uniform outliers
+    QUALITY_LMEDS = 3  # median of the squared errors; estimates the threshold
+    QUALITY_MAGSAC = 4  # likelihood marginalized over the noise scale
+    QUALITY_MAGSAC_PLUS_PLUS = 5  # the robust loss whose weights are marginalized over the noise scale
 
 
 class VerificationType(enum.IntEnum):
-    """How bad models are dropped early."""
+    """How bad models are rejected early."""
 
-    VERIFICATION_NONE = 0  # every model sees all points
+    VERIFICATION_NONE = 0  # no test; only a cost that is already too high ends the scoring
     VERIFICATION_SPRT = 1  # Wald's sequential probability ratio test
-    VERIFICATION_TDD = 2  # the first Params.tddPoints points must be inliers
+    VERIFICATION_TDD = 2  # Params.tddPoints random points must be inliers
 
 
 class LocalOptimizationType(enum.IntEnum):
-    """What improves each so-far-the-best model."""
+    """How each so-far-the-best model is improved."""
 
     LOCAL_OPTIMIZATION_NONE = 0  # nothing
-    LOCAL_OPTIMIZATION_GRAPH_CUT = 1  # LO-RANSAC's first steps; where they gain, graph cut and inner RANSAC
-    LOCAL_OPTIMIZATION_LO_RANSAC = 2  # inner RANSAC, least squares with a shrinking threshold
-    LOCAL_OPTIMIZATION_FLO_RANSAC = 3  # the same on a bounded number of inliers
-    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4  # fits marginalized over the scale of the noise
+    # least squares with a shrinking threshold; then, if the model is clearly better than the best one, graph cut and inner
+    # RANSAC
+    LOCAL_OPTIMIZATION_GRAPH_CUT = 1
+    LOCAL_OPTIMIZATION_LO_RANSAC = 2  # inner RANSAC and least squares with a shrinking threshold
+    LOCAL_OPTIMIZATION_FLO_RANSAC = 3  # the same with fits of bounded size
+    LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4  # fits marginalized over the noise scale
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5  # re-weighted fits with marginalized weights
-    LOCAL_OPTIMIZATION_GC_RANSAC = 6  # graph cut and inner RANSAC in turn, while the model becomes better
+    LOCAL_OPTIMIZATION_GC_RANSAC = 6  # graph cut and inner RANSAC alternately, as long as the model improves
 
 
 class TerminationFlags(enum.IntFlag):
-    """What ends the search, a set of bits; the first that fires wins."""
+    """Termination criteria, a set of bits; the first that fires ends the search."""
 
-    TERMINATION_STANDARD = 1  # no better model with probability Params.confidence
-    TERMINATION_SPRT = 2  # the same, with the errors of SPRT accounted for
-    TERMINATION_P_NAPSAC = 4  # no significantly better model, see Params.relaxation
-    TERMINATION_PROSAC = 8  # maximality and non-randomness in the best subset of the points
-    TERMINATION_MAGSAC = 16  # the standard criterion marginalized over the noise
-    TERMINATION_EXACT = 32  # modifies the others: samples without repetition
-    TERMINATION_ORDER = 64  # PROSAC's criterion, where the best model confirms the order of the points
+    TERMINATION_STANDARD = 1  # with probability confidence there is no better model
+    TERMINATION_SPRT = 2  # the same, accounting for good models that SPRT rejects
+    TERMINATION_P_NAPSAC = 4  # with probability confidence there is no significantly better model, see Params.relaxation
+    TERMINATION_PROSAC = 8  # PROSAC's maximality and non-randomness on a set of best points
+    TERMINATION_MAGSAC = 16  # the standard criterion marginalized over the noise scale
+    # modifies the others: with I inliers among N points, a sample of m points, drawn without replacement, is all-inlier with
+    # probability C(I, m) / C(N, m) instead of (I / N)^m
+    TERMINATION_EXACT = 32
+    # PROSAC's criterion, if the inliers of the best model come early in a known order, and if samples of its outliers yield no
+    # better model; no effect if runnersUp is 0
+    TERMINATION_ORDER = 64
 
 
 class DegeneracyFlags(enum.IntFlag):
-    """Degenerate configurations that are looked for, a set of bits; all bits: all checks that the problem has."""
+    """Checks for degenerate configurations, a set of bits."""
 
-    DEGENERACY_ORIENTATION = 1  # orientation of the sample, oriented epipolar constraint
-    DEGENERACY_DEGENSAC = 2  # F: samples dominated by a plane; E: inliers on a plane
-    DEGENERACY_REPEATED = 4  # matches that share a point
+    DEGENERACY_ORIENTATION = 1  # H: orientation of the sample; F, E: oriented epipolar constraint
+    # F: if a plane dominates a sample, F is computed by plane and parallax. E: twice as many samples if most inliers are on a
+    # plane
+    DEGENERACY_DEGENSAC = 2
+    # samples of matches that share a point (up to noise, if there are many such matches), and models supported by such matches
+    DEGENERACY_REPEATED = 4
 
 
 class PolishingType(enum.IntEnum):
-    """What is done to the best model at the end (Algorithm 1, last line)."""
+    """How the best model is refined at the end (Algorithm 1, last line)."""
 
     POLISHING_NONE = 0  # nothing
-    POLISHING_LEAST_SQUARES = 1  # least squares over all inliers, until they settle
-    POLISHING_REWEIGHTED = 2  # re-weighted least squares with the weights of MAGSAC++
-    POLISHING_ROBUST = 3  # least squares with a robust loss that fits the noise
+    POLISHING_LEAST_SQUARES = 1  # least squares of the geometric error over all inliers, until the inliers no longer change
+    POLISHING_REWEIGHTED = 2  # iteratively re-weighted least squares with the weights of MAGSAC++
+    POLISHING_ROBUST = 3  # least squares with a robust loss adapted to the noise of the inliers
 
 
 class StopReason(enum.IntEnum):
     """Why an estimation ended."""
 
-    STOP_NOT_RUN = 0  # nothing has been run
+    STOP_NOT_RUN = 0  # no estimation has been run
     STOP_TOO_FEW_POINTS = 1  # fewer finite correspondences than a minimal sample: no model
-    STOP_NO_MODEL = 2  # no sample gave a model with more inliers than a sample: no model
-    STOP_MAX_ITERATIONS = 3  # Params.maxIterations reached
+    STOP_NO_MODEL = 2  # no sample yielded a model with enough inliers (degenerate data)
+    STOP_MAX_ITERATIONS = 3  # Params.maxIterations was reached
     STOP_STANDARD = 4  # TERMINATION_STANDARD fired
     STOP_SPRT = 5  # TERMINATION_SPRT fired
     STOP_P_NAPSAC = 6  # TERMINATION_P_NAPSAC fired
-    STOP_CUSTOM = 7  # a criterion of the caller's fired
+    STOP_CUSTOM = 7  # a Termination component of the caller fired
     STOP_PROSAC = 8  # TERMINATION_PROSAC fired
     STOP_MAGSAC = 9  # TERMINATION_MAGSAC fired
-    STOP_NOT_SIGNIFICANT = 10  # no more support than random points give, see Params.significance: no model
+    # the best model has no more inliers than random matches can yield, see Params.significance: no model
+    STOP_NOT_SIGNIFICANT = 10
     STOP_ORDER = 11  # TERMINATION_ORDER fired
-    STOP_TIME = 12  # Params.maxTime is over: the model is the best one by then, or there is none yet
-    STOP_CANCELLED = 13  # the function of usacv20.progress returned False; the same
-    STOP_NO_SEARCH = 14  # of fitModel and refineModel: nothing was searched
+    STOP_TIME = 12  # Params.maxTime was reached: the model, if any, is the best so far
+    STOP_CANCELLED = 13  # a ProgressScope's function returned false: best model so far, if any
+    STOP_NO_SEARCH = 14  # result of Usac.fit or Usac.refine, which do not search
 
 
 class TwoViewConfiguration(enum.IntEnum):
-    """What two images are to each other, with COLMAP's numbers."""
+    """The relation between two images, with the names and numbers of COLMAP's table two_view_geometries."""
 
-    TWO_VIEW_UNDEFINED = 0  # nothing is known: the arguments are wrong, or the estimation was cancelled
-    TWO_VIEW_DEGENERATE = 1  # no model is good enough
-    TWO_VIEW_CALIBRATED = 2  # an essential matrix, and a pose
-    TWO_VIEW_UNCALIBRATED = 3  # a fundamental matrix: the focal lengths are not known, or are wrong
-    TWO_VIEW_PLANAR = 4  # a plane, seen by calibrated cameras that have moved
-    TWO_VIEW_PANORAMIC = 5  # a calibrated camera that has only turned
-    TWO_VIEW_PLANAR_OR_PANORAMIC = 6  # one of these two, of cameras whose focal lengths are not known
-    TWO_VIEW_WATERMARK = 7  # matches in the border of both images that stay where they are
+    TWO_VIEW_UNDEFINED = 0  # unknown: invalid arguments, or the estimation was cancelled
+    TWO_VIEW_DEGENERATE = 1  # no model is good enough, see TwoViewGeometry.reason
+    TWO_VIEW_CALIBRATED = 2  # essential matrix and relative pose
+    TWO_VIEW_UNCALIBRATED = 3  # fundamental matrix: the focal lengths are unknown or wrong
+    TWO_VIEW_PLANAR = 4  # plane seen by calibrated cameras with a baseline
+    TWO_VIEW_PANORAMIC = 5  # pure rotation of a calibrated camera
+    TWO_VIEW_PLANAR_OR_PANORAMIC = 6  # one of these two, with unknown focal lengths
+    TWO_VIEW_WATERMARK = 7  # most inliers are at the borders of both images, with a common shift
 
 
 USACV20 = UsacV20Method.USACV20
@@ -188,6 +228,7 @@ SIMILARITY = ProblemType.SIMILARITY
 ABSOLUTE_POSE = ProblemType.ABSOLUTE_POSE
 RIGID_3D = ProblemType.RIGID_3D
 SIMILARITY_3D = ProblemType.SIMILARITY_3D
+TRANSLATION_2D = ProblemType.TRANSLATION_2D
 THRESHOLD_GIVEN = ThresholdType.THRESHOLD_GIVEN
 THRESHOLD_ESTIMATED = ThresholdType.THRESHOLD_ESTIMATED
 SAMPLER_UNIFORM = SamplerType.SAMPLER_UNIFORM
@@ -259,3 +300,16 @@ TWO_VIEW_PLANAR = TwoViewConfiguration.TWO_VIEW_PLANAR
 TWO_VIEW_PANORAMIC = TwoViewConfiguration.TWO_VIEW_PANORAMIC
 TWO_VIEW_PLANAR_OR_PANORAMIC = TwoViewConfiguration.TWO_VIEW_PLANAR_OR_PANORAMIC
 TWO_VIEW_WATERMARK = TwoViewConfiguration.TWO_VIEW_WATERMARK
+
+#: What the functions of a problem take: the column ARGUMENTS of src/problems/registry.inl.hpp.
+ARGUMENTS: Dict[int, str] = {
+    ProblemType.HOMOGRAPHY: "IMAGES",
+    ProblemType.FUNDAMENTAL: "IMAGES",
+    ProblemType.ESSENTIAL: "CAMERAS",
+    ProblemType.AFFINITY: "IMAGES",
+    ProblemType.SIMILARITY: "IMAGES",
+    ProblemType.ABSOLUTE_POSE: "POSE",
+    ProblemType.RIGID_3D: "SPACES",
+    ProblemType.SIMILARITY_3D: "SPACES",
+    ProblemType.TRANSLATION_2D: "IMAGES",
+}

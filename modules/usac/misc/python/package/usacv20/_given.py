@@ -21,7 +21,8 @@ from ._report import Report
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    _Estimate = Tuple[Optional[npt.NDArray[np.float64]], npt.NDArray[np.uint8], Report]
+    from ._estimate import Estimate
+
     _Optional = Optional[npt.ArrayLike]
 
 
@@ -38,23 +39,22 @@ def _cameras(cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any, distCoeff
             optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2"))
 
 
-def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
+def _result(found: Tuple[Any, Any, Any]) -> Estimate:
     model, mask, report = found
     return model, NO_POINTS.copy() if mask is None else mask, Report._of(report)
 
 
 def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,
              params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
-             distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
+             distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> Estimate:
     """Least squares over all points, or some, without a search: what OpenCV calls method 0.
 
-    problem -- ProblemType, or its name: HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, ABSOLUTE_POSE (points1: of space, points2: of
-        the image), RIGID_3D, SIMILARITY_3D
-    points1, points2 -- N points each, as the function estimate* of the problem has them
+    problem -- ProblemType, or its name
+    points1, points2 -- N points each, as the function estimate* of the problem has them: its first two arguments
     weights -- N numbers of at least 0, of the squared errors; None: all 1
     chosen -- N numbers or truth values, which points take part (the mask of an estimation, say); None: all
     params -- Params; threshold is that of the mask, residual the error that is minimized
-    cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- for ESSENTIAL and, the first of each, ABSOLUTE_POSE
+    cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- where that function has them; of one camera the first of each
 
     Returns (model, mask, report) as the function estimate* of the problem; report.stop is STOP_NO_SEARCH, or says why there is no
     model. Wrong points pull at it as far as they are off."""
@@ -65,7 +65,7 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
 
 def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike, chosen: _Optional = None,
                 params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
-                distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
+                distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> Estimate:
     """Makes a known model better.
 
     model -- as the function estimate* of the problem returns it

@@ -34,46 +34,26 @@ class Native:
         self.TwoViewRules = native.TwoViewRules
         self.isUsacV20Method = native.isUsacV20Method
         self.removeDistortion = native.removeDistortion
-        names = ("Homography", "Fundamental", "Essential", "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D")
-        self._estimate = [getattr(native, "estimate" + name, None) for name in names]
-
-    def _one(self, problem: int, points1: Any, points2: Any, params: Any, cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any,
-             distCoeffs2: Any) -> Tuple[Any, Any, Any]:
-        function: Any = self._estimate[problem]
-        if problem == 2:
-            result = function(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, params)
-        elif problem == 5:
-            result = function(points1, points2, cameraMatrix1, distCoeffs1, params)
-        else:
-            result = function(points1, points2, params)
-        model, mask, report = result
-        return model, mask, report
 
     def estimate(self, problem: int, points1: Any, points2: Any, params: Any, cameraMatrix1: Any = None,
                  cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None) -> Tuple[Any, Any, Any]:
-        arguments = (problem, points1, points2, params, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)
-        result: Tuple[Any, Any, Any] = self._functions.watched(
-            lambda control: self._functions.entered(control, lambda: self._one(*arguments)))
-        return result
+        model, mask, report = self._functions.estimateModel(problem, points1, points2, params, cameraMatrix1=cameraMatrix1,
+                                                            cameraMatrix2=cameraMatrix2, distCoeffs1=distCoeffs1,
+                                                            distCoeffs2=distCoeffs2)
+        return model, mask, report
 
     def estimateBatch(self, problem: int, points1: List[Any], points2: List[Any], params: List[Any], cameraMatrices1: List[Any],
                       cameraMatrices2: List[Any], distCoeffs1: List[Any], distCoeffs2: List[Any],
                       threads: int) -> List[Tuple[Any, Any, Any, str]]:
-        """By threads of Python, as OpenCV's generator makes no lists of results."""
-        each = [entries * len(points1) if len(entries) == 1 else entries or [None] * len(points1)
+        """OpenCV's generator makes no lists of results: they are asked for one by one."""
+        count = len(points1)
+        each = [entries * count if len(entries) == 1 else entries or [None] * count
                 for entries in (params, cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2)]
-
-        def one(i: int, control: Any) -> Tuple[Any, Any, Any, str]:
-            if control is not None and control.cancelled():
-                return self._functions.notBegun()
-            try:
-                found: Tuple[Any, Any, Any] = self._functions.entered(
-                    control, lambda: self._one(problem, points1[i], points2[i], *(entries[i] for entries in each)))
-                return found + ("",)
-            except self._cv2.error as mistake:
-                return None, None, self.Report(), str(getattr(mistake, "err", "") or mistake)
-
-        return self._each(one, len(points1), threads)
+        batch = self._native.Batch()
+        for i in range(count):
+            batch.add(problem, points1[i], points2[i], *(entries[i] for entries in each))
+        self._functions.watched(lambda control: self._functions.entered(control, lambda: batch.run(threads)))
+        return [(batch.model(i), batch.mask(i), batch.report(i), batch.error(i)) for i in range(count)]
 
     def _each(self, one: Callable[[int, Any], Any], count: int, threads: int) -> List[Any]:
         """The results of many calls with a number and what can stop them."""

@@ -35,7 +35,7 @@ from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 import numpy as np
 
-from .._batch import estimateEssentials, estimateFundamentals
+from .._problems import estimateEssentials, estimateFundamentals
 from .._params import Params
 from ._distances import sampsonDistances
 from ._pair import Fault, Key, Pair, Source

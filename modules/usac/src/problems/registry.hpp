@@ -1,0 +1,26 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_REGISTRY_HPP
+#define OPENCV_USACV20_REGISTRY_HPP
+
+// What is made from the rows of registry.inl.hpp: the factory of all problems (registry.cpp), the
+// functions estimate<NAME> (api.cpp) and estimate<PLURAL> (batch.cpp), and, by
+// misc/python/make_names.py, which also compares the rows with the public headers, the functions in
+// Python. Tests take their lists of problems from it.
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief Creates the problem of a type. Camera arguments as for Usac::create. Raises cv::Exception
+for a number that is no ProblemType. */
+Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2,
+                           InputArray distCoeffs1, InputArray distCoeffs2);
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

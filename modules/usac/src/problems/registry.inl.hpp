@@ -1,0 +1,29 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// The table of problems, a row for each kind of model. Included several times, see registry.hpp for
+// what is made from it; each includer defines
+//
+//     USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS)
+//
+// TYPE       its enumerator of ProblemType
+// NAME       estimate<NAME> is its function, create<NAME>Problem() its factory in its folder
+// PLURAL     estimate<PLURAL> is its function for many sets of points
+// ARGUMENTS  what these functions take besides options:
+//            IMAGES   points1, points2: points of two images
+//            SPACES   points1, points2: points of two spaces
+//            CAMERAS  as IMAGES, and cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2
+//            POSE     objectPoints, imagePoints, cameraMatrix, distCoeffs
+
+USACV20_PROBLEM(HOMOGRAPHY, Homography, Homographies, IMAGES)
+USACV20_PROBLEM(FUNDAMENTAL, Fundamental, Fundamentals, IMAGES)
+USACV20_PROBLEM(ESSENTIAL, Essential, Essentials, CAMERAS)
+USACV20_PROBLEM(AFFINITY, Affinity2D, Affinities2D, IMAGES)
+USACV20_PROBLEM(SIMILARITY, Similarity2D, Similarities2D, IMAGES)
+USACV20_PROBLEM(ABSOLUTE_POSE, AbsolutePose, AbsolutePoses, POSE)
+USACV20_PROBLEM(RIGID_3D, Rigid3D, Rigids3D, SPACES)
+USACV20_PROBLEM(SIMILARITY_3D, Similarity3D, Similarities3D, SPACES)
+USACV20_PROBLEM(TRANSLATION_2D, Translation2D, Translations2D, IMAGES)
+
+#undef USACV20_PROBLEM

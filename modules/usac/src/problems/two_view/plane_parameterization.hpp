@@ -1,0 +1,91 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PLANE_PARAMETERIZATION_HPP
+#define OPENCV_USACV20_PLANE_PARAMETERIZATION_HPP
+
+#include "optimization/tangent_space.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief A map of the plane whose entries are linear functions of its parameters, and a
+parameterization around it: increments of the parameters. Zero increments give the model itself.
+
+The class `Map` says what the parameters p are:
+- DIMENSION, their number;
+- read(m, p): those of the nearest such map, from the 9 entries of a map, row by row;
+- write(p, m): the first two rows of the map;
+- isRegular(p): false for a map of the plane to a line or a point. */
+template <class Map>
+class PlaneParameterization
+{
+public:
+    enum { DIMENSION = Map::DIMENSION, NUMBERS = 9 };
+    typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
+    typedef Eigen::Matrix<double, DIMENSION, 1> Step;
+    typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
+
+    //! Around the map that is nearest to the model, scaled so that its last row is 0 0 1.
+    explicit PlaneParameterization(const Model& model)
+    {
+        Map::read(model.val, parameters.data());
+        parameters /= model.val[8];
+    }
+
+    static int dimension() { return DIMENSION; }
+    //! False for a map of the plane to a line or a point.
+    bool hasFullRank() const { return Map::isRegular(parameters.data()); }
+
+    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.
+    Basis tangent() const
+    {
+        const Step zero = Step::Zero();
+        double origin[6], moved[6];
+        Map::write(zero.data(), origin);
+        Basis basis = Basis::Zero();
+        for (int k = 0; k < DIMENSION; ++k)
+        {
+            const Step unit = Step::Unit(k);
+            Map::write(unit.data(), moved);
+            for (int i = 0; i < 6; ++i)
+                basis(i, k) = moved[i] - origin[i];
+        }
+        return basis;
+    }
+
+    //! Converts normal equations in the entries of the model to normal equations in the parameters.
+    void project(const NormalEquations& sums, Matrix& A, Step& b) const
+    {
+        if (DIMENSION == 6)  // the parameters are entries of the model
+        {
+            A = sums.JtJ.template topLeftCorner<DIMENSION, DIMENSION>();
+            b = sums.Jtr.template head<DIMENSION>();
+        }
+        else
+            projectOnTangents<DIMENSION>(sums, tangent(), A, b);
+    }
+
+    PlaneParameterization plus(const Step& step) const
+    {
+        PlaneParameterization result(*this);
+        result.parameters += step;
+        return result;
+    }
+
+    Model model() const
+    {
+        Matx33d map = Matx33d::eye();
+        Map::write(parameters.data(), map.val);
+        return map;
+    }
+
+private:
+    Step parameters;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

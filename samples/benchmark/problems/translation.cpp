@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "translation.hpp"
+
+namespace benchmark {
+
+Translation::Translation() : PlaneMap(cv::usacv20::TRANSLATION_2D, 'T', cv::Size(3, 2), 3, 2000) {}
+
+void Translation::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                             Estimate& estimate) const
+{
+    estimate.model = cv::usacv20::estimateTranslation2D(pair.points1, pair.points2, params,
+                                                        estimate.mask);
+}
+
+void Translation::callOpenCV(const ImagePair&, int, const Settings&, Estimate&) const
+{
+    throw std::runtime_error("T: calib3d estimates no translations");
+}
+
+}  // namespace benchmark
