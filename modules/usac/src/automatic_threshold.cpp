@@ -233,7 +233,10 @@ void AutomaticThreshold::adapt(const Context& context, ProblemData& data, const 
         const Model better = polished(context, state.best);
         latest = preciseNoise(context, better, widest);
         if (searchThreshold(latest) > SAME * now && !errorsGoOn(context, better, now, SAME))
-            latest = preciseNoise(context, better, now);
+        {
+            latest = preciseNoise(context, better, std::min(SAME * now, widest));
+            return;
+        }
         const double wanted = latest.sigma > 0 ? searchThreshold(latest) : widest / UNKNOWN,
                      ratio = wanted / now;
         if (std::max(ratio, 1 / ratio) <= SAME || round == ROUNDS ||

@@ -27,7 +27,7 @@ constexpr double IN_SIGMAS = 2.2;
 //! The mixture needs at least LEAST inliers. It is fitted in STEPS steps to the errors within
 //! WINDOW times the first estimate of sigma, at first with these parts of inliers and of badly
 //! located ones.
-constexpr int LEAST = 50, STEPS = 10, WINDOW = 8;
+constexpr int LEAST = 50, STEPS = 20, WINDOW = 8;
 constexpr double FIRST_PART = 0.7, FIRST_TAIL = 0.1;
 //! Fraction of the inliers whose errors do not exceed the threshold @cite hartley2003multiple
 //! (table 4.2).
