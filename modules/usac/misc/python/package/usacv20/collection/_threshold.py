@@ -48,7 +48,7 @@ CHUNK = 50  # pairs that are read at once
 QUANTILE = 0.95  # of the right matches @cite hartley2003multiple (table 4.2)
 IN_SIGMAS = 1.96  # what that is of a normal distribution with one degree of freedom
 
-WIDEST = 20.0  # pixels, the largest threshold that is plausible
+WIDEST = 12.0  # pixels, the largest threshold that is plausible: three times COLMAP's
 CONFIDENCE, ITERATIONS = 0.99, 500  # pairs that need more are left out
 SIGNIFICANCE = 1e-4  # largest Report.chance of a pair that tells the noise
 MOST = 1000  # matches of a pair that are looked at
@@ -59,7 +59,7 @@ ENOUGH = 3
 LEAST_INLIERS = 30  # beyond the parameters
 FEW_PAIRS = 0.25
 
-SMALLEST = 0.02  # pixels, a threshold: 1/1000 of WIDEST, the least that is told, and 20 times what float32 leaves of coordinates up to 2^14
+SMALLEST = 0.012  # pixels, a threshold: the least that is told with WIDEST, ten times what float32 leaves of coordinates up to 2^14
 
 
 @dataclass(frozen=True)
