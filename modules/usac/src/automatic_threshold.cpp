@@ -28,6 +28,12 @@ constexpr int FEW = 150, SOME = 300;
 constexpr int STEPS = 3;
 //! If the noise is unknown, the threshold is the widest divided by this number.
 constexpr double UNKNOWN = 3;
+//! A core has at least this part of the inliers within wide noise; a model of it is drawn with
+//! probability CORE_FOUND.
+constexpr double CORE = 0.5, CORE_FOUND = 0.8;
+//! The threshold of the search is wider than estimated by this many standard deviations of the
+//! estimate.
+constexpr double DEVIATIONS = 2;
 //! The search continues with another threshold if one of the two is more than SAME times the
 //! other, at most ROUNDS times.
 constexpr double SAME = 1.4;
@@ -69,19 +75,50 @@ Params paramsOfGuess(const Params& params)
 
 }  // namespace
 
+//! Uniform samples of some of the points.
+class ListedSampler : public Sampler
+{
+public:
+    ListedSampler() : indices(0), count(0) {}
+
+    //! Keeps the pointer.
+    void list(const int* indices_, int count_)
+    {
+        indices = indices_;
+        count = count_;
+    }
+
+    void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        state.rng.distinct(count, m, sample);
+        for (int k = 0; k < m; ++k)
+            sample[k] = indices[sample[k]];
+    }
+
+private:
+    const int* indices;
+    int count;
+};
+
 AutomaticThreshold::AutomaticThreshold(const Problem& problem, const Params& given)
-    : params(paramsOfGuess(given)), parts(createComponents(problem, params)), widest(0), latest(),
-      drawn(0), computed(0)
+    : params(paramsOfGuess(given)), coreParams(params), parts(createComponents(problem, params)),
+      listed(makePtr<ListedSampler>()), widest(0), latest(), drawn(0), computed(0)
 {
     parts.score = createLogarithmicScore();
+    coreParts = parts;
+    coreParts.sampler = listed;
     parts.terminations.push_back(makePtr<NoiseTermination>());
 }
 
 void AutomaticThreshold::begin(const Context& context)
 {
-    parts.residual = context.components.residual;
-    parts.minimalSolver = context.components.minimalSolver;
-    parts.nonMinimalSolver = context.components.nonMinimalSolver;
+    for (Components* each : {&parts, &coreParts})
+    {
+        each->residual = context.components.residual;
+        each->minimalSolver = context.components.minimalSolver;
+        each->nonMinimalSolver = context.components.nonMinimalSolver;
+    }
     widest = context.points.threshold / params.reach;
     latest = InlierNoise();
     drawn = computed = 0;
@@ -100,6 +137,18 @@ Model AutomaticThreshold::polished(const Context& context, const Model& model) c
     return result;
 }
 
+double AutomaticThreshold::searchThreshold(const InlierNoise& noise) const
+{
+    const double deviation = 1 / std::sqrt(2. * std::max(noise.beyond, 1));  // of sigma
+    return std::min(noise.threshold * (1 + DEVIATIONS * deviation), widest);
+}
+
+void AutomaticThreshold::account(const State& state)
+{
+    drawn += state.iteration;
+    computed += state.report.models - state.report.rejectedModels;
+}
+
 bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& model)
 {
     begin(given);
@@ -114,8 +163,7 @@ bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& m
         given.points.problem->fromOutput(params.initialModel, given.points, initial))
         ransac.begin(initial);
     ransac.run();
-    drawn = state.iteration;
-    computed = state.report.models - state.report.rejectedModels;
+    account(state);
     InlierNoise noise = InlierNoise();
     if (state.bestQuality.cost <= DBL_MAX)
         noise = roughNoise(context, state.best, widest, SOME, true);
@@ -124,14 +172,55 @@ bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& m
         data.scaleThreshold(1 / UNKNOWN);
         return false;
     }
-    setThreshold(data, noise.threshold);
+    model = state.best;
+    const bool core = noise.threshold > widest / UNKNOWN && findCore(given, points, noise, model);
+    const double limit = core ? widest / UNKNOWN : widest;
+    setThreshold(data, core ? limit : searchThreshold(noise));
     points.threshold = given.points.threshold;
-    model = polished(context, state.best);
-    noise = roughNoise(context, model, widest, SOME, true);
-    if (noise.sigma > 0)
-        setThreshold(data, noise.threshold);
-    else
-        model = state.best;
+    const Model better = polished(context, model);
+    noise = roughNoise(context, better, limit, SOME, true);
+    if (!(noise.sigma > 0))
+        return true;
+    setThreshold(data, std::min(searchThreshold(noise), limit));
+    model = better;
+    return true;
+}
+
+bool AutomaticThreshold::findCore(const Context& given, Correspondences& points,
+                                  const InlierNoise& noise, Model& model)
+{
+    const int m = parts.minimalSolver->sampleSize();
+    Arena::Scope scope(given.arena);
+    int* const inliers = scope.take<int>(points.size);
+    float* const errors = scope.take<float>(points.size);
+    parts.residual->squaredErrors(points, model, 0, points.size, errors);
+    int count = 0;
+    for (int i = 0; i < points.size; ++i)
+    {
+        inliers[count] = i;
+        count += errors[i] <= noise.threshold * noise.threshold;  // false for NaN
+    }
+    if (count <= m)
+        return false;
+    listed->list(inliers, count);
+    coreParams.maxIterations = std::min(params.maxIterations,
+                                        samplesNeeded(std::pow(CORE, m), std::log(1 - CORE_FOUND)));
+    const double narrow = widest / UNKNOWN;
+    points.threshold = narrow * params.reach;
+    const Context context(points, coreParts, coreParams, given.arena, given.watch);
+    State state;
+    Ransac(context, state).run();
+    account(state);
+    if (!(state.bestQuality.cost <= DBL_MAX))
+        return false;
+    const Model core = polished(context, state.best);
+    parts.residual->squaredErrors(points, core, 0, points.size, errors);
+    int within = 0;
+    for (int i = 0; i < points.size; ++i)
+        within += errors[i] <= narrow * narrow;
+    if (within < CORE * count)
+        return false;
+    model = core;
     return true;
 }
 
@@ -140,13 +229,21 @@ void AutomaticThreshold::adapt(const Context& context, ProblemData& data, const 
 {
     for (int round = 0; state.bestQuality.cost <= DBL_MAX; ++round)
     {
-        latest = preciseNoise(context, polished(context, state.best), widest);
-        const double wanted = latest.sigma > 0 ? latest.threshold : widest / UNKNOWN,
-                     ratio = wanted * params.reach / context.points.threshold;
+        const double now = context.points.threshold / params.reach;
+        const Model better = polished(context, state.best);
+        latest = preciseNoise(context, better, widest);
+        if (searchThreshold(latest) > SAME * now && !errorsGoOn(context, better, now, SAME))
+        {
+            latest = preciseNoise(context, better, std::min(SAME * now, widest));
+            return;
+        }
+        const double wanted = latest.sigma > 0 ? searchThreshold(latest) : widest / UNKNOWN,
+                     ratio = wanted / now;
         if (std::max(ratio, 1 / ratio) <= SAME || round == ROUNDS ||
             (context.watch && context.watch->stopped()))
             return;
         setThreshold(data, wanted);
+        ransac.forgetSamples();
         ransac.thresholdChanged();
         ransac.run();
     }

@@ -61,7 +61,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0),
       hypotheses(0),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
-      sampled(false), unexplainedSamples(0), rivals(0),
+      sampled(false), forgotten(0), unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
                             LARGEST_BATCH)),
       sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
@@ -168,6 +168,18 @@ void Ransac::thresholdChanged()
     }
     const Sample sample = sampleOfBest;
     setBest(state.best, state.bestQuality, sampled ? &sample : 0);
+}
+
+void Ransac::forgetSamples()
+{
+    forgotten = state.iteration;
+    state.countedSamples = state.repeatedSamples = 0;
+    state.tests.resize(0);
+    if (parts.verifier)
+        parts.verifier->start(context);
+    for (size_t t = 0; t < parts.terminations.size(); ++t)
+        parts.terminations[t]->start(context);
+    explored = Model();
 }
 
 //! Batches grow, so that easy problems waste few samples and hard ones keep the threads busy.

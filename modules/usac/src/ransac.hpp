@@ -54,6 +54,10 @@ public:
     //! the scores of other models. If a check rejects the model now, there is no best model until
     //! run() finds one.
     void thresholdChanged();
+    //! To be called before thresholdChanged() if the samples so far do not count for the
+    //! confidence, as their models were tested with another threshold: the verifier and the
+    //! criteria begin anew.
+    void forgetSamples();
     //! The sample that led to State::best; null if it did not come from a sample.
     const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
 
@@ -133,6 +137,7 @@ private:
     RunnersUp runnersUp;
     Sample sampleOfBest;
     bool sampled;
+    int forgotten;           //!< number of samples that do not count, see forgetSamples()
     Model explored;          //!< the best model whose unexplained points were searched last
     int unexplainedSamples;  //!< number of samples of unexplained points so far
     int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized

@@ -24,8 +24,7 @@ from usacv20.collection._pair import CollectionError  # noqa: E402
 from usacv20.collection._settings import Settings  # noqa: E402
 
 SIZES, SIGMAS = ((640, 480), (1600, 1200), (6000, 4000)), (0.3, 1.0, 3.0)
-CONSTANTS = ("FIRST", "CONFIDENCE", "ITERATIONS", "SETTLED", "MOST", "SHIFTS", "LEAST_INLIERS", "LEAST_EVIDENCE", "FEW_PAIRS",
-             "WINDOW", "BINS", "TAIL", "LARGEST_TAIL", "STEPS")
+CONSTANTS = ("WIDEST", "CONFIDENCE", "ITERATIONS", "SIGNIFICANCE", "MOST", "LEAST_INLIERS", "FEW_PAIRS")
 
 
 def estimate(scenes):

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "core/chi_square.hpp"
+#include "optimization/error_mixture.hpp"
 #include "optimization/noise_scale.hpp"
 
 namespace cv {
@@ -28,53 +29,15 @@ int power(int base, int exponent) { return exponent > 1 ? base * power(base, exp
 
 }  // namespace
 
-double inlierPeak(double variance, int degrees)
-{
-    if (degrees == 2)
-        return 1 / (2 * variance);
-    const double one = std::sqrt(2 / (CV_PI * variance));
-    return degrees == 1 ? one : one / (3 * variance);
-}
-
 double NoiseScale::estimate(const float* squaredErrors, int count, double threshold, int degrees)
 {
-    int members[BINS] = {0}, size = 0;
-    double near[BINS] = {0};  // sums of squared errors in squared thresholds, then means
-    const double scale = 1 / (threshold * threshold), limit = REACH * REACH;
-    for (int i = 0; i < count && size < MOST; ++i)
-    {
-        const double square = squaredErrors[i] * scale;
-        if (!(square <= limit))  // or NaN
-            continue;
-        const int bin = std::min((int)(std::sqrt(square) * (int)BINS / (int)REACH), BINS - 1);
-        near[bin] += square;
-        ++members[bin];
-        ++size;
-    }
-    if (size < LEAST)
+    const ErrorHistogram errors(squaredErrors, count, threshold, REACH, MOST);
+    if (errors.size < LEAST)
         return 1 / thresholdInSigmas(degrees);
-    for (int i = 0; i < BINS; ++i)
-        near[i] /= std::max(members[i], 1);
-    const double outlier = 1. / power(REACH, degrees);  // density of e^degrees, see inlierPeak()
-    double variance = FIRST_VARIANCE, part = FIRST_PART;
-    for (int step = 0; step < STEPS; ++step)
-    {
-        const double peak = inlierPeak(variance, degrees);
-        double sum = 0, squares = 0;
-        for (int i = 0; i < BINS; ++i)
-        {
-            if (members[i] == 0)
-                continue;
-            const double inlier = part * peak * std::exp(-near[i] / (2 * variance));
-            const double weight = members[i] * inlier / (inlier + (1 - part) * outlier);
-            sum += weight;
-            squares += weight * near[i];
-        }
-        part = std::min(std::max(sum / size, 0.01), 0.99);
-        variance = std::max(squares / (degrees * std::max(sum, 1e-9)), 1e-6);
-    }
-    const double sigma = std::sqrt(variance);
-    return sigma < leastSigma() && hasTail(members, sigma, degrees) ? leastSigma() : sigma;
+    ErrorMixture mixture(degrees, FIRST_VARIANCE, FIRST_PART, 0);
+    mixture.fit(errors, STEPS);
+    const double sigma = mixture.sigma();
+    return sigma < leastSigma() && hasTail(errors.members, sigma, degrees) ? leastSigma() : sigma;
 }
 
 bool NoiseScale::hasTail(const int* members, double sigma, int degrees)

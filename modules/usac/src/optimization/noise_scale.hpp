@@ -5,20 +5,16 @@
 #ifndef OPENCV_USACV20_NOISE_SCALE_HPP
 #define OPENCV_USACV20_NOISE_SCALE_HPP
 
+#include "optimization/error_mixture.hpp"
+
 namespace cv {
 namespace usacv20 {
 
-//! Density of e^degrees at 0, where e is the error of an inlier with `degrees` degrees of freedom.
-double inlierPeak(double variance, int degrees);
+/** @brief Standard deviation sigma of the noise of the inliers in units of the threshold: an
+ErrorMixture without a tail is fitted to the errors within #REACH thresholds.
 
-/** @brief Standard deviation sigma of the noise of the inliers in units of the threshold, by the EM
-algorithm.
-
-The errors within #REACH thresholds are modeled as a mixture of inliers (half-normal distribution
-for one degree of freedom, Rayleigh's for two, Maxwell's for three) and outliers (uniform on a line,
-in the plane, in space) @cite torr2000mlesac. Only the first #MOST errors are used, in #BINS bins of
-equal width, each represented by the mean square of its errors. With fewer than #LEAST errors, the
-result is the noise for which the threshold was chosen, 1 / thresholdInSigmas(degrees).
+Only the first #MOST errors are used. With fewer than #LEAST errors, the result is the noise for
+which the threshold was chosen, 1 / thresholdInSigmas(degrees).
 
 A sigma below #leastSigma needs evidence: between 4 sigma and the threshold there must be hardly
 more errors than outliers explain; their density is measured beyond the threshold. Otherwise the
@@ -34,8 +30,6 @@ public:
     //! Minimum and maximum number of errors used. Halving or doubling one changes time by at most
     //! 3 % and errors by at most 1 %.
     enum { LEAST = 20, MOST = 200 };
-    //! Number of bins. Halving or doubling it does not change the accuracy.
-    enum { BINS = 48 };
 
     //! Smallest sigma that needs no evidence, in thresholds. Without the test for evidence, smaller
     //! values would increase errors of H on photographs, by 8 % with 0.1. With the test, halving or
@@ -46,7 +40,10 @@ public:
     static double estimate(const float* squaredErrors, int count, double threshold, int degrees);
 
 private:
-    enum { INSIDE = (int)BINS / (int)REACH };  //!< bins within the threshold
+    enum {
+        BINS = ErrorHistogram::BINS,
+        INSIDE = (int)BINS / (int)REACH  //!< bins within the threshold
+    };
 
     //! Are there more errors between 4 sigma and the threshold than outliers explain?
     static bool hasTail(const int* members, double sigma, int degrees);

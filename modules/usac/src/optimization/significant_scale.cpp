@@ -56,10 +56,10 @@ double volumeOf(double square, int degrees)
 }
 
 //! The median error of the points up to a bin. Within a bin, errors are taken as uniform over its
-//! length, area or volume.
-double medianOf(const int* members, int last, int within, int degrees)
+//! length, area or volume. @param exact number of points without error that do not count
+double medianOf(const int* members, int last, int within, int degrees, int exact)
 {
-    const double half = 0.5 * within;
+    const double half = 0.5 * (within + exact);
     int bin = 0, before = 0;
     while (bin < last && before + members[bin] < half)
         before += members[bin++];
@@ -75,7 +75,7 @@ double medianOf(const int* members, int last, int within, int degrees)
 SignificantScale::Found SignificantScale::estimate(const float* squaredErrors, int count,
                                                    const float* wrongErrors, int wrongCount,
                                                    double threshold, double chance, int degrees,
-                                                   int sampleSize, double widest)
+                                                   int sampleSize, double widest, bool exactSample)
 {
     const int size = std::min<int>(count, MOST);
     int members[BINS] = {0}, wrong[BINS] = {0};
@@ -102,7 +102,8 @@ SignificantScale::Found SignificantScale::estimate(const float* squaredErrors, i
             foundWithin = within;
         }
     }
-    const double median = found < 0 ? 0 : medianOf(members, found, foundWithin, degrees);
+    const int exact = exactSample ? std::min(sampleSize, foundWithin - 1) : 0;
+    const double median = found < 0 ? 0 : medianOf(members, found, foundWithin, degrees, exact);
     const Found result = {median / MEDIANS[degrees - 1] * threshold, foundWithin};
     return result;
 }

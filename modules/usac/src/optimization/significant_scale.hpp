@@ -46,10 +46,13 @@ public:
     @param chance probability that a point is within the threshold of a wrong model
     @param degrees degrees of freedom of the error, 1 to 3
     @param sampleSize m points of a minimal sample
-    @param widest largest radius that is tried, in thresholds */
+    @param widest largest radius that is tried, in thresholds
+    @param exactSample the points of the sample, which have hardly any errors if the model was
+    computed from them, do not count for the median: with few inliers, sigma would be far too small
+    */
     static Found estimate(const float* squaredErrors, int count, const float* wrongErrors,
                           int wrongCount, double threshold, double chance, int degrees,
-                          int sampleSize, double widest = DBL_MAX);
+                          int sampleSize, double widest = DBL_MAX, bool exactSample = false);
 };
 
 }  // namespace usacv20

@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "core/chi_square.hpp"
 #include "core/repetitions.hpp"
-#include "optimization/noise_scale.hpp"
+#include "optimization/error_mixture.hpp"
 #include "optimization/significant_scale.hpp"
 #include "significance/agreement.hpp"
 #include "significance/inlier_noise.hpp"
@@ -25,103 +25,13 @@ constexpr int BEYOND = 10;
 //! Threshold of the rough estimate, in standard deviations of the noise.
 constexpr double IN_SIGMAS = 2.2;
 //! The mixture needs at least LEAST inliers. It is fitted in STEPS steps to the errors within
-//! WINDOW times the first estimate of sigma, in BINS bins of equal width.
-constexpr int LEAST = 50, STEPS = 10, BINS = 64;
-constexpr double WINDOW = 8;
-//! Badly located inliers have TAIL times the noise of the others, and are at most LARGEST_TAIL of
-//! all inliers.
-constexpr double TAIL = 3, LARGEST_TAIL = 0.5;
+//! WINDOW times the first estimate of sigma, at first with these parts of inliers and of badly
+//! located ones.
+constexpr int LEAST = 50, STEPS = 20, WINDOW = 8;
+constexpr double FIRST_PART = 0.7, FIRST_TAIL = 0.1;
 //! Fraction of the inliers whose errors do not exceed the threshold @cite hartley2003multiple
 //! (table 4.2).
 constexpr double WITHIN = 0.95;
-
-double power(double base, int exponent)
-{
-    return exponent > 1 ? base * power(base, exponent - 1) : base;
-}
-
-//! The errors within the window, in units of a first estimate of sigma.
-struct Histogram
-{
-    int members[BINS], size;
-    double squares[BINS];  //!< mean squared error of the members
-
-    Histogram(const float* squaredErrors, int count, double unit) : size(0)
-    {
-        std::fill(members, members + BINS, 0);
-        std::fill(squares, squares + BINS, 0.);
-        const double scale = 1 / (unit * unit);
-        for (int i = 0; i < count; ++i)
-        {
-            const double square = squaredErrors[i] * scale;
-            if (!(square < WINDOW * WINDOW))  // or NaN
-                continue;
-            const int bin = (int)(std::sqrt(square) * (BINS / WINDOW));
-            squares[bin] += square;
-            ++members[bin];
-            ++size;
-        }
-        for (int i = 0; i < BINS; ++i)
-            squares[i] /= std::max(members[i], 1);
-    }
-};
-
-//! Inliers, badly located inliers, and wrong matches; see preciseNoise().
-class Mixture
-{
-public:
-    Mixture(const Histogram& histogram, int degrees_)
-        : degrees(degrees_), variance(1), inliers(0.7), tail(0.1)
-    {
-        for (int step = 0; step < STEPS; ++step)
-            improve(histogram);
-    }
-
-    double sigma() const { return std::sqrt(variance); }
-
-    //! The error that a fraction `part` of the inliers of both kinds do not exceed.
-    double quantile(double part) const
-    {
-        double low = 0, high = TAIL * std::sqrt(chiSquareQuantile(part, degrees));
-        for (int i = 0; i < 30; ++i)
-        {
-            const double middle = (low + high) / 2, square = middle * middle;
-            const double within = (1 - tail) * chiSquareDistribution(square, degrees) +
-                                  tail * chiSquareDistribution(square / (TAIL * TAIL), degrees);
-            (within < part ? low : high) = middle;
-        }
-        return high * sigma();
-    }
-
-private:
-    //! A step of the EM algorithm.
-    void improve(const Histogram& histogram)
-    {
-        const double core = inliers * (1 - tail) * inlierPeak(variance, degrees),
-                     far = inliers * tail * inlierPeak(TAIL * TAIL * variance, degrees),
-                     outlier = (1 - inliers) / power(WINDOW, degrees);
-        double inCore = 0, inTail = 0, squares = 0;
-        for (int i = 0; i < BINS; ++i)
-        {
-            if (histogram.members[i] == 0)
-                continue;
-            const double square = histogram.squares[i];
-            const double a = core * std::exp(-square / (2 * variance)),
-                         b = far * std::exp(-square / (2 * TAIL * TAIL * variance)),
-                         weight = histogram.members[i] / (a + b + outlier);
-            inCore += a * weight;
-            inTail += b * weight;
-            squares += (a + b / (TAIL * TAIL)) * weight * square;
-        }
-        const double both = std::max(inCore + inTail, 1e-9);
-        inliers = std::min(std::max(both / histogram.size, 0.01), 0.99);
-        tail = std::min(inTail / both, LARGEST_TAIL);
-        variance = std::max(squares / (degrees * both), 1e-6);
-    }
-
-    const int degrees;
-    double variance, inliers, tail;
-};
 
 //! The errors of the first points and the scale that stands out from those of wrong matches.
 class Errors
@@ -160,7 +70,7 @@ public:
         const InlierNoise result = {
             sigma * correction(),
             std::max(widest / FINEST, std::min(threshold * correction(), widest)),
-            (double)found.inliers / std::max(size, 1)};
+            (double)found.inliers / std::max(size, 1), found.inliers - sampleSize};
         return result;
     }
 
@@ -174,7 +84,7 @@ private:
     void find()
     {
         found = SignificantScale::estimate(squared, size, wrong, wrongCount, unit, chance, degrees,
-                                           sampleSize, FINEST / 4);
+                                           sampleSize, FINEST / 4, true);
     }
 
     //! Of inliers in one place of an array, leaves one: copies of a match have the same error,
@@ -218,8 +128,30 @@ InlierNoise preciseNoise(const Context& context, const Model& model, double wide
     if (!(unit > 0) || errors.found.inliers < LEAST)
         return errors.noise(unit, std::sqrt(chiSquareQuantile(WITHIN, errors.degrees)) * unit,
                             widest);
-    const Mixture mixture(Histogram(errors.squared, errors.size, unit), errors.degrees);
+    ErrorMixture mixture(errors.degrees, 1, FIRST_PART, FIRST_TAIL);
+    mixture.fit(ErrorHistogram(errors.squared, errors.size, unit, WINDOW, errors.size), STEPS);
     return errors.noise(mixture.sigma() * unit, mixture.quantile(WITHIN) * unit, widest);
+}
+
+bool errorsGoOn(const Context& context, const Model& model, double threshold, double factor)
+{
+    const Correspondences& p = context.points;
+    const int size = std::min<int>(p.size, SignificantScale::MOST),
+              m = context.components.minimalSolver->sampleSize(),
+              degrees = p.problem->errorDimension();
+    Arena::Scope scope(context.arena);
+    float* const squared = scope.take<float>(size);
+    context.components.residual->squaredErrors(p, model, 0, size, squared);
+    const double square = threshold * threshold;
+    int within = 0, withinHalf = 0;
+    for (int i = 0; i < size; ++i)
+    {
+        within += squared[i] <= square;
+        withinHalf += squared[i] <= square / 4;
+    }
+    const double x = chiSquareQuantile(WITHIN, degrees) / (factor * factor);
+    return (within - m) * chiSquareDistribution(x / 4, degrees) >
+           (withinHalf - m) * chiSquareDistribution(x, degrees);
 }
 
 }  // namespace usacv20

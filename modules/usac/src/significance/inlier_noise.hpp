@@ -25,6 +25,7 @@ struct InlierNoise
                        //!< as the model is no better than chance or has too few inliers
     double threshold;  //!< error that an inlier hardly exceeds
     double part;       //!< fraction of inliers among the points
+    int beyond;        //!< number of inliers that tell the noise: beyond those of a sample
 };
 
 /** @brief sigma by the median of the inliers' errors; threshold: 2.2 sigma.
@@ -36,14 +37,20 @@ which may look like small noise */
 InlierNoise roughNoise(const Context& context, const Model& model, double widest, int most,
                        bool once);
 
-/** @brief sigma of a mixture that is fitted by the EM algorithm to the errors within a window
-around the inliers: inliers, badly located inliers (noise of #TAIL sigma) and wrong matches
-(uniform)
-@cite torr2000mlesac.
+/** @brief sigma of an ErrorMixture with a tail that is fitted to the errors within a window around
+the inliers.
 
-Keypoints on photographs need the second component: its weight is 0.2 to 0.4 there, and 0 with
-Gaussian noise. The threshold is the error that 95 % of the inliers of both kinds do not exceed. */
+Keypoints on photographs need the tail: its weight is 0.2 to 0.4 there, and 0 with Gaussian noise.
+The threshold is the error that 95 % of the inliers of both kinds do not exceed. */
 InlierNoise preciseNoise(const Context& context, const Model& model, double widest);
+
+/** @brief Is a threshold too narrow for the noise by more than a factor?
+
+If it is, the errors go on beyond it, and those within it are spread over it: there are more points
+within it, compared with those within its half, than if the right threshold were `factor` times as
+wide. Matches of another motion or plane, of which few have small errors, are not taken for noise.
+The noise is assumed to be Gaussian; with heavy tails, the answer is no. */
+bool errorsGoOn(const Context& context, const Model& model, double threshold, double factor);
 
 }  // namespace usacv20
 }  // namespace cv

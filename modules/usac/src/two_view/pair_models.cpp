@@ -89,7 +89,8 @@ String whyNot(const Report& report)
 
 PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const TwoViewRules& rules_)
     : params(params_), rules(rules_), iterations(0), cancelled(false),
-      isCalibrated(!pair.cameraMatrix1.empty() && !pair.cameraMatrix2.empty()), scores(pair.scores)
+      isCalibrated(!pair.cameraMatrix1.empty() && !pair.cameraMatrix2.empty()), sigma(0),
+      scores(pair.scores)
 {
     const Mat* const cameras[] = {&pair.cameraMatrix1, &pair.cameraMatrix2};
     const Mat* const lenses[] = {&pair.distCoeffs1, &pair.distCoeffs2};
@@ -164,6 +165,8 @@ void PairModels::searchEssential()
     Report report;
     const Mat found = essential(options(samples(OF_E.sampleSize)))->run(mask, &report);
     take(OF_E, found, mask, report, E);
+    if (E)
+        settle(report, 1);
 }
 
 void PairModels::searchFundamental()
@@ -185,6 +188,8 @@ void PairModels::searchFundamental()
     Report report;
     const Mat found = Usac::create(FUNDAMENTAL, points1, points2, given)->run(mask, &report);
     take(OF_F, found, mask, report, F);
+    if (F)
+        settle(report, 1);
 }
 
 void PairModels::improveEssential()
@@ -214,6 +219,8 @@ void PairModels::searchHomography()
     Report report;
     const Mat found = Usac::create(HOMOGRAPHY, points1, points2, given)->run(mask, &report);
     take(OF_H, found, mask, report, H);
+    if (H)
+        settle(report, planarReach());
 }
 
 void PairModels::homographyOfInliers(const PairModel& explained)
@@ -276,6 +283,17 @@ void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask,
     model.mask = mask;
     model.inliers = inliers;
     model.report = report;
+    if (params.thresholdType == THRESHOLD_GIVEN)
+        model.report.sigma = sigma;
+}
+
+void PairModels::settle(const Report& report, double reach)
+{
+    if (params.thresholdType == THRESHOLD_GIVEN)
+        return;
+    params.thresholdType = THRESHOLD_GIVEN;
+    params.threshold = report.threshold / reach;
+    sigma = report.sigma;
 }
 
 //! Keeps the reason and the report of the rejected model with the lowest Report::chance.

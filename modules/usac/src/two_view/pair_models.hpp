@@ -72,7 +72,9 @@ public:
     PairModel E, F, H;
     Points points1, points2;  //!< pixels without distortion
     Matx33d camera1, camera2;
-    const Params params;
+    //! Those of the caller. With #THRESHOLD_ESTIMATED, the first model that is accepted sets the
+    //! threshold of the pair, and the other searches have it as a given one.
+    Params params;
     const TwoViewRules& rules;
     int iterations;  //!< samples of all searches except for H among inliers of E or F
     Report refused;  //!< report of the best model that was rejected
@@ -95,10 +97,14 @@ private:
     void take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report,
               PairModel& model);
     void account(const Report& report);
+    //! Sets the threshold of the pair to that of an accepted model, unless it is known. @param
+    //! reach ratio of the threshold of the model to that of the pair
+    void settle(const Report& report, double reach);
     void refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report);
     int withinDistances(const std::vector<double>& errors, double limit) const;
 
     bool isCalibrated;
+    double sigma;  //!< Report::sigma of the model that set the threshold
     std::vector<float> scores;
     String why;      //!< why the best model was rejected
     String limited;  //!< confidences of the searches that Params::maxIterations ended too early

@@ -151,9 +151,6 @@ void check(const Params& params, const TwoViewRules& rules)
         CV_Error_(Error::StsBadArg,
                   ("initialModel: none is expected, as E, F and H are estimated, not %d numbers",
                    (int)params.initialModel.size()));
-    if (params.thresholdType != THRESHOLD_GIVEN)
-        CV_Error(Error::StsBadArg, "thresholdType: THRESHOLD_GIVEN is expected, as E, F and H of a "
-                                   "pair have the same threshold");
 }
 
 }  // namespace

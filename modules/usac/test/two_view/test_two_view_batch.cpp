@@ -180,7 +180,6 @@ TEST(Usac_TwoViewBatch, mistakes_are_named)
     Params params;
     params.initialModel.assign(9, 1.);
     expectRefused("initialModel", right, params, TwoViewRules());
-    expectRefused("thresholdType", right, Params::automatic(), TwoViewRules());
     params = Params();
     params.threshold = 0;
     EXPECT_NE(String::npos,

@@ -120,6 +120,30 @@ TEST(Usac_TwoViewGeometry, as_the_functions_of_one_problem)
     }
 }
 
+//! The first model that is accepted sets the threshold of the pair, for all of its models.
+TEST(Usac_TwoViewGeometry, estimated_threshold)
+{
+    for (uint64 seed = 1; seed <= 8; ++seed)
+        for (int kind = 0; kind < 3; ++kind)  // with cameras; without; a plane
+        {
+            const Scene scene = sceneOf(seed, kind == 2 ? 1 : 0);
+            const TwoViewPair pair = pairOf(scene, kind != 1);
+            Params params = twoPixels();
+            const int expected = estimateTwoViewGeometry(pair, params).configuration;
+            params.threshold = 6;
+            params.thresholdType = THRESHOLD_ESTIMATED;
+            const TwoViewGeometry found = estimateTwoViewGeometry(pair, params);
+            SCOPED_TRACE(cv::format("seed %d, kind %d", (int)seed, kind));
+            EXPECT_EQ(expected, found.configuration);
+            checkFields(found, pair);
+            EXPECT_NEAR(0.5, found.report.sigma, 0.15);
+            EXPECT_NEAR(1, found.report.threshold, 0.5);
+            const std::vector<TwoViewGeometry> both = estimateTwoViewGeometries({pair, pair},
+                                                                                params);
+            EXPECT_EQ(0, cv::norm(found.mask, both[1].mask));
+        }
+}
+
 TEST(Usac_TwoViewGeometry, focal_lengths_that_are_not_known)
 {
     for (uint64 seed = 1; seed <= 5; ++seed)

@@ -156,7 +156,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 @param pair matches, cameras, image sizes
 @param params options of each search. `threshold` is the Sampson distance of E and F in undistorted
 pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here; `maxTime` applies
-to each model separately. `initialModel` must be empty, `thresholdType` #THRESHOLD_GIVEN
+to each model separately. `initialModel` must be empty. #THRESHOLD_ESTIMATED: the first model that
+is accepted sets the threshold of the pair, Report::threshold (H alone: divided by 1.77)
 @param rules the other rules
 @return the configuration with its models, inliers and pose.
 

@@ -90,6 +90,14 @@ class GrowthTest(RunCase):
         self.verify(output=at_once, threshold=threshold)
         self.assertEqual(after, dump(at_once, TABLE)[TABLE])
 
+    def test_own_threshold_of_each_pair(self) -> None:
+        self.verify(threshold=4.0)
+        verified = self.summary.verified
+        said = self.verify(method="USACV20_AUTO")
+        self.assertEqual(said[0], "threshold: of each pair from its own matches, at most 12 px")
+        self.assertEqual((self.summary.pairs, self.summary.faults), (PAIRS + LATER, 0))
+        self.assertGreaterEqual(self.summary.verified, verified - 2)
+
     def test_other_threshold(self) -> None:
         self.verify(threshold=3.0)
         with self.assertRaisesRegex(CollectionError, "threshold is 2.0 and was 3.0"):

@@ -55,6 +55,15 @@ class TwoViewTest(unittest.TestCase):
             F = np.linalg.inv(K).T @ found.E @ np.linalg.inv(K)
             np.testing.assert_allclose(found.F, F / np.linalg.norm(F), atol=1e-12)
 
+    def test_estimated_threshold(self):
+        for seed in range(5):
+            a, b, R, _ = scene(seed)
+            found = usac.estimateTwoViewGeometry(a, b, K, K, params=usac.Params.automatic(threshold=8))
+            self.assertIs(found.configuration, usac.TWO_VIEW_CALIBRATED)
+            np.testing.assert_allclose(found.R, R, atol=0.01)
+            self.assertGreater(found.report.sigma, 0)
+            self.assertLess(found.report.threshold, 4)
+
     def test_other_configurations(self):
         for seed in range(3):
             a, b, _, _ = scene(seed)

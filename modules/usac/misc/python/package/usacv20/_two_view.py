@@ -156,7 +156,8 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     cameraMatrix1, cameraMatrix2 -- 3x3, of each image by itself; None: its focal length is not known
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 coefficients as for cv2.undistortPoints, which need the matrix; None: none
     params -- Params of each search. threshold is the Sampson distance of E and F in pixels without distortion, from which that of
-        H follows; significance 0: 1e-4; initialModel has to be empty
+        H follows; significance 0: 1e-4; initialModel has to be empty. THRESHOLD_ESTIMATED: the first model that is accepted sets
+        the threshold of the pair, report.threshold
     rules -- TwoViewRules; None: the defaults
     imageSize1, imageSize2 -- (width, height) in pixels; None: no watermark is looked for
 

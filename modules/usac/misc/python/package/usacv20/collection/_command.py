@@ -49,7 +49,7 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("estimation")
     group.add_argument("--threshold", type=_threshold, default=None, metavar="PIXELS",
                        help="largest error of an inlier, or auto (default): found from a part of the pairs, with --resume that of "
-                            "the run that goes on")
+                            "the run that goes on; with --method USACV20_AUTO the largest plausible one")
     group.add_argument("--method", choices=sorted(METHODS), default=default.method, help="preset (default %(default)s)")
     group.add_argument("--confidence", type=float, default=default.confidence, help="default %(default)s")
     group.add_argument("--max-iterations", type=_count, default=default.maxIterations, metavar="N",

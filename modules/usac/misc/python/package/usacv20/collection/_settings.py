@@ -15,16 +15,15 @@ from .._two_view import TwoViewRules
 from ._pair import CollectionError
 
 # Not USACV20_PARALLEL, as the pairs are what is parallel; not USACV20_PROSAC, as matches of a collection come in no order: scores
-# are for all other methods; not USACV20_AUTO, as all pairs have the same threshold (`--threshold auto`).
-METHODS = {flag.name: flag for flag in UsacV20Method
-           if flag not in (UsacV20Method.USACV20_PARALLEL, UsacV20Method.USACV20_PROSAC, UsacV20Method.USACV20_AUTO)}
+# are for all other methods. USACV20_AUTO: each pair has a threshold of its own.
+METHODS = {flag.name: flag for flag in UsacV20Method if flag not in (UsacV20Method.USACV20_PARALLEL, UsacV20Method.USACV20_PROSAC)}
 
 
 @dataclasses.dataclass(frozen=True)
 class Settings:
     """Options of the verification. Those without another source have the defaults of COLMAP's."""
 
-    threshold: float = 4.0  # pixels, largest error of an inlier
+    threshold: float = 4.0  # pixels, largest error of an inlier; USACV20_AUTO: the largest plausible one
     method: str = "USACV20"  # one of METHODS
     confidence: float = 0.999
     # Samples of a model; COLMAP's limit. With the other defaults it ends the search before `confidence` (see `reached`):

@@ -12,6 +12,7 @@ import time
 import typing
 from typing import Any, Callable, Dict, Optional, Union
 
+from .._enumerations import UsacV20Method
 from ._database import DatabaseSource
 from ._database_sink import DatabaseSink, lastRun
 from ._engine import CHUNK, Summary, run
@@ -22,7 +23,7 @@ from ._scores import ColumnScores, HlocScores
 from ._selection import Selection
 from ._settings import Settings
 from ._sqlite import connect, copyDatabase, explained
-from ._threshold import estimateThreshold, samplePairs
+from ._threshold import WIDEST, estimateThreshold, samplePairs
 
 Say = Callable[[str], Any]
 
@@ -35,7 +36,8 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
 
     path -- of the database. Its table two_view_geometries is written, others of COLMAP's are not
     output -- a copy to be made and written in the place of it; with `resume` it may be there
-    threshold -- pixels, largest error of an inlier; None: found from a part of the pairs, or, with `resume`, that of the last run
+    threshold -- pixels, largest error of an inlier; None: found from a part of the pairs, or, with `resume`, that of the last run.
+        With the method USACV20_AUTO each pair finds its own, and this is the largest plausible one, 12 by default
     pairs -- file with the names of two images on a line: only those pairs are verified, rows of others stay as they are
     resume -- True: pairs that a run with the same settings has done are skipped, pairs that are new are done
     scores -- of the matches
@@ -89,7 +91,7 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
     """The settings with a threshold.
 
     source -- of all pairs of the collection, so that the threshold does not depend on which of them are verified
-    threshold -- None: that of `stored`, else found from a part of the pairs
+    threshold -- None: that of `stored`, else found from a part of the pairs; with USACV20_AUTO each pair finds its own
     stored -- the settings of the run that goes on, None: there is none"""
     unknown = sorted(set(options) - set(Settings().asDict()))
     if unknown:
@@ -100,6 +102,9 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
     if isinstance(before, (int, float)):
         say("threshold: {:g} px, that of the run that goes on".format(before))
         return Settings(threshold=float(before), ratios=tuple((stored or {}).get("ratios") or ()), **options)
+    if options.get("method") == UsacV20Method.USACV20_AUTO.name:
+        say("threshold: of each pair from its own matches, at most {:g} px".format(WIDEST))
+        return Settings(threshold=WIDEST, **options)
     estimate = estimateThreshold(samplePairs(source), Settings(**options))
     say("threshold: " + estimate.describe())
     return Settings(threshold=estimate.threshold, ratios=estimate.ratios, **options)

@@ -1,0 +1,103 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "core/chi_square.hpp"
+#include "optimization/error_mixture.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Effects of halving and doubling each constant: doc/constants.md.
+
+//! Badly located inliers have TAIL times the noise of the others, and are at most LARGEST_TAIL of
+//! all inliers.
+constexpr double TAIL = 3, LARGEST_TAIL = 0.5;
+//! Steps of the bisection of a quantile: 2^-30 of the largest one remains.
+constexpr int BISECTIONS = 30;
+
+int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
+
+//! Density of e^degrees at 0, where e is the error of an inlier with `degrees` degrees of freedom.
+double inlierPeak(double variance, int degrees)
+{
+    if (degrees == 2)
+        return 1 / (2 * variance);
+    const double one = std::sqrt(2 / (CV_PI * variance));
+    return degrees == 1 ? one : one / (3 * variance);
+}
+
+}  // namespace
+
+ErrorHistogram::ErrorHistogram(const float* squaredErrors, int count, double unit, int window_,
+                               int most)
+    : size(0), window(window_)
+{
+    std::fill(members, members + BINS, 0);
+    std::fill(squares, squares + BINS, 0.);
+    const double scale = 1 / (unit * unit), limit = window * window;
+    for (int i = 0; i < count && size < most; ++i)
+    {
+        const double square = squaredErrors[i] * scale;
+        if (!(square <= limit))  // or NaN
+            continue;
+        const int bin = std::min((int)(std::sqrt(square) * (int)BINS / window), BINS - 1);
+        squares[bin] += square;
+        ++members[bin];
+        ++size;
+    }
+    for (int i = 0; i < BINS; ++i)
+        squares[i] /= std::max(members[i], 1);
+}
+
+void ErrorMixture::fit(const ErrorHistogram& errors, int steps)
+{
+    for (int step = 0; step < steps; ++step)
+        improve(errors);
+}
+
+void ErrorMixture::improve(const ErrorHistogram& errors)
+{
+    const double wide = TAIL * TAIL * variance,
+                 wrong = (1 - inliers) * (1. / power(errors.window, degrees)),
+                 core = inliers * (1 - tail) * inlierPeak(variance, degrees),
+                 far = inliers * tail * inlierPeak(wide, degrees);
+    double inCore = 0, inTail = 0, sum = 0;
+    for (int i = 0; i < ErrorHistogram::BINS; ++i)
+    {
+        const double members = errors.members[i], square = errors.squares[i];
+        if (members == 0)
+            continue;
+        const double a = core * std::exp(-square / (2 * variance)),
+                     b = tail > 0 ? far * std::exp(-square / (2 * wide)) : 0, all = a + b + wrong;
+        const double wa = members * a / all, wb = members * b / all;
+        inCore += wa;
+        inTail += wb;
+        sum += (wa + wb / (TAIL * TAIL)) * square;
+    }
+    const double both = std::max(inCore + inTail, 1e-9);
+    inliers = std::min(std::max(both / errors.size, 0.01), 0.99);
+    tail = std::min(inTail / both, LARGEST_TAIL);
+    variance = std::max(sum / (degrees * both), 1e-6);
+}
+
+double ErrorMixture::sigma() const { return std::sqrt(variance); }
+
+double ErrorMixture::quantile(double part) const
+{
+    double low = 0, high = TAIL * std::sqrt(chiSquareQuantile(part, degrees));
+    for (int i = 0; i < BISECTIONS; ++i)
+    {
+        const double middle = (low + high) / 2, square = middle * middle;
+        const double within = (1 - tail) * chiSquareDistribution(square, degrees) +
+                              tail * chiSquareDistribution(square / (TAIL * TAIL), degrees);
+        (within < part ? low : high) = middle;
+    }
+    return high * sigma();
+}
+
+}  // namespace usacv20
+}  // namespace cv
