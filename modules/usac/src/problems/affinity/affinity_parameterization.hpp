@@ -15,7 +15,7 @@ namespace usacv20 {
 class AffinityParameterization
 {
 public:
-    enum { DIMENSION = 6, NUMBERS = 9 };
+    enum { DIMENSION = 6, NUMBERS = 9, SMOOTH = 1 };
     typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

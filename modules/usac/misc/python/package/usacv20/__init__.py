@@ -26,7 +26,7 @@ draw_matches. For research, not in cv2: Usac, of whose components Python can rep
 others only C++.
 
 What is known already needs no search: fitModel (OpenCV's method 0), refineModel and modelErrors. The motion of a camera between two
-views, points in front, is estimateRelativePose. A run ends after Params.maxTime milliseconds, by the function of usacv20.progress,
+views, points in front, is estimateRelativePose. How sure a model is: report.covariance, pointCovariance and its kin. A run ends after Params.maxTime milliseconds, by the function of usacv20.progress,
 or by Ctrl-C (of cv2.usacv20 within usacv20.progress).
 
 Where there is no model the model is None, the mask zero, and report.stop says why; report.chance bounds the probability that random
@@ -43,6 +43,7 @@ from ._backend import IN_TREE as _IN_TREE
 from ._backend import native as _compiled
 from ._batch import (estimateAbsolutePoses, estimateAffinities2D, estimateEssentials, estimateFundamentals, estimateHomographies,
                      estimateRigids3D, estimateSimilarities2D, estimateSimilarities3D)
+from ._covariance import covarianceOfModel, covarianceOfPose, pointCovariance, tangentOfModel
 from ._draw import draw_matches
 from ._enumerations import (
     ABSOLUTE_POSE, AFFINITY, DEGENERACY_DEGENSAC, DEGENERACY_ORIENTATION, DEGENERACY_REPEATED, ESSENTIAL, FUNDAMENTAL,
@@ -105,14 +106,14 @@ __all__ = [
     "TWO_VIEW_PLANAR_OR_PANORAMIC", "TWO_VIEW_UNCALIBRATED", "TWO_VIEW_UNDEFINED", "TWO_VIEW_WATERMARK",
     "USACV20", "USACV20_ACCURATE", "USACV20_AUTO", "USACV20_FAST", "USACV20_MAGSAC", "USACV20_PARALLEL", "USACV20_PROSAC",
     "VERIFICATION_NONE", "VERIFICATION_SPRT", "VERIFICATION_TDD", "RelativePose", "TwoViewGeometry", "TwoViewPair",
-    "TwoViewRules", "draw_matches", "estimateRelativePose", "fitModel", "modelErrors", "refineModel", "estimateAbsolutePose",
+    "TwoViewRules", "covarianceOfModel", "covarianceOfPose", "draw_matches", "estimateRelativePose", "fitModel", "modelErrors", "refineModel", "estimateAbsolutePose",
     "estimateAbsolutePoses", "estimateAffine2D", "estimateAffinePartial2D", "estimateAffinities2D",
     "estimateAffinity2D", "estimateEssential", "estimateEssentials", "estimateFundamental", "estimateFundamentals",
     "estimateHomographies", "estimateHomography", "estimateRigid3D", "estimateRigids3D", "estimateSimilarities2D",
     "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D", "estimateTwoViewGeometries",
     "estimateTwoViewGeometry", "findEssentialMat",
-    "findFundamentalMat", "findHomography", "isUsacV20Method", "patch_cv2", "progress", "removeDistortion", "solvePnPRansac",
-    "unpatch_cv2"]
+    "findFundamentalMat", "findHomography", "isUsacV20Method", "patch_cv2", "pointCovariance", "progress", "removeDistortion",
+    "solvePnPRansac", "tangentOfModel", "unpatch_cv2"]
 
 if TYPE_CHECKING:
     class error(Exception):
