@@ -30,7 +30,7 @@ constexpr int ROUNDS = 3;
 constexpr double SIMILAR = 10, ALONE = 0.01;
 //! The share of the information that may come from the noise, and the number of points that it is
 //! computed from.
-constexpr double NOISE_SHARE = 0.5;
+constexpr double NOISE_SHARE = 0.25;
 constexpr int NOISE_POINTS = 128;
 //! Cells of the integrals over the distribution of the errors.
 constexpr int CELLS = 64;

@@ -29,9 +29,9 @@ the covariance becomes NaN.
 @return n x d, CV_64F: n entries of the model row by row, d parameters, of which Report::covariance
 is the covariance. H, F and E are first brought to the scale and sign in which they are returned.
 
-H: the parameters are changes of the first eight entries of H of unit norm, and tangentOfModel has
-the changes of H with h33 = 1 that follow. F and E: coordinates in an orthonormal basis of the
-tangent space of the matrices of unit norm. */
+The parameters of H, F and E are coordinates in an orthonormal basis of the tangent space of the
+matrices of unit norm; for H, which is returned with h33 = 1, the derivatives are those of the
+entries over h33. */
 CV_EXPORTS_W Mat tangentOfModel(ProblemType problem, InputArray model);
 
 /** @brief Covariance of the entries of a model, T C T^T with T of #tangentOfModel.
