@@ -354,7 +354,7 @@ TEST(Usac_Covariance, mistakes)
     EXPECT_EQ("R", blamed([&] { covarianceOfPose(E, D, ROTATION * 2, TRANSLATION); }));
     EXPECT_EQ("t", blamed([&] { covarianceOfPose(E, D, ROTATION, Vec3d(0, 0, 0)); }));
     EXPECT_EQ("R and t", blamed([&] { covarianceOfPose(E, D, ROTATION, Vec3d(1, 0, 0)); }));
-    EXPECT_EQ("points1", blamed([&] { pointCovariance(HOMOGRAPHY, H, C, Mat(5, 1, CV_64FC4)); }));
+    EXPECT_EQ("points1", blamed([&] { pointCovariance(HOMOGRAPHY, H, C, Mat(5, 1, CV_64F)); }));
     EXPECT_EQ("points1 and points2",
               blamed([&] { pointCovariance(ESSENTIAL, E, D, points, points.rowRange(0, 2), K); }));
     EXPECT_EQ("cameraMatrix1", blamed([&] { pointCovariance(ESSENTIAL, E, D, points, points); }));

@@ -75,7 +75,7 @@ void Calibration::add(const Calibration& other)
 std::string Calibration::header()
 {
     return " scenes | no model, % | wrong, % | not determined, % | mean / d | within 95 % | noise "
-           "|";
+           "|\n|---|---|---:|---:|---:|---:|---:|---:|---:|";
 }
 
 std::string Calibration::row() const
