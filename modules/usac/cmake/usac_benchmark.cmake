@@ -17,7 +17,8 @@ target_include_directories(usac_benchmark_lib PUBLIC "${_benchmark}")
 # The synthetic scenes of the tests.
 usac_add_sample_library(usac_benchmark_scenes "${_benchmark}/scale/scene_pair.cpp" "${_benchmark}/scale/scene_pair.hpp"
   "${USAC_MODULE_DIR}/test/scenes.cpp" "${USAC_MODULE_DIR}/test/scene_scores.cpp"
-  "${USAC_MODULE_DIR}/test/scene_geometry.cpp")
+  "${USAC_MODULE_DIR}/test/scene_geometry.cpp" "${USAC_MODULE_DIR}/test/problems/absolute_pose/pose_scenes.cpp"
+  "${USAC_MODULE_DIR}/test/problems/rigid_motion/rigid_scenes.cpp")
 target_include_directories(usac_benchmark_scenes PUBLIC "${_benchmark}/scale" "${USAC_MODULE_DIR}/test")
 target_link_libraries(usac_benchmark_scenes PUBLIC usac_benchmark_lib)
 
@@ -29,7 +30,7 @@ function(usac_add_benchmark name)
 endfunction()
 
 usac_add_benchmark(usac_benchmark "${_benchmark}/main.cpp" LIBRARIES usac_benchmark_lib)
-foreach(_name synthetic scale structured tracking)
+foreach(_name synthetic scale structured tracking covariance)
   file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/${_name}/*.cpp" "${_benchmark}/${_name}/*.hpp")
   list(REMOVE_ITEM _sources "${_benchmark}/scale/scene_pair.cpp")
   usac_add_benchmark(usac_${_name} ${_sources} LIBRARIES usac_benchmark_scenes)

@@ -34,6 +34,8 @@ Degeneracy::~Degeneracy() {}
 LocalOptimizer::~LocalOptimizer() {}
 Termination::~Termination() {}
 Polisher::~Polisher() {}
+double Polisher::support(const Context&, const float*) const { return 0; }
+double Polisher::weight(double, int) const { return 1; }
 Usac::~Usac() {}
 
 namespace {

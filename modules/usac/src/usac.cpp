@@ -12,6 +12,7 @@
 #include "ransac.hpp"
 #include "reach.hpp"
 #include "watch.hpp"
+#include "significance/model_covariance.hpp"
 #include "significance/significance.hpp"
 #include "core/chi_square.hpp"
 #include "core/repetitions.hpp"
@@ -286,7 +287,7 @@ private:
     //! which may not support them.
     Quality polishAsSeen(const Context& context, State& state)
     {
-        if (!imageFit || parts.nonMinimalSolver != made.nonMinimalSolver)
+        if (!seesImage())
             return polish(context, context, state, state.best);
         const Correspondences seen = data.imagePoints();
         imageParts = parts;
@@ -295,6 +296,24 @@ private:
         imageFit->start(context);
         return polish(context, Context(seen, imageParts, params, arena, context.watch), state,
                       state.best);
+    }
+
+    //! Does polishAsSeen() use the original image points?
+    bool seesImage() const { return imageFit && parts.nonMinimalSolver == made.nonMinimalSolver; }
+
+    //! Report::covariance and, unless the threshold was estimated, Report::sigma of a polished
+    //! model. It follows polishAsSeen(), which has set imageParts.
+    void tellCertainty(const Context& context, const Model& model, Report& learned) const
+    {
+        const bool image = seesImage();
+        const Correspondences points = image ? data.imagePoints() : context.points;
+        const Context polishing(points, image ? imageParts : parts, params, context.arena,
+                                context.watch);
+        ModelCovariance covariance(polishing);
+        covariance.estimate(model);
+        learned.covariance = covariance.ofCaller();
+        if (!automatic)
+            learned.sigma = covariance.sigma() * (data.threshold() / data.maskThreshold());
     }
 
     //! Writes the sample as row indices of the caller's points. Allocates only if the capacity of
@@ -361,6 +380,8 @@ private:
             std::fill(inliers, inliers + rows, (uchar)0);
             result.release();
         }
+        if (report && !result.empty())
+            tellCertainty(context, state.best, learned);
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);
         const bool timely = learned.inliers <= ENOUGH ||

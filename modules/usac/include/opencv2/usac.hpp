@@ -45,6 +45,7 @@ Everything else in this module, see @ref usacv20. */
 #include "opencv2/usac/problem.hpp"
 #include "opencv2/usac/estimator.hpp"
 #include "opencv2/usac/given.hpp"
+#include "opencv2/usac/covariance.hpp"
 #include "opencv2/usac/relative_pose.hpp"
 #include "opencv2/usac/two_view_geometry.hpp"
 

@@ -74,6 +74,7 @@ public:
     explicit BuiltInParameterization(const Around& around_ = Around()) : around(around_) {}
 
     int dimension() const CV_OVERRIDE { return Here::DIMENSION; }
+    bool smooth() const CV_OVERRIDE { return Here::SMOOTH; }
 
     bool tangent(const Model& model, double* basis) const CV_OVERRIDE
     {

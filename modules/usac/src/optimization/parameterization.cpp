@@ -62,6 +62,7 @@ String checkDerivative(const Parameterization& rule, const Model& here,
 }  // namespace
 
 Parameterization::~Parameterization() {}
+bool Parameterization::smooth() const { return true; }
 
 Ptr<NonMinimalSolver> createLeastSquares(const Ptr<Residual>& residual, int errorDimension,
                                          const Ptr<Parameterization>& parameterization)

@@ -44,6 +44,11 @@ public:
             quality = fittedQuality;
         }
     }
+
+    double support(const Context& context, const float*) const CV_OVERRIDE
+    {
+        return context.points.threshold;
+    }
 };
 
 }  // namespace

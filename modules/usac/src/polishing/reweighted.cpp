@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "optimization/marginalized_fit.hpp"
 #include "polishing/polishing.hpp"
+#include "scoring/marginalized_weights.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -44,6 +45,16 @@ public:
             if (before - loss < SETTLED * before)
                 return;
         }
+    }
+
+    double support(const Context& context, const float*) const CV_OVERRIDE
+    {
+        return context.points.threshold;
+    }
+
+    double weight(double square, int degrees) const CV_OVERRIDE
+    {
+        return MarginalizedWeights::of(degrees).tabulatedWeight((float)square);
     }
 };
 

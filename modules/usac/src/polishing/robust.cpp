@@ -88,6 +88,16 @@ public:
         }
     }
 
+    double support(const Context& context, const float* squaredErrors) const CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        return SUPPORT * p.threshold *
+               NoiseScale::estimate(squaredErrors, p.size, p.threshold,
+                                    p.problem->errorDimension());
+    }
+
+    double weight(double square, int) const CV_OVERRIDE { return (1 - square) * (1 - square); }
+
 private:
     //! Computes errors of the first points, in blocks, until `wanted` are within #REACH thresholds.
     //! @return number of these points

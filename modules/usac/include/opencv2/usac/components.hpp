@@ -431,6 +431,17 @@ public:
     virtual ~Polisher();
     //! Replaces the model by a better one if it can.
     virtual void polish(const Context& context, Model& model) = 0;
+    /** @brief The distance up to which points act on a polished model, for Report::covariance. At
+    such a model the sum over these points of weight times error times the derivative of the error
+    by the parameters is 0 (an M-estimate).
+    @param context context of polish()
+    @param squaredErrors of all points under the polished model, in single precision
+    @return distance in the coordinates of the points, not squared. Default: 0, it is not known what
+    polish() minimizes; then the report has no covariance. */
+    virtual double support(const Context& context, const float* squaredErrors) const;
+    //! The weight of a point within the support. `square` is its squared error as a part of the
+    //! squared support, 0 to 1, `degrees` is Problem::errorDimension. Default: 1.
+    virtual double weight(double square, int degrees) const;
 };
 
 //! The components of one estimator.

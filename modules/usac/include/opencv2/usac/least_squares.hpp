@@ -45,6 +45,10 @@ public:
     @param model the model whose parameters are all 0
     @param x dimension() parameters */
     virtual Model plus(const Model& model, const double* x) const = 0;
+    //! True (default): tangent() changes little if the model does. False: it may become another
+    //! basis of the same space, because it depends on singular vectors; Report::covariance then
+    //! refers to a basis that does not, see #tangentOfModel.
+    virtual bool smooth() const;
 };
 
 /** @brief Weighted least squares of a residual, by the Gauss-Newton method with Levenberg-Marquardt

@@ -84,10 +84,41 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Threshold of the mask in pixels: Params::threshold; #THRESHOLD_ESTIMATED, #QUALITY_LMEDS:
     //! estimated from the data.
     CV_PROP_RW double threshold;
-    //! #THRESHOLD_ESTIMATED: standard deviation of the inliers' errors, in each component, in the
-    //! unit of Params::threshold; for F and E about that of the points' coordinates, for maps that
-    //! of the noise of both arrays. 0: not estimated.
+    //! Standard deviation of the inliers' errors, in each component, in the unit of
+    //! Params::threshold; for F and E about that of the points' coordinates, for maps that of the
+    //! noise of both arrays. From the errors under the returned model, corrected for the parameters
+    //! that were fitted and for the threshold; #THRESHOLD_ESTIMATED: the one that the threshold was
+    //! computed from. 0: not estimated, as there is no model or too few inliers.
     CV_PROP_RW double sigma;
+    /** Covariance of the parameters of the returned model, d x d, CV_64F; empty if there is no
+    model. It is that of the errors that noise of the inliers' coordinates causes, computed from
+    their errors, whatever their size. With few inliers it allows for the error of the noise that
+    they tell: errors in units of this covariance have as many squares as there are parameters on
+    average.
+
+    The parameters, in the units of the caller's points (translations: of `objectPoints`, of
+    `points2`; angles in radians):
+
+    | problem | d | parameters |
+    |---|---|---|
+    | absolute pose | 6 | rotation vector w, translation: [exp(w) R, t + dt] |
+    | rigid motion | 6 | the same |
+    | with scale | 7 | the same, and relative change of the scale |
+    | affinity | 6 | the entries, row by row |
+    | similarity | 4 | a, b and the translation of [a -b tx; b a ty] |
+    | homography, F, E | 8, 7, 5 | directions of the tangent space, see #tangentOfModel |
+
+    #tangentOfModel returns the derivatives of the entries of any of these models by its parameters,
+    #covarianceOfModel the covariance of the entries; #covarianceOfPose and #pointCovariance go on
+    from there.
+
+    NaN in all entries: not determined. The inliers leave some of the parameters free (F of a plane,
+    F and E without a translation, points of a line), fewer than three degrees of freedom are left,
+    or it is not known what the model minimizes: there is no polishing (#POLISHING_NONE) or a
+    Polisher of your own without Polisher::support. Not covered: a wrong model, wrong matches that
+    agree with each other, errors of calibration and lenses, matches that are not independent (each
+    repetition counts as a measurement). */
+    CV_PROP_RW Mat covariance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array: a model that maps everything to one place then has all points as
     inliers, and the number of inliers means nothing. The threshold is probably in the wrong unit,

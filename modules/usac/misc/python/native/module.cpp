@@ -37,6 +37,7 @@ PYBIND11_MODULE(_native, module)
     addFind(module);
     addLens(module);
     addGiven(module);
+    addCovariance(module);
     addTwoView(module);
     addProgress(module);
     addRng(module);

@@ -27,6 +27,7 @@ void addBatch(py::module_& module);
 void addFind(py::module_& module);
 void addLens(py::module_& module);
 void addGiven(py::module_& module);
+void addCovariance(py::module_& module);
 void addTwoView(py::module_& module);
 void addProgress(py::module_& module);
 void addRng(py::module_& module);

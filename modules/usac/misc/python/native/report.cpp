@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include <pybind11/stl.h>
+#include "arrays.hpp"
 #include "native.hpp"
 
 namespace cv {
@@ -33,6 +34,11 @@ void addReport(py::module_& module)
         .def_readwrite("chance", &Report::chance)
         .def_readwrite("threshold", &Report::threshold)
         .def_readwrite("sigma", &Report::sigma)
+        .def_property(
+            "covariance", [](const Report& report) { return arrayOf(report.covariance); },
+            [](Report& report, const py::object& covariance) {
+                report.covariance = ArrayMat(covariance, "covariance").own();
+            })
         .def_readwrite("wideThreshold", &Report::wideThreshold)
         .def_readwrite("cost", &Report::cost)
         .def_readwrite("setupMs", &Report::setupMs)

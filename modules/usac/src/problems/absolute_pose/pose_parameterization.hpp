@@ -16,7 +16,7 @@ give the pose itself. */
 class PoseParameterization
 {
 public:
-    enum { DIMENSION = 6, NUMBERS = 12 };
+    enum { DIMENSION = 6, NUMBERS = 12, SMOOTH = 1 };
     typedef Eigen::Matrix<double, NUMBERS, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

@@ -18,7 +18,7 @@ of V would change E like one of U.) @cite helmke2007essential */
 class EssentialParameterization
 {
 public:
-    enum { DIMENSION = 5, NUMBERS = 9 };
+    enum { DIMENSION = 5, NUMBERS = 9, SMOOTH = 0 };
     typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

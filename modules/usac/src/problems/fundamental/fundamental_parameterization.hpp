@@ -23,7 +23,7 @@ equal, as under a pure translation, rotating both about the third axis does not 
 class FundamentalParameterization
 {
 public:
-    enum { DIMENSION = 7, NUMBERS = 9 };
+    enum { DIMENSION = 7, NUMBERS = 9, SMOOTH = 0 };
     typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

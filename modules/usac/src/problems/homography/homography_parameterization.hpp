@@ -15,7 +15,7 @@ along 8 directions orthogonal to this vector. Zero parameters give the model its
 class HomographyParameterization
 {
 public:
-    enum { DIMENSION = 8, NUMBERS = 9 };
+    enum { DIMENSION = 8, NUMBERS = 9, SMOOTH = 1 };
     typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

@@ -27,7 +27,7 @@ template <bool SCALED>
 class RigidParameterization
 {
 public:
-    enum { DIMENSION = SCALED ? 7 : 6, NUMBERS = 12 };
+    enum { DIMENSION = SCALED ? 7 : 6, NUMBERS = 12, SMOOTH = 1 };
     typedef Eigen::Matrix<double, NUMBERS, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

@@ -22,7 +22,7 @@ template <class Map>
 class PlaneParameterization
 {
 public:
-    enum { DIMENSION = Map::DIMENSION, NUMBERS = 9 };
+    enum { DIMENSION = Map::DIMENSION, NUMBERS = 9, SMOOTH = 1 };
     typedef Eigen::Matrix<double, 9, DIMENSION> Basis;
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;

@@ -42,6 +42,7 @@ from typing import TYPE_CHECKING, Any, List
 from . import _enumerations, _problems
 from ._backend import IN_TREE as _IN_TREE
 from ._backend import native as _compiled
+from ._covariance import covarianceOfModel, covarianceOfPose, pointCovariance, tangentOfModel
 from ._draw import draw_matches
 from ._enumerations import *  # noqa: F403
 from ._errors import errorClass as _errorClass
@@ -69,10 +70,11 @@ from ._progress import progress as progress
 from ._version import __version__
 
 __all__ = [
-    "Params", "RelativePose", "Report", "TwoViewGeometry", "TwoViewPair", "TwoViewRules", "draw_matches", "estimateAffine2D",
-    "estimateAffinePartial2D", "estimateRelativePose", "estimateTwoViewGeometries", "estimateTwoViewGeometry", "findEssentialMat",
-    "findFundamentalMat", "findHomography", "fitModel", "isUsacV20Method", "modelErrors", "patch_cv2", "progress", "refineModel",
-    "removeDistortion", "solvePnPRansac", "unpatch_cv2"]
+    "Params", "RelativePose", "Report", "TwoViewGeometry", "TwoViewPair", "TwoViewRules", "covarianceOfModel",
+    "covarianceOfPose", "draw_matches", "estimateAffine2D", "estimateAffinePartial2D", "estimateRelativePose",
+    "estimateTwoViewGeometries", "estimateTwoViewGeometry", "findEssentialMat", "findFundamentalMat", "findHomography",
+    "fitModel", "isUsacV20Method", "modelErrors", "patch_cv2", "pointCovariance", "progress", "refineModel",
+    "removeDistortion", "solvePnPRansac", "tangentOfModel", "unpatch_cv2"]
 __all__ += _enumerations.__all__
 __all__ += _problems.__all__
 

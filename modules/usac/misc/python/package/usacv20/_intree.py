@@ -114,6 +114,19 @@ class Native:
     def modelErrors(self, problem: int, model: Any, points1: Any, points2: Any, params: Any, *cameras: Any) -> Any:
         return self._functions.modelErrors(problem, model, points1, points2, params, *cameras)
 
+    def tangentOfModel(self, problem: int, model: Any) -> Any:
+        return self._native.tangentOfModel(problem, model)
+
+    def covarianceOfModel(self, problem: int, model: Any, covariance: Any) -> Any:
+        return self._native.covarianceOfModel(problem, model, covariance)
+
+    def covarianceOfPose(self, essential: Any, covariance: Any, R: Any, t: Any) -> Any:
+        return self._native.covarianceOfPose(essential, covariance, R, t)
+
+    def pointCovariance(self, problem: int, model: Any, covariance: Any, points1: Any, points2: Any, cameraMatrix1: Any,
+                        cameraMatrix2: Any) -> Any:
+        return self._native.pointCovariance(problem, model, covariance, points1, points2, cameraMatrix1, cameraMatrix2)
+
     def estimateRelativePose(self, *arguments: Any) -> Any:
         found, R, t, mask, pose = self._functions.estimateRelativePose(*arguments)
         return (R, t, mask, pose.report, pose.essential, pose.behind, pose.onPlane, pose.otherR, pose.otherT,

@@ -116,6 +116,7 @@ class Report(metaclass=_Class):
     chance: float
     threshold: float
     sigma: float
+    covariance: _Double
     wideThreshold: bool
     cost: float
     setupMs: float
@@ -171,6 +172,11 @@ def refineModel(problem: int, model: _Array, points1: _Array, points2: _Array, p
                 distCoeffs2: _Optional) -> Tuple[_Double, Optional[npt.NDArray[np.uint8]], Report]: ...
 def modelErrors(problem: int, model: _Array, points1: _Array, points2: _Array, params: Params, cameraMatrix1: _Optional,
                 cameraMatrix2: _Optional, distCoeffs1: _Optional, distCoeffs2: _Optional) -> _Double: ...
+def tangentOfModel(problem: int, model: _Array) -> _Double: ...
+def covarianceOfModel(problem: int, model: _Array, covariance: _Array) -> _Double: ...
+def covarianceOfPose(essential: _Array, covariance: _Array, R: _Array, t: _Array) -> _Double: ...
+def pointCovariance(problem: int, model: _Array, covariance: _Array, points1: _Array, points2: _Optional,
+                    cameraMatrix1: _Optional, cameraMatrix2: _Optional) -> _Double: ...
 def estimateRelativePose(points1: _Array, points2: _Array, cameraMatrix1: _Array, distCoeffs1: _Optional,
                          cameraMatrix2: _Optional, distCoeffs2: _Optional, params: Params) -> Tuple[
                              _Double, _Double, Optional[npt.NDArray[np.uint8]], Report, _Double, int, int, _Double, _Double,

@@ -6,11 +6,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+
+import numpy as np
 
 from ._backend import native
 from ._enumerations import StopReason
 from ._fields import EnumField, Field
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 
 def _restored(values: Dict[str, Any]) -> Report:
@@ -25,6 +30,14 @@ class Sample(Field[Tuple[int, ...]]):
 
     def read(self, instance: Any) -> Any:
         return tuple(int(row) for row in getattr(instance._native, self.name))
+
+
+class Covariance(Field["Optional[npt.NDArray[np.float64]]"]):
+    """A matrix, or None."""
+
+    def read(self, instance: Any) -> Any:
+        value = getattr(instance._native, self.name)
+        return None if value is None or value.size == 0 else value
 
 
 class Report:
@@ -57,8 +70,13 @@ class Report:
         inliers in random matches of the same points, 0..1. Kept if the model was refused; 1 if there was none.""")
     threshold = Field[float]("""Threshold of the mask in pixels, that of Params; THRESHOLD_ESTIMATED, QUALITY_LMEDS: estimated from
         the data.""")
-    sigma = Field[float]("""THRESHOLD_ESTIMATED: standard deviation of the noise of the inliers, in each coordinate, in pixels; F, E:
-        of the Sampson distance. 0: not estimated.""")
+    sigma = Field[float]("""Standard deviation of the noise of the inliers, in each component of the error, in the unit of
+        Params.threshold; maps: of the noise of both arrays; F, E: about that of a coordinate. 0: not estimated.""")
+    covariance = Covariance("""Covariance of the parameters of the returned model, a d x d array of float64; None if there is no model.
+        Parameters: absolute pose and rigid motion 6: rotation vector w (radians) and translation dt of [exp(w) R, t + dt]; with scale
+        7: and the relative change of the scale; affinity 6: the entries, row by row; similarity 4: a, b, tx, ty of [a -b tx; b a ty];
+        homography 8, F 7, E 5: see tangentOfModel. NaN: not determined (F and E of a plane, too few inliers, POLISHING_NONE).
+        covarianceOfModel, covarianceOfPose and pointCovariance say what it means for the model and for points.""")
     wideThreshold = Field[bool]("""True if the threshold is at least half of the longest side of the box in which nearly all points
         of the second array lie: then a model that maps everything to one place has them all as inliers. It is probably in another
         unit: pixels, say, beside points of the normalized image plane.""")
@@ -84,16 +102,21 @@ class Report:
         return str(self._native.describe())
 
     def asDict(self) -> Dict[str, Any]:
-        """The fields by their names, for a table or a file: numbers, truth values, and `stop` as text."""
-        return dict(self._values(), stop=self.stop.name)
+        """The fields by their names, for a table or a file: numbers, truth values, `stop` as text, and `covariance` as lists."""
+        matrix = self.covariance
+        return dict(self._values(), stop=self.stop.name, covariance=None if matrix is None else matrix.tolist())
 
     def _values(self) -> Dict[str, Any]:
-        return dict({name: getattr(self._native, name) for name in _FIELDS}, sample=self.sample)
+        return dict({name: getattr(self._native, name) for name in _FIELDS}, sample=self.sample, covariance=self.covariance)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Report):
             return NotImplemented
-        return self._values() == other._values()
+        own, others = self._values(), other._values()
+        matrices = own.pop("covariance"), others.pop("covariance")
+        if matrices[0] is None or matrices[1] is None:
+            return own == others and matrices[0] is matrices[1]
+        return own == others and np.array_equal(*matrices, equal_nan=True)
 
     def __repr__(self) -> str:
         values = self.asDict()

@@ -1,0 +1,87 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_COVARIANCE_HPP
+#define OPENCV_USACV20_COVARIANCE_HPP
+
+#include "opencv2/usac/params.hpp"
+#include "opencv2/usac/report.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! @addtogroup usacv20
+//! @{
+
+/** @name How sure a model is
+What the covariance of a model, Report::covariance, means for its entries, for the motion between
+two cameras, and for single points. All propagate it to first order @cite hartley2003multiple
+(result 5.6): the errors must be small against the curvature of the function. All raise
+cv::Exception for a model that is none of its problem and for a covariance that is not d x d; NaN in
+the covariance becomes NaN.
+@{ */
+
+/** @brief Derivatives of the entries of a model by the parameters of Report::covariance.
+
+@param problem kind of the model
+@param model as #estimateHomography and its kin return it, any depth
+@return n x d, CV_64F: n entries of the model row by row, d parameters, of which Report::covariance
+is the covariance. H, F and E are first brought to the scale and sign in which they are returned.
+
+The parameters of H, F and E are coordinates in an orthonormal basis of the tangent space of the
+matrices of unit norm; for H, which is returned with h33 = 1, the derivatives are those of the
+entries over h33. */
+CV_EXPORTS_W Mat tangentOfModel(ProblemType problem, InputArray model);
+
+/** @brief Covariance of the entries of a model, T C T^T with T of #tangentOfModel.
+
+@param problem kind of the model
+@param model as #estimateHomography and its kin return it, any depth
+@param covariance Report::covariance, d x d, any depth
+@return n x n, CV_64F, of rank d or less */
+CV_EXPORTS_W Mat covarianceOfModel(ProblemType problem, InputArray model, InputArray covariance);
+
+/** @brief Covariance of rotation and direction of translation from that of an essential matrix.
+
+@param essential 3x3, any depth: a multiple of [t]x R
+@param covariance Report::covariance of the essential matrix, 5 x 5, any depth
+@param R 3x3: the rotation of #estimateRelativePose or of cv::recoverPose
+@param t 3 numbers: its translation, of any length
+@return 6 x 6, CV_64F, rank 5: of the rotation vector w in radians, where exp(w) R is the rotation
+with an error, and of the vector t / |t|, whose errors are perpendicular to it. Raises cv::Exception
+if R is no rotation or [t]x R no multiple of the essential matrix, up to 1e-6 of its norm. */
+CV_EXPORTS_W Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R,
+                                  InputArray t);
+
+/** @brief How sure a model is at given points.
+
+@param problem kind of the model
+@param model as #estimateHomography and its kin return it, any depth
+@param covariance Report::covariance, d x d, any depth
+@param points1 N points of image 1; absolute pose and rigid motions: points of space. Layouts as in
+#estimateHomography
+@param points2 F and E: their N counterparts in image 2; not used for other problems
+@param cameraMatrix1 3x3, for #ABSOLUTE_POSE and #ESSENTIAL
+@param cameraMatrix2 3x3, for #ESSENTIAL; empty: the same as `cameraMatrix1`
+@return CV_64F, a row for each point, in squared units of `points2` (pixels): homography, affinity
+and similarity: N x 4, the 2x2 covariance (row by row) of the point that `points1` is mapped to;
+absolute pose: N x 4, that of the projected point (without distortion); rigid motions: N x 9, the
+3x3 covariance of the moved point; F and E: N x 1, the variance of the signed distance of the point
+of image 2 from its epipolar line. NaN where the result is not finite.
+
+It is the error of the model alone; a point that is measured has its own noise in addition. Points
+of E are in pixels, without distortion: use cv::undistortPoints with P = the camera matrix. */
+CV_EXPORTS_W Mat pointCovariance(ProblemType problem, InputArray model, InputArray covariance,
+                                 InputArray points1, InputArray points2 = noArray(),
+                                 InputArray cameraMatrix1 = noArray(),
+                                 InputArray cameraMatrix2 = noArray());
+
+//! @}
+
+//! @}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,46 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "optimization/caller_basis.hpp"
+
+#include <Eigen/QR>
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Of several diagonal entries of the projection that differ by at most this part, the first is the
+//! pivot: those of symmetric models (no rotation) are the same but for rounding.
+constexpr double TIED = 1e-6;
+
+}  // namespace
+
+bool callerBasis(const Parameterization& rule, const Model& model,
+                 AnyParameterization::Basis& basis)
+{
+    const int n = model.size(), d = rule.dimension();
+    basis.resize(n, d);
+    if (!rule.tangent(model, basis.data()))
+        return false;
+    if (rule.smooth() || !basis.allFinite())
+        return basis.allFinite();
+    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ() *
+                              Eigen::MatrixXd::Identity(n, d);
+    Eigen::MatrixXd rest = Q * Q.transpose();
+    for (int k = 0; k < d; ++k)
+    {
+        const double most = rest.diagonal().maxCoeff();
+        int pivot = 0;
+        while (!(rest(pivot, pivot) >= (1 - TIED) * most))
+            ++pivot;
+        basis.col(k) = rest.col(pivot) / std::sqrt(rest(pivot, pivot));
+        rest -= basis.col(k) * basis.col(k).transpose();
+    }
+    return true;
+}
+
+}  // namespace usacv20
+}  // namespace cv

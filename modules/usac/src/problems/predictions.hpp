@@ -1,0 +1,52 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_PREDICTIONS_HPP
+#define OPENCV_USACV20_PREDICTIONS_HPP
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief What a model says of a datum, and how that depends on the model: the place of a mapped,
+projected or moved point, or for F and E the signed distance of the point of image 2 from its
+epipolar line. */
+class Prediction
+{
+public:
+    //! Most components.
+    enum { MOST = 3 };
+
+    //! Camera matrices as for Usac::create; not used by problems without cameras.
+    Prediction(ProblemType problem, InputArray cameraMatrix1, InputArray cameraMatrix2);
+
+    //! 1 to 3.
+    int components() const { return kind == LINE ? 1 : kind == MOTION ? 3 : 2; }
+    //! True if the point of array 2 matters.
+    bool needsBoth() const { return kind == LINE; }
+    /** @brief Derivatives of the components by the entries of the model.
+    @param model 3x3, or 3x4 for points of space, in the coordinates of Problem::ofOutput; absolute
+    pose: [R t]
+    @param datum numbers of the point of array 1; F, E: followed by those of array 2
+    @param derivative output, components() rows of Model::size() numbers; not finite where the
+    prediction is not */
+    void linearize(const Model& model, const double* datum, double* derivative) const;
+
+private:
+    enum Kind { MAP, LINE, CAMERA, MOTION };
+
+    static Kind kindOf(ProblemType problem);
+    void project(const Model& model, const double* datum, double* derivative) const;
+    void lineDistance(const Model& model, const double* datum, double* derivative) const;
+
+    const Kind kind;
+    Matx33d K;              //!< absolute pose: the camera; else the identity
+    Matx33d first, second;  //!< E: from pixels to the normalized image planes; else the identity
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,88 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "calibration.hpp"
+
+#include <cmath>
+
+namespace benchmark {
+
+using namespace cv::usacv20;
+
+namespace {
+
+//! A model is wrong if right matches without noise are further from it than this many thresholds,
+//! root mean square.
+const double WRONG = 1;
+
+//! The 0.95 quantile of chi-square with 1 to 8 degrees of freedom.
+const double QUANTILES[] = {3.8415, 5.9915, 7.8147, 9.4877, 11.0705, 12.5916, 14.0671, 15.5073};
+
+}  // namespace
+
+Calibration::Calibration()
+    : scenes(0), none(0), wrong(0), unknown(0), determined(0), within(0), estimated(0), sum(0),
+      sigmas(0)
+{}
+
+void Calibration::add(const SceneCell& cell, int seed, const Params& params, double widening)
+{
+    KnownScene scene(cell, seed);
+    ++scenes;
+    if (!scene.run(params, widening))
+    {
+        ++none;
+        return;
+    }
+    const double error = scene.error();
+    if (!(error <= WRONG))
+    {
+        ++wrong;
+        return;
+    }
+    const Report& report = scene.report();
+    if (report.sigma > 0)
+    {
+        sigmas += report.sigma / (cell.noise * cell.threshold);
+        ++estimated;
+    }
+    const double square = scene.squaredDistance();
+    if (!(square >= 0))
+    {
+        ++unknown;
+        return;
+    }
+    ++determined;
+    const int d = report.covariance.rows;
+    sum += square / d;
+    within += square <= QUANTILES[d - 1];
+}
+
+void Calibration::add(const Calibration& other)
+{
+    scenes += other.scenes;
+    none += other.none;
+    wrong += other.wrong;
+    unknown += other.unknown;
+    determined += other.determined;
+    within += other.within;
+    estimated += other.estimated;
+    sum += other.sum;
+    sigmas += other.sigmas;
+}
+
+std::string Calibration::header()
+{
+    return " scenes | no model, % | wrong, % | not determined, % | mean / d | within 95 % | noise "
+           "|\n|---|---|---:|---:|---:|---:|---:|---:|---:|";
+}
+
+std::string Calibration::row() const
+{
+    const double part = 100. / scenes;
+    return cv::format(" %d | %.1f | %.1f | %.1f | %.3f | %.1f | %.2f |", scenes, none * part,
+                      wrong * part, unknown * part, mean(), inside() * 100, sigma());
+}
+
+}  // namespace benchmark

@@ -1,0 +1,58 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BENCHMARK_KNOWN_SCENE_HPP
+#define OPENCV_USACV20_BENCHMARK_KNOWN_SCENE_HPP
+
+#include <string>
+#include <vector>
+#include "opencv2/usac.hpp"
+
+namespace benchmark {
+
+//! What the scenes of one cell have in common; they differ in their seed.
+struct SceneCell
+{
+    cv::usacv20::ProblemType problem;
+    std::string shape;  //!< H, A, S: plane; F, E: general, forward, plane50, plane95; P: cloud,
+                        //!< plane; R, M: cloud, plane
+    int size;           //!< matches
+    double ratio;       //!< part of right matches
+    double noise;       //!< standard deviation of each component of the error, in thresholds
+    double threshold;   //!< pixels; R, M: parts of the object's size
+};
+
+/** A synthetic scene, its estimation, and how far that is from the truth. */
+class KnownScene
+{
+public:
+    //! @return false for a shape that the problem does not have
+    static bool has(cv::usacv20::ProblemType problem, const std::string& shape);
+
+    KnownScene(const SceneCell& cell, int seed);
+
+    //! Runs the estimator. @param widening threshold given over that of the cell
+    //! @return false if it finds no model
+    bool run(const cv::usacv20::Params& options, double widening);
+    /** The squared Mahalanobis distance of the true model from the estimated one under
+    Report::covariance: x^T C^-1 x with the least-squares x in tangentOfModel * x = difference of
+    the entries. */
+    double squaredDistance() const;
+    //! Root mean square distance of the right matches without noise from the model, in units of
+    //! the cell's threshold: what tells a wrong model.
+    double error() const;
+
+    const cv::usacv20::Report& report() const { return learned; }
+
+private:
+    const SceneCell cell;
+    cv::Mat points1, points2;  //!< N x 2 or 3
+    cv::Mat clean1, clean2;    //!< of the right matches, without noise
+    cv::Mat K, truth, model;
+    cv::usacv20::Report learned;
+};
+
+}  // namespace benchmark
+
+#endif

@@ -1,0 +1,202 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// How well Report::covariance describes the errors of models on synthetic scenes with a known
+// truth: the mean of the squared Mahalanobis distance of the true model, over the degrees of
+// freedom, is to be 1, and its region of 95 % is to hold 95 % of the true models.
+//
+//     usac_covariance --scenes=10000 > covariance.md
+
+#include <iostream>
+#include <map>
+#include "arguments.hpp"
+#include "calibration.hpp"
+#include "image_pair.hpp"
+#include "program.hpp"
+
+using namespace benchmark;
+using namespace cv::usacv20;
+
+namespace {
+
+const char
+    KEYS[] = "{help h usage ? | | print this }"
+             "{problems       |H,F,E,A,S,P,R,M| which }"
+             "{shapes         |plane,cloud,general,forward,plane50,plane95| H, A, S: plane; F: "
+             "general, "
+             "forward, plane50; E: the same, and plane95; P, R, M: cloud, plane }"
+             "{sizes          |20,100,1000| numbers of matches }"
+             "{ratios         |0.1,0.3,0.5,0.7,0.95| parts of right matches }"
+             "{noises         |0.1,0.3,1| standard deviation of each component of the error, in "
+             "thresholds }"
+             "{least          |6| least number of right matches beyond a sample; cells with less, "
+             "and F and E "
+             "with less than 0.3 of them right, are left out }"
+             "{scenes         |10000| of each problem, the same number of each of its cells }"
+             "{preset         |USACV20| USACV20, USACV20_AUTO (given three times the threshold), "
+             "USACV20_MAGSAC, leastSquares (USACV20 with POLISHING_LEAST_SQUARES) }"
+             "{by             |problem,shape,size,ratio,noise| a table for each }"
+             "{seed           |1| of the first scene }"
+             "{threads        |1| given to cv::setNumThreads; -1: all processors }";
+
+struct Options
+{
+    std::vector<std::string> problems, shapes, by;
+    std::vector<int> sizes;
+    std::vector<double> ratios, noises;
+    int least, scenes, seed;
+    double widening;  //!< threshold given over that of the cell
+    Params params;
+};
+
+std::vector<double> numbers(const cv::CommandLineParser& parser, const Arguments& arguments,
+                            const std::string& name, double most)
+{
+    std::vector<double> result;
+    for (const std::string& text : namesOf(parser, arguments, name))
+    {
+        result.push_back(toNumber(text, name));
+        require(result.back() > 0 && result.back() <= most,
+                "--" + name + ": " + text + " is out of range");
+    }
+    return result;
+}
+
+Params presetOf(const std::string& name)
+{
+    if (name == "USACV20_AUTO")
+        return Params::automatic();
+    if (name == "USACV20_MAGSAC")
+        return Params::magsacPlusPlus();
+    Params params;
+    if (name == "leastSquares")
+        params.polishing = POLISHING_LEAST_SQUARES;
+    else
+        require(name == "USACV20", "--preset: " + name + " is unknown");
+    return params;
+}
+
+bool parse(int argc, char** argv, Options& options)
+{
+    cv::CommandLineParser parser(argc, argv, KEYS);
+    const Arguments arguments(argc, argv, parser);
+    parser.about("Calibration of Report::covariance on synthetic scenes.");
+    if (parser.has("help"))
+    {
+        parser.printMessage();
+        return false;
+    }
+    options.problems = namesOf(parser, arguments, "problems");
+    options.shapes = namesOf(parser, arguments, "shapes");
+    options.by = namesOf(parser, arguments, "by");
+    for (double size : numbers(parser, arguments, "sizes", 1e6))
+        options.sizes.push_back((int)size);
+    options.ratios = numbers(parser, arguments, "ratios", 1);
+    options.noises = numbers(parser, arguments, "noises", 10);
+    options.least = integerOf(parser, "least");
+    options.scenes = integerOf(parser, "scenes");
+    options.seed = integerOf(parser, "seed");
+    require(options.least >= 1 && options.scenes >= 1 && options.seed >= 0,
+            "--least, --scenes: expected 1 or more; --seed: 0 or more");
+    const std::string preset = parser.get<cv::String>("preset");
+    options.params = presetOf(preset);
+    options.widening = preset == "USACV20_AUTO" ? 3 : 1;
+    cv::setNumThreads(integerOf(parser, "threads"));
+    return true;
+}
+
+int sampleSizeOf(ProblemType problem)
+{
+    const int sizes[] = {4, 7, 5, 3, 2, 3, 3, 3};
+    return sizes[problem];
+}
+
+double thresholdOf(ProblemType problem)
+{
+    const bool space = problem == RIGID_3D || problem == SIMILARITY_3D;
+    return space ? 0.035 : problem == FUNDAMENTAL || problem == ESSENTIAL ? 1.5 : 2;
+}
+
+std::vector<SceneCell> cellsOf(const Options& options, ProblemType problem)
+{
+    std::vector<SceneCell> cells;
+    const bool epipolar = problem == FUNDAMENTAL || problem == ESSENTIAL;
+    for (const std::string& shape : options.shapes)
+        for (int size : options.sizes)
+            for (double ratio : options.ratios)
+                for (double noise : options.noises)
+                {
+                    if (!KnownScene::has(problem, shape) || (epipolar && ratio < 0.3) ||
+                        cvRound(size * ratio) < sampleSizeOf(problem) + options.least)
+                        continue;
+                    const SceneCell cell = {problem, shape, size,
+                                            ratio,   noise, thresholdOf(problem)};
+                    cells.push_back(cell);
+                }
+    return cells;
+}
+
+//! What the rows of a table are called; in the order of the cells.
+std::string rowOf(const std::string& letter, const SceneCell& cell, const std::string& by)
+{
+    const std::string start = "| " + letter + " | ";
+    if (by == "problem")
+        return start + "all";
+    if (by == "shape")
+        return start + cell.shape;
+    if (by == "size")
+        return start + cv::format("%d matches", cell.size);
+    if (by == "ratio")
+        return start + cv::format("%g right", cell.ratio);
+    require(by == "noise", "--by: " + by + " is unknown");
+    return start + cv::format("noise %g", cell.noise);
+}
+
+typedef std::vector<std::pair<std::string, Calibration>> Table;
+
+void addTo(Table& table, const std::string& row, const Calibration& calibration)
+{
+    for (std::pair<std::string, Calibration>& known : table)
+        if (known.first == row)
+        {
+            known.second.add(calibration);
+            return;
+        }
+    table.push_back(std::make_pair(row, calibration));
+}
+
+int program(int argc, char** argv)
+{
+    Options options;
+    if (!parse(argc, argv, options))
+        return 0;
+    std::vector<Table> tables(options.by.size());
+    for (const std::string& letter : options.problems)
+    {
+        ProblemType problem = HOMOGRAPHY;
+        require(letter.size() == 1 && problemOf(letter[0], problem),
+                "--problems: " + letter + " is unknown");
+        const std::vector<SceneCell> cells = cellsOf(options, problem);
+        const int runs = cells.empty() ? 0 : (options.scenes - 1) / (int)cells.size() + 1;
+        for (const SceneCell& cell : cells)
+        {
+            Calibration calibration;
+            for (int i = 0; i < runs; ++i)
+                calibration.add(cell, options.seed + i, options.params, options.widening);
+            for (size_t k = 0; k < tables.size(); ++k)
+                addTo(tables[k], rowOf(letter, cell, options.by[k]), calibration);
+        }
+    }
+    for (const Table& table : tables)
+    {
+        std::cout << "\n| problem | scenes of |" << Calibration::header() << "\n";
+        for (const std::pair<std::string, Calibration>& row : table)
+            std::cout << row.first << " |" << row.second.row() << "\n";
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return runProgram(program, argc, argv); }
