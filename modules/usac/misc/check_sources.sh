@@ -28,18 +28,18 @@ types=$(sed -nE 's/^USACV20_PROBLEM\((\w+),.*/\1/p' "$src/problems/registry.inl.
 grep -rnE '\bproblem(Type)?\b *(==|!=)|\[[A-Za-z_.>()-]*\bproblem(Type)?\]|switch *\([A-Za-z_.>-]*\bproblem(Type)?\)|case ('"$types"')\b' \
     --include='*.[ch]pp' "$src" | grep -v "^$src/problems/" > "$mistakes"
 report "compares or counts problems outside $src/problems"
-# A new problem is its folder, a row of the table and its declarations; Python's two files are written by a script. Counted for those
+# A new problem is its folder, a row of the table and its declarations; what Python has is written by a script. Counted for those
 # problems that no function of OpenCV takes a flag for, which stand in find*.cpp, too.
 python=modules/usac/misc/python
 grep -oE '^USACV20_PROBLEM\(\w+, \w+, \w+, (IMAGES|SPACES)' "$src/problems/registry.inl.hpp" | tr -d ' ' | tr '(' ',' | while IFS=, read -r _ type name plural _; do
     case $type in HOMOGRAPHY|FUNDAMENTAL|AFFINITY|SIMILARITY) continue ;; esac
     found=$(grep -rlwE "$type|(estimate|create)($name|$plural)(Problem)?" modules/usac/include "$src" "$python" --include='*.[ch]pp' --include='*.py' --include='*.pyi' |
-        grep -vE "^$src/problems/|^$python/test/" | sort | tr '\n' ' ')
+        grep -vE "^$src/problems/|^$python/test/" | LC_ALL=C sort | tr '\n' ' ')
     allowed="modules/usac/include/opencv2/usac/batch.hpp modules/usac/include/opencv2/usac/estimate.hpp modules/usac/include/opencv2/usac/params.hpp"
-    allowed="$allowed $python/package/usacv20/_enumerations.py $python/package/usacv20/_problems.py "
+    allowed="$allowed $(printf "$python/package/usacv20/%s " __init__.py _enumerations.py _problems.py)"
     [ "$found" = "$allowed" ] || echo "$type: $found"
 done > "$mistakes"
-report "problems that stand in other files outside $src/problems than their three declarations and the two files of make_names.py"
+report "problems that stand in other files outside $src/problems than their three declarations and what make_names.py writes"
 /usr/bin/python3 "$python/make_names.py" --check > "$mistakes" || [ -s "$mistakes" ] || echo "make_names.py failed" > "$mistakes"
 report "declarations that the table of problems does not have, or files that make_names.py would write otherwise"
 find "$src" modules/usac/include modules/usac/test samples -name '*.[ch]pp' -exec awk 'END { if (NR > 500) print FILENAME ": " NR " lines" }' {} \; > "$mistakes"

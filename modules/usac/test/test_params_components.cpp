@@ -230,7 +230,10 @@ TEST_P(UsacComponents, termination)
     params.termination = 7;
     params.maxIterations = 5000;
     const Report first = reportOf(scene, params);
-    EXPECT_EQ((int)STOP_P_NAPSAC, first.stop) << "the first that fires";
+    if (sampleSizeOf(problem()) > 1)  // else all fire in the first batch of samples
+    {
+        EXPECT_EQ((int)STOP_P_NAPSAC, first.stop) << "the first that fires";
+    }
     EXPECT_LT(first.iterations, 5000);
 }
 

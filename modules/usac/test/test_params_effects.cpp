@@ -63,7 +63,8 @@ TEST_P(UsacEffects, threshold)
 
 TEST_P(UsacEffects, confidence)
 {
-    const Scene scene = sceneOf(problem(), 150, 150);
+    const bool single = sampleSizeOf(problem()) == 1;  // few samples are enough
+    const Scene scene = sceneOf(problem(), single ? 15 : 150, 150);
     int before = 0;
     const double confidences[] = {0.1, 0.9, 0.999999};
     for (int i = 0; i < 3; ++i)
@@ -254,7 +255,7 @@ TEST_P(UsacEffects, sampler)
     const std::vector<int> uniform = samplesOf(scene, params, 50);
     EXPECT_EQ(1, goodPart(scene, prosac)) << "the first samples are of the best points";
     EXPECT_NEAR(0.2, goodPart(scene, uniform), 0.1);
-    EXPECT_NE(prosac, pNapsac);
+    EXPECT_EQ(sampleSizeOf(problem()) == 1, prosac == pNapsac) << "one point has no neighbors";
     EXPECT_GT(goodPart(scene, pNapsac), 0.4);
 }
 
@@ -342,7 +343,9 @@ TEST_P(UsacEffects, orderedEvery)
         for (int i = 0; i < 40; ++i)
             good += goodPart(scene, std::vector<int>(rows.begin() + i * m,
                                                      rows.begin() + (i + 1) * m)) == 1;
-        EXPECT_NEAR(40 / params.orderedEvery, good, 2);
+        const int ordered = 40 / params.orderedEvery;
+        const double chance = m == 1 ? 0.2 : 0;  // of a uniform sample
+        EXPECT_NEAR(ordered + (40 - ordered) * chance, good, m == 1 ? 6 : 2);
     }
 }
 

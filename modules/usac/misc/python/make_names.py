@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Writes the files of the package that repeat what C++ has: package/usacv20/_enumerations.py and _problems.py.
+"""Writes what of the package repeats C++: package/usacv20/_enumerations.py, _problems.py and a list of names in __init__.py.
 
 make_names.py          writes them
 make_names.py --check  prints what in them is not as it would be written, and where the table of problems
@@ -92,8 +92,8 @@ class Arguments:
         if prepare:
             types["cameraMatrix2"] = "Union[npt.ArrayLike, Params, None] = None"
         self.python = ["{}: {}".format(name, types[name]) for name in cpp]
-        self.pythonMany = ["{}: Lists".format(name) for name in points] + [
-            "{}: Arrays{}".format(name, " = None" if one in optional or one == "cameraMatrix2" else "")
+        self.pythonMany = ["{}: _Lists".format(name) for name in points] + [
+            "{}: _Arrays{}".format(name, " = None" if one in optional or one == "cameraMatrix2" else "")
             for one, name in zip(rest, many[2:])]
         self.aboutMany = ("\n\n" + ", ".join(many[2:]) + " -- for all, or a list with an entry for each. A camera matrix is a 3x3 array, "
                           "that of image 1 holds for both images where that of image 2 is not given; distortions may be None: none"
@@ -182,7 +182,7 @@ def wrapped(start, items, end):
 
 
 def listed(name, items):
-    return "{} = [\n".format(name) + textwrap.fill(", ".join('"{}"'.format(item) for item in items), WIDTH, initial_indent="    ",
+    return "{}= [\n".format(name if name.endswith("+") else name + " ") + textwrap.fill(", ".join('"{}"'.format(item) for item in items), WIDTH, initial_indent="    ",
                                                    subsequent_indent="    ") + "]\n"
 
 
@@ -237,14 +237,14 @@ def functions(problem, first):
     """The two functions; the batches of others refer to that of the first problem."""
     brief, threshold, model = problem.documented()
     kind = problem.arguments
-    options = ["params: Optional[Params] = None", "mask: Mask = None"]
+    options = ["params: Optional[Params] = None", "mask: _Mask = None"]
     names = ", names={}".format(kind.names) if kind.names else ""
-    text = "\n\n" + wrapped("def {}(".format(problem.function), kind.python + options, ") -> Estimate:")
+    text = "\n\n" + wrapped("def {}(".format(problem.function), kind.python + options, ") -> _Estimate:")
     text += docstring(ESTIMATE.format(brief=brief, forms=kind.forms.format(problem.function), about=kind.about, threshold=threshold, model=model)) + kind.prepare
     text += wrapped("    return estimate(", ["ProblemType." + problem.type] + kind.call, names + ")")
-    options = ["params: ParamsOfEach = None", "threads: int = 0", "returnExceptions: bool = False"]
+    options = ["params: _ParamsOfEach = None", "threads: int = 0", "returnExceptions: bool = False"]
     names = ", names={}S".format(kind.names) if kind.names else ""
-    text += "\n\n" + wrapped("def {}(".format(problem.batch), kind.pythonMany + options, ") -> Estimates:")
+    text += "\n\n" + wrapped("def {}(".format(problem.batch), kind.pythonMany + options, ") -> _Estimates:")
     if problem.type == first.type:
         text += docstring(BATCH.format(one=problem.function, about=kind.aboutMany))
     else:
@@ -258,8 +258,8 @@ def problemsFile():
     text += MADE + "from __future__ import annotations\n\nfrom typing import TYPE_CHECKING, Optional, Union\n\n"
     text += "from ._batch import POSES, estimateMany\nfrom ._enumerations import ProblemType\n"
     text += "from ._estimate import POSE, estimate, oneOrTwoCameras\nfrom ._params import Params\n\n"
-    text += "if TYPE_CHECKING:\n    import numpy.typing as npt\n\n    from ._batch import Arrays, Estimates, Lists, ParamsOfEach\n"
-    text += "    from ._estimate import Estimate, Mask\n\n"
+    text += "if TYPE_CHECKING:\n    import numpy.typing as npt\n\n    from ._batch import _Arrays, _Estimates, _Lists, _ParamsOfEach\n"
+    text += "    from ._estimate import _Estimate, _Mask\n\n"
     text += listed("__all__", sorted([row.function for row in rows] + [row.batch for row in rows]))
     return text + "".join(functions(row, rows[0]) for row in rows)
 
@@ -299,7 +299,17 @@ def mistakes():
     return found
 
 
-FILES = {"_enumerations.py": enumerationsFile, "_problems.py": problemsFile}
+def packageFile():
+    """__init__.py with the names of both files in a list of their own: type checkers read __all__ only where it is written out."""
+    rows = problems()
+    names = [member for enumeration in enumerations() for member, _, _ in enumeration.members]
+    names += [row.function for row in rows] + [row.batch for row in rows]
+    start, end = "# What follows is written by misc/python/make_names.py.\n", "# So far.\n"
+    before, _, rest = read(PACKAGE, "__init__.py").partition(start)
+    return before + start + listed("__all__ +", sorted(names)) + end + rest.partition(end)[2]
+
+
+FILES = {"_enumerations.py": enumerationsFile, "_problems.py": problemsFile, "__init__.py": packageFile}
 
 
 def main(check):

@@ -120,7 +120,10 @@ TEST_P(Usac_Magsac_Termination, estimates)
     const int wide = report.iterations;
     params.threshold = 4;  // fewer inliers at the finest scale
     estimate(scene, params, noArray(), &report);
-    EXPECT_GT(report.iterations, wide);
+    if (sampleSizeOf(GetParam()) > 1)  // else the first batch of samples is enough
+    {
+        EXPECT_GT(report.iterations, wide);
+    }
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Termination, testing::ValuesIn(TWO_VIEW_PROBLEMS));

@@ -39,7 +39,6 @@ More: help(usacv20.Params), help(usacv20.Report), and the enumerations by their 
 import importlib as _importlib
 from typing import TYPE_CHECKING, Any, List
 
-from . import _enumerations, _problems
 from ._backend import IN_TREE as _IN_TREE
 from ._backend import native as _compiled
 from ._covariance import covarianceOfModel, covarianceOfPose, pointCovariance, tangentOfModel
@@ -75,8 +74,30 @@ __all__ = [
     "estimateTwoViewGeometries", "estimateTwoViewGeometry", "findEssentialMat", "findFundamentalMat", "findHomography",
     "fitModel", "isUsacV20Method", "modelErrors", "patch_cv2", "pointCovariance", "progress", "refineModel",
     "removeDistortion", "solvePnPRansac", "tangentOfModel", "unpatch_cv2"]
-__all__ += _enumerations.__all__
-__all__ += _problems.__all__
+# What follows is written by misc/python/make_names.py.
+__all__ += [
+    "ABSOLUTE_POSE", "AFFINITY", "DEGENERACY_DEGENSAC", "DEGENERACY_ORIENTATION", "DEGENERACY_REPEATED", "ESSENTIAL",
+    "FUNDAMENTAL", "HOMOGRAPHY", "LOCAL_OPTIMIZATION_FLO_RANSAC", "LOCAL_OPTIMIZATION_GC_RANSAC",
+    "LOCAL_OPTIMIZATION_GRAPH_CUT", "LOCAL_OPTIMIZATION_LO_RANSAC", "LOCAL_OPTIMIZATION_NONE",
+    "LOCAL_OPTIMIZATION_SIGMA_CONSENSUS", "LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS", "NEIGHBORHOOD_GRID",
+    "NEIGHBORHOOD_KNN", "NEIGHBORHOOD_RADIUS", "ORDERING_AUTO", "ORDERING_DENSITY", "ORDERING_INPUT_ORDER", "ORDERING_NONE",
+    "POLISHING_LEAST_SQUARES", "POLISHING_NONE", "POLISHING_REWEIGHTED", "POLISHING_ROBUST", "QUALITY_INLIERS",
+    "QUALITY_LMEDS", "QUALITY_MAGSAC", "QUALITY_MAGSAC_PLUS_PLUS", "QUALITY_MLESAC", "QUALITY_MSAC", "RESIDUAL_STANDARD",
+    "RESIDUAL_SYMMETRIC", "RIGID_3D", "SAMPLER_IMPORTANCE", "SAMPLER_NAPSAC", "SAMPLER_PROSAC", "SAMPLER_P_NAPSAC",
+    "SAMPLER_UNIFORM", "SCORES_HIGHER_IS_BETTER", "SCORES_LOWER_IS_BETTER", "SIMILARITY", "SIMILARITY_3D", "STOP_CANCELLED",
+    "STOP_CUSTOM", "STOP_MAGSAC", "STOP_MAX_ITERATIONS", "STOP_NOT_RUN", "STOP_NOT_SIGNIFICANT", "STOP_NO_MODEL",
+    "STOP_NO_SEARCH", "STOP_ORDER", "STOP_PROSAC", "STOP_P_NAPSAC", "STOP_SPRT", "STOP_STANDARD", "STOP_TIME",
+    "STOP_TOO_FEW_POINTS", "TERMINATION_EXACT", "TERMINATION_MAGSAC", "TERMINATION_ORDER", "TERMINATION_PROSAC",
+    "TERMINATION_P_NAPSAC", "TERMINATION_SPRT", "TERMINATION_STANDARD", "THRESHOLD_ESTIMATED", "THRESHOLD_GIVEN",
+    "TRANSLATION_2D", "TWO_VIEW_CALIBRATED", "TWO_VIEW_DEGENERATE", "TWO_VIEW_PANORAMIC", "TWO_VIEW_PLANAR",
+    "TWO_VIEW_PLANAR_OR_PANORAMIC", "TWO_VIEW_UNCALIBRATED", "TWO_VIEW_UNDEFINED", "TWO_VIEW_WATERMARK", "USACV20",
+    "USACV20_ACCURATE", "USACV20_AUTO", "USACV20_FAST", "USACV20_MAGSAC", "USACV20_PARALLEL", "USACV20_PROSAC",
+    "VERIFICATION_NONE", "VERIFICATION_SPRT", "VERIFICATION_TDD", "estimateAbsolutePose", "estimateAbsolutePoses",
+    "estimateAffinities2D", "estimateAffinity2D", "estimateEssential", "estimateEssentials", "estimateFundamental",
+    "estimateFundamentals", "estimateHomographies", "estimateHomography", "estimateRigid3D", "estimateRigids3D",
+    "estimateSimilarities2D", "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D",
+    "estimateTranslation2D", "estimateTranslations2D"]
+# So far.
 
 if TYPE_CHECKING:
     class error(Exception):

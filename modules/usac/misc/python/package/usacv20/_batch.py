@@ -21,12 +21,12 @@ from ._report import Report
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._estimate import Estimate
+    from ._estimate import _Estimate
 
-    Estimates = List[Union[Estimate, Exception]]
-    Lists = typing.Iterable[npt.ArrayLike]
-    ParamsOfEach = Union[Params, typing.Sequence[Optional[Params]], None]
-    Arrays = Union[npt.ArrayLike, typing.Sequence[Optional[npt.ArrayLike]], None]
+    _Estimates = List[Union[_Estimate, Exception]]
+    _Lists = typing.Iterable[npt.ArrayLike]
+    _ParamsOfEach = Union[Params, typing.Sequence[Optional[Params]], None]
+    _Arrays = Union[npt.ArrayLike, typing.Sequence[Optional[npt.ArrayLike]], None]
 
 _ARRAYS = ("points1", "points2", "cameraMatrices1", "cameraMatrices2", "distCoeffs1", "distCoeffs2")
 POSES = ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", "")  # in the place of these
@@ -97,9 +97,9 @@ def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> 
             for i, entry in enumerate(given)]
 
 
-def estimateMany(problem: int, points1: Lists, points2: Lists, params: ParamsOfEach, threads: int, returnExceptions: bool,
-                 cameraMatrices1: Arrays = None, cameraMatrices2: Arrays = None, distCoeffs1: Arrays = None,
-                 distCoeffs2: Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> Estimates:
+def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
+                 cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
+                 distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
     """Any of the problems; `names` are those of the arguments that are lists, as the caller knows them."""
     first, second = _lists(points1, names[0]), _lists(points2, names[1])
     count = len(first)
@@ -118,7 +118,7 @@ def estimateMany(problem: int, points1: Lists, points2: Lists, params: ParamsOfE
     found = native.estimateBatch(problem, _pointsOf(first, names[0], plane1, mistakes), _pointsOf(second, names[1], plane2, mistakes),
                                  prepared, camera1, camera2, lens1, lens2, _arguments.integer(threads, "threads", low=0))
     words = dict(zip(NAMES, names))
-    results: Estimates = []
+    results: _Estimates = []
     for i, (model, mask, report, wrong) in enumerate(found):
         mistake = mistakes.found.get(i) or (fail("{}[{}]: {}".format(names[0], i, inWordsOf(words, wrong))) if wrong else None)
         if mistake is None:

@@ -24,7 +24,7 @@ from ._report import Report
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._estimate import Estimate, Mask
+    from ._estimate import _Estimate, _Mask
 
 Rng = native.Rng
 
@@ -261,7 +261,7 @@ class Usac:
         else:
             self._renew(*given, params=self._params.replace(scores=scores))
 
-    def run(self, mask: Mask = None) -> Estimate:
+    def run(self, mask: _Mask = None) -> _Estimate:
         """Runs the estimation; may be called again, with the same result. An exception in a component ends the run with it.
 
         mask -- Nx1 array of uint8 or bool that receives the mask, or None

@@ -21,7 +21,7 @@ from ._params import Params
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._estimate import Mask
+    from ._estimate import _Mask
     from ._find import _Found
 
 _NAME = "findEssentialMat"
@@ -68,22 +68,22 @@ def _principalPoint(value: Any) -> Tuple[float, float]:
 
 @overload
 def findEssentialMat(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatrix: npt.ArrayLike, method: int = ...,
-                     prob: float = ..., threshold: float = ..., maxIters: Optional[int] = ..., mask: Mask = ...) -> _Found: ...
+                     prob: float = ..., threshold: float = ..., maxIters: Optional[int] = ..., mask: _Mask = ...) -> _Found: ...
 @overload
 def findEssentialMat(points1: npt.ArrayLike, points2: npt.ArrayLike, focal: float = ..., pp: Tuple[float, float] = ...,
                      method: int = ..., prob: float = ..., threshold: float = ..., maxIters: Optional[int] = ...,
-                     mask: Mask = ...) -> _Found: ...
+                     mask: _Mask = ...) -> _Found: ...
 @overload
 def findEssentialMat(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatrix1: npt.ArrayLike,
                      distCoeffs1: Optional[npt.ArrayLike], cameraMatrix2: npt.ArrayLike, distCoeffs2: Optional[npt.ArrayLike],
-                     method: int = ..., prob: float = ..., threshold: float = ..., mask: Mask = ...) -> _Found: ...
+                     method: int = ..., prob: float = ..., threshold: float = ..., mask: _Mask = ...) -> _Found: ...
 @overload
 def findEssentialMat(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatrix1: npt.ArrayLike,
                      cameraMatrix2: Optional[npt.ArrayLike], dist_coeff1: Optional[npt.ArrayLike],
-                     dist_coeff2: Optional[npt.ArrayLike], params: Params, mask: Mask = ...) -> _Found: ...
+                     dist_coeff2: Optional[npt.ArrayLike], params: Params, mask: _Mask = ...) -> _Found: ...
 @overload
 def findEssentialMat(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatrix: npt.ArrayLike, method: Params, *,
-                     mask: Mask = ...) -> _Found: ...
+                     mask: _Mask = ...) -> _Found: ...
 
 
 @signed(_ONE, 2, dict(_DEFAULTS, cameraMatrix=None))

@@ -20,8 +20,8 @@ from ._report import Report
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Estimate = Tuple[Optional[npt.NDArray[np.float64]], npt.NDArray[np.uint8], Report]
-    Mask = Optional[npt.NDArray[np.uint8]]
+    _Estimate = Tuple[Optional[npt.NDArray[np.float64]], npt.NDArray[np.uint8], Report]
+    _Mask = Optional[npt.NDArray[np.uint8]]
 
 NO_POINTS = np.empty((0, 1), np.uint8)
 NAMES = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2")  # in C++
@@ -39,7 +39,7 @@ def inPlane(problem: int) -> Tuple[bool, bool]:
 
 def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, cameraMatrix1: Any = None,
              cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None,
-             names: Tuple[str, ...] = NAMES, maskName: str = "mask") -> Estimate:
+             names: Tuple[str, ...] = NAMES, maskName: str = "mask") -> _Estimate:
     """Any of the problems; `names` are those of the arguments that are arrays, as the caller knows them."""
     options = optionsOf(params)
     _arguments.checkMask(mask, maskName)

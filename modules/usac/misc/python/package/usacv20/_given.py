@@ -21,7 +21,7 @@ from ._report import Report
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._estimate import Estimate
+    from ._estimate import _Estimate
 
     _Optional = Optional[npt.ArrayLike]
 
@@ -39,14 +39,14 @@ def _cameras(cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any, distCoeff
             optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2"))
 
 
-def _result(found: Tuple[Any, Any, Any]) -> Estimate:
+def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
     model, mask, report = found
     return model, NO_POINTS.copy() if mask is None else mask, Report._of(report)
 
 
 def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,
              params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
-             distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> Estimate:
+             distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
     """Least squares over all points, or some, without a search: what OpenCV calls method 0.
 
     problem -- ProblemType, or its name
@@ -65,7 +65,7 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
 
 def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike, chosen: _Optional = None,
                 params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
-                distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> Estimate:
+                distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
     """Makes a known model better.
 
     model -- as the function estimate* of the problem returns it

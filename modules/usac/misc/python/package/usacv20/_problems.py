@@ -18,8 +18,8 @@ from ._params import Params
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._batch import Arrays, Estimates, Lists, ParamsOfEach
-    from ._estimate import Estimate, Mask
+    from ._batch import _Arrays, _Estimates, _Lists, _ParamsOfEach
+    from ._estimate import _Estimate, _Mask
 
 __all__ = [
     "estimateAbsolutePose", "estimateAbsolutePoses", "estimateAffinities2D", "estimateAffinity2D", "estimateEssential",
@@ -29,7 +29,7 @@ __all__ = [
 
 
 def estimateHomography(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
-                       mask: Mask = None) -> Estimate:
+                       mask: _Mask = None) -> _Estimate:
     """Estimates the homography that maps image 1 to image 2.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type of integer or floating-point number, any
@@ -46,8 +46,8 @@ def estimateHomography(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
     return estimate(ProblemType.HOMOGRAPHY, points1, points2, params, mask)
 
 
-def estimateHomographies(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
-                         returnExceptions: bool = False) -> Estimates:
+def estimateHomographies(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                         returnExceptions: bool = False) -> _Estimates:
     """Many estimations of estimateHomography in one call, side by side.
 
     points1, points2 -- lists of the same length; each entry is what estimateHomography takes
@@ -62,7 +62,7 @@ def estimateHomographies(points1: Lists, points2: Lists, params: ParamsOfEach = 
 
 
 def estimateFundamental(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
-                        mask: Mask = None) -> Estimate:
+                        mask: _Mask = None) -> _Estimate:
     """Estimates the fundamental matrix F with x2^T F x1 = 0.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type of integer or floating-point number, any
@@ -79,8 +79,8 @@ def estimateFundamental(points1: npt.ArrayLike, points2: npt.ArrayLike, params: 
     return estimate(ProblemType.FUNDAMENTAL, points1, points2, params, mask)
 
 
-def estimateFundamentals(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
-                         returnExceptions: bool = False) -> Estimates:
+def estimateFundamentals(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                         returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateFundamental."""
     return estimateMany(ProblemType.FUNDAMENTAL, points1, points2, params, threads, returnExceptions)
 
@@ -88,7 +88,7 @@ def estimateFundamentals(points1: Lists, points2: Lists, params: ParamsOfEach = 
 def estimateEssential(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatrix1: npt.ArrayLike,
                       cameraMatrix2: Union[npt.ArrayLike, Params, None] = None, distCoeffs1: Optional[npt.ArrayLike] = None,
                       distCoeffs2: Optional[npt.ArrayLike] = None, params: Optional[Params] = None,
-                      mask: Mask = None) -> Estimate:
+                      mask: _Mask = None) -> _Estimate:
     """Estimates the essential matrix E with (K2^-1 x2)^T E (K1^-1 x1) = 0.
 
     estimateEssential(points1, points2, cameraMatrix[, params[, mask]])
@@ -113,9 +113,9 @@ def estimateEssential(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatr
                     distCoeffs2)
 
 
-def estimateEssentials(points1: Lists, points2: Lists, cameraMatrices1: Arrays, cameraMatrices2: Arrays = None,
-                       distCoeffs1: Arrays = None, distCoeffs2: Arrays = None, params: ParamsOfEach = None, threads: int = 0,
-                       returnExceptions: bool = False) -> Estimates:
+def estimateEssentials(points1: _Lists, points2: _Lists, cameraMatrices1: _Arrays, cameraMatrices2: _Arrays = None,
+                       distCoeffs1: _Arrays = None, distCoeffs2: _Arrays = None, params: _ParamsOfEach = None,
+                       threads: int = 0, returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateEssential.
 
     cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2 -- for all, or a list with an entry for each. A camera matrix is
@@ -125,7 +125,7 @@ def estimateEssentials(points1: Lists, points2: Lists, cameraMatrices1: Arrays, 
 
 
 def estimateAffinity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
-                       mask: Mask = None) -> Estimate:
+                       mask: _Mask = None) -> _Estimate:
     """Estimates the affine map from image 1 to image 2, x2 = A x1 + t.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type of integer or floating-point number, any
@@ -142,14 +142,14 @@ def estimateAffinity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
     return estimate(ProblemType.AFFINITY, points1, points2, params, mask)
 
 
-def estimateAffinities2D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
-                         returnExceptions: bool = False) -> Estimates:
+def estimateAffinities2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                         returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateAffinity2D."""
     return estimateMany(ProblemType.AFFINITY, points1, points2, params, threads, returnExceptions)
 
 
 def estimateSimilarity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
-                         mask: Mask = None) -> Estimate:
+                         mask: _Mask = None) -> _Estimate:
     """Estimates the similarity (rotation, uniform scale and translation) from image 1 to image 2.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type of integer or floating-point number, any
@@ -167,15 +167,15 @@ def estimateSimilarity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
     return estimate(ProblemType.SIMILARITY, points1, points2, params, mask)
 
 
-def estimateSimilarities2D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
-                           returnExceptions: bool = False) -> Estimates:
+def estimateSimilarities2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                           returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateSimilarity2D."""
     return estimateMany(ProblemType.SIMILARITY, points1, points2, params, threads, returnExceptions)
 
 
 def estimateAbsolutePose(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
                          distCoeffs: Optional[npt.ArrayLike] = None, params: Optional[Params] = None,
-                         mask: Mask = None) -> Estimate:
+                         mask: _Mask = None) -> _Estimate:
     """Estimates the pose of a calibrated camera from 3-D points and their images: x ~ K (R X + t).
 
     objectPoints -- N points of space: Nx3, 3xN, Nx1x3 or 1xNx3
@@ -196,8 +196,8 @@ def estimateAbsolutePose(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike
                     distCoeffs, names=POSE)
 
 
-def estimateAbsolutePoses(objectPoints: Lists, imagePoints: Lists, cameraMatrices: Arrays, distCoeffs: Arrays = None,
-                          params: ParamsOfEach = None, threads: int = 0, returnExceptions: bool = False) -> Estimates:
+def estimateAbsolutePoses(objectPoints: _Lists, imagePoints: _Lists, cameraMatrices: _Arrays, distCoeffs: _Arrays = None,
+                          params: _ParamsOfEach = None, threads: int = 0, returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateAbsolutePose.
 
     cameraMatrices, distCoeffs -- for all, or a list with an entry for each. A camera matrix is a 3x3 array, that of image 1
@@ -207,7 +207,7 @@ def estimateAbsolutePoses(objectPoints: Lists, imagePoints: Lists, cameraMatrice
 
 
 def estimateRigid3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
-                    mask: Mask = None) -> Estimate:
+                    mask: _Mask = None) -> _Estimate:
     """Estimates the rigid motion that maps 3-D points to their counterparts: X2 = R X1 + t.
 
     points1, points2 -- N points of each space: Nx3, 3xN, Nx1x3 or 1xNx3
@@ -224,14 +224,14 @@ def estimateRigid3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Opti
     return estimate(ProblemType.RIGID_3D, points1, points2, params, mask)
 
 
-def estimateRigids3D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
-                     returnExceptions: bool = False) -> Estimates:
+def estimateRigids3D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                     returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateRigid3D."""
     return estimateMany(ProblemType.RIGID_3D, points1, points2, params, threads, returnExceptions)
 
 
 def estimateSimilarity3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
-                         mask: Mask = None) -> Estimate:
+                         mask: _Mask = None) -> _Estimate:
     """Estimates the similarity (rotation, uniform scale and translation) between 3-D points: X2 = s R X1 + t, s > 0.
 
     points1, points2 -- N points of each space: Nx3, 3xN, Nx1x3 or 1xNx3
@@ -247,14 +247,14 @@ def estimateSimilarity3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
     return estimate(ProblemType.SIMILARITY_3D, points1, points2, params, mask)
 
 
-def estimateSimilarities3D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
-                           returnExceptions: bool = False) -> Estimates:
+def estimateSimilarities3D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                           returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateSimilarity3D."""
     return estimateMany(ProblemType.SIMILARITY_3D, points1, points2, params, threads, returnExceptions)
 
 
 def estimateTranslation2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
-                          mask: Mask = None) -> Estimate:
+                          mask: _Mask = None) -> _Estimate:
     """Estimates the translation from image 1 to image 2, x2 = x1 + t.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type of integer or floating-point number, any
@@ -272,7 +272,7 @@ def estimateTranslation2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params
     return estimate(ProblemType.TRANSLATION_2D, points1, points2, params, mask)
 
 
-def estimateTranslations2D(points1: Lists, points2: Lists, params: ParamsOfEach = None, threads: int = 0,
-                           returnExceptions: bool = False) -> Estimates:
+def estimateTranslations2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
+                           returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateTranslation2D."""
     return estimateMany(ProblemType.TRANSLATION_2D, points1, points2, params, threads, returnExceptions)
