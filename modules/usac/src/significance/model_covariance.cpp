@@ -227,18 +227,24 @@ int ModelCovariance::leversOfOthers(const Eigen::LLT<Square>& llt, double* lever
     return found;
 }
 
-void ModelCovariance::likelihoods(const double* levers, const double* others, int otherCount)
+void ModelCovariance::likelihoods(const double* levers, double* others, int otherCount)
 {
+    Arena::Scope scope(context.arena);
+    double* const sorted = scope.take<double>(count);
+    std::copy(levers, levers + count, sorted);
+    std::sort(sorted, sorted + count);
+    std::sort(others, others + otherCount);
     const double variance = noise * noise, peak = inlierPeak(variance, degrees),
                  density = chanceDensity() / (otherCount + 0.5);
     for (int i = 0; i < count; ++i)
     {
         const double least = levers[i] / SIMILAR, grown = 1 + levers[i];
-        int similar = -1, wrong = 0;  // not the point itself
-        for (int k = 0; k < count; ++k)
-            similar += levers[k] >= least;
-        for (int k = 0; k < otherCount; ++k)
-            wrong += others[k] >= least;
+        const double similar = double(sorted + count -
+                                      std::lower_bound(sorted, sorted + count,
+                                                       least)) -
+                               1;  // without the point itself
+        const double wrong = double(others + otherCount -
+                                    std::lower_bound(others, others + otherCount, least));
         const double inlier = (similar + ALONE) * peak * std::pow(grown, -0.5 * degrees) *
                               std::exp(-squared[members[i]] * grown / (2 * variance));
         shares[i] = inlier / (inlier + (wrong + 0.5) * density);

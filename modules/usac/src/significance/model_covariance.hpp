@@ -67,7 +67,7 @@ private:
     void linearize(int point, double* rows);
     bool takeRows();
     bool judge(Arena::Scope& scope);
-    void likelihoods(const double* levers, const double* others, int otherCount);
+    void likelihoods(const double* levers, double* others, int otherCount);
     int leversOfOthers(const Eigen::LLT<Square>& information, double* levers);
     bool noiseInformation(Square& N);
     bool combine(const Polisher& polisher);
