@@ -220,7 +220,8 @@ int ModelCovariance::leversOfOthers(const Eigen::LLT<Square>& llt, double* lever
         if (!(squared[i] >= limit))
             continue;
         linearize(i, row);
-        const Rows scaled = Eigen::Map<const Rows>(row, components, dimension) * scale.asDiagonal();
+        const FewRows scaled = Eigen::Map<const Rows>(row, components, dimension) *
+                               scale.asDiagonal();
         levers[found] = llt.matrixL().solve(scaled.transpose()).squaredNorm() / degrees;
         found += levers[found] <= DBL_MAX;  // not NaN
     }
@@ -269,8 +270,8 @@ bool ModelCovariance::noiseInformation(Square& N)
             datum[c] += 2 * step;
             residual.linearize(here, datum, error, sides[1]);
             typedef Eigen::Map<const Eigen::RowVectorXd> Row;
-            const Rows change = (Row(sides[1], here.size()) - Row(sides[0], here.size())) /
-                                (2 * step) * tangent * scale.asDiagonal();
+            const FewRows change = (Row(sides[1], here.size()) - Row(sides[0], here.size())) /
+                                   (2 * step) * tangent * scale.asDiagonal();
             N += shares[i] * change.transpose() * change;
         }
     N *= noise * noise * count / most;

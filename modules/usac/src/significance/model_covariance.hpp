@@ -60,6 +60,10 @@ private:
     typedef AnyParameterization::Basis Basis;
     typedef AnyParameterization::Step Vector;
     typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Rows;
+    //! The rows of one point, without memory of the heap.
+    typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor,
+                          Residual::MAX_COMPONENTS, MAX_MODEL_SIZE>
+        FewRows;
 
     bool findMembers(const Polisher& polisher, const Model& model);
     void estimateNoise();
