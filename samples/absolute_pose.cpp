@@ -169,6 +169,19 @@ tools::Result estimateWith(const char* name, const Input& in, const tools::Match
     });
     result.iterations = report.iterations;
     std::cout << name << ": " << report.describe() << std::endl;
+    if (!report.covariance.empty())
+    {
+        const cv::Mat variances = report.covariance.diag();
+        std::cout << cv::format("  one sigma: rotation %.3f %.3f %.3f degrees, translation %.5f "
+                                "%.5f %.5f; noise of the matches %.2f px",
+                                std::sqrt(variances.at<double>(0)) * 180 / CV_PI,
+                                std::sqrt(variances.at<double>(1)) * 180 / CV_PI,
+                                std::sqrt(variances.at<double>(2)) * 180 / CV_PI,
+                                std::sqrt(variances.at<double>(3)),
+                                std::sqrt(variances.at<double>(4)),
+                                std::sqrt(variances.at<double>(5)), report.sigma)
+                  << std::endl;
+    }
     return result;
 }
 

@@ -47,11 +47,44 @@ tools::Result estimate(const char* name, Method method, const tools::Matches& ma
     });
 }
 
+std::vector<cv::Point2d> cornersOf(cv::Size size)
+{
+    return {cv::Point2d(0, 0), cv::Point2d(size.width, 0), cv::Point2d(size.width, size.height),
+            cv::Point2d(0, size.height)};
+}
+
+/** Prints where the corners of image 1 are in image 2 and how sure that is, and draws the ellipses
+that hold them with 95 %, ten times as large. */
+void drawCorners(cv::Mat canvas, const cv::Mat& H, const cv::Mat& covariance, cv::Size size)
+{
+    std::vector<cv::Point2d> corners = cornersOf(size), mapped;
+    cv::perspectiveTransform(corners, mapped, H);
+    const cv::Mat each = cv::usacv20::pointCovariance(cv::usacv20::HOMOGRAPHY, H, covariance,
+                                                      corners);
+    cv::Mat right = canvas.colRange(size.width, canvas.cols);
+    for (int k = 0; k < 4; ++k)
+    {
+        const cv::Mat C = each.row(k).reshape(1, 2);
+        if (!cv::checkRange(C))
+            continue;
+        std::cout << cv::format("corner (%.1f, %.1f) +- (%.2f, %.2f) px", mapped[k].x, mapped[k].y,
+                                std::sqrt(C.at<double>(0, 0)), std::sqrt(C.at<double>(1, 1)))
+                  << std::endl;
+        cv::Mat variances, axes;
+        cv::eigen(C, variances, axes);
+        const double quantile = 5.99;  // of chi-square with two degrees of freedom, 95 %
+        const double scale = 10 * std::sqrt(quantile);
+        const double angle = std::atan2(axes.at<double>(0, 1), axes.at<double>(0, 0));
+        const cv::Size2f diameters((float)(2 * scale * std::sqrt(variances.at<double>(0))),
+                                   (float)(2 * scale * std::sqrt(variances.at<double>(1))));
+        cv::ellipse(right, cv::RotatedRect(mapped[k], diameters, (float)(angle * 180 / CV_PI)),
+                    cv::Scalar(255, 80, 0), 2, cv::LINE_AA);
+    }
+}
+
 void drawOutline(cv::Mat canvas, const cv::Mat& H, cv::Size size)
 {
-    std::vector<cv::Point2d> corners = {cv::Point2d(0, 0), cv::Point2d(size.width, 0),
-                                        cv::Point2d(size.width, size.height),
-                                        cv::Point2d(0, size.height)};
+    std::vector<cv::Point2d> corners = cornersOf(size);
     cv::perspectiveTransform(corners, corners, H);
     cv::Mat right = canvas.colRange(size.width, canvas.cols);
     for (int k = 0; k < 4; ++k)
@@ -89,9 +122,12 @@ int sample(const cv::CommandLineParser& parser)
     {
         cv::Mat picture = tools::drawInliers(image1, image2, matches, ours.mask);
         drawOutline(picture, ours.model, image1.size());
+        if (!report.covariance.empty())
+            drawCorners(picture, ours.model, report.covariance, image1.size());
         tools::writePicture(parser, picture,
                             cv::format("USACV20: %d of %d matches are inliers (green, some "
-                                       "joined); orange: image 1 in image 2",
+                                       "joined); orange: image 1 in image 2, blue: 10 times the "
+                                       "errors of its corners",
                                        cv::countNonZero(ours.mask), (int)ours.mask.total()));
     }
     return tools::exitCode(ours, tools::failureLimit(image2));

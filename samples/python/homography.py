@@ -31,6 +31,22 @@ def draw_outline(canvas: Image, H: Array, shape: Tuple[int, ...]) -> None:
     canvas[:, shape[1]:] = right
 
 
+def draw_corners(canvas: Image, H: Array, covariance: Array, shape: Tuple[int, ...]) -> None:
+    """Prints where the corners of image 1 are and how sure that is; draws ellipses of 95 %, ten times as large."""
+    corners = np.array([[0, 0], [shape[1], 0], [shape[1], shape[0]], [0, shape[0]]], float)
+    mapped = cv2.perspectiveTransform(corners.reshape(-1, 1, 2), H).reshape(-1, 2)
+    right = np.ascontiguousarray(canvas[:, shape[1]:])
+    for place, C in zip(mapped, usacv20.pointCovariance(usacv20.HOMOGRAPHY, H, covariance, corners)):
+        if not np.isfinite(C).all():
+            continue
+        print("corner ({:.1f}, {:.1f}) +- ({:.2f}, {:.2f}) px".format(*place, *np.sqrt(np.diag(C))))
+        variances, axes = np.linalg.eigh(C)  # ascending
+        diameters = 2 * 10 * np.sqrt(5.99 * variances[::-1])  # 5.99: 95 % of chi-square, two degrees of freedom
+        angle = np.degrees(np.arctan2(axes[1, 1], axes[0, 1]))
+        cv2.ellipse(right, (tuple(map(float, place)), tuple(map(float, diameters)), float(angle)), (255, 80, 0), 2, cv2.LINE_AA)
+    canvas[:, shape[1]:] = right
+
+
 def main() -> int:
     parser = tools.arguments(__doc__, "graf1.png", "graf3.png", "homography_py.jpg", 2.0)
     parser.add_argument("--truth", default="H1to3p.xml", help="file with the true homography, or none")
@@ -61,6 +77,8 @@ def main() -> int:
     if ours.model is not None:
         picture = tools.draw_inliers(image1, image2, points1, points2, ours.mask)
         draw_outline(picture, ours.model, image1.shape)
+        if report.covariance is not None:
+            draw_corners(picture, ours.model, report.covariance, image1.shape)
         tools.write_picture(args.output, picture, ours, " (green, some joined); orange: image 1 in image 2")
     return tools.exit_code(ours, tools.failure_limit(image2))
 

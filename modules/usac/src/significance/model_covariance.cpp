@@ -220,25 +220,32 @@ int ModelCovariance::leversOfOthers(const Eigen::LLT<Square>& llt, double* lever
         if (!(squared[i] >= limit))
             continue;
         linearize(i, row);
-        const Rows scaled = Eigen::Map<const Rows>(row, components, dimension) * scale.asDiagonal();
+        const FewRows scaled = Eigen::Map<const Rows>(row, components, dimension) *
+                               scale.asDiagonal();
         levers[found] = llt.matrixL().solve(scaled.transpose()).squaredNorm() / degrees;
         found += levers[found] <= DBL_MAX;  // not NaN
     }
     return found;
 }
 
-void ModelCovariance::likelihoods(const double* levers, const double* others, int otherCount)
+void ModelCovariance::likelihoods(const double* levers, double* others, int otherCount)
 {
+    Arena::Scope scope(context.arena);
+    double* const sorted = scope.take<double>(count);
+    std::copy(levers, levers + count, sorted);
+    std::sort(sorted, sorted + count);
+    std::sort(others, others + otherCount);
     const double variance = noise * noise, peak = inlierPeak(variance, degrees),
                  density = chanceDensity() / (otherCount + 0.5);
     for (int i = 0; i < count; ++i)
     {
         const double least = levers[i] / SIMILAR, grown = 1 + levers[i];
-        int similar = -1, wrong = 0;  // not the point itself
-        for (int k = 0; k < count; ++k)
-            similar += levers[k] >= least;
-        for (int k = 0; k < otherCount; ++k)
-            wrong += others[k] >= least;
+        const double similar = double(sorted + count -
+                                      std::lower_bound(sorted, sorted + count,
+                                                       least)) -
+                               1;  // without the point itself
+        const double wrong = double(others + otherCount -
+                                    std::lower_bound(others, others + otherCount, least));
         const double inlier = (similar + ALONE) * peak * std::pow(grown, -0.5 * degrees) *
                               std::exp(-squared[members[i]] * grown / (2 * variance));
         shares[i] = inlier / (inlier + (wrong + 0.5) * density);
@@ -263,8 +270,8 @@ bool ModelCovariance::noiseInformation(Square& N)
             datum[c] += 2 * step;
             residual.linearize(here, datum, error, sides[1]);
             typedef Eigen::Map<const Eigen::RowVectorXd> Row;
-            const Rows change = (Row(sides[1], here.size()) - Row(sides[0], here.size())) /
-                                (2 * step) * tangent * scale.asDiagonal();
+            const FewRows change = (Row(sides[1], here.size()) - Row(sides[0], here.size())) /
+                                   (2 * step) * tangent * scale.asDiagonal();
             N += shares[i] * change.transpose() * change;
         }
     N *= noise * noise * count / most;

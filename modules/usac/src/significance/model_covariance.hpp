@@ -60,6 +60,10 @@ private:
     typedef AnyParameterization::Basis Basis;
     typedef AnyParameterization::Step Vector;
     typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Rows;
+    //! The rows of one point, without memory of the heap.
+    typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor,
+                          Residual::MAX_COMPONENTS, MAX_MODEL_SIZE>
+        FewRows;
 
     bool findMembers(const Polisher& polisher, const Model& model);
     void estimateNoise();
@@ -67,7 +71,7 @@ private:
     void linearize(int point, double* rows);
     bool takeRows();
     bool judge(Arena::Scope& scope);
-    void likelihoods(const double* levers, const double* others, int otherCount);
+    void likelihoods(const double* levers, double* others, int otherCount);
     int leversOfOthers(const Eigen::LLT<Square>& information, double* levers);
     bool noiseInformation(Square& N);
     bool combine(const Polisher& polisher);

@@ -117,7 +117,9 @@ struct CV_EXPORTS_W_SIMPLE Report
     or it is not known what the model minimizes: there is no polishing (#POLISHING_NONE) or a
     Polisher of your own without Polisher::support. Not covered: a wrong model, wrong matches that
     agree with each other, errors of calibration and lenses, matches that are not independent (each
-    repetition counts as a measurement). */
+    repetition counts as a measurement). Of F and E it is too small if wrong matches are among the
+    inliers (a third of them wrong, forward motion, planes), of all models if there are few matches
+    with noise as wide as the threshold: doc/measurements/covariance.md. */
     CV_PROP_RW Mat covariance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array: a model that maps everything to one place then has all points as
