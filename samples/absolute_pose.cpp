@@ -160,6 +160,7 @@ tools::Result estimateWith(const char* name, const Input& in, const tools::Match
                            const cv::Mat& before, const tools::Settings& s)
 {
     cv::usacv20::Params params = s.params();
+    params.covariance = 1;
     params.scores.assign(matches.ratios.begin(), matches.ratios.end());
     params.setInitialModel(before);
     cv::usacv20::Report report;

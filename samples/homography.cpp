@@ -112,8 +112,10 @@ int sample(const cv::CommandLineParser& parser)
 
     // The same estimation once more, for what a flag does not tell.
     cv::usacv20::Report report;
-    cv::usacv20::estimateHomography(matches.points1, matches.points2, settings.params(),
-                                    cv::noArray(), report);
+    cv::usacv20::Params params = settings.params();
+    params.covariance = 1;
+    cv::usacv20::estimateHomography(matches.points1, matches.points2, params, cv::noArray(),
+                                    report);
     tools::Result& ours = results.back();
     ours.iterations = report.iterations;
     tools::printTable(matches, results, settings.runs);

@@ -70,7 +70,7 @@ def main() -> int:
 
     # The same estimation once more, for what a flag does not tell.
     ours = results[-1]
-    _, _, report = usacv20.estimateHomography(points1, points2, tools.usacv20_params(args, args.iterations))
+    _, _, report = usacv20.estimateHomography(points1, points2, tools.usacv20_params(args, args.iterations).replace(covariance=1))
     ours.iterations = report.iterations
     tools.print_table(len(points1), results, args.runs)
     print("USACV20: " + report.describe())

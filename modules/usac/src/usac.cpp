@@ -380,7 +380,7 @@ private:
             std::fill(inliers, inliers + rows, (uchar)0);
             result.release();
         }
-        if (report && !result.empty())
+        if (report && params.covariance && !result.empty())
             tellCertainty(context, state.best, learned);
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);

@@ -112,6 +112,7 @@ bool KnownScene::run(const Params& options, double widening)
 {
     Params params = options;
     params.threshold = cell.threshold * widening;
+    params.covariance = 1;
     const Ptr<Usac> usac = Usac::create(cell.problem, points1, points2, params, K);
     model = usac->run(noArray(), &learned);
     return !model.empty();

@@ -23,6 +23,7 @@ struct Case
     {
         Params params = options;
         params.threshold = threshold;
+        params.covariance = 1;
         Mat unused;
         return Usac::create(problem, points1, points2, params, camera)
             ->run(mask ? *mask : unused, report);
@@ -207,6 +208,23 @@ TEST_P(Usac_ModelCovariance, not_determined)
     EXPECT_TRUE(report.covariance.empty());
     EXPECT_EQ(0, report.sigma);
     EXPECT_GE(d, 4);
+}
+
+TEST_P(Usac_ModelCovariance, only_if_asked_for)
+{
+    const Case scene = makeCase(GetParam(), 4);
+    Report report, silent;
+    ASSERT_FALSE(scene.run(Params(), &report).empty());
+    EXPECT_FALSE(report.covariance.empty());
+    EXPECT_GT(report.sigma, 0);
+    Params params;
+    params.threshold = scene.threshold;
+    Mat mask;
+    const Ptr<Usac> usac = Usac::create(scene.problem, scene.points1, scene.points2, params,
+                                        scene.camera);
+    ASSERT_FALSE(usac->run(mask, &silent).empty());
+    EXPECT_TRUE(silent.covariance.empty());
+    EXPECT_EQ(0, silent.sigma);
 }
 
 //! F of a plane, F and E without a translation: the points say nothing of some parameters, only

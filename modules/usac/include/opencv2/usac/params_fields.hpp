@@ -136,6 +136,7 @@ void visitFields(Visitor& visit)
           V::option(POLISHING_ROBUST, POLISHING_NONE, POLISHING_ROBUST));
     visit("polishingSteps", &Params::polishingSteps, V::number(6, 1, 100));
     visit("significance", &Params::significance, V::number(0, 0, 1));
+    visit("covariance", &Params::covariance, V::number(0, 0, 1));
 }
 
 //! @}

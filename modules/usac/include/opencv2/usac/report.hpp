@@ -88,13 +88,14 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Params::threshold; for F and E about that of the points' coordinates, for maps that of the
     //! noise of both arrays. From the errors under the returned model, corrected for the parameters
     //! that were fitted and for the threshold; #THRESHOLD_ESTIMATED: the one that the threshold was
-    //! computed from. 0: not estimated, as there is no model or too few inliers.
+    //! computed from. 0: not estimated, as there is no model, there are too few inliers, or the
+    //! threshold was given and Params::covariance is 0.
     CV_PROP_RW double sigma;
     /** Covariance of the parameters of the returned model, d x d, CV_64F; empty if there is no
-    model. It is that of the errors that noise of the inliers' coordinates causes, computed from
-    their errors, whatever their size. With few inliers it allows for the error of the noise that
-    they tell: errors in units of this covariance have as many squares as there are parameters on
-    average.
+    model, or if Params::covariance is 0. It is that of the errors that noise of the inliers'
+    coordinates causes, computed from their errors, whatever their size. With few inliers it allows
+    for the error of the noise that they tell: errors in units of this covariance have as many
+    squares as there are parameters on average.
 
     The parameters, in the units of the caller's points (translations: of `objectPoints`, of
     `points2`; angles in radians):

@@ -13,20 +13,14 @@ namespace python {
 
 namespace {
 
-ProblemType typeOf(int problem)
-{
-    CV_Assert(problem >= HOMOGRAPHY && problem <= SIMILARITY_3D);
-    return (ProblemType)problem;
-}
-
 py::object tangent(int problem, const py::object& model)
 {
-    return arrayOf(tangentOfModel(typeOf(problem), ArrayMat(model, "model").mat()));
+    return arrayOf(tangentOfModel((ProblemType)problem, ArrayMat(model, "model").mat()));
 }
 
 py::object entries(int problem, const py::object& model, const py::object& covariance)
 {
-    return arrayOf(covarianceOfModel(typeOf(problem), ArrayMat(model, "model").mat(),
+    return arrayOf(covarianceOfModel((ProblemType)problem, ArrayMat(model, "model").mat(),
                                      ArrayMat(covariance, "covariance").mat()));
 }
 
@@ -43,9 +37,9 @@ py::object places(int problem, const py::object& model, const py::object& covari
                   const py::object& cameraMatrix1, const py::object& cameraMatrix2)
 {
     return arrayOf(pointCovariance(
-        typeOf(problem), ArrayMat(model, "model").mat(), ArrayMat(covariance, "covariance").mat(),
-        ArrayMat(points1, "points1").mat(), ArrayMat(points2, "points2").mat(),
-        ArrayMat(cameraMatrix1, "cameraMatrix1").mat(),
+        (ProblemType)problem, ArrayMat(model, "model").mat(),
+        ArrayMat(covariance, "covariance").mat(), ArrayMat(points1, "points1").mat(),
+        ArrayMat(points2, "points2").mat(), ArrayMat(cameraMatrix1, "cameraMatrix1").mat(),
         ArrayMat(cameraMatrix2, "cameraMatrix2").mat()));
 }
 

@@ -21,7 +21,7 @@ class ParamsTest(unittest.TestCase):
         self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "ordering", "scores",
                               "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence",
                               "degeneracy", "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach",
-                              "significance", "initialModel"}, set(fields(params)))
+                              "significance", "covariance", "initialModel"}, set(fields(params)))
         for name in fields(params):
             if name in ("scores", "initialModel"):
                 continue

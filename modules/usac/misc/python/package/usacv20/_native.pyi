@@ -56,6 +56,7 @@ class Params(metaclass=_Class):
     polishing: int
     polishingSteps: int
     significance: float
+    covariance: int
     def __init__(self) -> None: ...
     def check(self, count: int = ...) -> None: ...
     @staticmethod

@@ -72,7 +72,8 @@ class Report:
         the data.""")
     sigma = Field[float]("""Standard deviation of the noise of the inliers, in each component of the error, in the unit of
         Params.threshold; maps: of the noise of both arrays; F, E: about that of a coordinate. 0: not estimated.""")
-    covariance = Covariance("""Covariance of the parameters of the returned model, a d x d array of float64; None if there is no model.
+    covariance = Covariance("""Covariance of the parameters of the returned model, a d x d array of float64; None if there is no model,
+        or Params.covariance is 0.
         Parameters: absolute pose and rigid motion 6: rotation vector w (radians) and translation dt of [exp(w) R, t + dt]; with scale
         7: and the relative change of the scale; affinity 6: the entries, row by row; similarity 4: a, b, tx, ty of [a -b tx; b a ty];
         homography 8, F 7, E 5: see tangentOfModel. NaN: not determined (F and E of a plane, too few inliers, POLISHING_NONE).
