@@ -128,7 +128,7 @@ class Report(metaclass=_Class):
 solvePnPFlags: Dict[str, int]
 
 class Rng(metaclass=_Class):
-    """Pseudo-random numbers: those of a seed and a stream, the same ones each time."""
+    """Pseudo-random numbers, determined by a seed and a stream."""
 
     def __init__(self, seed: int = ..., stream: int = ...) -> None: ...
     def next(self) -> int: ...
