@@ -242,7 +242,7 @@ class Usac:
         self._params = params.replace()._fix()
 
     def setScores(self, scores: Optional[npt.ArrayLike]) -> None:
-        """Other Params.scores of the points for the next run, one for each; None: none."""
+        """Replaces Params.scores for the next run: one score per point; None: no scores."""
         self._renew(None, None, self._params.replace(scores=scores))
 
     @property

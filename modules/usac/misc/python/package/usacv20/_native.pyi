@@ -18,7 +18,7 @@ _Points = Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], Optional[npt.NDA
 
 pybind11Version: Tuple[int, int]
 
-class _Class(type): ...  # that pybind11 gives its classes
+class _Class(type): ...  # pybind11 adds this to its classes
 
 class Params(metaclass=_Class):
     threshold: float

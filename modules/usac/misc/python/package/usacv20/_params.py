@@ -170,7 +170,7 @@ class Params:
         return self
 
     def _fix(self: P) -> P:
-        """No field can be written from now on."""
+        """Makes all fields read-only."""
         self.scores.setflags(write=False)
         self.initialModel.setflags(write=False)
         self._fixed = True
